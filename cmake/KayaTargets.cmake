@@ -1,0 +1,47 @@
+# How every target of kaya is compiled. One place, so that no folder has flags of its own.
+
+set(KAYA_ARCH "native" CACHE STRING "value of -march; any x86-64 level gives the same bits")
+option(KAYA_WERROR "warnings are errors in kaya's own code" ON)
+set(KAYA_SANITIZE "" CACHE STRING "value of -fsanitize, e.g. address,undefined")
+
+add_library(kaya_flags INTERFACE)
+target_compile_features(kaya_flags INTERFACE cxx_std_20)
+# No contraction to fused multiply-add: a row's result must not depend on where in a vector it
+# stands, nor on the machine. errno and traps are not used, and leaving them out lets loops vectorise.
+target_compile_options(kaya_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+  -ffp-contract=off -fno-math-errno -fno-trapping-math)
+if(KAYA_ARCH)
+  target_compile_options(kaya_flags INTERFACE -march=${KAYA_ARCH})
+endif()
+if(KAYA_WERROR)
+  target_compile_options(kaya_flags INTERFACE -Werror)
+endif()
+if(KAYA_SANITIZE)
+  target_compile_options(kaya_flags INTERFACE -fsanitize=${KAYA_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  target_link_options(kaya_flags INTERFACE -fsanitize=${KAYA_SANITIZE})
+endif()
+
+# kaya_library(NAME [PUBLIC deps...] [PRIVATE deps...]): all .cpp files of the current folder.
+# The link line is the rule about who may see what.
+function(kaya_library name)
+  cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  add_library(${name} STATIC ${sources})
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR}/src ${CMAKE_SOURCE_DIR})
+  target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR}/include)
+  target_link_libraries(${name} PUBLIC ${arg_PUBLIC} PRIVATE kaya_flags ${arg_PRIVATE})
+  target_compile_features(${name} PUBLIC cxx_std_20)
+endfunction()
+
+# kaya_add_joint_model(NAME sources...): a joint model as a shared library beside the program,
+# in <build>/joints/NAME.so, where the loader looks.
+function(kaya_add_joint_model name)
+  add_library(joint_${name} MODULE ${ARGN})
+  set_target_properties(joint_${name} PROPERTIES
+    PREFIX "" OUTPUT_NAME ${name} CXX_VISIBILITY_PRESET hidden
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/joints)
+  target_include_directories(joint_${name} PRIVATE ${CMAKE_SOURCE_DIR}/include)
+  target_link_libraries(joint_${name} PRIVATE kaya_flags)
+endfunction()

@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT */
+/* The native interface of kaya's joint models: plain C, one shared library per model.
+ *
+ * A library exports one function,
+ *
+ *     const kaya_jmodel* kaya_joint_model(void);
+ *
+ * which returns a descriptor that stays valid as long as the library is loaded. The descriptor is a
+ * table of metadata and one function over a batch. A batch is a run of n sub-contacts that share a
+ * joint model and a set of properties: columns in, columns out; row i of every column is the same
+ * sub-contact.
+ *
+ * Signs. Normal force: compression positive. Normal displacement: opening positive. Shear force
+ * opposes shear displacement. Forces are forces, not stresses: divide by area. Angles are degrees.
+ * No units are enforced; they are the deck's.
+ *
+ * Shear vectors are in global axes and lie in the plane of the contact; the engine has turned them
+ * with the plane before `run` is called.
+ *
+ * Threads. `run`, `initialise` and `max_stiffness` are called from several threads at once, each with
+ * rows of its own: they must not write to anything but the columns of the batch. `check` and
+ * kaya_joint_model are called from one thread.
+ *
+ * Errors. `run` returns -1, or the row at which it failed, after writing a sentence to
+ * batch->message. Do not throw across this interface; what is thrown all the same is caught, and is
+ * reported with the name of the model.
+ */
+#ifndef KAYA_JMODEL_H
+#define KAYA_JMODEL_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A library made for another interface version is refused, with both numbers. */
+#define KAYA_JMODEL_INTERFACE 1
+
+#define KAYA_JMODEL_MAX_HISTORY 16 /* history variables of one model, at most */
+#define KAYA_JMODEL_MAX_STATES 16  /* state names of one model, at most */
+#define KAYA_JMODEL_MESSAGE 256    /* bytes of a message, with the closing zero */
+
+/* One property, in the order of the values that `run` gets. */
+typedef struct kaya_jproperty {
+    const char* name;    /* "stiffness-normal": lower case, words joined by hyphens */
+    const char* aliases; /* other spellings, separated by blanks: "jkn kn"; may be "" */
+    const char* unit;    /* "stress/length", "stress", "angle", "length", "-" */
+    const char* help;    /* one sentence */
+    double initial;      /* value before the user gives one; NAN: the user must give one */
+    double minimum;      /* limits, inclusive; -INFINITY and INFINITY for none */
+    double maximum;
+} kaya_jproperty;
+
+/* A number that the model keeps per sub-contact from cycle to cycle; starts as 0. It is saved,
+ * restored and hashed with the rest of the state. */
+typedef struct kaya_jhistory {
+    const char* name; /* "closure" */
+    const char* unit;
+    const char* help;
+} kaya_jhistory;
+
+/* The sub-contacts of one call. Columns marked "in" must not be written. */
+typedef struct kaya_jbatch {
+    size_t n;
+    const double* properties;      /* in: the values, in the order of the property table */
+    double time_step;              /* in */
+    const double* area;            /* in: may be 0 */
+    const double* normal_disp;     /* in: at the start of the step; opening positive */
+    const double* normal_disp_inc; /* in: of this step */
+    const double* shear_disp[3];   /* in: at the start of the step */
+    const double* shear_disp_inc[3];
+    const double* pore_pressure; /* in: in the joint, compression positive; forces are effective */
+    double* normal_force;        /* in: old; out: new */
+    double* shear_force[3];      /* in: old; out: new */
+    double* normal_stiffness;    /* out: current tangent, stress/length; the time step uses it */
+    double* shear_stiffness;     /* out: likewise; leave both as they are if they are constant */
+    double* frictional_work;     /* in, out: add the work done by slip in this step */
+    uint32_t* state;             /* in, out: bit i belongs to the i-th name of state_names */
+    double* const* history;      /* in, out: history[k][i] is variable k of row i */
+    char message[KAYA_JMODEL_MESSAGE]; /* out: why a row failed */
+} kaya_jbatch;
+
+typedef struct kaya_jmodel {
+    uint32_t interface_version; /* KAYA_JMODEL_INTERFACE */
+    uint32_t size;              /* sizeof(kaya_jmodel) */
+    const char* name;           /* keyword of `jmodel`: "mohr" */
+    const char* title;          /* "Coulomb slip with residual strength" */
+    const char* version;        /* the model's own version, shown to the user: "1.0" */
+    const kaya_jproperty* properties;
+    size_t property_count;
+    const kaya_jhistory* history;
+    size_t history_count;
+    const char* state_names; /* "slip tension": bit 0, bit 1, ...; separated by blanks */
+
+    /* New sub-contacts, and old ones whose model or forces were set from outside: make the history
+     * agree with the forces and the gap that the batch holds (displacement increments are 0), and set
+     * both stiffness columns. Required. Same return value as `run`. */
+    ptrdiff_t (*initialise)(kaya_jbatch* batch);
+
+    /* One step: old forces and increments in, new forces out. Required. */
+    ptrdiff_t (*run)(kaya_jbatch* batch);
+
+    /* Whether the values can work together: NULL, or a sentence that says what is wrong and what to
+     * do. Called when properties are given and all that must be given are there. May be NULL. */
+    const char* (*check)(const double* properties);
+
+    /* An upper bound of the tangent stiffnesses before any sub-contact exists, stress/length; the
+     * columns of the batch take over from the first step. Required. */
+    void (*max_stiffness)(const double* properties, double* normal, double* shear);
+} kaya_jmodel;
+
+#if defined(_WIN32)
+#define KAYA_JMODEL_EXPORT __declspec(dllexport)
+#else
+#define KAYA_JMODEL_EXPORT __attribute__((visibility("default")))
+#endif
+
+KAYA_JMODEL_EXPORT const kaya_jmodel* kaya_joint_model(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* KAYA_JMODEL_H */

@@ -1,0 +1,145 @@
+// Every command as a struct of typed arguments: what the tables fill and the handlers take.
+// The tables beside this header say which words and numbers go into which member.
+#pragma once
+
+#include "lang/commands/range.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kaya::lang {
+
+// --- model control ------------------------------------------------------------------------------
+struct New {};
+struct Config { std::vector<std::string> options; };
+struct CallFile { std::string file; };
+struct Return {};
+struct Quit {};
+struct Title { std::string text; };
+struct Save { std::string file; };
+struct Restore { std::string file; };
+struct Pause {};
+
+/// One `set` line may hold several settings; those not given stay as they are.
+struct Set {
+    std::optional<bool> dynamic;             ///< dyn on|off
+    std::optional<bool> log;                 ///< log on|off
+    std::optional<std::string> log_file;     ///< logfile f
+    std::optional<std::int64_t> default_joint_constitutive; ///< jcondf
+    std::optional<std::int64_t> default_joint_material;     ///< jmatdf
+    std::optional<double> time_step_fraction; ///< fraction
+    std::optional<std::int64_t> threads;
+    std::optional<bool> echo;
+    std::vector<std::string> accepted; ///< words that have no effect here (pagination, ...)
+    std::vector<std::pair<std::string, double>> fish; ///< set @name = value
+};
+
+// --- geometry -----------------------------------------------------------------------------------
+struct BlockOptions {
+    std::int64_t region = 0, material = 1, constitutive = 1;
+};
+struct PolyBrick {
+    std::array<double, 2> x{}, y{}, z{}; ///< y and z are the x limits when they are left out
+    BlockOptions options;
+    Place place;
+};
+struct Hide { RangePhrase range; };
+struct Seek { RangePhrase range; };
+struct Delete { RangePhrase range; };
+struct Group { std::string kind; std::string name; RangePhrase range; }; ///< kind: block
+struct GenerateEdge { double edge = 0; RangePhrase range; Place place; };
+
+// --- materials ----------------------------------------------------------------------------------
+/// prop mat n | jmat n  word value ...: words are the classic ones (dens, bulk, k, g, ymod, jkn, ...)
+/// and the properties of loaded joint models; those are known at run time only.
+struct Property {
+    bool joint = false; ///< `jmat` was typed
+    std::int64_t number = 1;
+    struct Item { std::string word; double value; Place place; };
+    std::vector<Item> items;
+};
+struct Change {
+    std::optional<std::int64_t> material, constitutive, joint_material, joint_constitutive;
+    RangePhrase range;
+};
+/// jmodel load NAME | jmodel model NAME [word value ...] [range] | jmodel word value ... [range]
+struct JointModelCommand {
+    enum class Action { load, assign, properties } action = Action::properties;
+    std::string model;
+    Place model_place;
+    std::vector<Property::Item> items;
+    RangePhrase range;
+};
+
+// --- boundary and initial conditions --------------------------------------------------------------
+struct Fix { RangePhrase range; };
+struct Free { RangePhrase range; };
+struct Gravity { Vec3 value = Vec3::Zero(); };
+struct Boundary {
+    std::array<std::optional<double>, 3> velocity;  ///< xvel yvel zvel
+    std::array<std::optional<double>, 3> load;      ///< xload yload zload, added
+    std::array<bool, 3> free{};                     ///< xfree yfree zfree
+    std::optional<std::array<double, 6>> stress;    ///< xx yy zz xy xz yz
+    std::array<double, 6> x_gradient{}, y_gradient{}, z_gradient{};
+    RangePhrase range;
+    Place place;
+};
+struct Initialize {
+    std::array<std::optional<double>, 3> velocity;
+    RangePhrase range;
+};
+struct Reset { std::vector<std::string> what; }; ///< time hist disp vel jdisp energy damp
+
+// --- histories and output --------------------------------------------------------------------------
+struct HistoryItem {
+    std::string word; ///< canonical: unbal, time, damp, xdis, ndis, sstr, szz, ... or "@name"
+    Vec3 place = Vec3::Zero();
+    Place text;
+};
+struct HistoryAdd {
+    std::vector<HistoryItem> items;
+    std::optional<std::int64_t> interval; ///< ncyc
+};
+struct HistoryLabel { std::int64_t number = 0; std::string text; Place place; };
+struct HistoryWrite {
+    std::vector<std::int64_t> numbers; ///< none: all
+    std::optional<std::int64_t> versus; ///< vs m
+    std::string file;                   ///< none: the deck's name with .csv
+    Place place;
+};
+struct VtkWrite { std::string file; };
+struct List {
+    std::string what; ///< canonical: blocks, contacts, subcontacts, gridpoints, zones, prop, hist, time,
+                      ///< timestep, max, energy, timing, hash, jmodel, ... or "" with `symbols`
+    std::vector<std::string> symbols; ///< print @a @b
+    RangePhrase range;
+};
+struct Ignored { std::string word; }; ///< plot, movie, ...: read to its end
+
+// --- solution ---------------------------------------------------------------------------------------
+struct CycleCommand { std::optional<std::int64_t> cycles; std::optional<double> time; };
+struct Solve {
+    std::optional<double> ratio, force, time, clock; ///< clock in minutes
+    std::optional<std::int64_t> cycles;
+    bool elastic = false;
+};
+struct Damp {
+    std::string kind; ///< auto (=global), local, global, combined, rayleigh, none
+    std::optional<double> value;         ///< local 0.8
+    double fraction = 0, frequency = 0;  ///< rayleigh
+    bool mass = true, stiffness = true;
+};
+struct MassScale { bool on = true; std::optional<double> value; };
+struct Fraction { double value = 0; };
+
+// --- scripts -----------------------------------------------------------------------------------------
+struct FishDefinition { std::string text; Place place; }; ///< def ... end, whole
+struct FishCall { std::string expression; Place place; }; ///< a line that starts with @
+struct LuaChunk { std::string text; Place place; };       ///< lua ... endlua
+struct LuaFile { std::string file; Place place; };
+
+} // namespace kaya::lang

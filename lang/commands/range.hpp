@@ -1,0 +1,42 @@
+// The range phrase, bound: what the words say, without knowing what they pick.
+#pragma once
+
+#include "base/diagnostic.hpp"
+#include "base/vector.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kaya::lang {
+
+/// One element of a range phrase.
+struct RangeElement {
+    enum class Kind {
+        x, y, z,      ///< low, high (one value: low == high, a plane)
+        box,          ///< position v1 v2: corner1, corner2
+        plane,        ///< normal, origin, side (+1 above, -1 below) or distance
+        sphere,       ///< centre, radius1 (inner, 0) and radius2
+        cylinder,     ///< centre, end2, radius1, radius2
+        group, material, constitutive, joint_material, region, joint_set, ///< name or number
+        id,           ///< low..high
+        block_id,     ///< low..high, of the block the object belongs to
+        material_intersection, region_intersection, ///< low and high are the two numbers
+        named         ///< `range nrange NAME`: name
+    };
+    Kind kind = Kind::x;
+    double low = 0, high = 0;
+    Vec3 centre = Vec3::Zero(), end2 = Vec3::Zero(), normal = Vec3::UnitZ();
+    double radius1 = 0, radius2 = 0, distance = 0;
+    int side = 0;
+    std::string name;
+    bool negated = false;
+    Place place;
+};
+
+struct RangePhrase {
+    std::vector<RangeElement> elements; ///< none: everything visible
+    bool any = false;                   ///< `union`: one element is enough
+    Place place;                        ///< of the word `range`; none when there is no phrase
+};
+
+} // namespace kaya::lang

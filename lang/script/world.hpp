@@ -1,0 +1,74 @@
+// What the script languages see of a model: tables of named fields. Implemented in src/commands,
+// so that the language never sees a contact and the engine never sees Lua.
+#pragma once
+
+#include "base/vector.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace kaya::script {
+
+/// A handle that survives changes of the table: of a deleted object it says so, it never crashes.
+struct Handle {
+    std::int32_t table = 0;
+    std::uint32_t slot = 0;
+    std::uint32_t generation = 0; ///< 0: null
+    bool operator==(const Handle&) const = default;
+};
+
+/// nil, truth, integer, real, text, vector, handle.
+using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec3, Handle>;
+
+struct FieldInfo {
+    std::string_view name;    ///< "normal_force"
+    std::string_view classic; ///< "cx_nforce", or ""
+    std::string_view unit;
+    std::string_view help;
+    bool writable = false;
+};
+
+struct TableInfo {
+    std::string_view name; ///< "contact": Lua sees contact.normal_force, and iterates contacts()
+    std::vector<FieldInfo> fields;
+};
+
+/// A list that FISH walks: block_head / b_next, contact_head / c_next, c_cx / cx_next, gp_next, z_next.
+class World {
+public:
+    virtual ~World() = default;
+
+    virtual const std::vector<TableInfo>& tables() const = 0;
+
+    /// Field number is the index into TableInfo::fields. Throws Diagnostic (object deleted, wrong type).
+    virtual Value get(Handle object, std::size_t field) = 0;
+    virtual void set(Handle object, std::size_t field, const Value& value) = 0;
+
+    /// Number of objects, and the i-th (from 0) in the order of FISH's next links.
+    virtual std::size_t count(std::int32_t table) = 0;
+    virtual Handle at(std::int32_t table, std::size_t index) = 0;
+    virtual bool alive(Handle object) = 0;
+    /// Next object in the list that the handle walks in (null at the end).
+    virtual Handle next(Handle object) = 0;
+    /// First child: the sub-contacts of a contact, gridpoints and zones of a block.
+    virtual Handle first_child(Handle parent, std::int32_t child_table) = 0;
+    virtual Handle nearest(std::int32_t table, const Vec3& place) = 0;
+
+    /// Quantities of the whole model: time, cycle, unbalanced force, ... by name or classic FISH name.
+    virtual const std::vector<FieldInfo>& globals() const = 0;
+    virtual Value get_global(std::size_t index) = 0;
+    virtual void set_global(std::size_t index, const Value& value) = 0;
+
+    /// Sum, minimum, maximum, mean of one numeric field over all rows, without a script loop.
+    virtual double reduce(std::int32_t table, std::size_t field, std::string_view how) = 0;
+
+    /// Runs command lines (`command ... endcommand`, Lua's command[[...]]).
+    virtual void command(const std::string& text, const std::string& chunk, int line) = 0;
+};
+
+} // namespace kaya::script

@@ -1,0 +1,120 @@
+#include "base/diagnostic.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+const char* name_of(Severity severity) {
+    switch (severity) {
+    case Severity::note: return "note";
+    case Severity::warning: return "warning";
+    case Severity::error: return "error";
+    }
+    return "error";
+}
+
+const char* colour_of(Severity severity) {
+    switch (severity) {
+    case Severity::note: return "\033[36m";
+    case Severity::warning: return "\033[35m";
+    case Severity::error: return "\033[31m";
+    }
+    return "";
+}
+
+/// Bytes that continue a UTF-8 character take no column on the screen.
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+/// The source line with an underline below it. Long lines are cut to a window around the place.
+std::string underlined(const Diagnostic& d) {
+    if (d.place.line > static_cast<int>(d.place.source->lines.size())) return {};
+    std::string line = d.place.source->lines[d.place.line - 1];
+    int column = std::clamp(d.place.column, 1, static_cast<int>(line.size()) + 1);
+    int length = std::max(1, d.place.length);
+
+    constexpr int window = 100;
+    if (static_cast<int>(line.size()) > window) {
+        int from = std::max(0, column - 1 - window / 2);
+        while (from > 0 && continues_character(line[from])) --from;
+        std::size_t to = std::min(line.size(), static_cast<std::size_t>(from + window));
+        while (to < line.size() && continues_character(line[to])) ++to;
+        line = line.substr(from, to - from);
+        column -= from;
+        if (from > 0) {
+            line = "..." + line;
+            column += 3;
+        }
+    }
+    length = std::min<int>(length, std::max<int>(1, static_cast<int>(line.size()) - column + 1));
+
+    std::string below;
+    for (int i = 0; i < column - 1; ++i) {
+        if (line[i] == '\t') below += '\t';
+        else if (!continues_character(line[i])) below += ' ';
+    }
+    for (int i = 0; i < length; ++i)
+        if (column - 1 + i >= static_cast<int>(line.size()) || !continues_character(line[column - 1 + i]))
+            below += '^';
+    const std::string number = std::to_string(d.place.line);
+    return fmt::format("  {:>4} | {}\n  {:>4} | {}", number, line, "", below);
+}
+
+/// Edit distance in which a swap of neighbours counts as one (optimal string alignment).
+int distance(std::string_view a, std::string_view b) {
+    const std::size_t n = a.size(), m = b.size();
+    std::vector<std::vector<int>> d(n + 1, std::vector<int>(m + 1));
+    for (std::size_t i = 0; i <= n; ++i) d[i][0] = static_cast<int>(i);
+    for (std::size_t j = 0; j <= m; ++j) d[0][j] = static_cast<int>(j);
+    for (std::size_t i = 1; i <= n; ++i)
+        for (std::size_t j = 1; j <= m; ++j) {
+            const int cost = a[i - 1] == b[j - 1] ? 0 : 1;
+            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + cost});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    return d[n][m];
+}
+
+} // namespace
+
+std::string render(const Diagnostic& d, bool colour) {
+    const std::string kind = colour ? fmt::format("{}{}\033[0m", colour_of(d.severity), name_of(d.severity))
+                                    : name_of(d.severity);
+    std::string text;
+    if (d.place) {
+        text = fmt::format("{}:{}:{}: {}: {}", d.place.source->name, d.place.line, d.place.column, kind, d.message);
+        const std::string lines = underlined(d);
+        if (!lines.empty()) text += "\n" + lines;
+        if (!d.hint.empty()) text += lines.empty() ? "\n  " + d.hint : " " + d.hint;
+    } else {
+        text = fmt::format("{}: {}", kind, d.message);
+        if (!d.hint.empty()) text += "\n  " + d.hint;
+    }
+    for (const auto& line : d.context) text += "\n  " + line;
+    return text;
+}
+
+std::string_view did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
+    std::string_view best;
+    // One mistake in a short word, two in a longer one: beyond that a guess hurts more than it helps.
+    int limit = word.size() <= 2 ? 1 : word.size() <= 5 ? 2 : 3;
+    int best_distance = limit + 1;
+    for (const auto candidate : candidates) {
+        const int d = distance(word, candidate);
+        // Between equals the one that starts like the word is the likelier.
+        const bool better = d < best_distance || (d == best_distance && !best.empty() && !word.empty() &&
+                                                  candidate.front() == word.front() && best.front() != word.front());
+        if (better) {
+            best = candidate;
+            best_distance = d;
+        }
+    }
+    if (best.empty() || best_distance >= static_cast<int>(std::max(word.size(), best.size()))) return {};
+    return best;
+}
+
+} // namespace kaya

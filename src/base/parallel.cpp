@@ -1,0 +1,56 @@
+#include "base/parallel.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+
+namespace kaya {
+
+namespace {
+
+int thread_count = 1;
+std::unique_ptr<oneapi::tbb::global_control> limit;
+
+} // namespace
+
+void set_threads(int count) {
+    thread_count = std::max(1, count);
+    limit = std::make_unique<oneapi::tbb::global_control>(oneapi::tbb::global_control::max_allowed_parallelism,
+                                                          static_cast<std::size_t>(thread_count));
+}
+
+int threads() { return thread_count; }
+
+void for_chunks(std::size_t n, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
+    if (n == 0) return;
+    grain = std::max<std::size_t>(grain, 1);
+    const std::size_t chunks = (n + grain - 1) / grain;
+    if (chunks == 1 || thread_count == 1) {
+        for (std::size_t c = 0; c < chunks; ++c) body(c * grain, std::min(n, (c + 1) * grain));
+        return;
+    }
+    std::mutex mutex;
+    std::exception_ptr first;
+    std::size_t first_chunk = chunks;
+    oneapi::tbb::parallel_for(
+        std::size_t{0}, chunks, std::size_t{1},
+        [&](std::size_t c) {
+            try {
+                body(c * grain, std::min(n, (c + 1) * grain));
+            } catch (...) {
+                const std::lock_guard lock(mutex);
+                if (c < first_chunk) {
+                    first_chunk = c;
+                    first = std::current_exception();
+                }
+            }
+        },
+        oneapi::tbb::static_partitioner{});
+    if (first) std::rethrow_exception(first);
+}
+
+} // namespace kaya

@@ -1,0 +1,24 @@
+// Calls a joint model over a batch, with a guard around it.
+#pragma once
+
+#include "joints/joint_model.hpp"
+
+#include <optional>
+#include <string>
+
+namespace kaya {
+
+/// A row that failed, counted from the start of the batch, and the model's own sentence.
+struct BatchFailure {
+    std::size_t row;
+    std::string message;
+};
+
+/// Runs one step. Catches what the model throws and looks for forces and stiffnesses that are not
+/// finite; nullopt when all is well. Allocates nothing unless it fails.
+std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batch);
+
+/// The same for `initialise`.
+std::optional<BatchFailure> initialise_batch(const JointModel& model, kaya_jbatch& batch);
+
+} // namespace kaya

@@ -1,0 +1,71 @@
+// Joint models that are known to the program: loaded libraries, by keyword.
+#pragma once
+
+#include "kaya/jmodel.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kaya {
+
+/// A joint model after loading: the descriptor, checked once, with its texts copied.
+class JointModel {
+public:
+    struct Property {
+        std::string name;
+        std::vector<std::string> aliases;
+        std::string unit, help;
+        double initial, minimum, maximum; ///< initial is NaN when the user must give one
+    };
+    struct HistoryVariable {
+        std::string name, unit, help;
+    };
+
+    std::string name, title, version;
+    std::filesystem::path file;
+    std::vector<Property> properties;
+    std::vector<HistoryVariable> history;
+    std::vector<std::string> states;
+
+    /// Index of the property with that name or alias (case folded, any unambiguous leading part), or none.
+    std::optional<std::size_t> find_property(std::string_view word) const;
+
+    /// A sentence that says what is wrong with the values, or empty.
+    std::string check(const std::vector<double>& values) const;
+
+    /// Properties that must be given and are not.
+    std::vector<std::string> missing(const std::vector<double>& values) const;
+
+    const kaya_jmodel& descriptor() const { return *descriptor_; }
+
+private:
+    friend class JointRegistry;
+    const kaya_jmodel* descriptor_ = nullptr;
+    std::shared_ptr<void> library_; ///< keeps it loaded
+};
+
+/// Finds, loads and keeps joint models. An explicit list: nothing registers itself.
+class JointRegistry {
+public:
+    /// Folders in which `NAME.so` is looked for, first match wins.
+    void set_path(std::vector<std::filesystem::path> folders) { path_ = std::move(folders); }
+
+    /// The model with that keyword, loaded when it is not yet. A name with a slash or with the ending
+    /// .so is a file. Throws Diagnostic: not found (with the names that are there and did-you-mean),
+    /// not a joint model, other interface version (both numbers), bad table, name taken.
+    const JointModel& get(std::string_view name);
+
+    const JointModel* find(std::string_view name) const;        ///< among the loaded ones
+    std::vector<std::string> available() const;                 ///< loaded or in the folders, sorted
+    const std::vector<std::unique_ptr<JointModel>>& loaded() const { return models_; }
+
+private:
+    std::vector<std::filesystem::path> path_;
+    std::vector<std::unique_ptr<JointModel>> models_;
+};
+
+} // namespace kaya

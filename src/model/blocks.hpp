@@ -1,0 +1,158 @@
+// Blocks, their gridpoints (of a rigid block: its vertices), faces and zones.
+#pragma once
+
+#include "base/id.hpp"
+#include "model/column.hpp"
+
+#include <cstdint>
+
+namespace kaya {
+
+struct BlockTag {};
+using BlockId = Id<BlockTag>;
+
+/// Rows [first, first + count) of another table.
+struct Span {
+    Row first = 0;
+    Row count = 0;
+    Row end() const { return first + count; }
+};
+
+/// Bits of Blocks::fixed and Gridpoints::fixed: a component whose velocity is prescribed.
+enum Fixity : std::uint8_t { fix_x = 1, fix_y = 2, fix_z = 4, fix_rx = 8, fix_ry = 16, fix_rz = 32, fix_all = 63 };
+
+/// A quaternion as plain numbers: w, x, y, z.
+using Quaternion = Eigen::Vector4d;
+
+class Blocks : public Table<Blocks> {
+public:
+    IdMap<BlockTag> ids;
+
+    Column<BlockId> id;
+    Column<std::int32_t> number;       ///< counts from 1 in order of creation; what users see
+    Column<std::int32_t> material;     ///< number of `prop mat`
+    Column<std::int32_t> constitutive; ///< number of `change cons`
+    Column<std::int32_t> region;
+    Column<std::int32_t> group; ///< index into Model::group_names, 0 is none
+    Column<std::uint8_t> hidden;
+    Column<std::uint8_t> deformable;
+    Column<std::uint8_t> fixed;   ///< Fixity bits, rigid blocks
+    Column<Span> gridpoints;      ///< a block's rows are contiguous and in block order
+    Column<Span> faces;
+    Column<Span> triangles;
+    Column<Span> zones;
+    Column<double> volume;        ///< length^3
+    Column<double> mass;          ///< 0 until the density is known (at the first cycle)
+    Column<Mat3> inertia;         ///< about the centroid, in the block's own axes
+    Column<Vec3> centroid;
+    Column<Quaternion> orientation; ///< turns own axes into global ones
+    Column<Vec3> velocity;          ///< rigid blocks, of the centroid
+    Column<Vec3> rotational_velocity; ///< global axes, rad/time
+    Column<Vec3> displacement;        ///< of the centroid
+    Column<Vec3> force;               ///< sum of the last cycle, gravity and damping not included
+    Column<Vec3> moment;
+    Column<Vec3> load;  ///< applied force, constant
+    Column<Vec3> torque;
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("id", id);
+        visit("number", number);
+        visit("material", material);
+        visit("constitutive", constitutive);
+        visit("region", region);
+        visit("group", group);
+        visit("hidden", hidden);
+        visit("deformable", deformable);
+        visit("fixed", fixed);
+        visit("gridpoints", gridpoints);
+        visit("faces", faces);
+        visit("triangles", triangles);
+        visit("zones", zones);
+        visit("volume", volume);
+        visit("mass", mass);
+        visit("inertia", inertia);
+        visit("centroid", centroid);
+        visit("orientation", orientation);
+        visit("velocity", velocity);
+        visit("rotational_velocity", rotational_velocity);
+        visit("displacement", displacement);
+        visit("force", force);
+        visit("moment", moment);
+        visit("load", load);
+        visit("torque", torque);
+    }
+};
+
+/// Corners of zones; of a rigid block its vertices, which follow the block.
+class Gridpoints : public Table<Gridpoints> {
+public:
+    Column<Row> block;
+    Column<std::uint8_t> fixed; ///< Fixity bits x y z
+    Column<double> mass;
+    Column<Vec3> position;
+    Column<Vec3> reference; ///< position when the zones were made; of a rigid block's vertex: in own axes
+    Column<Vec3> velocity;
+    Column<Vec3> displacement;
+    Column<Vec3> force; ///< sum of the last cycle, gravity and damping not included
+    Column<Vec3> load;  ///< applied force, constant
+    Column<double> stiffness; ///< sum of the tangent stiffnesses that act on it; limits the time step
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("block", block);
+        visit("fixed", fixed);
+        visit("mass", mass);
+        visit("position", position);
+        visit("reference", reference);
+        visit("velocity", velocity);
+        visit("displacement", displacement);
+        visit("force", force);
+        visit("load", load);
+        visit("stiffness", stiffness);
+    }
+};
+
+/// Plane polygons that bound a block.
+class Faces : public Table<Faces> {
+public:
+    Column<Row> block;
+    Column<std::int32_t> joint_set; ///< 0: made with the block
+    Column<Span> triangles;
+    Column<Vec3> normal; ///< outward, unit, in the block's own axes
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("block", block);
+        visit("joint_set", joint_set);
+        visit("triangles", triangles);
+        visit("normal", normal);
+    }
+};
+
+/// The surface of a block in triangles: of zones when it is deformable. Anticlockwise from outside.
+class Triangles : public Table<Triangles> {
+public:
+    Column<Row> face;
+    Column<std::array<Row, 3>> gridpoints;
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("face", face);
+        visit("gridpoints", gridpoints);
+    }
+};
+
+/// Linear tetrahedra of constant stress.
+class Zones : public Table<Zones> {
+public:
+    Column<Row> block;
+    Column<std::array<Row, 4>> gridpoints; ///< positive volume in this order
+    Column<Stress> stress;
+    Column<double> volume; ///< when the zones were made
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("block", block);
+        visit("gridpoints", gridpoints);
+        visit("stress", stress);
+        visit("volume", volume);
+    }
+};
+
+} // namespace kaya

@@ -1,0 +1,64 @@
+// Columns and tables. A table lists its columns once, in columns(); growing, saving, restoring,
+// hashing and exporting all go through that list.
+#pragma once
+
+#include "base/vector.hpp"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// One quantity of all rows. T is a plain type: bits are the value (save and hash depend on it).
+template <class T> using Column = std::vector<T>;
+
+/// A vector quantity kept as three columns, for loops that take eight rows at a time.
+struct VectorColumn {
+    std::array<Column<double>, 3> component;
+
+    Vec3 operator[](std::size_t row) const {
+        return {component[0][row], component[1][row], component[2][row]};
+    }
+    void set(std::size_t row, const Vec3& value) {
+        for (int k = 0; k < 3; ++k) component[k][row] = value[k];
+    }
+};
+
+/// What every table can do, given `template <class Visit> void columns(Visit&&)` in Derived.
+/// Visit is called as visit("name", column) with a Column<T>&.
+template <class Derived> class Table {
+public:
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+
+    /// New rows are zero.
+    void resize(std::size_t n) {
+        derived().columns([n](const std::string&, auto& column) { column.resize(n); });
+        size_ = n;
+    }
+
+    /// Keeps the rows listed, in that order. `rows` may repeat a row.
+    void gather(const std::vector<std::int32_t>& rows) {
+        derived().columns([&rows](const std::string&, auto& column) {
+            std::decay_t<decltype(column)> kept;
+            kept.reserve(rows.size());
+            for (const auto row : rows) kept.push_back(column[static_cast<std::size_t>(row)]);
+            column = std::move(kept);
+        });
+        size_ = rows.size();
+    }
+
+private:
+    Derived& derived() { return static_cast<Derived&>(*this); }
+    std::size_t size_ = 0;
+};
+
+/// For columns() of a table that holds vector columns.
+template <class Visit> void visit_vector(Visit&& visit, const std::string& name, VectorColumn& column) {
+    static constexpr std::array axes{"_x", "_y", "_z"};
+    for (int k = 0; k < 3; ++k) visit(name + axes[k], column.component[k]);
+}
+
+} // namespace kaya

@@ -1,0 +1,126 @@
+// Contacts between two blocks and the sub-contacts that carry their forces.
+#pragma once
+
+#include "base/id.hpp"
+#include "model/blocks.hpp"
+#include "model/column.hpp"
+
+#include "kaya/jmodel.h"
+
+#include <array>
+#include <cstdint>
+
+namespace kaya {
+
+struct ContactTag {};
+using ContactId = Id<ContactTag>;
+struct SubContactTag {};
+using SubContactId = Id<SubContactTag>;
+
+/// How two blocks touch.
+enum class Touch : std::int32_t {
+    face_face = 1, face_edge, face_vertex, edge_edge, edge_vertex, vertex_vertex
+};
+
+/// What meets at a sub-contact.
+enum class Meeting : std::int32_t { vertex_face = 1, face_vertex, edge_edge };
+
+class Contacts : public Table<Contacts> {
+public:
+    IdMap<ContactTag> ids;
+
+    Column<ContactId> id;
+    Column<std::int32_t> number; ///< counts from 1; what users see
+    Column<Row> block1;          ///< the block with the higher number
+    Column<Row> block2;
+    Column<Row> face1; ///< faces that lie on each other, no_row when the touch is not face-face
+    Column<Row> face2;
+    Column<Touch> touch;
+    Column<Vec3> normal;        ///< of the common plane, unit, from block1 to block2
+    Column<Vec3> position;      ///< a point of the common plane
+    Column<double> area;        ///< of the overlap
+    Column<std::int32_t> material; ///< number of `prop jmat`
+    Column<Row> properties;        ///< row of Model::joint_properties: model and values
+    Column<std::int32_t> joint_set;
+    Column<Span> sub_contacts; ///< a contact's rows are contiguous and in contact order
+    Column<double> slid;       ///< relative tangential motion since the geometry was made anew
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("id", id);
+        visit("number", number);
+        visit("block1", block1);
+        visit("block2", block2);
+        visit("face1", face1);
+        visit("face2", face2);
+        visit("touch", touch);
+        visit("normal", normal);
+        visit("position", position);
+        visit("area", area);
+        visit("material", material);
+        visit("properties", properties);
+        visit("joint_set", joint_set);
+        visit("sub_contacts", sub_contacts);
+        visit("slid", slid);
+    }
+};
+
+/// One side of a sub-contact: up to three gridpoints and their weights (which sum to 1).
+struct Attachment {
+    std::array<Row, 3> gridpoints{no_row, no_row, no_row};
+    std::array<double, 3> weights{0, 0, 0};
+};
+
+class SubContacts : public Table<SubContacts> {
+public:
+    IdMap<SubContactTag> ids;
+
+    Column<SubContactId> id;
+    Column<std::int32_t> number;
+    Column<Row> contact;
+    Column<Meeting> meeting;
+    Column<std::array<Row, 2>> features; ///< what meets, for finding the same sub-contact after an update
+    Column<Attachment> side1;
+    Column<Attachment> side2;
+    VectorColumn position;
+
+    // Columns that joint models see (include/kaya/jmodel.h says what they mean).
+    Column<double> area;
+    Column<double> normal_displacement;
+    Column<double> normal_displacement_increment;
+    VectorColumn shear_displacement;
+    VectorColumn shear_displacement_increment;
+    Column<double> pore_pressure;
+    Column<double> normal_force;
+    VectorColumn shear_force; ///< on block2 is plus this, on block1 minus: see method
+    Column<double> normal_stiffness;
+    Column<double> shear_stiffness;
+    Column<double> frictional_work;
+    Column<std::uint32_t> state;
+    std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY> history;
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("id", id);
+        visit("number", number);
+        visit("contact", contact);
+        visit("meeting", meeting);
+        visit("features", features);
+        visit("side1", side1);
+        visit("side2", side2);
+        visit_vector(visit, "position", position);
+        visit("area", area);
+        visit("normal_displacement", normal_displacement);
+        visit("normal_displacement_increment", normal_displacement_increment);
+        visit_vector(visit, "shear_displacement", shear_displacement);
+        visit_vector(visit, "shear_displacement_increment", shear_displacement_increment);
+        visit("pore_pressure", pore_pressure);
+        visit("normal_force", normal_force);
+        visit_vector(visit, "shear_force", shear_force);
+        visit("normal_stiffness", normal_stiffness);
+        visit("shear_stiffness", shear_stiffness);
+        visit("frictional_work", frictional_work);
+        visit("state", state);
+        for (std::size_t k = 0; k < history.size(); ++k) visit("history_" + std::to_string(k), history[k]);
+    }
+};
+
+} // namespace kaya

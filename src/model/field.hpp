@@ -1,0 +1,42 @@
+// Every quantity that a user can name: for histories, Lua and FISH, lists and VTK. One table.
+#pragma once
+
+#include "model/model.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <variant>
+
+namespace kaya {
+
+enum class FieldTable { global, block, gridpoint, face, zone, contact, sub_contact };
+
+/// A link to a row of another table.
+struct Link {
+    FieldTable table;
+    Row row;
+};
+
+using FieldValue = std::variant<double, std::int64_t, Vec3, std::string, Link>;
+
+/// One quantity: `gridpoint.velocity` and the classic FISH names that read it.
+struct Field {
+    FieldTable table;
+    std::string_view name;    ///< "normal_force"
+    std::string_view classic; ///< "cx_nforce"; "" when there is none. A vector has its components as
+                              ///< own fields: "x_velocity", classic "gp_xvel".
+    std::string_view history; ///< word of `hist`: "nforce"; "" when none
+    std::string_view unit;    ///< quantity: "length", "stress", "force", "-"
+    std::string_view help;
+    FieldValue (*get)(const Model&, Row);
+    void (*set)(Model&, Row, const FieldValue&); ///< null: read only
+};
+
+/// All fields, grouped by table.
+std::span<const Field> fields();
+const Field* find_field(FieldTable table, std::string_view name);
+const Field* find_classic_field(std::string_view classic);
+const Field* find_history_field(std::string_view word);
+
+} // namespace kaya

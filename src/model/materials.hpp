@@ -1,0 +1,37 @@
+// What `prop` sets: block and joint materials by number, and the property sets that contacts use.
+#pragma once
+
+#include "model/column.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// Block material. NaN: not given yet.
+struct Material {
+    double density = std::numeric_limits<double>::quiet_NaN(); ///< mass/length^3
+    double bulk = std::numeric_limits<double>::quiet_NaN();    ///< stress
+    double shear = std::numeric_limits<double>::quiet_NaN();   ///< stress
+    double cohesion = 0, friction = 0, tension = 0, dilation = 0; ///< Mohr-Coulomb blocks
+
+    /// Joint properties given by material number (`prop jmat`), by the name the user typed.
+    /// They are handed to a contact's joint model when it is assigned.
+    std::map<std::string, double> joint;
+
+    double confined_modulus() const { return bulk + 4.0 / 3.0 * shear; }
+};
+
+/// Values for one joint model; contacts that share a row are one batch.
+struct JointProperties {
+    std::string model;          ///< keyword of the joint model
+    std::int32_t material = 1;  ///< number of `prop jmat` it was made from
+    std::vector<double> values; ///< in the order of the model's property table
+    std::string place;          ///< "deck.3dd:23", where the values were last given; for messages
+};
+
+} // namespace kaya

@@ -1,0 +1,59 @@
+// The whole state of a run. Nothing else owns state.
+#pragma once
+
+#include "model/blocks.hpp"
+#include "model/contacts.hpp"
+#include "model/history.hpp"
+#include "model/materials.hpp"
+#include "model/settings.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+struct Model {
+    Blocks blocks;
+    Gridpoints gridpoints;
+    Faces faces;
+    Triangles triangles;
+    Zones zones;
+    Contacts contacts;
+    SubContacts sub_contacts;
+
+    std::map<std::int32_t, Material> materials;
+    std::vector<JointProperties> joint_properties;
+    std::map<std::int32_t, std::string> joint_constitutive; ///< model name of each `jcons` number
+    std::vector<std::string> group_names{""};
+
+    Settings settings;
+    Clock clock;
+    Histories histories;
+
+    std::int32_t next_block_number = 1;
+    std::int32_t next_contact_number = 1;
+    std::int32_t next_sub_contact_number = 1;
+
+    /// Something was made, deleted or zoned: contacts and what is derived must be made anew.
+    bool structure_changed = true;
+    /// Masses, stiffnesses or the time step must be computed anew.
+    bool properties_changed = true;
+
+    /// Every table with its name, in a fixed order.
+    template <class Visit> void tables(Visit&& visit) {
+        visit("blocks", blocks);
+        visit("gridpoints", gridpoints);
+        visit("faces", faces);
+        visit("triangles", triangles);
+        visit("zones", zones);
+        visit("contacts", contacts);
+        visit("sub_contacts", sub_contacts);
+    }
+};
+
+/// Digest of everything that decides how a run goes on: columns, settings, clock, properties,
+/// histories. Equal state, equal digest; independent of threads, of the machine's paths and of time.
+std::uint64_t state_hash(Model& model);
+
+} // namespace kaya

@@ -1,0 +1,44 @@
+// What applies to the whole model, and where it stands in time.
+#pragma once
+
+#include "base/vector.hpp"
+
+#include <cstdint>
+
+namespace kaya {
+
+/// How motion is damped. Equations: docs/theory/damping.md.
+enum class Damping : std::int32_t { none, local, global, combined, rayleigh };
+
+struct Settings {
+    Vec3 gravity = Vec3::Zero();
+    Damping damping = Damping::local;
+    double local_factor = 0.8;       ///< alpha of F_d = -alpha |F| sgn(v)
+    double global_ratio = 0.5;       ///< damping power asked for, over the rate of change of kinetic energy
+    double rayleigh_fraction = 0;    ///< of critical damping, at
+    double rayleigh_frequency = 0;   ///< cycles/time
+    bool rayleigh_mass = true, rayleigh_stiffness = true;
+    double time_step_fraction = 0.5; ///< of the largest stable step
+    double given_time_step = 0;      ///< 0: computed
+    bool dynamic = false;
+    bool large_strain = true;
+    double mass_scale = 0;           ///< 0: real masses
+    std::int32_t default_joint_material = 1;     ///< `set jmatdf`
+    std::int32_t default_joint_constitutive = 1; ///< `set jcondf`
+};
+
+/// Numbers that the cycle keeps from step to step.
+struct Clock {
+    double time = 0;
+    std::int64_t cycle = 0;
+    double time_step = 0;      ///< 0: not computed yet
+    double global_viscosity = 0; ///< of adaptive global damping, 1/time
+    double last_kinetic = 0;
+    double unbalanced_force = 0; ///< largest of the last cycle
+    double average_ratio = 0, maximum_ratio = 0, local_ratio = 0;
+    // Energy, accumulated since the last `reset energy`.
+    double kinetic = 0, gravity_work = 0, boundary_work = 0, damped = 0, frictional = 0;
+    double joint_elastic = 0, zone_elastic = 0;
+};
+
+} // namespace kaya
