@@ -1,0 +1,56 @@
+// One cycle of the explicit scheme: the only place where the order of the phases stands.
+#pragma once
+
+#include "joints/joint_model.hpp"
+#include "model/model.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// Where scripts and programs are called inside a cycle. They may read all and write fields; a change
+/// of structure from inside waits for the end of the cycle.
+struct Hooks {
+    std::vector<std::function<void()>> before_cycle, after_forces, after_cycle;
+    /// Value of a deck's function or variable, for histories of it.
+    std::function<double(const std::string&)> script_value;
+};
+
+/// Seconds spent in each phase since the program started, for `list timing`.
+struct PhaseTime {
+    const char* phase;
+    double seconds = 0;
+    std::int64_t calls = 0;
+};
+
+class Cycle {
+public:
+    Cycle(Model& model, JointRegistry& joints);
+    ~Cycle();
+
+    /// Contacts found, joint models given to contacts that have none, masses and time step computed.
+    /// Called by advance() when something changed; safe to call at any time. Throws Diagnostic
+    /// (density not given, zero stiffness, a required joint property missing, ...), model unchanged.
+    void prepare();
+
+    /// One cycle. Throws Diagnostic with Fault::run when a joint model fails or a number is not finite.
+    void advance();
+
+    /// The body that limits the time step and why, in words.
+    std::string time_step_report();
+
+    const std::vector<PhaseTime>& timing() const;
+
+    Hooks hooks;
+
+private:
+    struct Scratch; // adjacency and buffers, derived from the model, never saved
+    Model& model_;
+    JointRegistry& joints_;
+    Scratch* scratch_;
+};
+
+} // namespace kaya
