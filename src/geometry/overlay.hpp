@@ -1,0 +1,35 @@
+// The common refinement of two triangulations in a plane: where sub-contacts lie and what they own.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace kaya {
+
+using Vec2 = Eigen::Vector2d;
+
+/// One side: points and triangles in the coordinates of the common plane, in either orientation.
+struct PlaneMesh {
+    std::vector<Vec2> points;
+    std::vector<std::array<int, 3>> triangles;
+};
+
+/// A vertex of the overlay. Its area is a third of the overlay's triangles around it, so that the areas
+/// sum to the overlap and sum(area * f) is the integral of any f that is linear in each triangle of
+/// both sides: tractions are passed on consistently whatever the two meshes are.
+struct OverlayPoint {
+    Vec2 place;
+    double area = 0;
+    int vertex1 = -1; ///< the point of side 1 that lies here, or -1
+    int vertex2 = -1;
+    int triangle1 = 0; ///< triangles that hold the point, with its barycentric weights
+    int triangle2 = 0;
+    std::array<double, 3> weights1{}, weights2{};
+};
+
+/// Points closer than `tolerance` are one point; pieces thinner than it are left out.
+std::vector<OverlayPoint> overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance);
+
+} // namespace kaya

@@ -1,0 +1,291 @@
+#include "model/build.hpp"
+
+#include "base/diagnostic.hpp"
+#include "geometry/mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+/// Rows of the dependent tables in block order, without those of blocks that are gone. New rows may
+/// have been appended anywhere; spans of `blocks` say which belong together.
+void put_in_block_order(Model& model) {
+    auto& blocks = model.blocks;
+    std::vector<Row> gridpoints, faces, triangles, zones;
+    std::vector<Row> gridpoint_of(model.gridpoints.size(), no_row), face_of(model.faces.size(), no_row);
+    std::vector<Row> triangle_of(model.triangles.size(), no_row);
+
+    const auto take = [](Span& span, std::vector<Row>& kept, std::vector<Row>* renamed) {
+        const Span old = span;
+        span.first = static_cast<Row>(kept.size());
+        for (Row row = old.first; row < old.end(); ++row) {
+            if (renamed) (*renamed)[row] = static_cast<Row>(kept.size());
+            kept.push_back(row);
+        }
+    };
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        take(blocks.gridpoints[b], gridpoints, &gridpoint_of);
+        take(blocks.faces[b], faces, &face_of);
+        take(blocks.triangles[b], triangles, &triangle_of);
+        take(blocks.zones[b], zones, nullptr);
+    }
+    model.gridpoints.gather(gridpoints);
+    model.faces.gather(faces);
+    model.triangles.gather(triangles);
+    model.zones.gather(zones);
+
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const Row row = static_cast<Row>(b);
+        for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g)
+            model.gridpoints.block[g] = row;
+        for (Row f = blocks.faces[b].first; f < blocks.faces[b].end(); ++f) {
+            model.faces.block[f] = row;
+            model.faces.triangles[f].first = triangle_of[model.faces.triangles[f].first];
+        }
+        for (Row t = blocks.triangles[b].first; t < blocks.triangles[b].end(); ++t) {
+            model.triangles.face[t] = face_of[model.triangles.face[t]];
+            for (auto& g : model.triangles.gridpoints[t]) g = gridpoint_of[g];
+        }
+        for (Row z = blocks.zones[b].first; z < blocks.zones[b].end(); ++z) {
+            model.zones.block[z] = row;
+            for (auto& g : model.zones.gridpoints[z]) g = gridpoint_of[g];
+        }
+    }
+}
+
+template <class TableType> Row append(TableType& table, std::size_t count) {
+    const auto first = static_cast<Row>(table.size());
+    table.resize(table.size() + count);
+    return first;
+}
+
+/// A convex polygon as a fan from its lowest vertex: neighbours that share a face by a cut, and bricks
+/// that are zoned later, get the same diagonals.
+std::vector<std::array<int, 3>> fan(const Polyhedron& p, const std::vector<int>& loop) {
+    const auto lowest = std::min_element(loop.begin(), loop.end(), [&p](int a, int b) {
+        return std::lexicographical_compare(p.vertices[a].data(), p.vertices[a].data() + 3, p.vertices[b].data(),
+                                            p.vertices[b].data() + 3);
+    });
+    std::vector<int> turned(lowest, loop.end());
+    turned.insert(turned.end(), loop.begin(), lowest);
+    std::vector<std::array<int, 3>> triangles;
+    for (std::size_t i = 1; i + 1 < turned.size(); ++i) triangles.push_back({turned[0], turned[i], turned[i + 1]});
+    return triangles;
+}
+
+/// Replaces the surface and gridpoints of a block by those of a mesh, appended at the end of the tables.
+void put_mesh(Model& model, Row block, const Polyhedron& shape, const TetMesh& mesh) {
+    auto& blocks = model.blocks;
+    const Row g0 = append(model.gridpoints, mesh.points.size());
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        model.gridpoints.block[g0 + i] = block;
+        model.gridpoints.position[g0 + i] = model.gridpoints.reference[g0 + i] = mesh.points[i];
+        model.gridpoints.velocity[g0 + i] = blocks.velocity[block];
+        model.gridpoints.displacement[g0 + i] = Vec3::Zero();
+        model.gridpoints.fixed[g0 + i] = blocks.fixed[block] & (fix_x | fix_y | fix_z);
+    }
+    blocks.gridpoints[block] = {g0, static_cast<Row>(mesh.points.size())};
+
+    const Row t0 = append(model.triangles, mesh.boundary.size());
+    Row t = t0;
+    const Row f0 = blocks.faces[block].first;
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+        model.faces.triangles[f0 + f].first = t;
+        for (const auto& triangle : mesh.boundary) {
+            if (triangle.face != static_cast<int>(f)) continue;
+            model.triangles.face[t] = f0 + static_cast<Row>(f);
+            for (int k = 0; k < 3; ++k) model.triangles.gridpoints[t][k] = g0 + triangle.points[k];
+            ++t;
+        }
+        model.faces.triangles[f0 + f].count = t - model.faces.triangles[f0 + f].first;
+    }
+    blocks.triangles[block] = {t0, t - t0};
+
+    const Row z0 = append(model.zones, mesh.tetrahedra.size());
+    for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+        const auto& tet = mesh.tetrahedra[i];
+        for (int k = 0; k < 4; ++k) model.zones.gridpoints[z0 + i][k] = g0 + tet[k];
+        const Vec3 a = mesh.points[tet[1]] - mesh.points[tet[0]], b = mesh.points[tet[2]] - mesh.points[tet[0]],
+                   c = mesh.points[tet[3]] - mesh.points[tet[0]];
+        model.zones.volume[z0 + i] = a.dot(b.cross(c)) / 6.0;
+        model.zones.stress[z0 + i] = Stress::Zero();
+        model.zones.block[z0 + i] = block;
+    }
+    blocks.zones[block] = {z0, static_cast<Row>(mesh.tetrahedra.size())};
+    blocks.deformable[block] = 1;
+}
+
+} // namespace
+
+Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& options) {
+    const MassProperties mass = mass_properties(polyhedron);
+    if (!(mass.volume > 0))
+        throw Diagnostic(fmt::format("the block has no volume ({})", mass.volume),
+                         "look at the order and the place of its vertices");
+    auto& blocks = model.blocks;
+    const Row b = append(blocks, 1);
+    blocks.id[b] = blocks.ids.create(b);
+    blocks.number[b] = model.next_block_number++;
+    blocks.material[b] = options.material;
+    blocks.constitutive[b] = options.constitutive;
+    blocks.region[b] = options.region;
+    blocks.group[b] = options.group;
+    blocks.volume[b] = mass.volume;
+    blocks.inertia[b] = mass.inertia; // of unit density until the density is known
+    blocks.centroid[b] = mass.centroid;
+    blocks.orientation[b] = Quaternion(1, 0, 0, 0);
+    blocks.velocity[b] = blocks.rotational_velocity[b] = blocks.displacement[b] = Vec3::Zero();
+    blocks.force[b] = blocks.moment[b] = blocks.load[b] = blocks.torque[b] = Vec3::Zero();
+
+    const Row g0 = append(model.gridpoints, polyhedron.vertices.size());
+    for (std::size_t i = 0; i < polyhedron.vertices.size(); ++i) {
+        model.gridpoints.block[g0 + i] = b;
+        model.gridpoints.position[g0 + i] = polyhedron.vertices[i];
+        model.gridpoints.reference[g0 + i] = polyhedron.vertices[i] - mass.centroid;
+        model.gridpoints.velocity[g0 + i] = model.gridpoints.displacement[g0 + i] = Vec3::Zero();
+        model.gridpoints.force[g0 + i] = model.gridpoints.load[g0 + i] = Vec3::Zero();
+    }
+    blocks.gridpoints[b] = {g0, static_cast<Row>(polyhedron.vertices.size())};
+
+    const Row f0 = append(model.faces, polyhedron.faces.size());
+    const Row t0 = static_cast<Row>(model.triangles.size());
+    for (std::size_t f = 0; f < polyhedron.faces.size(); ++f) {
+        const Row face = f0 + static_cast<Row>(f);
+        const auto triangles = fan(polyhedron, polyhedron.faces[f].vertices);
+        const Row first = append(model.triangles, triangles.size());
+        model.faces.block[face] = b;
+        model.faces.joint_set[face] = polyhedron.faces[f].joint_set;
+        model.faces.normal[face] = face_normal(polyhedron, polyhedron.faces[f]);
+        model.faces.triangles[face] = {first, static_cast<Row>(triangles.size())};
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            model.triangles.face[first + t] = face;
+            for (int k = 0; k < 3; ++k) model.triangles.gridpoints[first + t][k] = g0 + triangles[t][k];
+        }
+    }
+    blocks.faces[b] = {f0, static_cast<Row>(polyhedron.faces.size())};
+    blocks.triangles[b] = {t0, static_cast<Row>(model.triangles.size()) - t0};
+    blocks.zones[b] = {static_cast<Row>(model.zones.size()), 0};
+    model.structure_changed = model.properties_changed = true;
+    return b;
+}
+
+Polyhedron shape_of(const Model& model, Row block) {
+    // The loops of a face are the boundary edges of its triangles, walked once around.
+    Polyhedron shape;
+    const Span vertices = model.blocks.gridpoints[block];
+    std::vector<int> vertex_of(vertices.count, -1);
+    for (Row f = model.blocks.faces[block].first; f < model.blocks.faces[block].end(); ++f) {
+        std::vector<std::array<Row, 2>> edges;
+        const Span triangles = model.faces.triangles[f];
+        for (Row t = triangles.first; t < triangles.end(); ++t)
+            for (int k = 0; k < 3; ++k) {
+                const Row a = model.triangles.gridpoints[t][k], c = model.triangles.gridpoints[t][(k + 1) % 3];
+                const auto twin = std::find(edges.begin(), edges.end(), std::array<Row, 2>{c, a});
+                if (twin != edges.end()) edges.erase(twin);
+                else edges.push_back({a, c});
+            }
+        Polyhedron::Face face;
+        face.joint_set = model.faces.joint_set[f];
+        if (edges.empty()) continue;
+        const Row start = edges.front()[0];
+        Row at = start;
+        do {
+            int& vertex = vertex_of[at - vertices.first];
+            if (vertex < 0) {
+                vertex = static_cast<int>(shape.vertices.size());
+                shape.vertices.push_back(model.gridpoints.position[at]);
+            }
+            face.vertices.push_back(vertex);
+            const auto next =
+                std::find_if(edges.begin(), edges.end(), [at](const auto& edge) { return edge[0] == at; });
+            if (next == edges.end()) break;
+            at = (*next)[1];
+            edges.erase(next);
+        } while (at != start);
+        shape.faces.push_back(std::move(face));
+    }
+    return shape;
+}
+
+void delete_blocks(Model& model, const std::vector<Row>& rows) {
+    auto& blocks = model.blocks;
+    std::vector<bool> gone(blocks.size(), false);
+    for (const Row row : rows) gone[row] = true;
+    std::vector<Row> kept, renamed(blocks.size(), no_row);
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (gone[b]) {
+            blocks.ids.destroy(blocks.id[b]);
+            continue;
+        }
+        renamed[b] = static_cast<Row>(kept.size());
+        kept.push_back(static_cast<Row>(b));
+    }
+    blocks.gather(kept);
+    for (std::size_t b = 0; b < blocks.size(); ++b) blocks.ids.move(blocks.id[b], static_cast<Row>(b));
+    put_in_block_order(model);
+    // Contacts of deleted blocks go; the others are renamed and their geometry is made anew.
+    auto& contacts = model.contacts;
+    std::vector<Row> kept_contacts, kept_sub_contacts;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const Row b1 = renamed[contacts.block1[c]], b2 = renamed[contacts.block2[c]];
+        const Span span = contacts.sub_contacts[c];
+        if (b1 == no_row || b2 == no_row) {
+            contacts.ids.destroy(contacts.id[c]);
+            for (Row s = span.first; s < span.end(); ++s) model.sub_contacts.ids.destroy(model.sub_contacts.id[s]);
+            continue;
+        }
+        contacts.block1[c] = b1;
+        contacts.block2[c] = b2;
+        contacts.sub_contacts[c].first = static_cast<Row>(kept_sub_contacts.size());
+        for (Row s = span.first; s < span.end(); ++s) {
+            model.sub_contacts.contact[s] = static_cast<Row>(kept_contacts.size());
+            kept_sub_contacts.push_back(s);
+        }
+        kept_contacts.push_back(static_cast<Row>(c));
+    }
+    contacts.gather(kept_contacts);
+    model.sub_contacts.gather(kept_sub_contacts);
+    for (std::size_t c = 0; c < contacts.size(); ++c) contacts.ids.move(contacts.id[c], static_cast<Row>(c));
+    for (std::size_t s = 0; s < model.sub_contacts.size(); ++s)
+        model.sub_contacts.ids.move(model.sub_contacts.id[s], static_cast<Row>(s));
+    model.structure_changed = model.properties_changed = true;
+}
+
+std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double edge) {
+    if (!(edge > 0) || !std::isfinite(edge))
+        throw Diagnostic("the edge length of zones must be a number above 0");
+    struct Meshed {
+        Row block;
+        Polyhedron shape;
+        TetMesh mesh;
+    };
+    std::vector<Meshed> meshed;
+    constexpr double most = 5e7; // zones; more would not fit in the memory of any machine of today
+    double count = 0;
+    for (const Row block : rows) {
+        if (model.blocks.deformable[block]) continue;
+        count += 6 * std::max(1.0, model.blocks.volume[block] / std::pow(edge, 3));
+        if (count > most)
+            throw Diagnostic(fmt::format("an edge of {} would make more than {:.0e} zones", edge, most),
+                             "give a longer edge or a smaller range");
+        Polyhedron shape = shape_of(model, block);
+        auto mesh = hexahedron_mesh(shape, edge);
+        if (!mesh)
+            throw Diagnostic(fmt::format("block {} is no six-sided block: zones are made in those only",
+                                         model.blocks.number[block]));
+        meshed.push_back({block, std::move(shape), std::move(*mesh)});
+    }
+    for (const auto& m : meshed) put_mesh(model, m.block, m.shape, m.mesh);
+    if (!meshed.empty()) {
+        put_in_block_order(model);
+        model.structure_changed = model.properties_changed = true;
+    }
+    return meshed.size();
+}
+
+} // namespace kaya
