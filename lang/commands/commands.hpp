@@ -134,6 +134,7 @@ struct Damp {
     bool mass = true, stiffness = true;
 };
 struct MassScale { bool on = true; std::optional<double> value; };
+struct NameRange { std::string name; RangePhrase range; }; ///< range name NAME elements
 struct Fraction { double value = 0; };
 
 // --- scripts -----------------------------------------------------------------------------------------
