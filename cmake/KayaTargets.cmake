@@ -35,6 +35,9 @@ function(kaya_library name)
   target_compile_features(${name} PUBLIC cxx_std_20)
 endfunction()
 
+# What it takes to run a deck: the program and the joint models that ship. scripts/run builds this and no tests.
+add_custom_target(program)
+
 # kaya_add_joint_model(NAME sources...): a joint model as a shared library beside the program,
 # in <build>/joints/NAME.so, where the loader looks.
 function(kaya_add_joint_model name)
@@ -44,4 +47,5 @@ function(kaya_add_joint_model name)
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/joints)
   target_include_directories(joint_${name} PRIVATE ${CMAKE_SOURCE_DIR}/include)
   target_link_libraries(joint_${name} PRIVATE kaya_flags)
+  add_dependencies(program joint_${name})
 endfunction()
