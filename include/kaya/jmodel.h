@@ -10,20 +10,22 @@
  * joint model and a set of properties: columns in, columns out; row i of every column is the same
  * sub-contact.
  *
- * Signs. Normal force: compression positive. Normal displacement: opening positive. Shear force
- * opposes shear displacement. Forces are forces, not stresses: divide by area. Angles are degrees.
- * No units are enforced; they are the deck's.
+ * Signs. Displacement is that of block 2 relative to block 1, and the unit normal n points from block
+ * 1 to block 2. Normal displacement: opening positive. Normal force: compression positive. The force
+ * on block 2 is normal_force * n + shear_force, so shear force opposes shear displacement: a spring is
+ * shear_force -= stiffness * area * shear_disp_inc. Forces are forces, not stresses: divide by area.
+ * Angles are degrees. No units are enforced; they are the deck's.
  *
  * Shear vectors are in global axes and lie in the plane of the contact; the engine has turned them
- * with the plane before `run` is called.
+ * with the plane before `run` is called. A vector kept in the history is not turned.
  *
- * Threads. `run`, `initialise` and `max_stiffness` are called from several threads at once, each with
- * rows of its own: they must not write to anything but the columns of the batch. `check` and
- * kaya_joint_model are called from one thread.
+ * Threads. `run` and `initialise` are called from several threads at once, each with rows of its own:
+ * they must not write to anything but the columns of the batch. The other functions are called from
+ * one thread at a time.
  *
- * Errors. `run` returns -1, or the row at which it failed, after writing a sentence to
- * batch->message. Do not throw across this interface; what is thrown all the same is caught, and is
- * reported with the name of the model.
+ * Errors. `run` and `initialise` return -1, or the row at which they failed, after writing a sentence
+ * to batch->message. Do not throw across this interface; what is thrown all the same is caught, and is
+ * reported with the name of the model. So is a force, a stiffness or a history value that is not finite.
  */
 #ifndef KAYA_JMODEL_H
 #define KAYA_JMODEL_H
@@ -38,30 +40,32 @@ extern "C" {
 /* A library made for another interface version is refused, with both numbers. */
 #define KAYA_JMODEL_INTERFACE 1
 
-#define KAYA_JMODEL_MAX_HISTORY 16 /* history variables of one model, at most */
-#define KAYA_JMODEL_MAX_STATES 16  /* state names of one model, at most */
-#define KAYA_JMODEL_MESSAGE 256    /* bytes of a message, with the closing zero */
+#define KAYA_JMODEL_MAX_PROPERTIES 64 /* properties of one model, at most */
+#define KAYA_JMODEL_MAX_HISTORY 16    /* history variables of one model, at most */
+#define KAYA_JMODEL_MAX_STATES 16     /* state names of one model, at most */
+#define KAYA_JMODEL_MESSAGE 256       /* bytes of a message, with the closing zero */
 
-/* One property, in the order of the values that `run` gets. */
+/* One property, in the order of the values that `run` gets. Only `name` must not be NULL. */
 typedef struct kaya_jproperty {
     const char* name;    /* "stiffness-normal": lower case, words joined by hyphens */
     const char* aliases; /* other spellings, separated by blanks: "jkn kn"; may be "" */
     const char* unit;    /* "stress/length", "stress", "angle", "length", "-" */
     const char* help;    /* one sentence */
-    double initial;      /* value before the user gives one; NAN: the user must give one */
+    double initial;      /* value before the user gives one; NAN: there is none */
     double minimum;      /* limits, inclusive; -INFINITY and INFINITY for none */
     double maximum;
+    uint32_t optional;   /* with an initial NAN: 0, the user must give a value; 1, the model gets NAN */
 } kaya_jproperty;
 
 /* A number that the model keeps per sub-contact from cycle to cycle; starts as 0. It is saved,
- * restored and hashed with the rest of the state. */
+ * restored and hashed with the rest of the state. Only `name` must not be NULL. */
 typedef struct kaya_jhistory {
     const char* name; /* "closure" */
     const char* unit;
     const char* help;
 } kaya_jhistory;
 
-/* The sub-contacts of one call. Columns marked "in" must not be written. */
+/* The sub-contacts of one call. Columns marked "in" must not be written. No two columns overlap. */
 typedef struct kaya_jbatch {
     size_t n;
     const double* properties;      /* in: the values, in the order of the property table */
@@ -76,16 +80,18 @@ typedef struct kaya_jbatch {
     double* shear_force[3];      /* in: old; out: new */
     double* normal_stiffness;    /* out: current tangent, stress/length; the time step uses it */
     double* shear_stiffness;     /* out: likewise; leave both as they are if they are constant */
-    double* frictional_work;     /* in, out: add the work done by slip in this step */
+    double* frictional_work;     /* in, out: add what slip and breaking took up in this step */
     uint32_t* state;             /* in, out: bit i belongs to the i-th name of state_names */
     double* const* history;      /* in, out: history[k][i] is variable k of row i */
     char message[KAYA_JMODEL_MESSAGE]; /* out: why a row failed */
 } kaya_jbatch;
 
+/* `name`, `initialise`, `run` and `max_stiffness` must not be NULL; neither must a table whose count
+ * is not 0. */
 typedef struct kaya_jmodel {
     uint32_t interface_version; /* KAYA_JMODEL_INTERFACE */
     uint32_t size;              /* sizeof(kaya_jmodel) */
-    const char* name;           /* keyword of `jmodel`: "mohr" */
+    const char* name;           /* keyword of `jmodel`: "mohr"; lower case, words joined by hyphens */
     const char* title;          /* "Coulomb slip with residual strength" */
     const char* version;        /* the model's own version, shown to the user: "1.0" */
     const kaya_jproperty* properties;
@@ -96,18 +102,18 @@ typedef struct kaya_jmodel {
 
     /* New sub-contacts, and old ones whose model or forces were set from outside: make the history
      * agree with the forces and the gap that the batch holds (displacement increments are 0), and set
-     * both stiffness columns. Required. Same return value as `run`. */
+     * both stiffness columns. */
     ptrdiff_t (*initialise)(kaya_jbatch* batch);
 
-    /* One step: old forces and increments in, new forces out. Required. */
+    /* One step: old forces and increments in, new forces out. */
     ptrdiff_t (*run)(kaya_jbatch* batch);
 
     /* Whether the values can work together: NULL, or a sentence that says what is wrong and what to
-     * do. Called when properties are given and all that must be given are there. May be NULL. */
+     * do; it is copied before the next call. Called when all that must be given are there. May be NULL. */
     const char* (*check)(const double* properties);
 
-    /* An upper bound of the tangent stiffnesses before any sub-contact exists, stress/length; the
-     * columns of the batch take over from the first step. Required. */
+    /* The tangent stiffnesses that a sub-contact starts with, stress/length, at the largest: the engine
+     * needs them before any force is known. The columns of the batch take over from the first step. */
     void (*max_stiffness)(const double* properties, double* normal, double* shear);
 } kaya_jmodel;
 

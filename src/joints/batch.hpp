@@ -14,8 +14,9 @@ struct BatchFailure {
     std::string message;
 };
 
-/// Runs one step. Catches what the model throws and looks for forces and stiffnesses that are not
-/// finite; nullopt when all is well. Allocates nothing unless it fails.
+/// Runs one step. Catches what the model throws, and looks for forces, stiffnesses and history values
+/// that are not finite and for stiffnesses below 0; nullopt when all is well. Allocates nothing unless
+/// it fails. The columns of a failed batch hold what the model left there.
 std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batch);
 
 /// The same for `initialise`.

@@ -12,6 +12,11 @@
 
 namespace kaya {
 
+/// The tangent stiffnesses that a sub-contact of a joint model starts with, stress/length.
+struct JointStiffness {
+    double normal, shear;
+};
+
 /// A joint model after loading: the descriptor, checked once, with its texts copied.
 class JointModel {
 public:
@@ -19,11 +24,16 @@ public:
         std::string name;
         std::vector<std::string> aliases;
         std::string unit, help;
-        double initial, minimum, maximum; ///< initial is NaN when the user must give one
+        double initial, minimum, maximum; ///< initial is NaN when there is none
+        bool optional;                    ///< with an initial NaN: the model gets NaN
     };
     struct HistoryVariable {
         std::string name, unit, help;
     };
+
+    /// The table of a loaded library, checked and copied; `library` keeps it loaded. Throws Diagnostic
+    /// that says which entry of the table is wrong.
+    JointModel(const kaya_jmodel* descriptor, std::filesystem::path file, std::shared_ptr<void> library);
 
     std::string name, title, version;
     std::filesystem::path file;
@@ -40,11 +50,14 @@ public:
     /// Properties that must be given and are not.
     std::vector<std::string> missing(const std::vector<double>& values) const;
 
+    /// Throws Diagnostic (Fault::run) when the model throws, or gives a number that is not finite, a
+    /// negative one, or a normal stiffness of 0.
+    JointStiffness initial_stiffness(const std::vector<double>& values) const;
+
     const kaya_jmodel& descriptor() const { return *descriptor_; }
 
 private:
-    friend class JointRegistry;
-    const kaya_jmodel* descriptor_ = nullptr;
+    const kaya_jmodel* descriptor_;
     std::shared_ptr<void> library_; ///< keeps it loaded
 };
 
@@ -64,6 +77,9 @@ public:
     const std::vector<std::unique_ptr<JointModel>>& loaded() const { return models_; }
 
 private:
+    std::optional<std::filesystem::path> file_of(const std::string& keyword) const;
+    const JointModel& load(const std::filesystem::path& file);
+
     std::vector<std::filesystem::path> path_;
     std::vector<std::unique_ptr<JointModel>> models_;
 };

@@ -1,0 +1,97 @@
+#include "joints/batch.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+struct Output {
+    const char* quantity;
+    const double* column;
+    bool may_be_negative;
+};
+
+/// All bits of the exponent set: infinite or not a number. Integer arithmetic, so that the loop
+/// becomes vector instructions without reordering floating-point sums.
+constexpr std::uint64_t exponent = 0x7ff0'0000'0000'0000;
+constexpr std::uint64_t sign = 0x8000'0000'0000'0000;
+
+bool all_usable(const double* __restrict column, std::size_t n, bool may_be_negative) {
+    // The stiffest check that needs no branch: a number must be finite, and where it must not be
+    // negative its sign bit must be clear (the exact test, which lets -0 pass, is made on a hit only).
+    const std::uint64_t refused_sign = may_be_negative ? 0 : sign;
+    std::uint64_t bad = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto bits = std::bit_cast<std::uint64_t>(column[i]);
+        bad |= static_cast<std::uint64_t>((bits & exponent) == exponent) | (bits & refused_sign);
+    }
+    return bad == 0;
+}
+
+std::optional<BatchFailure> unusable_row(const JointModel& model, const Output& output, std::size_t n) {
+    if (all_usable(output.column, n, output.may_be_negative)) return std::nullopt;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double value = output.column[i];
+        if (std::isfinite(value) && (output.may_be_negative || value >= 0)) continue;
+        return BatchFailure{i, fmt::format("joint model {} returned {} {}", model.name, output.quantity, value)};
+    }
+    return std::nullopt;
+}
+
+std::optional<BatchFailure> unusable_output(const JointModel& model, const kaya_jbatch& batch) {
+    const Output outputs[] = {
+        {"normal force", batch.normal_force, true},
+        {"shear force x", batch.shear_force[0], true},
+        {"shear force y", batch.shear_force[1], true},
+        {"shear force z", batch.shear_force[2], true},
+        {"normal stiffness", batch.normal_stiffness, false},
+        {"shear stiffness", batch.shear_stiffness, false},
+        {"frictional work", batch.frictional_work, true},
+    };
+    for (const auto& output : outputs)
+        if (auto failure = unusable_row(model, output, batch.n)) return failure;
+    for (std::size_t k = 0; k < model.history.size(); ++k)
+        if (auto failure = unusable_row(model, {model.history[k].name.c_str(), batch.history[k], true}, batch.n))
+            return failure;
+    return std::nullopt;
+}
+
+BatchFailure thrown_failure(const JointModel& model, const char* what) {
+    return {0, fmt::format("joint model {} threw an exception in a batch that begins with this row: {}", model.name, what)};
+}
+
+std::optional<BatchFailure> call(const JointModel& model, ptrdiff_t (*function)(kaya_jbatch*), kaya_jbatch& batch) {
+    batch.message[0] = '\0';
+    ptrdiff_t row = -1;
+    try {
+        row = function(&batch);
+    } catch (const std::exception& thrown) {
+        return thrown_failure(model, thrown.what());
+    } catch (...) {
+        return thrown_failure(model, "not a std::exception");
+    }
+    if (row == -1) return unusable_output(model, batch);
+    if (row < 0 || static_cast<std::size_t>(row) >= batch.n)
+        return BatchFailure{0, fmt::format("joint model {} returned row {} of a batch of {} rows, which begins with "
+                                           "this row", model.name, row, batch.n)};
+    const std::string_view message(batch.message, strnlen(batch.message, KAYA_JMODEL_MESSAGE));
+    return BatchFailure{static_cast<std::size_t>(row),
+                        fmt::format("joint model {} failed: {}", model.name, message.empty() ? "it gives no reason" : message)};
+}
+
+} // namespace
+
+std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batch) {
+    return call(model, model.descriptor().run, batch);
+}
+
+std::optional<BatchFailure> initialise_batch(const JointModel& model, kaya_jbatch& batch) {
+    return call(model, model.descriptor().initialise, batch);
+}
+
+} // namespace kaya

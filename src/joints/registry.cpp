@@ -1,0 +1,153 @@
+// Finds joint models on disk and loads them.
+#include "joints/joint_model.hpp"
+
+#include "base/diagnostic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fstream>
+#include <set>
+
+namespace kaya {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* ending = ".so";
+constexpr const char* entry_point = "kaya_joint_model";
+
+[[noreturn]] void refuse(const char* code, std::string message, std::string hint) {
+    Diagnostic error(std::move(message), std::move(hint));
+    error.code = code;
+    throw error;
+}
+
+std::string folded(std::string_view word) {
+    std::string lower(word);
+    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return lower;
+}
+
+bool is_file_name(std::string_view name) { return name.find('/') != name.npos || name.ends_with(ending); }
+
+bool same_file(const fs::path& a, const fs::path& b) {
+    std::error_code ignored;
+    return fs::equivalent(a, b, ignored);
+}
+
+/// The loader's own sentence about a file that is no library at all does not help: look at it first.
+bool is_elf(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::array<char, 4> magic{};
+    stream.read(magic.data(), magic.size());
+    return stream && magic == std::array<char, 4>{'\x7f', 'E', 'L', 'F'};
+}
+
+std::shared_ptr<void> open_library(const fs::path& file) {
+    if (!fs::is_regular_file(file) || !is_elf(file))
+        refuse("joint-model-not-a-library", fmt::format("{} is not a shared library", file.string()),
+               "build it with kaya_add_joint_model in CMake, or with c++ -shared -fPIC");
+    // An absolute path keeps the system from looking elsewhere; local symbols keep models apart.
+    void* handle = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!handle)
+        refuse("joint-model-not-a-library", fmt::format("{} could not be loaded", file.string()), dlerror());
+    return {handle, [](void* h) { dlclose(h); }};
+}
+
+const kaya_jmodel* descriptor_of(void* library, const fs::path& file) {
+    using Entry = const kaya_jmodel* (*)();
+    const auto entry = reinterpret_cast<Entry>(dlsym(library, entry_point));
+    if (!entry)
+        refuse("joint-model-no-entry", fmt::format("{} is not a joint model: it has no function {}", file.string(), entry_point),
+               "include kaya/jmodel.h and define that function with C linkage");
+    try {
+        return entry();
+    } catch (...) {
+        refuse("joint-model-table", fmt::format("{}() of {} threw an exception", entry_point, file.string()),
+               "it must only return the descriptor");
+    }
+}
+
+} // namespace
+
+const JointModel& JointRegistry::get(std::string_view name) {
+    if (is_file_name(name)) return load(fs::path(name));
+
+    const std::string keyword = folded(name);
+    if (const auto* model = find(keyword)) return *model;
+
+    const auto file = file_of(keyword);
+    if (!file) {
+        const auto names = available();
+        const auto near = did_you_mean(keyword, {names.begin(), names.end()});
+        Diagnostic error(fmt::format("there is no joint model '{}'", name),
+                         near.empty() ? "give one of the names below, or the file of a joint model"
+                                      : fmt::format("did you mean '{}'?", near));
+        error.code = "joint-model-unknown";
+        if (names.empty()) error.add("no joint models were found in the folders that are searched");
+        else error.add(fmt::format("joint models: {}", fmt::join(names, ", ")));
+        throw error;
+    }
+    return load(*file);
+}
+
+const JointModel& JointRegistry::load(const fs::path& file) {
+    for (const auto& model : models_)
+        if (same_file(model->file, file)) return *model;
+    if (!fs::exists(file))
+        refuse("joint-model-unknown", fmt::format("there is no joint model file {}", file.string()),
+               "a name with a slash or with the ending .so is a file; give its path from the working folder");
+
+    const auto library = open_library(file);
+    auto model = std::make_unique<JointModel>(descriptor_of(library.get(), file), file, library);
+
+    // The file in the folders owns its name whether it is loaded or not, so that the meaning of a name
+    // does not depend on which of two files a deck mentions first.
+    const auto* loaded_one = find(model->name);
+    const auto owner = loaded_one ? std::optional(loaded_one->file) : file_of(model->name);
+    if (owner && !same_file(*owner, file))
+        refuse("joint-model-name-taken",
+               fmt::format("the joint model in {} is named '{}', and that name belongs to {}", file.string(),
+                           model->name, owner->string()),
+               "give the model another name in its descriptor");
+    if (!owner && std::any_of(path_.begin(), path_.end(),
+                              [&](const fs::path& folder) { return same_file(folder, file.parent_path()); }))
+        refuse("joint-model-name", fmt::format("{} holds a joint model named '{}'", file.string(), model->name),
+               fmt::format("a file in a folder that is searched must have the name of its model: {}{}", model->name, ending));
+
+    models_.push_back(std::move(model));
+    return *models_.back();
+}
+
+const JointModel* JointRegistry::find(std::string_view name) const {
+    const std::string keyword = folded(name);
+    for (const auto& model : models_)
+        if (model->name == keyword) return model.get();
+    return nullptr;
+}
+
+std::optional<fs::path> JointRegistry::file_of(const std::string& keyword) const {
+    for (const auto& folder : path_) {
+        const auto file = folder / (keyword + ending);
+        if (fs::exists(file)) return file;
+    }
+    return std::nullopt;
+}
+
+std::vector<std::string> JointRegistry::available() const {
+    std::set<std::string> names;
+    for (const auto& model : models_) names.insert(model->name);
+    for (const auto& folder : path_) {
+        std::error_code unreadable; // a folder of the list need not be there
+        for (const auto& entry : fs::directory_iterator(folder, unreadable))
+            if (entry.path().extension() == ending) names.insert(entry.path().stem().string());
+    }
+    return {names.begin(), names.end()};
+}
+
+} // namespace kaya
