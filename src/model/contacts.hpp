@@ -36,6 +36,7 @@ public:
     Column<Row> face1; ///< faces that lie on each other, no_row when the touch is not face-face
     Column<Row> face2;
     Column<Touch> touch;
+    Column<std::int32_t> reference; ///< whose face gives the normal: 1, 2, or 0 for two edges
     Column<Vec3> normal;        ///< of the common plane, unit, from block1 to block2
     Column<Vec3> position;      ///< a point of the common plane
     Column<double> area;        ///< of the overlap
@@ -53,6 +54,7 @@ public:
         visit("face1", face1);
         visit("face2", face2);
         visit("touch", touch);
+        visit("reference", reference);
         visit("normal", normal);
         visit("position", position);
         visit("area", area);

@@ -25,6 +25,9 @@ struct Settings {
     double mass_scale = 0;           ///< 0: real masses
     std::int32_t default_joint_material = 1;     ///< `set jmatdf`
     std::int32_t default_joint_constitutive = 1; ///< `set jcondf`
+    /// Row of Model::joint_properties for new contacts, after a `jmodel` command that reached all; -1: the
+    /// two defaults above decide.
+    std::int32_t default_properties = -1;
 };
 
 /// Numbers that the cycle keeps from step to step.

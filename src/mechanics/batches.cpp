@@ -1,0 +1,74 @@
+#include "mechanics/batches.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace kaya {
+
+std::vector<Batch> make_batches(const Model& model, JointRegistry& joints, Row most) {
+    std::vector<Batch> batches;
+    for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+        const Span span = model.contacts.sub_contacts[c];
+        if (span.count == 0) continue;
+        const Row properties = model.contacts.properties[c];
+        const bool joins = !batches.empty() && batches.back().properties == properties &&
+                           batches.back().count + span.count <= most;
+        if (joins) {
+            batches.back().count += span.count;
+            continue;
+        }
+        const JointModel& joint = joints.get(model.joint_properties[properties].model);
+        for (Row first = span.first; first < span.end(); first += most)
+            batches.push_back({&joint, properties, first, std::min(most, span.end() - first)});
+    }
+    return batches;
+}
+
+kaya_jbatch columns_of(Model& model, const Batch& batch, double time_step, double** history) {
+    auto& s = model.sub_contacts;
+    const Row first = batch.first;
+    kaya_jbatch b{};
+    b.n = static_cast<std::size_t>(batch.count);
+    b.properties = model.joint_properties[batch.properties].values.data();
+    b.time_step = time_step;
+    b.area = s.area.data() + first;
+    b.normal_disp = s.normal_displacement.data() + first;
+    b.normal_disp_inc = s.normal_displacement_increment.data() + first;
+    for (int k = 0; k < 3; ++k) {
+        b.shear_disp[k] = s.shear_displacement.component[k].data() + first;
+        b.shear_disp_inc[k] = s.shear_displacement_increment.component[k].data() + first;
+        b.shear_force[k] = s.shear_force.component[k].data() + first;
+    }
+    b.pore_pressure = s.pore_pressure.data() + first;
+    b.normal_force = s.normal_force.data() + first;
+    b.normal_stiffness = s.normal_stiffness.data() + first;
+    b.shear_stiffness = s.shear_stiffness.data() + first;
+    b.frictional_work = s.frictional_work.data() + first;
+    b.state = s.state.data() + first;
+    for (std::size_t k = 0; k < batch.model->history.size(); ++k) history[k] = s.history[k].data() + first;
+    b.history = history;
+    b.message[0] = 0;
+    return b;
+}
+
+Diagnostic joint_failure(const Model& model, const Batch& batch, const BatchFailure& failure) {
+    const Row row = batch.first + static_cast<Row>(failure.row);
+    const auto& s = model.sub_contacts;
+    const Row contact = s.contact[row];
+    const auto& properties = model.joint_properties[batch.properties];
+    const Vec3 x = s.position[row];
+    Diagnostic d(fmt::format("joint model '{}' failed: {}", batch.model->name, failure.message),
+                 "look at the model's properties and at how fast the joint is loaded", Fault::run);
+    d.code = "joint-model-failed";
+    d.add(fmt::format("sub-contact {} of contact {} between blocks {} and {}, at ({:.6g}, {:.6g}, {:.6g})",
+                      s.number[row], model.contacts.number[contact],
+                      model.blocks.number[model.contacts.block1[contact]],
+                      model.blocks.number[model.contacts.block2[contact]], x.x(), x.y(), x.z()));
+    d.add(fmt::format("area {:.6g}, normal force {:.6g}, normal displacement {:.6g} (this step {:.6g})", s.area[row],
+                      s.normal_force[row], s.normal_displacement[row], s.normal_displacement_increment[row]));
+    d.add(fmt::format("cycle {}, time {:.6g}", model.clock.cycle, model.clock.time));
+    if (!properties.place.empty()) d.add("properties given at " + properties.place);
+    return d;
+}
+
+} // namespace kaya

@@ -1,0 +1,30 @@
+// Runs of sub-contacts that one call of a joint model can take.
+#pragma once
+
+#include "base/diagnostic.hpp"
+#include "joints/batch.hpp"
+#include "model/model.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+/// Consecutive sub-contacts whose contacts share a property set.
+struct Batch {
+    const JointModel* model;
+    Row properties;
+    Row first, count;
+};
+
+/// All batches, in row order; none is longer than `most` rows, so that threads share the work.
+std::vector<Batch> make_batches(const Model& model, JointRegistry& joints, Row most = 2048);
+
+/// The columns of rows [first, first + count) as a joint model sees them.
+/// `history` must have room for the model's history pointers and live as long as the batch is used.
+kaya_jbatch columns_of(Model& model, const Batch& batch, double time_step, double** history);
+
+/// What a joint model said about a row, with the contact's number, its blocks, place, cycle and the deck
+/// line of its properties.
+Diagnostic joint_failure(const Model& model, const Batch& batch, const BatchFailure& failure);
+
+} // namespace kaya

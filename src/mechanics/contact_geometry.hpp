@@ -1,0 +1,44 @@
+// How two blocks touch: the common plane and the places where force passes.
+#pragma once
+
+#include "model/model.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace kaya {
+
+/// One sub-contact to be.
+struct TouchPoint {
+    Vec3 position; ///< midway between the two surfaces
+    double gap;    ///< along the normal; negative: overlap
+    double area;
+    Meeting meeting;
+    std::array<Row, 2> features;
+    Attachment side1, side2;
+};
+
+struct TouchGeometry {
+    Touch touch;
+    Vec3 normal; ///< unit, from the first block to the second
+    Vec3 position;
+    double area;
+    Row face1 = no_row, face2 = no_row; ///< rows of faces that lie on the common plane
+    int reference = 0;                  ///< 1 or 2: whose face gives the normal; 0: two edges do
+    std::vector<TouchPoint> points;
+};
+
+/// The touch of two blocks whose surfaces are nearer than `margin`; nothing when they are farther apart
+/// or touch in an edge or corner of parallel faces without area.
+std::optional<TouchGeometry> find_touch(const Model& model, Row block1, Row block2, double margin);
+
+/// Area-weighted unit outward normal of a face where its gridpoints are now; zero for a lost face.
+Vec3 current_normal(const Model& model, Row face);
+
+/// How near surfaces must be to count as touching: a small fraction of the block's size.
+double contact_margin(const Model& model, Row block);
+
+/// Where a sub-contact's side is now.
+Vec3 attached_position(const Model& model, const Attachment& side);
+
+} // namespace kaya

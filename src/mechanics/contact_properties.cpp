@@ -1,0 +1,202 @@
+#include "mechanics/contact_properties.hpp"
+
+#include "base/diagnostic.hpp"
+#include "mechanics/contact_table.hpp"
+#include "mechanics/property_sets.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+namespace kaya {
+
+namespace {
+
+using Items = std::vector<std::pair<std::string, double>>;
+
+std::vector<double> initial_values(const JointModel& joint) {
+    std::vector<double> values;
+    for (const auto& property : joint.properties) values.push_back(property.initial);
+    return values;
+}
+
+/// The row of an equal set, made when there is none.
+Row shared(Model& model, JointProperties set) {
+    // Bits are compared: values that nobody has given are NaN.
+    const auto same = [](double a, double b) { return a == b || (a != a && b != b); };
+    for (std::size_t row = 0; row < model.joint_properties.size(); ++row) {
+        const auto& other = model.joint_properties[row];
+        if (other.model == set.model && other.material == set.material && other.place == set.place &&
+            std::equal(set.values.begin(), set.values.end(), other.values.begin(), other.values.end(), same))
+            return static_cast<Row>(row);
+    }
+    model.joint_properties.push_back(std::move(set));
+    return static_cast<Row>(model.joint_properties.size() - 1);
+}
+
+/// Puts the items that the model knows into the values. Throws for a value outside its limits and, when
+/// `strict`, for a name that the model does not know.
+void put(const JointModel& joint, std::vector<double>& values, const Items& items, bool strict, std::size_t* failed) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const auto& [name, value] = items[i];
+        if (failed) *failed = i;
+        const auto index = joint.find_property(name);
+        if (!index) {
+            if (!strict) continue;
+            std::vector<std::string_view> words;
+            std::string list;
+            for (const auto& property : joint.properties) {
+                words.push_back(property.name);
+                for (const auto& alias : property.aliases) words.push_back(alias);
+                list += (list.empty() ? "" : ", ") + property.name;
+            }
+            const auto meant = did_you_mean(name, words);
+            Diagnostic d(fmt::format("joint model '{}' has no property '{}'", joint.name, name),
+                         meant.empty() ? "it has: " + list : fmt::format("did you mean '{}'?", meant));
+            d.code = "unknown-property";
+            throw d;
+        }
+        const auto& property = joint.properties[*index];
+        if (!(value >= property.minimum && value <= property.maximum))
+            throw Diagnostic(fmt::format("{} = {:.6g} is outside its limits {:.6g} to {:.6g} in joint model '{}'",
+                                         name, value, property.minimum, property.maximum, joint.name));
+        values[*index] = value;
+    }
+}
+
+void check(const JointModel& joint, const std::vector<double>& values) {
+    if (!joint.missing(values).empty()) return; // the rest may come on the next line; the cycle asks again
+    const std::string complaint = joint.check(values);
+    if (!complaint.empty()) throw Diagnostic(fmt::format("joint model '{}': {}", joint.name, complaint));
+}
+
+void initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts);
+
+} // namespace
+
+std::string default_joint_model(const Model& model) {
+    const auto found = model.joint_constitutive.find(model.settings.default_joint_constitutive);
+    return found == model.joint_constitutive.end() ? "mohr" : found->second;
+}
+
+Row property_set(Model& model, JointRegistry& joints, const std::string& name, std::int32_t material,
+                 const std::string& place) {
+    if (place.empty() && model.settings.default_properties >= 0 &&
+        material == model.joint_properties[model.settings.default_properties].material)
+        return model.settings.default_properties;
+    const JointModel& joint = joints.get(name);
+    JointProperties set{joint.name, material, initial_values(joint), place};
+    const auto found = model.materials.find(material);
+    if (found != model.materials.end())
+        put(joint, set.values, Items(found->second.joint.begin(), found->second.joint.end()), false, nullptr);
+    return shared(model, std::move(set));
+}
+
+void find_contacts(Model& model, JointRegistry& joints) {
+    if (!model.structure_changed) return;
+    search_contacts(model, joints, false);
+    model.structure_changed = false;
+    model.properties_changed = true;
+}
+
+void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<Row>& contacts,
+                        const std::string& name, const std::string& place) {
+    joints.get(name);
+    std::map<std::int32_t, Row> set_of; // by joint material
+    for (const Row c : contacts) {
+        const std::int32_t material = model.contacts.material[c];
+        if (!set_of.contains(material)) set_of[material] = property_set(model, joints, name, material, place);
+        model.contacts.properties[c] = set_of[material];
+    }
+    if (contacts.size() == model.contacts.size())
+        model.settings.default_properties =
+            property_set(model, joints, name, model.settings.default_joint_material, place);
+    // What another joint model remembered means nothing to this one.
+    auto& subs = model.sub_contacts;
+    for (const Row c : contacts) {
+        const Span span = model.contacts.sub_contacts[c];
+        for (Row s = span.first; s < span.end(); ++s) {
+            for (auto& column : subs.history) column[s] = 0;
+            subs.state[s] = 0;
+        }
+    }
+    initialise_again(model, joints, contacts);
+    model.properties_changed = true;
+}
+
+void set_joint_properties(Model& model, JointRegistry& joints, const std::vector<Row>& contacts, const Items& items,
+                          const std::string& place, std::size_t* failed) {
+    // All new sets are made and checked before the first contact changes.
+    std::vector<Row> from;
+    for (const Row c : contacts) from.push_back(model.contacts.properties[c]);
+    const bool all = contacts.size() == model.contacts.size();
+    if (all) {
+        if (model.settings.default_properties < 0)
+            model.settings.default_properties = property_set(model, joints, default_joint_model(model),
+                                                             model.settings.default_joint_material, "");
+        from.push_back(model.settings.default_properties);
+    }
+    std::map<Row, JointProperties> changed;
+    for (const Row row : from) {
+        if (changed.contains(row)) continue;
+        JointProperties set = model.joint_properties[row];
+        const JointModel& joint = joints.get(set.model);
+        put(joint, set.values, items, true, failed);
+        if (failed) *failed = items.size();
+        check(joint, set.values);
+        set.place = place;
+        changed.emplace(row, std::move(set));
+    }
+    std::map<Row, Row> renamed;
+    for (auto& [row, set] : changed) renamed[row] = shared(model, std::move(set));
+    for (const Row c : contacts) model.contacts.properties[c] = renamed[model.contacts.properties[c]];
+    if (all) model.settings.default_properties = renamed[model.settings.default_properties];
+    initialise_again(model, joints, contacts);
+    model.properties_changed = true;
+}
+
+void set_joint_material(Model& model, JointRegistry& joints, std::int32_t material, const Items& items,
+                        const std::string& place, std::size_t* failed) {
+    std::vector<JointProperties> sets = model.joint_properties;
+    for (auto& set : sets) {
+        if (set.material != material) continue;
+        const JointModel& joint = joints.get(set.model);
+        put(joint, set.values, items, false, failed);
+        check(joint, set.values);
+        set.place = place;
+    }
+    model.joint_properties = std::move(sets);
+    for (const auto& [name, value] : items) model.materials[material].joint[name] = value;
+    model.properties_changed = true;
+}
+
+void change_joint_material(Model& model, JointRegistry& joints, const std::vector<Row>& contacts,
+                           std::int32_t material, const std::string& place) {
+    std::map<Row, Row> renamed;
+    for (const Row c : contacts) {
+        const Row old = model.contacts.properties[c];
+        if (!renamed.contains(old)) {
+            const std::string name = model.joint_properties[old].model;
+            renamed[old] = property_set(model, joints, name, material, place);
+        }
+        model.contacts.properties[c] = renamed[old];
+        model.contacts.material[c] = material;
+    }
+    model.properties_changed = true;
+}
+
+namespace {
+
+/// A joint model that takes over must make its history agree with the forces that are there.
+void initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts) {
+    std::vector<char> marked(model.sub_contacts.size(), 0);
+    for (const Row c : contacts) {
+        const Span span = model.contacts.sub_contacts[c];
+        for (Row s = span.first; s < span.end(); ++s) marked[s] = 1;
+    }
+    initialise_sub_contacts(model, joints, marked);
+}
+
+} // namespace
+
+} // namespace kaya

@@ -1,0 +1,251 @@
+#include "mechanics/contact_table.hpp"
+
+#include "geometry/box_pairs.hpp"
+#include "mechanics/batches.hpp"
+#include "mechanics/property_sets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace kaya {
+
+namespace {
+
+/// Sliding farther than this fraction of the contact's size makes its geometry anew.
+constexpr double slide_tolerance = 1e-3;
+
+/// The old sub-contact of a contact nearest to a place.
+Row nearest(const SubContacts& s, Span span, const Vec3& place) {
+    Row best = no_row;
+    double least = std::numeric_limits<double>::infinity();
+    for (Row row = span.first; row < span.end(); ++row) {
+        const double d = (s.position[row] - place).squaredNorm();
+        if (d < least) {
+            least = d;
+            best = row;
+        }
+    }
+    return best;
+}
+
+/// Rows of histories of sub-contacts follow their sub-contact.
+std::vector<std::pair<std::size_t, SubContactId>> recorded_sub_contacts(const Model& model) {
+    std::vector<std::pair<std::size_t, SubContactId>> recorded;
+    for (std::size_t h = 0; h < model.histories.all.size(); ++h) {
+        const auto& source = model.histories.all[h].source;
+        if (source.kind == HistorySource::Kind::sub_contact && source.row != no_row)
+            recorded.emplace_back(h, model.sub_contacts.id[source.row]);
+    }
+    return recorded;
+}
+
+template <class Call>
+void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>& marked, Call call) {
+    std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
+    for (const Batch& batch : make_batches(model, joints, std::numeric_limits<Row>::max())) {
+        const Row last = batch.first + batch.count;
+        for (Row row = batch.first; row < last;) {
+            Row end = row;
+            while (end < last && marked[end]) ++end;
+            if (end == row) {
+                ++row;
+                continue;
+            }
+            Batch part = batch;
+            part.first = row;
+            part.count = end - row;
+            auto columns = columns_of(model, part, model.clock.time_step, history.data());
+            if (const auto failure = call(*part.model, columns)) throw joint_failure(model, part, *failure);
+            row = end;
+        }
+    }
+}
+
+/// Overlap of blocks that were made that way carries no force; overlap that motion has made since the
+/// last search is closed in one step.
+void start_sub_contacts(Model& model, JointRegistry& joints, const std::vector<char>& fresh, bool moving) {
+    auto& s = model.sub_contacts;
+    std::vector<char> overlapping(s.size(), 0);
+    for (std::size_t row = 0; row < s.size(); ++row) {
+        if (!fresh[row] || s.normal_displacement[row] >= 0) continue;
+        overlapping[row] = moving;
+        s.normal_displacement_increment[row] = moving ? s.normal_displacement[row] : 0;
+        s.normal_displacement[row] = 0;
+    }
+    initialise_sub_contacts(model, joints, fresh);
+    if (!moving) return;
+    call_on_marked(model, joints, overlapping, run_batch);
+    for (std::size_t row = 0; row < s.size(); ++row) {
+        if (!overlapping[row]) continue;
+        s.normal_displacement[row] = s.normal_displacement_increment[row];
+        s.normal_displacement_increment[row] = 0;
+    }
+}
+
+} // namespace
+
+void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vector<char>& marked) {
+    call_on_marked(model, joints, marked, initialise_batch);
+}
+
+void replace_contacts(Model& model, JointRegistry& joints, std::vector<ContactDraft> drafts, bool moving) {
+    auto& contacts = model.contacts;
+    auto& subs = model.sub_contacts;
+    const auto recorded = recorded_sub_contacts(model);
+
+    // Where each new row comes from. A blank row at the end serves those that come from nowhere.
+    const Row blank_contact = static_cast<Row>(contacts.size()), blank_sub = static_cast<Row>(subs.size());
+    std::vector<Row> contact_source, sub_source;
+    std::vector<Span> spans;
+    for (const auto& draft : drafts) {
+        contact_source.push_back(draft.old == no_row ? blank_contact : draft.old);
+        const Span old = draft.old == no_row ? Span{} : contacts.sub_contacts[draft.old];
+        const Row first = static_cast<Row>(sub_source.size());
+        if (!draft.geometry) {
+            for (Row row = old.first; row < old.end(); ++row) sub_source.push_back(row);
+        } else {
+            for (const auto& point : draft.geometry->points) {
+                const Row row = nearest(subs, old, point.position);
+                sub_source.push_back(row == no_row ? blank_sub : row);
+            }
+        }
+        spans.push_back({first, static_cast<Row>(sub_source.size()) - first});
+    }
+
+    std::vector<char> contact_kept(contacts.size(), 0), sub_kept(subs.size(), 0);
+    const auto old_contact_ids = contacts.id;
+    const auto old_sub_ids = subs.id;
+    contacts.resize(contacts.size() + 1);
+    subs.resize(subs.size() + 1);
+    contacts.gather(contact_source);
+    subs.gather(sub_source);
+
+    std::vector<char> fresh(subs.size(), 0);
+    for (std::size_t c = 0; c < drafts.size(); ++c) {
+        const auto& draft = drafts[c];
+        const Row row = static_cast<Row>(c);
+        contacts.block1[c] = draft.block1;
+        contacts.block2[c] = draft.block2;
+        contacts.sub_contacts[c] = spans[c];
+        if (draft.old == no_row) {
+            contacts.id[c] = contacts.ids.create(row);
+            contacts.number[c] = model.next_contact_number++;
+            contacts.material[c] = model.settings.default_joint_material;
+            contacts.properties[c] =
+                property_set(model, joints, default_joint_model(model), contacts.material[c], "");
+        } else {
+            contact_kept[draft.old] = 1;
+            contacts.ids.move(contacts.id[c], row);
+        }
+        if (draft.geometry) {
+            const auto& g = *draft.geometry;
+            contacts.face1[c] = g.face1;
+            contacts.face2[c] = g.face2;
+            contacts.touch[c] = g.touch;
+            contacts.reference[c] = g.reference;
+            contacts.normal[c] = g.normal;
+            contacts.position[c] = g.position;
+            contacts.area[c] = g.area;
+            contacts.slid[c] = 0;
+            contacts.joint_set[c] = g.face1 != no_row ? model.faces.joint_set[g.face1]
+                                    : g.face2 != no_row ? model.faces.joint_set[g.face2]
+                                                        : 0;
+        }
+        for (Row i = 0; i < spans[c].count; ++i) {
+            const Row s = spans[c].first + i;
+            const Row source = sub_source[s];
+            subs.contact[s] = row;
+            if (source != blank_sub && !sub_kept[source]) {
+                sub_kept[source] = 1;
+                subs.ids.move(subs.id[s], s);
+            } else {
+                subs.id[s] = subs.ids.create(s);
+                subs.number[s] = model.next_sub_contact_number++;
+            }
+            if (!draft.geometry) continue;
+            const auto& point = draft.geometry->points[i];
+            if (source == blank_sub) {
+                fresh[s] = 1;
+                subs.normal_displacement[s] = point.gap;
+            } else {
+                // Traction is handed on, not force: the new sub-contact owns another area.
+                const double scale = subs.area[s] > 0 ? point.area / subs.area[s] : 0;
+                subs.normal_force[s] *= scale;
+                const Vec3 shear = subs.shear_force[s];
+                const Vec3& n = draft.geometry->normal;
+                subs.shear_force.set(s, scale * (shear - shear.dot(n) * n));
+            }
+            subs.meeting[s] = point.meeting;
+            subs.features[s] = point.features;
+            subs.side1[s] = point.side1;
+            subs.side2[s] = point.side2;
+            subs.position.set(s, point.position);
+            subs.area[s] = point.area;
+        }
+    }
+    for (std::size_t c = 0; c < contact_kept.size(); ++c)
+        if (!contact_kept[c]) contacts.ids.destroy(old_contact_ids[c]);
+    for (std::size_t s = 0; s < sub_kept.size(); ++s)
+        if (!sub_kept[s]) subs.ids.destroy(old_sub_ids[s]);
+    for (const auto& [h, id] : recorded) model.histories.all[h].source.row = subs.ids.row(id);
+
+    start_sub_contacts(model, joints, fresh, moving);
+    model.properties_changed = true;
+}
+
+void search_contacts(Model& model, JointRegistry& joints, bool moving) {
+    const auto& blocks = model.blocks;
+    std::vector<Box> boxes(blocks.size());
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const Vec3 margin = Vec3::Constant(contact_margin(model, static_cast<Row>(b)));
+        Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+        for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g) {
+            low = low.cwiseMin(model.gridpoints.position[g]);
+            high = high.cwiseMax(model.gridpoints.position[g]);
+        }
+        boxes[b] = {low - margin, high + margin};
+    }
+
+    std::map<std::array<Row, 2>, Row> known;
+    for (std::size_t c = 0; c < model.contacts.size(); ++c)
+        known[{model.contacts.block1[c], model.contacts.block2[c]}] = static_cast<Row>(c);
+
+    std::vector<ContactDraft> drafts;
+    for (const auto& [b1, b2] : overlapping_boxes(boxes)) {
+        const double margin = std::min(contact_margin(model, b1), contact_margin(model, b2));
+        auto touch = find_touch(model, b1, b2, margin);
+        if (!touch) continue;
+        const auto old = known.find({b1, b2});
+        drafts.push_back({b1, b2, old == known.end() ? no_row : old->second, std::move(touch)});
+    }
+    replace_contacts(model, joints, std::move(drafts), moving);
+}
+
+bool refresh_slid_contacts(Model& model, JointRegistry& joints) {
+    auto& contacts = model.contacts;
+    std::vector<ContactDraft> drafts;
+    bool any = false;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        if (contacts.slid[c] > slide_tolerance * std::sqrt(contacts.area[c])) {
+            any = true;
+            break;
+        }
+    }
+    if (!any) return false;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        ContactDraft draft{contacts.block1[c], contacts.block2[c], static_cast<Row>(c), std::nullopt};
+        if (contacts.slid[c] > slide_tolerance * std::sqrt(contacts.area[c])) {
+            const double margin = std::min(contact_margin(model, draft.block1), contact_margin(model, draft.block2));
+            draft.geometry = find_touch(model, draft.block1, draft.block2, margin);
+            if (!draft.geometry) continue; // they have parted
+        }
+        drafts.push_back(std::move(draft));
+    }
+    replace_contacts(model, joints, std::move(drafts), true);
+    return true;
+}
+
+} // namespace kaya

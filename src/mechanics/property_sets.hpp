@@ -1,0 +1,19 @@
+// Property sets: one per joint model, joint material and history of commands; contacts share them.
+#pragma once
+
+#include "joints/joint_model.hpp"
+#include "model/model.hpp"
+
+#include <string>
+
+namespace kaya {
+
+/// The joint model of contacts that no `jmodel` command has reached.
+std::string default_joint_model(const Model& model);
+
+/// A row of model.joint_properties with the values of that joint material for that model; an equal one
+/// is shared. `place` is where the deck asked for it.
+Row property_set(Model& model, JointRegistry& joints, const std::string& name, std::int32_t material,
+                 const std::string& place);
+
+} // namespace kaya
