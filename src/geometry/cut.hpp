@@ -1,0 +1,32 @@
+// Cutting a convex polyhedron by a plane.
+#pragma once
+
+#include "geometry/plane.hpp"
+#include "geometry/polyhedron.hpp"
+
+namespace kaya {
+
+enum class CutOutcome {
+    cut,    ///< two pieces
+    above,  ///< the plane misses; all of the polyhedron is on the side of the normal
+    below,  ///< the plane misses; all of it is on the other side
+    sliver, ///< refused: a piece would be thinner than allowed
+};
+
+struct Cut {
+    CutOutcome outcome = CutOutcome::cut;
+    Polyhedron above; ///< on the side of the normal; empty unless cut
+    Polyhedron below; ///< on the other side; empty unless cut
+};
+
+/// Cuts by `plane`. The two pieces have the cut as their last face, with the same vertices bit for bit
+/// and in opposite order; it remembers `joint_set`. Where an edge crosses the plane depends on the two
+/// ends of the edge and on the plane alone, so neighbours that share an edge keep sharing it.
+/// A piece thinner than `thinnest` is not made (outcome sliver); the polyhedron stays whole then.
+Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double thinnest = 0);
+
+/// The least distance between a face and the vertex farthest from it: the thickness of a plate, the
+/// smaller side of a needle. Zero for a polyhedron without faces.
+double thickness(const Polyhedron& polyhedron);
+
+} // namespace kaya
