@@ -1,5 +1,6 @@
 #include "geometry/cut.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,13 +11,13 @@ namespace kaya {
 namespace {
 
 // How far from the plane, in units of the last place of the coordinates, a vertex still counts as
-// lying on it. A vertex made by a cut is off its planes by the rounding of its coordinates (a few
-// units), and cutting again does not add up: a point between two rounded points is as near to a plane
-// as they are. With a band wider than that noise, the signs around a convex face change twice or not
-// at all, as they do in exact arithmetic, and planes that meet in one line or point give one vertex
-// there. Exact predicates on the rounded vertices would see the noise instead. The band is far too
-// narrow to be felt in a volume.
-constexpr double band_units = 16;
+// lying on it. A vertex made by a cut is off the planes it was made of by the rounding of its
+// coordinates, a few units; off a further plane through the same line or point by as much over the
+// sine of the angle between them. With a band wider than that noise, the signs around a convex face
+// change twice or not at all, as they do in exact arithmetic, and planes that meet in one line or point
+// share one vertex there; exact predicates on the rounded vertices would see the noise and make
+// splinters of it. The band moves no vertex and is too narrow to be felt in a volume (1e-13).
+constexpr double band_units = 256;
 
 struct Side {
     double distance = 0;

@@ -21,7 +21,7 @@ std::string message_of(const JointSet& set) {
 }
 
 /// Cuts in place: pieces take the place of their parents.
-void apply(std::vector<Polyhedron>& blocks, const JointSet& set) {
+void cut_in_place(std::vector<Polyhedron>& blocks, const JointSet& set) {
     CutBlocks result = cut_blocks(blocks, set);
     std::vector<Polyhedron> next;
     std::size_t parent = 0;
@@ -156,7 +156,7 @@ TEST(JointSet, TenThousandBlocksOfThreeScatteredSets) {
         set.number = 61;
         set.origin = {20, 20, 20};
         set.id = id;
-        apply(blocks, set);
+        cut_in_place(blocks, set);
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     double volume = 0;
