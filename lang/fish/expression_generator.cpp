@@ -1,0 +1,207 @@
+#include "lang/fish/expression_generator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+namespace kaya::fish {
+
+namespace {
+
+constexpr std::array<std::string_view, 22> lua_words{
+    "and", "break", "do",  "else", "elseif", "end",    "false", "for",  "function", "goto",  "if",
+    "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
+
+/// How tightly Lua binds: an operand that binds less needs parentheses.
+enum Strength { weakest = 0, truth = 1, compare = 3, sum = 6, product = 7, sign = 8 };
+
+struct ClassicConstant {
+    std::string_view name;
+    std::string_view lua;
+};
+constexpr std::array<ClassicConstant, 5> constants{
+    {{"true", "1"}, {"false", "0"}, {"on", "1"}, {"off", "0"}, {"null", "0"}}};
+
+bool is_plain_name(std::string_view name) {
+    return std::all_of(name.begin(), name.end(),
+                       [](char c) {
+                           return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' ||
+                                  (c >= 'A' && c <= 'Z');
+                       }) &&
+           std::find(lua_words.begin(), lua_words.end(), name) == lua_words.end();
+}
+
+bool is_comparison(const Node& node) {
+    static constexpr std::array<std::string_view, 6> signs{"==", "~=", "<", ">", "<=", ">="};
+    return node.kind == NodeKind::binary && std::find(signs.begin(), signs.end(), node.text) != signs.end();
+}
+
+bool is_logical(const Node& node) {
+    return node.kind == NodeKind::logical_not ||
+           (node.kind == NodeKind::binary && (node.text == "&" || node.text == "|"));
+}
+
+/// `not(x)` in a condition means "is zero".
+bool is_not_call(const Node& node) {
+    return node.kind == NodeKind::name && node.text == "not" && node.children.size() == 1;
+}
+
+std::string real_text(double value) {
+    std::string text = fmt::format("{}", value); // the shortest text that gives the same bits
+    if (text.find_first_of(".en") == std::string::npos) text += ".0";
+    return text;
+}
+
+std::string in_parentheses(const std::string& text, bool wanted) { return wanted ? "(" + text + ")" : text; }
+
+} // namespace
+
+std::string member(std::string_view name) {
+    return is_plain_name(name) ? fmt::format(".{}", name) : fmt::format("[{}]", quoted(name));
+}
+
+std::string quoted(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        if (c == '\n') result += "\\n";
+        else if (static_cast<unsigned char>(c) < 0x20) result += fmt::format("\\{:03}", static_cast<int>(c));
+        else result += c;
+    }
+    return result + "\"";
+}
+
+std::string ExpressionGenerator::variable(const Node& name) const {
+    if (name.text == scope_.function) return "v_return";
+    if (scope_.locals.contains(name.text))
+        return is_plain_name("v_" + name.text) ? "v_" + name.text : "S" + member(name.text);
+    if (scope_.spilled.contains(name.text)) return "S" + member(name.text);
+    return "G" + member(name.text);
+}
+
+std::string ExpressionGenerator::list(const std::vector<Node>& nodes) const {
+    std::string text;
+    for (const auto& node : nodes) text += (text.empty() ? "" : ", ") + value(node);
+    return text;
+}
+
+std::string ExpressionGenerator::condition(const Node& node) const {
+    if (node.kind == NodeKind::logical_not || is_not_call(node))
+        return fmt::format("not ({})", condition(node.children[0]));
+    if (is_comparison(node)) return generated(node, truth);
+    if (is_logical(node))
+        return fmt::format("({}) {} ({})", condition(node.children[0]), node.text == "&" ? "and" : "or",
+                           condition(node.children[1]));
+    return fmt::format("{} ~= 0", generated(node, compare + 1));
+}
+
+std::string ExpressionGenerator::generated(const Node& node, int strength) const {
+    switch (node.kind) {
+    case NodeKind::integer: return fmt::format("{}", node.integer);
+    case NodeKind::real: return real_text(node.real);
+    case NodeKind::text: return quoted(node.text);
+    case NodeKind::name: return name(node);
+    case NodeKind::minus:
+        // The blank keeps two signs from becoming a Lua comment.
+        return in_parentheses("- " + generated(node.children[0], sign), strength > sign);
+    case NodeKind::logical_not: return fmt::format("(({}) and 1 or 0)", condition(node));
+    case NodeKind::binary: return binary(node, strength);
+    }
+    return "0";
+}
+
+std::string ExpressionGenerator::binary(const Node& node, int strength) const {
+    const Node& left = node.children[0];
+    const Node& right = node.children[1];
+    if (is_logical(node)) return fmt::format("(({}) and 1 or 0)", condition(node));
+    if (is_comparison(node)) {
+        const std::string text =
+            fmt::format("{} {} {}", generated(left, compare + 1), node.text, generated(right, compare + 1));
+        return strength == truth ? text : fmt::format("({} and 1 or 0)", text);
+    }
+    if (node.text == "^") return fmt::format("R.power({}, {})", value(left), value(right));
+    // A whole number divided by a whole number is cut to a whole number; a divisor with a point cannot be one.
+    if (node.text == "/" && !(right.kind == NodeKind::real && right.real != 0))
+        return fmt::format("R.divide({}, {})", value(left), value(right));
+    const int own = node.text == "+" || node.text == "-" ? sum : product;
+    const std::string text =
+        fmt::format("{} {} {}", generated(left, own), node.text, generated(right, own + 1));
+    return in_parentheses(text, strength > own);
+}
+
+void ExpressionGenerator::check_arguments(const Node& node, const Meaning& meaning) const {
+    const int given = static_cast<int>(node.children.size());
+    if (given >= meaning.least && given <= meaning.most) return;
+    const std::string wanted = meaning.least == meaning.most
+                                   ? fmt::format("{}", meaning.least)
+                                   : fmt::format("{} to {}", meaning.least, meaning.most);
+    throw Diagnostic(fmt::format("'{}' takes {} argument{}, here it is given {}", node.text, wanted,
+                                 meaning.most == 1 ? "" : "s", given == 0 ? "none" : std::to_string(given)))
+        .at(node.place);
+}
+
+std::string ExpressionGenerator::name(const Node& node) const {
+    if (scope_.is_local(node.text)) {
+        if (!node.parentheses) return variable(node);
+        if (node.text != scope_.function) return indexed(node);
+    }
+    const Meaning meaning = dictionary_(node.text);
+    if (meaning.kind == NameKind::function) {
+        check_arguments(node, meaning);
+        return fmt::format("F{}({})", member(node.text), list(node.children));
+    }
+    if (meaning.kind == NameKind::built_in) {
+        check_arguments(node, meaning);
+        return fmt::format("A{}({})", member(node.text), list(node.children));
+    }
+    if (!node.parentheses)
+        for (const auto& constant : constants)
+            if (node.text == constant.name) return std::string(constant.lua);
+    return node.parentheses ? indexed(node) : variable(node);
+}
+
+std::string ExpressionGenerator::indexed(const Node& node) const {
+    const std::string array = variable(node);
+    if (node.children.empty()) return fmt::format("R.not_function({}, {})", array, quoted(node.text));
+    if (node.children.size() == 1)
+        return fmt::format("R.element({}, {}, {})", array, quoted(node.text), value(node.children[0]));
+    return fmt::format("R.element_of({}, {}, {})", array, quoted(node.text), list(node.children));
+}
+
+std::string ExpressionGenerator::assignment(const Node& target, const std::string& value) const {
+    const bool local = scope_.is_local(target.text);
+    const Meaning meaning = local ? Meaning{} : dictionary_(target.text);
+    if (meaning.kind == NameKind::function)
+        throw Diagnostic(fmt::format("'{}' is a function: a value cannot be given to it here", target.text),
+                         "use another name for the variable")
+            .at(target.place);
+    if (meaning.kind == NameKind::built_in) {
+        if (!meaning.writable)
+            throw Diagnostic(fmt::format("'{}' can be read, not set", target.text),
+                             meaning.most == 0 ? "use another name for the variable" : "")
+                .at(target.place);
+        check_arguments(target, meaning);
+        const bool component = target.text == "xcomp" || target.text == "ycomp" || target.text == "zcomp";
+        if (component) { // vectors are values: a new one takes the place of the old one
+            const std::string whole = fmt::format("W{}({}, {})", member(target.text),
+                                                  this->value(target.children[0]), value);
+            return assignment(target.children[0], whole);
+        }
+        const std::string arguments = list(target.children);
+        return fmt::format("W{}({}{}{})", member(target.text), arguments, arguments.empty() ? "" : ", ", value);
+    }
+    if (target.parentheses && target.text == scope_.function)
+        throw Diagnostic(fmt::format("'{}' is this function: a value cannot be given to a call of it", target.text))
+            .at(target.place);
+    if (!target.parentheses) return fmt::format("{} = {}", variable(target), value);
+    const std::string array = variable(target);
+    if (target.children.empty())
+        throw Diagnostic(fmt::format("'{}()' names no element of an array", target.text)).at(target.place);
+    if (target.children.size() == 1)
+        return fmt::format("R.set_element({}, {}, {}, {})", array, quoted(target.text),
+                           this->value(target.children[0]), value);
+    return fmt::format("R.set_element_of({}, {}, {}, {})", array, quoted(target.text), value,
+                       list(target.children));
+}
+
+} // namespace kaya::fish

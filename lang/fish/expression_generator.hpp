@@ -1,0 +1,55 @@
+// Expressions of FISH as Lua expressions.
+#pragma once
+
+#include "lang/fish/compiler.hpp"
+#include "lang/fish/syntax.hpp"
+
+#include <set>
+#include <string>
+
+namespace kaya::fish {
+
+/// Where the names of one function live in the generated Lua.
+struct Scope {
+    std::string function;          ///< own name: the return variable; empty for a bare expression
+    std::set<std::string> locals;  ///< arguments and locals that are Lua locals `v_name`
+    std::set<std::string> spilled; ///< locals beyond what Lua takes: fields of the table S
+
+    bool is_local(const std::string& name) const {
+        return name == function || locals.contains(name) || spilled.contains(name);
+    }
+};
+
+class ExpressionGenerator {
+public:
+    ExpressionGenerator(const Scope& scope, const Dictionary& dictionary)
+        : scope_(scope), dictionary_(dictionary) {}
+
+    /// Lua expression with the value; truth values become 1 and 0.
+    std::string value(const Node& node) const { return generated(node, 0); }
+    /// Lua expression that is true or false.
+    std::string condition(const Node& node) const;
+    /// Lua statement `target = value`.
+    std::string assignment(const Node& target, const std::string& value) const;
+    /// The place where a variable lives: `v_x`, `S["x"]` or `G.x`.
+    std::string variable(const Node& name) const;
+    /// "a, b, c"
+    std::string list(const std::vector<Node>& nodes) const;
+
+private:
+    std::string generated(const Node& node, int strength) const;
+    std::string binary(const Node& node, int strength) const;
+    std::string name(const Node& node) const;
+    std::string indexed(const Node& node) const;
+    void check_arguments(const Node& node, const Meaning& meaning) const;
+
+    const Scope& scope_;
+    const Dictionary& dictionary_;
+};
+
+/// `.name`, or `["name"]` where the name is no Lua name.
+std::string member(std::string_view name);
+/// A Lua text literal on one line.
+std::string quoted(std::string_view text);
+
+} // namespace kaya::fish

@@ -1,0 +1,235 @@
+#include "lang/fish/expression_parser.hpp"
+
+#include <array>
+#include <fmt/format.h>
+
+namespace kaya::fish {
+
+namespace {
+
+/// Lua's own parser gives up at 200 levels; this stays well below and can name the place.
+constexpr int deepest = 60;
+constexpr std::size_t most_arguments = 50;
+
+struct Comparison {
+    std::string_view fish, lua;
+};
+constexpr std::array<Comparison, 9> comparisons{{{"=", "=="},
+                                                 {"==", "=="},
+                                                 {"#", "~="},
+                                                 {"!=", "~="},
+                                                 {"<>", "~="},
+                                                 {"<", "<"},
+                                                 {">", ">"},
+                                                 {"<=", "<="},
+                                                 {">=", ">="}}};
+
+const Comparison* comparison_of(const Token& token) {
+    if (token.kind != TokenKind::sign) return nullptr;
+    for (const auto& comparison : comparisons)
+        if (token.text == comparison.fish) return &comparison;
+    return nullptr;
+}
+
+Node binary(std::string_view sign, Place place, Node left, Node right) {
+    Node node;
+    node.kind = NodeKind::binary;
+    node.text = sign;
+    node.place = std::move(place);
+    node.children.push_back(std::move(left));
+    node.children.push_back(std::move(right));
+    return node;
+}
+
+Node unary(NodeKind kind, Place place, Node child) {
+    Node node;
+    node.kind = kind;
+    node.place = std::move(place);
+    node.children.push_back(std::move(child));
+    return node;
+}
+
+std::string shown(const Token& token) {
+    switch (token.kind) {
+    case TokenKind::end_of_line: return "the end of the line";
+    case TokenKind::text: return fmt::format("the text '{}'", token.text);
+    default: return fmt::format("'{}'", token.text);
+    }
+}
+
+class ExpressionParser {
+public:
+    explicit ExpressionParser(Line& line) : line_(line) {}
+
+    Node disjunction() {
+        const Depth depth(*this);
+        Node left = conjunction();
+        while (line_.peek().is_sign("|")) {
+            const Place place = line_.take().place;
+            left = binary("|", place, std::move(left), conjunction());
+        }
+        return left;
+    }
+
+    Node name() {
+        Node node;
+        node.kind = NodeKind::name;
+        const Token& token = line_.expect_name("a name");
+        node.text = token.text;
+        node.place = token.place;
+        if (!line_.take_sign("(")) return node;
+        node.parentheses = true;
+        if (line_.take_sign(")")) return node;
+        do {
+            node.children.push_back(disjunction());
+            if (node.children.size() > most_arguments)
+                throw Diagnostic(fmt::format("'{}' is given more than {} arguments", node.text, most_arguments))
+                    .at(node.place);
+        } while (line_.take_sign(","));
+        line_.expect_sign(")", fmt::format("the arguments of '{}'", node.text));
+        return node;
+    }
+
+private:
+    struct Depth {
+        explicit Depth(ExpressionParser& parser) : owner(parser) {
+            if (++owner.depth_ > deepest)
+                throw Diagnostic("the expression is nested too deeply",
+                                 "give a part of it to a variable on a line before")
+                    .at(owner.line_.peek().place);
+        }
+        ~Depth() { --owner.depth_; }
+        ExpressionParser& owner;
+    };
+
+    Node conjunction() {
+        Node left = negation();
+        while (line_.peek().is_sign("&")) {
+            const Place place = line_.take().place;
+            left = binary("&", place, std::move(left), negation());
+        }
+        return left;
+    }
+
+    Node negation() {
+        // `not(x)` is the classic function, `not x` the operator of newer decks.
+        if (line_.peek().is_name("not") && !line_.peek(1).is_sign("(")) {
+            const Depth depth(*this);
+            const Place place = line_.take().place;
+            return unary(NodeKind::logical_not, place, negation());
+        }
+        return comparison();
+    }
+
+    Node comparison() {
+        Node left = sum();
+        const Comparison* sign = comparison_of(line_.peek());
+        if (!sign) return left;
+        const Place place = line_.take().place;
+        left = binary(sign->lua, place, std::move(left), sum());
+        if (comparison_of(line_.peek()))
+            throw Diagnostic("two comparisons in a row", "join them with '&', or put one in parentheses")
+                .at(line_.peek().place);
+        return left;
+    }
+
+    Node sum() {
+        Node left = product();
+        while (line_.peek().is_sign("+") || line_.peek().is_sign("-")) {
+            const Token sign = line_.take();
+            left = binary(sign.text, sign.place, std::move(left), product());
+        }
+        return left;
+    }
+
+    Node product() {
+        Node left = signed_power();
+        while (line_.peek().is_sign("*") || line_.peek().is_sign("/")) {
+            const Token sign = line_.take();
+            left = binary(sign.text, sign.place, std::move(left), signed_power());
+        }
+        return left;
+    }
+
+    Node signed_power() {
+        const Depth depth(*this);
+        if (line_.peek().is_sign("-")) {
+            const Place place = line_.take().place;
+            return unary(NodeKind::minus, place, signed_power());
+        }
+        if (line_.take_sign("+")) return signed_power();
+        Node base = primary();
+        if (!line_.peek().is_sign("^")) return base;
+        const Place place = line_.take().place;
+        return binary("^", place, std::move(base), signed_power());
+    }
+
+    Node primary() {
+        const Token& token = line_.peek();
+        Node node;
+        node.place = token.place;
+        switch (token.kind) {
+        case TokenKind::integer:
+            node.integer = line_.take().integer;
+            return node;
+        case TokenKind::real:
+            node.kind = NodeKind::real;
+            node.real = line_.take().real;
+            return node;
+        case TokenKind::text:
+            node.kind = NodeKind::text;
+            node.text = line_.take().text;
+            return node;
+        case TokenKind::name: return name();
+        default: break;
+        }
+        if (line_.take_sign("(")) {
+            Node inner = disjunction();
+            line_.expect_sign(")", "the parenthesis");
+            return inner;
+        }
+        fail_expected(line_, "a value");
+    }
+
+    Line& line_;
+    int depth_ = 0;
+};
+
+} // namespace
+
+bool Line::take_sign(std::string_view sign) {
+    if (!peek().is_sign(sign)) return false;
+    take();
+    return true;
+}
+
+bool Line::take_name(std::string_view name) {
+    if (!peek().is_name(name)) return false;
+    take();
+    return true;
+}
+
+void Line::expect_sign(std::string_view sign, std::string_view why) {
+    if (!take_sign(sign)) fail_expected(*this, fmt::format("'{}' for {}", sign, why));
+}
+
+const Token& Line::expect_name(std::string_view what) {
+    if (peek().kind != TokenKind::name) fail_expected(*this, what);
+    return take();
+}
+
+void Line::expect_end(std::string_view after) {
+    if (done()) return;
+    throw Diagnostic(fmt::format("{} is left over after {}", shown(peek()), after),
+                     "one statement stands on one line")
+        .at(peek().place);
+}
+
+void fail_expected(const Line& line, std::string_view expected) {
+    throw Diagnostic(fmt::format("expected {}, found {}", expected, shown(line.peek()))).at(line.peek().place);
+}
+
+Node parse_expression(Line& line) { return ExpressionParser(line).disjunction(); }
+Node parse_name(Line& line) { return ExpressionParser(line).name(); }
+
+} // namespace kaya::fish

@@ -1,0 +1,43 @@
+// Expressions of FISH, by recursive descent over the tokens of one line.
+#pragma once
+
+#include "lang/fish/lexer.hpp"
+#include "lang/fish/syntax.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace kaya::fish {
+
+/// The tokens of a line and how far they are read.
+class Line {
+public:
+    Line() { restart(); }
+
+    std::vector<Token> tokens; ///< ends with end_of_line
+
+    void restart() { at_ = 0; }
+    const Token& peek(std::size_t ahead = 0) const { return tokens[std::min(at_ + ahead, tokens.size() - 1)]; }
+    const Token& take() { return tokens[at_ + 1 < tokens.size() ? at_++ : at_]; }
+    bool done() const { return peek().kind == TokenKind::end_of_line; }
+    bool take_sign(std::string_view sign);
+    bool take_name(std::string_view name);
+    /// Takes the sign or throws "expected ')' ...".
+    void expect_sign(std::string_view sign, std::string_view why);
+    /// Takes a name or throws: `what` says what the name is for ("name of the loop variable").
+    const Token& expect_name(std::string_view what);
+    /// Throws when something is left on the line.
+    void expect_end(std::string_view after);
+
+private:
+    std::size_t at_ = 0;
+};
+
+/// Reads the longest expression at the current token.
+Node parse_expression(Line& line);
+/// name or name(arguments)
+Node parse_name(Line& line);
+/// "expected X, found Y" at the current token.
+[[noreturn]] void fail_expected(const Line& line, std::string_view expected);
+
+} // namespace kaya::fish

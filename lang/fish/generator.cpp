@@ -1,0 +1,305 @@
+#include "lang/fish/generator.hpp"
+
+#include "lang/fish/expression_generator.hpp"
+
+#include <fmt/format.h>
+
+namespace kaya::fish {
+
+namespace {
+
+/// Lua allows 200 locals in a function; loops need some of their own.
+constexpr std::size_t most_locals = 100;
+
+class FunctionGenerator {
+public:
+    FunctionGenerator(const FunctionTree& tree, const Dictionary& dictionary)
+        : tree_(tree), scope_(scope_of(tree)), expressions_(scope_, dictionary), line_(tree.place.line) {}
+
+    std::string generate() {
+        text_ = "local G, F, A, W, R = ...; return function(";
+        bool first = true;
+        for (const auto& argument : tree_.arguments) {
+            text_ += (first ? "" : ", ") + parameter(argument);
+            first = false;
+        }
+        text_ += ") local v_return = 0; ";
+        if (!scope_.spilled.empty()) {
+            text_ += "local S = {";
+            for (const auto& name : scope_.spilled) text_ += fmt::format("[{}] = 0, ", quoted(name));
+            text_ += "}; ";
+        }
+        for (std::size_t i = 0; i < tree_.arguments.size(); ++i)
+            if (scope_.spilled.contains(tree_.arguments[i]))
+                text_ += fmt::format("S[{}] = {}; ", quoted(tree_.arguments[i]), parameter(tree_.arguments[i]));
+        for (const auto& local : tree_.locals)
+            if (scope_.locals.contains(local)) text_ += fmt::format("local v_{} = 0; ", local);
+        block(tree_.body);
+        at_line(tree_.last_line);
+        text_ += "return v_return end";
+        return std::move(text_);
+    }
+
+private:
+    /// Names that Lua cannot spell live in the table of spilled locals.
+    static bool is_lua_name(const std::string& name) { return member("v_" + name)[0] == '.'; }
+
+    static Scope scope_of(const FunctionTree& tree) {
+        Scope scope;
+        scope.function = tree.name;
+        for (const auto* names : {&tree.arguments, &tree.locals})
+            for (const auto& name : *names) {
+                const bool fits = is_lua_name(name) && scope.locals.size() < most_locals;
+                (fits ? scope.locals : scope.spilled).insert(name);
+            }
+        return scope;
+    }
+
+    std::string parameter(const std::string& name) const {
+        if (is_lua_name(name)) return "v_" + name;
+        for (std::size_t i = 0; i < tree_.arguments.size(); ++i)
+            if (tree_.arguments[i] == name) return fmt::format("p_{}", i);
+        return "p_";
+    }
+
+    /// Lua line k is deck line k + first - 1: that is how run-time errors find their line.
+    void at_line(int line) {
+        while (line_ < line) {
+            text_ += '\n';
+            ++line_;
+        }
+    }
+
+    void block(const std::vector<Statement>& body) {
+        for (const auto& statement : body) {
+            at_line(statement.place.line);
+            this->statement(statement);
+        }
+    }
+
+    void statement(const Statement& s) {
+        switch (s.kind) {
+        case StatementKind::nothing: break;
+        case StatementKind::assign:
+            text_ += expressions_.assignment(s.target, expressions_.value(s.value)) + "; ";
+            break;
+        case StatementKind::evaluate: text_ += fmt::format("do local _ = {} end ", expressions_.value(s.value)); break;
+        case StatementKind::array: array(s); break;
+        case StatementKind::loop_range: loop_range(s); break;
+        case StatementKind::loop_while: loop_while(s); break;
+        case StatementKind::loop_each: loop_each(s); break;
+        case StatementKind::loop_for: loop_for(s); break;
+        case StatementKind::branches: branches(s); break;
+        case StatementKind::choice: choice(s); break;
+        case StatementKind::section: section(s); break;
+        case StatementKind::exit_function: text_ += "do return v_return end "; break;
+        case StatementKind::exit_loop: text_ += "break "; break;
+        case StatementKind::exit_section: text_ += fmt::format("goto section_{} ", sections_.back()); break;
+        case StatementKind::next_round: text_ += fmt::format("goto round_{} ", rounds_.back()); break;
+        case StatementKind::give_back: text_ += fmt::format("do return {} end ", expressions_.value(s.value)); break;
+        case StatementKind::command: commands(s); break;
+        }
+    }
+
+    void array(const Statement& s) {
+        const std::string made =
+            fmt::format("R.array({}, {})", quoted(s.target.text), expressions_.list(s.target.children));
+        Node whole = s.target;
+        whole.children.clear();
+        whole.parentheses = false;
+        text_ += expressions_.assignment(whole, made) + "; ";
+    }
+
+    /// The body, and behind it the label where `continue` goes.
+    void round(const Statement& s) {
+        rounds_.push_back(++labels_);
+        const int label = labels_;
+        text_ += "do ";
+        block(s.body);
+        text_ += fmt::format("end ::round_{}:: ", label);
+        rounds_.pop_back();
+        at_line(s.last_line);
+    }
+
+    void loop_range(const Statement& s) {
+        // The limits are taken once; the body may change the loop variable, as it may in FISH.
+        text_ += fmt::format("do local last = {}; ", expressions_.value(s.expressions[1]));
+        text_ += s.expressions.size() == 3
+                     ? fmt::format("local step = R.step({}); ", expressions_.value(s.expressions[2]))
+                     : "local step = 1; ";
+        text_ += expressions_.assignment(s.target, expressions_.value(s.expressions[0])) + "; ";
+        const std::string variable = expressions_.value(s.target);
+        const std::string test =
+            s.expressions.size() == 3
+                ? fmt::format("(step > 0 and {0} <= last) or (step < 0 and {0} >= last)", variable)
+                : fmt::format("{} <= last", variable);
+        text_ += fmt::format("while {} do ", test);
+        round(s);
+        text_ += expressions_.assignment(s.target, variable + " + step") + " end end ";
+    }
+
+    void loop_while(const Statement& s) {
+        text_ += fmt::format("while {} do ", expressions_.condition(s.value));
+        round(s);
+        text_ += "end ";
+    }
+
+    void loop_each(const Statement& s) {
+        text_ += fmt::format("do local following = R.each({}); while true do local member = following(); "
+                             "if member == nil then break end ",
+                             expressions_.value(s.value));
+        text_ += expressions_.assignment(s.target, "member") + "; ";
+        round(s);
+        text_ += "end end ";
+    }
+
+    void loop_for(const Statement& s) {
+        statement(s.init.front());
+        text_ += fmt::format("while {} do ", expressions_.condition(s.value));
+        round(s);
+        statement(s.step.front());
+        text_ += "end ";
+    }
+
+    void branches(const Statement& s) {
+        bool first = true;
+        for (const auto& branch : s.branches) {
+            at_line(branch.place.line);
+            if (branch.condition.empty()) text_ += "else ";
+            else
+                text_ += fmt::format("{} {} then ", first ? "if" : "elseif",
+                                     expressions_.condition(branch.condition.front()));
+            block(branch.body);
+            first = false;
+        }
+        at_line(s.last_line);
+        text_ += "end ";
+    }
+
+    void choice(const Statement& s) {
+        text_ += fmt::format("do local chosen = {}; ", expressions_.value(s.value));
+        if (s.branches.empty()) {
+            block(s.body);
+            text_ += "end ";
+            return;
+        }
+        // What stands before the first `case` runs when none fits. Its lines come first, so it is kept
+        // first in the Lua text as well: the test whether any case fits is made before.
+        const bool has_default = !s.body.empty();
+        if (has_default) {
+            text_ += "local fits = ";
+            for (const auto& branch : s.branches)
+                text_ += fmt::format("{}chosen == {}", &branch == &s.branches.front() ? "" : " or ",
+                                     expressions_.value(branch.condition.front()));
+            text_ += "; if not fits then ";
+            block(s.body);
+        }
+        bool first = !has_default;
+        for (const auto& branch : s.branches) {
+            at_line(branch.place.line);
+            text_ += fmt::format("{} chosen == {} then ", first ? "if" : "elseif",
+                                 expressions_.value(branch.condition.front()));
+            block(branch.body);
+            first = false;
+        }
+        at_line(s.last_line);
+        text_ += "end end ";
+    }
+
+    void section(const Statement& s) {
+        sections_.push_back(++labels_);
+        const int label = labels_;
+        text_ += "do do ";
+        block(s.body);
+        text_ += fmt::format("end ::section_{}:: end ", label);
+        sections_.pop_back();
+        at_line(s.last_line);
+    }
+
+    void commands(const Statement& s) {
+        for (const auto& line : s.commands) {
+            at_line(line.line);
+            std::string joined;
+            for (const auto& piece : line.pieces) {
+                const bool put_in = !piece.expression.empty() &&
+                                    (piece.text.empty() || scope_.is_local(piece.expression.front().text));
+                joined += (joined.empty() ? "" : " .. ") +
+                          (put_in ? fmt::format("R.word({})", expressions_.value(piece.expression.front()))
+                                  : quoted(piece.text));
+            }
+            text_ += fmt::format("R.command({}, {}); ", joined, line.line);
+        }
+        at_line(s.last_line);
+    }
+
+    const FunctionTree& tree_;
+    Scope scope_;
+    ExpressionGenerator expressions_;
+    std::string text_;
+    int line_;
+    int labels_ = 0;
+    std::vector<int> rounds_, sections_;
+};
+
+/// Collects the names of a tree.
+class NameCollector {
+public:
+    void node(const Node& node) {
+        if (node.kind == NodeKind::name) names.insert(node.text);
+        for (const auto& child : node.children) this->node(child);
+    }
+
+    void statements(const std::vector<Statement>& body) {
+        for (const auto& s : body) statement(s);
+    }
+
+    void statement(const Statement& s) {
+        if (!s.target.text.empty()) node(s.target);
+        node(s.value);
+        for (const auto& expression : s.expressions) node(expression);
+        for (const auto* part : {&s.body, &s.init, &s.step}) statements(*part);
+        for (const auto& branch : s.branches) {
+            for (const auto& condition : branch.condition) node(condition);
+            statements(branch.body);
+        }
+        for (const auto& line : s.commands)
+            for (const auto& piece : line.pieces)
+                // A name that the command reads itself is not a variable of this function.
+                if (!piece.expression.empty() && piece.text.empty()) node(piece.expression.front());
+    }
+
+    std::set<std::string> names;
+};
+
+} // namespace
+
+std::string generate_function(const FunctionTree& tree, const Dictionary& dictionary) {
+    return FunctionGenerator(tree, dictionary).generate();
+}
+
+std::string generate_expression(const ExpressionTree& tree, const Dictionary& dictionary) {
+    const Scope scope;
+    const ExpressionGenerator expressions(scope, dictionary);
+    const std::string head = "local G, F, A, W, R = ...; return function() ";
+    if (tree.assignment.empty()) return head + fmt::format("return {} end", expressions.value(tree.value));
+    const Statement& s = tree.assignment.front();
+    return head + fmt::format("local given = {}; {}; return given end", expressions.value(s.value),
+                              expressions.assignment(s.target, "given"));
+}
+
+std::vector<std::string> outside_names(const FunctionTree& tree) {
+    NameCollector collector;
+    collector.statements(tree.body);
+    for (const auto& name : tree.arguments) collector.names.erase(name);
+    for (const auto& name : tree.locals) collector.names.erase(name);
+    return {collector.names.begin(), collector.names.end()};
+}
+
+std::vector<std::string> outside_names(const ExpressionTree& tree) {
+    NameCollector collector;
+    collector.node(tree.value);
+    collector.statements(tree.assignment);
+    return {collector.names.begin(), collector.names.end()};
+}
+
+} // namespace kaya::fish

@@ -1,0 +1,83 @@
+// The script side of a model: one Lua state in which FISH and Lua functions live together.
+#pragma once
+
+#include "base/diagnostic.hpp"
+#include "lang/script/state.hpp"
+#include "lang/script/tables.hpp"
+#include "lang/script/world.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace kaya::script {
+
+struct Options {
+    bool trusted = false; ///< true: os.execute, io.popen, files outside of the working folder, debug, load libraries
+    std::uint64_t seed = 1; ///< of urand, grand and Lua's math.random
+    std::vector<std::filesystem::path> module_folders; ///< searched by `require` after the deck's folder
+};
+
+/// Where in a cycle a script may look on. A FISH whilestepping function runs at after_cycle.
+enum class Moment { before_cycle, after_forces, after_cycle };
+
+/// All functions throw Diagnostic: with a place in the deck, and the stack of functions in `context`.
+/// The caller adds the cycle.
+class Scripts {
+public:
+    explicit Scripts(World& world, Options options = {});
+    ~Scripts();
+    Scripts(const Scripts&) = delete;
+    Scripts& operator=(const Scripts&) = delete;
+
+    /// Takes what `out(...)` and Lua's print write; one call per line, without line end. Default: stdout.
+    void on_print(std::function<void(const std::string& line)> sink);
+
+    /// Defines `def name ... end`; `place` is where the text begins. A function of that name is replaced.
+    void define_fish(const std::string& text, const Place& place);
+    /// Runs a Lua chunk (`lua ... endlua`); `place` is where the text begins.
+    void run_lua(const std::string& text, const Place& place);
+    /// Runs a file; `place` is where the deck names it.
+    void run_lua_file(const std::filesystem::path& file, const Place& place);
+
+    /// Value of `name`, `name(a,b)`, or any FISH expression (also an assignment), with or without the
+    /// leading `@` or brackets around it. A FISH or Lua function that is named is run.
+    Value value(const std::string& expression, const Place& place = {});
+    /// The same as a number, for histories and commands; texts, vectors and pointers are refused.
+    /// The translated expression is kept: fit for a call in every cycle.
+    double number(const std::string& expression, const Place& place = {});
+    /// A line that starts with `@`: runs the function. A name that stands for nothing is an error.
+    void call(const std::string& expression, const Place& place = {});
+    /// `set @name = value`
+    void set(const std::string& name, const Value& value, const Place& place = {});
+    /// True for a function, a variable that was mentioned, or a built-in name.
+    bool knows(const std::string& name) const;
+    /// Names of all FISH variables and functions, sorted (for `list fish`, and for "did you mean").
+    std::vector<std::string> symbols() const;
+
+    /// Hooks, in the order in which they were defined. `cycle` decides for hooks with an interval.
+    bool has_hooks(Moment moment) const;
+    void run_hooks(Moment moment, std::int64_t cycle);
+
+    /// Stops the running script at its next instruction with a Diagnostic. May be called by a signal handler.
+    void interrupt() noexcept;
+
+    /// Tables by number, shared with the commands.
+    Tables& tables();
+
+    ScriptState state();
+    /// Replaces everything. The Lua chunks of the state are run again to define their functions and hooks,
+    /// with commands, prints and changes of the model switched off; then the saved values are set.
+    void restore(const ScriptState& state);
+    /// `new`: forgets all variables, functions, hooks and tables.
+    void clear();
+
+private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace kaya::script

@@ -1,0 +1,55 @@
+// Everything that the scripts of a model remember, as plain data: what `save` writes and `restore` reads.
+#pragma once
+
+#include "lang/script/tables.hpp"
+#include "lang/script/world.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace kaya::script {
+
+/// Index into ScriptState::objects. Two variables may hold the same array.
+struct ObjectReference {
+    std::size_t index = 0;
+    bool operator==(const ObjectReference&) const = default;
+};
+
+using StoredValue =
+    std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec3, Handle, ObjectReference>;
+
+/// A FISH array (dimensions not empty, elements row by row) or a Lua table (keys and values side by side).
+struct StoredObject {
+    std::vector<std::int64_t> dimensions;
+    std::vector<StoredValue> keys;
+    std::vector<StoredValue> values;
+};
+
+struct StoredSource {
+    enum class Kind : std::uint8_t { fish, lua } kind = Kind::fish;
+    std::string name; ///< of the deck
+    std::int64_t line = 1;
+    std::string text;
+};
+
+struct ScriptState {
+    std::vector<std::pair<std::string, StoredValue>> fish_globals; ///< sorted by name
+    std::vector<std::pair<std::string, StoredValue>> lua_globals;  ///< sorted by name; no functions
+    std::vector<std::pair<std::string, StoredValue>> extras;       ///< "b_extra" -> object handle -> value
+    std::vector<StoredObject> objects;
+    std::vector<StoredSource> sources;     ///< FISH functions and Lua chunks that define something, in order
+    std::vector<std::string> whilestepping; ///< FISH functions that run after every cycle, in order
+    Tables tables;
+    std::array<std::uint64_t, 4> random{};
+};
+
+/// One block of bytes, the same for the same state on every machine; and back.
+/// from_bytes throws Diagnostic when the bytes are cut off or of another version.
+std::string to_bytes(const ScriptState& state);
+ScriptState from_bytes(const std::string& bytes);
+
+} // namespace kaya::script
