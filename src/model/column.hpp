@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace kaya {
@@ -26,6 +27,12 @@ struct VectorColumn {
     }
 };
 
+/// What a new row holds. Eigen leaves its vectors as the memory was, so they are set here.
+template <class T> T new_value() {
+    if constexpr (requires { T::Zero(); }) return T::Zero();
+    else return T{};
+}
+
 /// What every table can do, given `template <class Visit> void columns(Visit&&)` in Derived.
 /// Visit is called as visit("name", column) with a Column<T>&.
 template <class Derived> class Table {
@@ -35,7 +42,10 @@ public:
 
     /// New rows are zero.
     void resize(std::size_t n) {
-        derived().columns([n](const std::string&, auto& column) { column.resize(n); });
+        derived().columns([n](const std::string&, auto& column) {
+            using Value = typename std::decay_t<decltype(column)>::value_type;
+            column.resize(n, new_value<Value>());
+        });
         size_ = n;
     }
 

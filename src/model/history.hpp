@@ -1,6 +1,7 @@
 // Recorded quantities.
 #pragma once
 
+#include "base/id.hpp"
 #include "model/column.hpp"
 
 #include <cstdint>
@@ -17,6 +18,12 @@ struct HistorySource {
     std::string quantity; ///< field name ("shear_stress", "unbalanced_force") or function name
     Vec3 place = Vec3::Zero();
     Row row = no_row; ///< found when the history is made and again when that row is gone
+
+    // How the row is found again after tables were compacted (model/sampling.hpp).
+    std::uint32_t slot = 0;       ///< id of the sub-contact or block, or of the block that the row belongs to
+    std::uint32_t generation = 0; ///< 0: not located yet
+    Row offset = 0;               ///< of a gridpoint or zone from the first one of its block
+    Row rows_of_block = 0;        ///< gridpoints or zones of that block then; other when it was zoned since
 };
 
 struct History {

@@ -19,6 +19,9 @@ using RangeTest = std::function<bool(const Model&, ObjectKind, Row)>;
 /// An empty test passes all. Ascending rows.
 std::vector<Row> select(const Model& model, ObjectKind kind, const RangeTest& test, bool hidden_too = false);
 
+/// How many objects of that kind there are.
+std::size_t count_of(const Model& model, ObjectKind kind);
+
 /// The point that is tested.
 Vec3 reference_point(const Model& model, ObjectKind kind, Row row);
 

@@ -1,0 +1,158 @@
+// Quantities of blocks.
+#include "model/field_rows.hpp"
+#include "model/measure.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+namespace kaya::field_rows {
+
+namespace {
+
+constexpr auto table = FieldTable::block;
+constexpr auto rows_of = &Model::blocks;
+
+/// True when every component of the block's motion is prescribed.
+std::int64_t fixed(const Model& model, Row block) {
+    if (!model.blocks.deformable[block]) return (model.blocks.fixed[block] & fix_all) == fix_all;
+    constexpr int all_axes = fix_x | fix_y | fix_z;
+    const Span span = model.blocks.gridpoints[block];
+    for (Row i = span.first; i < span.end(); ++i)
+        if ((model.gridpoints.fixed[i] & all_axes) != all_axes) return 0;
+    return span.count > 0;
+}
+
+FieldValue group(const Model& model, Row block) {
+    return model.group_names[static_cast<std::size_t>(model.blocks.group[block])];
+}
+
+/// Groups are compared without case, as everywhere in the language.
+void set_group(Model& model, Row block, const FieldValue& value) {
+    const std::string& name = text(value);
+    const auto same_letters = [&name](const std::string& other) {
+        return std::equal(name.begin(), name.end(), other.begin(), other.end(), [](char a, char b) {
+            return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+        });
+    };
+    auto& names = model.group_names;
+    const auto found = std::find_if(names.begin(), names.end(), same_letters);
+    model.blocks.group[block] = static_cast<std::int32_t>(found - names.begin());
+    if (found == names.end()) names.push_back(name);
+}
+
+void set_velocity(Model& model, Row block, const FieldValue& value) {
+    const Vec3 velocity = vector(value);
+    model.blocks.velocity[block] = velocity;
+    if (!model.blocks.deformable[block]) return;
+    const Span span = model.blocks.gridpoints[block];
+    for (Row i = span.first; i < span.end(); ++i) model.gridpoints.velocity[i] = velocity;
+}
+
+template <int k> void set_velocity_component(Model& model, Row block, const FieldValue& value) {
+    const double component = number(value);
+    model.blocks.velocity[block][k] = component;
+    if (!model.blocks.deformable[block]) return;
+    const Span span = model.blocks.gridpoints[block];
+    for (Row i = span.first; i < span.end(); ++i) model.gridpoints.velocity[i][k] = component;
+}
+
+void need_rigid(const Model& model, Row block) {
+    if (model.blocks.deformable[block])
+        throw Diagnostic(fmt::format("block {} is deformable and takes no load as a whole",
+                                     model.blocks.number[block]),
+                         "set the loads of its gridpoints");
+}
+void set_load(Model& model, Row block, const FieldValue& value) {
+    need_rigid(model, block);
+    model.blocks.load[block] = vector(value);
+}
+template <int k> void set_load_component(Model& model, Row block, const FieldValue& value) {
+    need_rigid(model, block);
+    model.blocks.load[block][k] = number(value);
+}
+
+/// Moments of inertia about the centroid and global axes.
+Vec3 moments_of_inertia(const Model& model, Row block) {
+    const Quaternion& q = model.blocks.orientation[block];
+    const Mat3 turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+    return (turn * model.blocks.inertia[block] * turn.transpose()).diagonal();
+}
+
+} // namespace
+
+const Fields& block_fields() {
+    static const Fields rows{
+        {table, "id", "b_id", "", "-", "number, from 1 in order of creation", read<rows_of, &Blocks::number>,
+         nullptr},
+        {table, "material", "b_mat", "", "-", "number of its material", read<rows_of, &Blocks::material>, nullptr},
+        {table, "constitutive", "b_cons", "", "-", "number of its constitutive model",
+         read<rows_of, &Blocks::constitutive>, nullptr},
+        {table, "region", "b_region", "", "-", "region number", read<rows_of, &Blocks::region>,
+         write<rows_of, &Blocks::region>},
+        {table, "group", "b_group", "", "-", "name of its group, empty when it has none", group, set_group},
+        {table, "hidden", "b_hidden", "", "-", "1 when hidden", read<rows_of, &Blocks::hidden>, nullptr},
+        {table, "deformable", "", "", "-", "1 when it has zones", read<rows_of, &Blocks::deformable>, nullptr},
+        {table, "fixed", "b_fix", "", "-", "1 when all of its motion is prescribed", call<fixed>, nullptr},
+        {table, "volume", "b_vol", "", "volume", "volume", read<rows_of, &Blocks::volume>, nullptr},
+        {table, "mass", "b_mass", "", "mass", "mass, 0 before the first cycle", read<rows_of, &Blocks::mass>,
+         nullptr},
+        {table, "inertia", "b_moi", "", "mass*area", "moments of inertia about the centroid, global axes",
+         call<moments_of_inertia>, nullptr},
+        {table, "x_inertia", "b_xmoi", "", "mass*area", "about the x axis", call<moments_of_inertia, 0>, nullptr},
+        {table, "y_inertia", "b_ymoi", "", "mass*area", "about the y axis", call<moments_of_inertia, 1>, nullptr},
+        {table, "z_inertia", "b_zmoi", "", "mass*area", "about the z axis", call<moments_of_inertia, 2>, nullptr},
+        {table, "position", "b_cent", "", "length", "centroid", read<rows_of, &Blocks::centroid>, nullptr},
+        {table, "x", "b_x", "", "length", "x of the centroid", read<rows_of, &Blocks::centroid, 0>, nullptr},
+        {table, "y", "b_y", "", "length", "y of the centroid", read<rows_of, &Blocks::centroid, 1>, nullptr},
+        {table, "z", "b_z", "", "length", "z of the centroid", read<rows_of, &Blocks::centroid, 2>, nullptr},
+        {table, "velocity", "b_vel", "", "length/time", "velocity of the centroid", call<block_velocity>,
+         set_velocity},
+        {table, "x_velocity", "b_xvel", "", "length/time", "x velocity", call<block_velocity, 0>,
+         set_velocity_component<0>},
+        {table, "y_velocity", "b_yvel", "", "length/time", "y velocity", call<block_velocity, 1>,
+         set_velocity_component<1>},
+        {table, "z_velocity", "b_zvel", "", "length/time", "z velocity", call<block_velocity, 2>,
+         set_velocity_component<2>},
+        {table, "rotational_velocity", "b_rvel", "", "angle/time", "of a rigid block, global axes, radians",
+         read<rows_of, &Blocks::rotational_velocity>, write<rows_of, &Blocks::rotational_velocity>},
+        {table, "x_rotational_velocity", "b_rxvel", "", "angle/time", "about the x axis",
+         read<rows_of, &Blocks::rotational_velocity, 0>, write<rows_of, &Blocks::rotational_velocity, 0>},
+        {table, "y_rotational_velocity", "b_ryvel", "", "angle/time", "about the y axis",
+         read<rows_of, &Blocks::rotational_velocity, 1>, write<rows_of, &Blocks::rotational_velocity, 1>},
+        {table, "z_rotational_velocity", "b_rzvel", "", "angle/time", "about the z axis",
+         read<rows_of, &Blocks::rotational_velocity, 2>, write<rows_of, &Blocks::rotational_velocity, 2>},
+        {table, "displacement", "", "", "length", "displacement of the centroid", call<block_displacement>, nullptr},
+        {table, "x_displacement", "", "", "length", "x displacement", call<block_displacement, 0>, nullptr},
+        {table, "y_displacement", "", "", "length", "y displacement", call<block_displacement, 1>, nullptr},
+        {table, "z_displacement", "", "", "length", "z displacement", call<block_displacement, 2>, nullptr},
+        {table, "force", "b_force", "", "force", "unbalanced force of the last cycle", call<block_force>, nullptr},
+        {table, "x_force", "b_xforce", "", "force", "x unbalanced force", call<block_force, 0>, nullptr},
+        {table, "y_force", "b_yforce", "", "force", "y unbalanced force", call<block_force, 1>, nullptr},
+        {table, "z_force", "b_zforce", "", "force", "z unbalanced force", call<block_force, 2>, nullptr},
+        {table, "moment", "b_mom", "", "moment", "unbalanced moment of a rigid block",
+         read<rows_of, &Blocks::moment>, nullptr},
+        {table, "x_moment", "b_xmom", "", "moment", "x unbalanced moment", read<rows_of, &Blocks::moment, 0>,
+         nullptr},
+        {table, "y_moment", "b_ymom", "", "moment", "y unbalanced moment", read<rows_of, &Blocks::moment, 1>,
+         nullptr},
+        {table, "z_moment", "b_zmom", "", "moment", "z unbalanced moment", read<rows_of, &Blocks::moment, 2>,
+         nullptr},
+        {table, "load", "b_load", "", "force", "applied force", call<block_load>, set_load},
+        {table, "x_load", "b_xload", "", "force", "x applied force", call<block_load, 0>, set_load_component<0>},
+        {table, "y_load", "b_yload", "", "force", "y applied force", call<block_load, 1>, set_load_component<1>},
+        {table, "z_load", "b_zload", "", "force", "z applied force", call<block_load, 2>, set_load_component<2>},
+        {table, "first_gridpoint", "b_gp", "", "-", "first of its gridpoints",
+         first<rows_of, &Blocks::gridpoints, FieldTable::gridpoint>, nullptr},
+        {table, "first_vertex", "b_vertex", "", "-", "first of its vertices",
+         first<rows_of, &Blocks::gridpoints, FieldTable::gridpoint>, nullptr},
+        {table, "first_face", "b_face", "", "-", "first of its faces",
+         first<rows_of, &Blocks::faces, FieldTable::face>, nullptr},
+        {table, "first_zone", "b_zone", "", "-", "first of its zones, null in a rigid block",
+         first<rows_of, &Blocks::zones, FieldTable::zone>, nullptr},
+    };
+    return rows;
+}
+
+} // namespace kaya::field_rows

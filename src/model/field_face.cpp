@@ -1,0 +1,43 @@
+// Quantities of faces, as they are now: computed from their triangles.
+#include "model/field_rows.hpp"
+#include "model/measure.hpp"
+
+namespace kaya::field_rows {
+
+namespace {
+
+constexpr auto table = FieldTable::face;
+constexpr auto rows_of = &Model::faces;
+
+double area(const Model& model, Row face) { return face_area_vector(model, face).norm(); }
+
+Vec3 normal(const Model& model, Row face) {
+    const Vec3 area_vector = face_area_vector(model, face);
+    const double length = area_vector.norm();
+    return length > 0 ? Vec3(area_vector / length) : area_vector;
+}
+
+} // namespace
+
+const Fields& face_fields() {
+    static const Fields rows{
+        {table, "id", "face_id", "", "-", "number, from 1; changes when blocks are deleted", call<count_from_one>,
+         nullptr},
+        {table, "block", "face_block", "", "-", "block that it bounds",
+         link<rows_of, &Faces::block, FieldTable::block>, nullptr},
+        {table, "joint_set", "face_jset", "", "-", "joint set that cut it, 0 when made with the block",
+         read<rows_of, &Faces::joint_set>, nullptr},
+        {table, "position", "face_pos", "", "length", "centroid", call<face_centroid>, nullptr},
+        {table, "x", "face_x", "", "length", "x of the centroid", call<face_centroid, 0>, nullptr},
+        {table, "y", "face_y", "", "length", "y of the centroid", call<face_centroid, 1>, nullptr},
+        {table, "z", "face_z", "", "length", "z of the centroid", call<face_centroid, 2>, nullptr},
+        {table, "normal", "face_n", "", "-", "outward unit normal", call<normal>, nullptr},
+        {table, "x_normal", "face_nx", "", "-", "x of the normal", call<normal, 0>, nullptr},
+        {table, "y_normal", "face_ny", "", "-", "y of the normal", call<normal, 1>, nullptr},
+        {table, "z_normal", "face_nz", "", "-", "z of the normal", call<normal, 2>, nullptr},
+        {table, "area", "face_area", "", "area", "area", call<area>, nullptr},
+    };
+    return rows;
+}
+
+} // namespace kaya::field_rows

@@ -1,0 +1,73 @@
+// Quantities of the whole model. The row that getters take has no meaning here.
+#include "model/field_rows.hpp"
+
+namespace kaya::field_rows {
+
+namespace {
+
+constexpr auto table = FieldTable::global;
+
+template <auto member> FieldValue clock(const Model& model, Row) { return value_of(model.clock.*member); }
+template <auto member> FieldValue setting(const Model& model, Row) { return value_of(model.settings.*member); }
+template <int k> FieldValue gravity(const Model& model, Row) { return model.settings.gravity[k]; }
+template <int k> void set_gravity(Model& model, Row, const FieldValue& value) {
+    model.settings.gravity[k] = number(value);
+}
+void set_gravity_vector(Model& model, Row, const FieldValue& value) { model.settings.gravity = vector(value); }
+template <auto rows> FieldValue count(const Model& model, Row) {
+    return static_cast<std::int64_t>((model.*rows).size());
+}
+/// Objects that FISH lists begin with; null when there are none.
+template <auto rows, FieldTable to> FieldValue head(const Model& model, Row) {
+    return Link{to, (model.*rows).empty() ? no_row : 0};
+}
+
+} // namespace
+
+const Fields& global_fields() {
+    static const Fields rows{
+        {table, "time", "time", "time", "time", "model time", clock<&Clock::time>, nullptr},
+        {table, "cycle", "cycle", "", "-", "cycles done so far", clock<&Clock::cycle>, nullptr},
+        {table, "step", "step", "", "-", "the same as cycle", clock<&Clock::cycle>, nullptr},
+        {table, "time_step", "tdel", "", "time", "time step, 0 until it is computed", clock<&Clock::time_step>,
+         nullptr},
+        {table, "unbalanced_force", "unbal", "unbal", "force", "largest unbalanced force of the last cycle",
+         clock<&Clock::unbalanced_force>, nullptr},
+        {table, "average_ratio", "", "", "-", "mean unbalanced force over mean acting force",
+         clock<&Clock::average_ratio>, nullptr},
+        {table, "maximum_ratio", "", "", "-", "largest unbalanced force over mean acting force",
+         clock<&Clock::maximum_ratio>, nullptr},
+        {table, "local_ratio", "", "", "-", "largest ratio of unbalanced to acting force of one body",
+         clock<&Clock::local_ratio>, nullptr},
+        {table, "global_viscosity", "", "damp", "1/time", "viscosity of adaptive global damping",
+         clock<&Clock::global_viscosity>, nullptr},
+        {table, "kinetic_energy", "", "", "energy", "of all blocks", clock<&Clock::kinetic>, nullptr},
+        {table, "gravity_work", "", "", "energy", "done by gravity", clock<&Clock::gravity_work>, nullptr},
+        {table, "boundary_work", "", "", "energy", "done by loads and prescribed velocities",
+         clock<&Clock::boundary_work>, nullptr},
+        {table, "damped_energy", "", "", "energy", "taken out by damping", clock<&Clock::damped>, nullptr},
+        {table, "frictional_energy", "", "", "energy", "lost in slip", clock<&Clock::frictional>, nullptr},
+        {table, "joint_energy", "", "", "energy", "elastic, in joints", clock<&Clock::joint_elastic>, nullptr},
+        {table, "zone_energy", "", "", "energy", "elastic, in zones", clock<&Clock::zone_elastic>, nullptr},
+        {table, "gravity", "grav", "", "acceleration", "gravity", setting<&Settings::gravity>, set_gravity_vector},
+        {table, "x_gravity", "xgrav", "", "acceleration", "x component of gravity", gravity<0>, set_gravity<0>},
+        {table, "y_gravity", "ygrav", "", "acceleration", "y component of gravity", gravity<1>, set_gravity<1>},
+        {table, "z_gravity", "zgrav", "", "acceleration", "z component of gravity", gravity<2>, set_gravity<2>},
+        {table, "gravity_x", "grav_x", "", "acceleration", "the same as x_gravity", gravity<0>, set_gravity<0>},
+        {table, "gravity_y", "grav_y", "", "acceleration", "the same as y_gravity", gravity<1>, set_gravity<1>},
+        {table, "gravity_z", "grav_z", "", "acceleration", "the same as z_gravity", gravity<2>, set_gravity<2>},
+        {table, "block_count", "nblock", "", "-", "number of blocks", count<&Model::blocks>, nullptr},
+        {table, "gridpoint_count", "", "", "-", "number of gridpoints and vertices", count<&Model::gridpoints>,
+         nullptr},
+        {table, "zone_count", "nzone", "", "-", "number of zones", count<&Model::zones>, nullptr},
+        {table, "contact_count", "", "", "-", "number of contacts", count<&Model::contacts>, nullptr},
+        {table, "sub_contact_count", "", "", "-", "number of sub-contacts", count<&Model::sub_contacts>, nullptr},
+        {table, "first_block", "block_head", "", "-", "first block of the list that b_next walks",
+         head<&Model::blocks, FieldTable::block>, nullptr},
+        {table, "first_contact", "contact_head", "", "-", "first contact of the list that c_next walks",
+         head<&Model::contacts, FieldTable::contact>, nullptr},
+    };
+    return rows;
+}
+
+} // namespace kaya::field_rows

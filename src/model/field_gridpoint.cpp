@@ -1,0 +1,79 @@
+// Quantities of gridpoints; of a rigid block these are its vertices.
+#include "model/field_rows.hpp"
+
+namespace kaya::field_rows {
+
+namespace {
+
+constexpr auto table = FieldTable::gridpoint;
+constexpr auto rows_of = &Model::gridpoints;
+
+/// A rigid block's vertex follows the block: its own velocity cannot be given.
+void need_deformable(const Model& model, Row gridpoint) {
+    if (!model.blocks.deformable[model.gridpoints.block[gridpoint]])
+        throw Diagnostic("the vertex of a rigid block follows its block and has no velocity of its own",
+                         "set the velocity of the block");
+}
+void set_velocity(Model& model, Row gridpoint, const FieldValue& value) {
+    need_deformable(model, gridpoint);
+    model.gridpoints.velocity[gridpoint] = vector(value);
+}
+template <int k> void set_velocity_component(Model& model, Row gridpoint, const FieldValue& value) {
+    need_deformable(model, gridpoint);
+    model.gridpoints.velocity[gridpoint][k] = number(value);
+}
+
+} // namespace
+
+const Fields& gridpoint_fields() {
+    static const Fields rows{
+        {table, "id", "gp_id", "", "-", "number, from 1; changes when blocks are deleted", call<count_from_one>,
+         nullptr},
+        {table, "block", "gp_block", "", "-", "block that it belongs to",
+         link<rows_of, &Gridpoints::block, FieldTable::block>, nullptr},
+        {table, "position", "gp_pos", "", "length", "where it is now", read<rows_of, &Gridpoints::position>,
+         nullptr},
+        {table, "x", "gp_x", "", "length", "x", read<rows_of, &Gridpoints::position, 0>, nullptr},
+        {table, "y", "gp_y", "", "length", "y", read<rows_of, &Gridpoints::position, 1>, nullptr},
+        {table, "z", "gp_z", "", "length", "z", read<rows_of, &Gridpoints::position, 2>, nullptr},
+        {table, "mass", "gp_mass", "", "mass", "mass, 0 before the first cycle", read<rows_of, &Gridpoints::mass>,
+         nullptr},
+        {table, "fixed", "", "", "-", "sum of 1, 2, 4 for x, y, z velocities that are prescribed",
+         read<rows_of, &Gridpoints::fixed>, nullptr},
+        {table, "velocity", "gp_vel", "", "length/time", "velocity", read<rows_of, &Gridpoints::velocity>,
+         set_velocity},
+        {table, "x_velocity", "gp_xvel", "xvel", "length/time", "x velocity",
+         read<rows_of, &Gridpoints::velocity, 0>, set_velocity_component<0>},
+        {table, "y_velocity", "gp_yvel", "yvel", "length/time", "y velocity",
+         read<rows_of, &Gridpoints::velocity, 1>, set_velocity_component<1>},
+        {table, "z_velocity", "gp_zvel", "zvel", "length/time", "z velocity",
+         read<rows_of, &Gridpoints::velocity, 2>, set_velocity_component<2>},
+        {table, "displacement", "gp_dis", "", "length", "displacement", read<rows_of, &Gridpoints::displacement>,
+         write<rows_of, &Gridpoints::displacement>},
+        {table, "x_displacement", "gp_xdis", "xdis", "length", "x displacement",
+         read<rows_of, &Gridpoints::displacement, 0>, write<rows_of, &Gridpoints::displacement, 0>},
+        {table, "y_displacement", "gp_ydis", "ydis", "length", "y displacement",
+         read<rows_of, &Gridpoints::displacement, 1>, write<rows_of, &Gridpoints::displacement, 1>},
+        {table, "z_displacement", "gp_zdis", "zdis", "length", "z displacement",
+         read<rows_of, &Gridpoints::displacement, 2>, write<rows_of, &Gridpoints::displacement, 2>},
+        {table, "force", "gp_force", "", "force", "unbalanced force of the last cycle",
+         read<rows_of, &Gridpoints::force>, nullptr},
+        {table, "x_force", "gp_xforce", "", "force", "x unbalanced force", read<rows_of, &Gridpoints::force, 0>,
+         nullptr},
+        {table, "y_force", "gp_yforce", "", "force", "y unbalanced force", read<rows_of, &Gridpoints::force, 1>,
+         nullptr},
+        {table, "z_force", "gp_zforce", "", "force", "z unbalanced force", read<rows_of, &Gridpoints::force, 2>,
+         nullptr},
+        {table, "load", "gp_load", "", "force", "applied force", read<rows_of, &Gridpoints::load>,
+         write<rows_of, &Gridpoints::load>},
+        {table, "x_load", "gp_xload", "", "force", "x applied force", read<rows_of, &Gridpoints::load, 0>,
+         write<rows_of, &Gridpoints::load, 0>},
+        {table, "y_load", "gp_yload", "", "force", "y applied force", read<rows_of, &Gridpoints::load, 1>,
+         write<rows_of, &Gridpoints::load, 1>},
+        {table, "z_load", "gp_zload", "", "force", "z applied force", read<rows_of, &Gridpoints::load, 2>,
+         write<rows_of, &Gridpoints::load, 2>},
+    };
+    return rows;
+}
+
+} // namespace kaya::field_rows

@@ -1,0 +1,110 @@
+// Quantities of sub-contacts. Normal force: compression positive; normal displacement: opening positive.
+#include "model/field_rows.hpp"
+
+namespace kaya::field_rows {
+
+namespace {
+
+constexpr auto table = FieldTable::sub_contact;
+constexpr auto rows_of = &Model::sub_contacts;
+
+double shear_force_size(const Model& model, Row row) { return model.sub_contacts.shear_force[row].norm(); }
+double shear_displacement_size(const Model& model, Row row) {
+    return model.sub_contacts.shear_displacement[row].norm();
+}
+
+/// Over the area; a sub-contact without area carries no stress.
+double stress(const Model& model, Row row, double force) {
+    const double area = model.sub_contacts.area[row];
+    return area > 0 ? force / area : 0;
+}
+double normal_stress(const Model& model, Row row) {
+    return stress(model, row, model.sub_contacts.normal_force[row]);
+}
+double shear_stress(const Model& model, Row row) { return stress(model, row, shear_force_size(model, row)); }
+
+/// What belongs to the contact.
+Row contact_of(const Model& model, Row row) { return model.sub_contacts.contact[row]; }
+template <auto column> FieldValue block(const Model& model, Row row) {
+    return Link{FieldTable::block, (model.contacts.*column)[contact_of(model, row)]};
+}
+template <auto column> FieldValue of_contact(const Model& model, Row row) {
+    return value_of((model.contacts.*column)[contact_of(model, row)]);
+}
+template <auto column, int k> FieldValue of_contact(const Model& model, Row row) {
+    return (model.contacts.*column)[contact_of(model, row)][k];
+}
+FieldValue joint_model(const Model& model, Row row) {
+    return find_field(FieldTable::contact, "model")->get(model, contact_of(model, row));
+}
+
+} // namespace
+
+const Fields& sub_contact_fields() {
+    static const Fields rows{
+        {table, "id", "cx_id", "", "-", "number, from 1", read<rows_of, &SubContacts::number>, nullptr},
+        {table, "contact", "cx_contact", "", "-", "contact that it belongs to",
+         link<rows_of, &SubContacts::contact, FieldTable::contact>, nullptr},
+        {table, "block1", "", "", "-", "block with the higher number", block<&Contacts::block1>, nullptr},
+        {table, "block2", "", "", "-", "block with the lower number", block<&Contacts::block2>, nullptr},
+        {table, "type", "cx_type", "", "-", "1 vertex-face, 2 face-vertex, 3 edge-edge",
+         read<rows_of, &SubContacts::meeting>, nullptr},
+        {table, "position", "cx_pos", "", "length", "where it is now", read<rows_of, &SubContacts::position>,
+         nullptr},
+        {table, "x", "cx_x", "", "length", "x", read<rows_of, &SubContacts::position, 0>, nullptr},
+        {table, "y", "cx_y", "", "length", "y", read<rows_of, &SubContacts::position, 1>, nullptr},
+        {table, "z", "cx_z", "", "length", "z", read<rows_of, &SubContacts::position, 2>, nullptr},
+        {table, "normal", "", "", "-", "unit normal of the contact, from block1 to block2",
+         of_contact<&Contacts::normal>, nullptr},
+        {table, "x_normal", "", "", "-", "x of the normal", of_contact<&Contacts::normal, 0>, nullptr},
+        {table, "y_normal", "", "", "-", "y of the normal", of_contact<&Contacts::normal, 1>, nullptr},
+        {table, "z_normal", "", "", "-", "z of the normal", of_contact<&Contacts::normal, 2>, nullptr},
+        {table, "area", "cx_area", "", "area", "part of the contact's area", read<rows_of, &SubContacts::area>,
+         nullptr},
+        {table, "material", "cx_mat", "", "-", "number of its joint material", of_contact<&Contacts::material>,
+         nullptr},
+        {table, "model", "cx_model", "", "-", "name of its joint model, empty when it has none", joint_model,
+         nullptr},
+        {table, "normal_displacement", "cx_ndis", "ndis", "length", "opening positive",
+         read<rows_of, &SubContacts::normal_displacement>, write<rows_of, &SubContacts::normal_displacement>},
+        {table, "shear_displacement", "cx_sdis", "sdis", "length", "length of the shear displacement vector",
+         call<shear_displacement_size>, nullptr},
+        {table, "shear_displacement_vector", "", "", "length", "in global axes",
+         read<rows_of, &SubContacts::shear_displacement>, write<rows_of, &SubContacts::shear_displacement>},
+        {table, "x_shear_displacement", "cx_xsdis", "xsdis", "length", "global x component",
+         read<rows_of, &SubContacts::shear_displacement, 0>, write<rows_of, &SubContacts::shear_displacement, 0>},
+        {table, "y_shear_displacement", "cx_ysdis", "ysdis", "length", "global y component",
+         read<rows_of, &SubContacts::shear_displacement, 1>, write<rows_of, &SubContacts::shear_displacement, 1>},
+        {table, "z_shear_displacement", "cx_zsdis", "zsdis", "length", "global z component",
+         read<rows_of, &SubContacts::shear_displacement, 2>, write<rows_of, &SubContacts::shear_displacement, 2>},
+        {table, "normal_force", "cx_nforce", "nfor", "force", "compression positive",
+         read<rows_of, &SubContacts::normal_force>, write<rows_of, &SubContacts::normal_force>},
+        {table, "shear_force", "cx_sforce", "sfor", "force", "length of the shear force vector",
+         call<shear_force_size>, nullptr},
+        {table, "shear_force_vector", "", "", "force", "on block2, in global axes",
+         read<rows_of, &SubContacts::shear_force>, write<rows_of, &SubContacts::shear_force>},
+        {table, "x_shear_force", "cx_xsforce", "xsfor", "force", "global x component",
+         read<rows_of, &SubContacts::shear_force, 0>, write<rows_of, &SubContacts::shear_force, 0>},
+        {table, "y_shear_force", "cx_ysforce", "ysfor", "force", "global y component",
+         read<rows_of, &SubContacts::shear_force, 1>, write<rows_of, &SubContacts::shear_force, 1>},
+        {table, "z_shear_force", "cx_zsforce", "zsfor", "force", "global z component",
+         read<rows_of, &SubContacts::shear_force, 2>, write<rows_of, &SubContacts::shear_force, 2>},
+        {table, "normal_stress", "", "nstr", "stress", "normal force over area, compression positive",
+         call<normal_stress>, nullptr},
+        {table, "shear_stress", "", "sstr", "stress", "length of the shear force over area", call<shear_stress>,
+         nullptr},
+        {table, "normal_stiffness", "", "", "stress/length", "tangent stiffness",
+         read<rows_of, &SubContacts::normal_stiffness>, nullptr},
+        {table, "shear_stiffness", "", "", "stress/length", "tangent stiffness",
+         read<rows_of, &SubContacts::shear_stiffness>, nullptr},
+        {table, "pore_pressure", "cx_pp", "", "stress", "in the joint, compression positive",
+         read<rows_of, &SubContacts::pore_pressure>, write<rows_of, &SubContacts::pore_pressure>},
+        {table, "frictional_work", "", "", "energy", "done by slip", read<rows_of, &SubContacts::frictional_work>,
+         nullptr},
+        {table, "state", "cx_state", "", "-", "sum of 1, 2, 4, ... for the model's state names",
+         read<rows_of, &SubContacts::state>, write<rows_of, &SubContacts::state>},
+    };
+    return rows;
+}
+
+} // namespace kaya::field_rows

@@ -1,0 +1,64 @@
+// Quantities of zones. Stress: compression negative.
+#include "model/field_rows.hpp"
+#include "model/measure.hpp"
+
+namespace kaya::field_rows {
+
+namespace {
+
+constexpr auto table = FieldTable::zone;
+constexpr auto rows_of = &Model::zones;
+
+/// The material of the zone's block; one without properties when `prop mat` did not give it.
+const Material& material_of(const Model& model, Row zone) {
+    static const Material none;
+    const auto found = model.materials.find(model.blocks.material[model.zones.block[zone]]);
+    return found == model.materials.end() ? none : found->second;
+}
+
+std::int64_t material(const Model& model, Row zone) { return model.blocks.material[model.zones.block[zone]]; }
+double mass(const Model& model, Row zone) { return material_of(model, zone).density * model.zones.volume[zone]; }
+double bulk(const Model& model, Row zone) { return material_of(model, zone).bulk; }
+double shear(const Model& model, Row zone) { return material_of(model, zone).shear; }
+
+} // namespace
+
+const Fields& zone_fields() {
+    static const Fields rows{
+        {table, "id", "z_id", "", "-", "number, from 1; changes when blocks are deleted", call<count_from_one>,
+         nullptr},
+        {table, "block", "z_block", "", "-", "block that it belongs to",
+         link<rows_of, &Zones::block, FieldTable::block>, nullptr},
+        {table, "position", "z_cen", "", "length", "centroid", call<zone_centroid>, nullptr},
+        {table, "x", "z_x", "", "length", "x of the centroid", call<zone_centroid, 0>, nullptr},
+        {table, "y", "z_y", "", "length", "y of the centroid", call<zone_centroid, 1>, nullptr},
+        {table, "z", "z_z", "", "length", "z of the centroid", call<zone_centroid, 2>, nullptr},
+        {table, "volume", "z_vol", "", "volume", "volume as it is now", call<zone_volume>, nullptr},
+        {table, "mass", "z_mass", "", "mass", "density times the volume when made, NaN without a density",
+         call<mass>, nullptr},
+        {table, "material", "z_mat", "", "-", "number of its material", call<material>, nullptr},
+        {table, "bulk", "z_bulk", "", "stress", "bulk modulus, NaN when not given", call<bulk>, nullptr},
+        {table, "shear", "z_shear", "", "stress", "shear modulus, NaN when not given", call<shear>, nullptr},
+        {table, "xx_stress", "z_sxx", "sxx", "stress", "xx stress", read<rows_of, &Zones::stress, 0>,
+         write<rows_of, &Zones::stress, 0>},
+        {table, "yy_stress", "z_syy", "syy", "stress", "yy stress", read<rows_of, &Zones::stress, 1>,
+         write<rows_of, &Zones::stress, 1>},
+        {table, "zz_stress", "z_szz", "szz", "stress", "zz stress", read<rows_of, &Zones::stress, 2>,
+         write<rows_of, &Zones::stress, 2>},
+        {table, "xy_stress", "z_sxy", "sxy", "stress", "xy stress", read<rows_of, &Zones::stress, 3>,
+         write<rows_of, &Zones::stress, 3>},
+        {table, "xz_stress", "z_sxz", "sxz", "stress", "xz stress", read<rows_of, &Zones::stress, 4>,
+         write<rows_of, &Zones::stress, 4>},
+        {table, "yz_stress", "z_syz", "syz", "stress", "yz stress", read<rows_of, &Zones::stress, 5>,
+         write<rows_of, &Zones::stress, 5>},
+        {table, "principal_stress_1", "z_sig1", "sig1", "stress", "most compressive principal stress",
+         call<principal_stresses, 0>, nullptr},
+        {table, "principal_stress_2", "z_sig2", "sig2", "stress", "middle principal stress",
+         call<principal_stresses, 1>, nullptr},
+        {table, "principal_stress_3", "z_sig3", "sig3", "stress", "least compressive principal stress",
+         call<principal_stresses, 2>, nullptr},
+    };
+    return rows;
+}
+
+} // namespace kaya::field_rows

@@ -1,0 +1,166 @@
+#include "model/sampling.hpp"
+
+#include "base/diagnostic.hpp"
+#include "model/field.hpp"
+#include "model/selection.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace kaya {
+
+namespace {
+
+using Kind = HistorySource::Kind;
+
+/// What stands behind a kind of source.
+struct KindInfo {
+    FieldTable table;
+    ObjectKind object;
+    const char* plural;
+    const char* remedy;
+};
+
+KindInfo info_of(Kind kind) {
+    switch (kind) {
+    case Kind::gridpoint:
+        return {FieldTable::gridpoint, ObjectKind::gridpoint, "gridpoints", "make blocks before this history"};
+    case Kind::zone:
+        return {FieldTable::zone, ObjectKind::zone, "zones", "make zones (generate edge ...) before this history"};
+    case Kind::sub_contact:
+        return {FieldTable::sub_contact, ObjectKind::sub_contact, "sub-contacts",
+                "make blocks that touch before this history"};
+    case Kind::block: return {FieldTable::block, ObjectKind::block, "blocks", "make blocks before this history"};
+    case Kind::global:
+    case Kind::function: break;
+    }
+    return {FieldTable::global, ObjectKind::block, "", ""};
+}
+
+bool has_place(Kind kind) { return kind != Kind::global && kind != Kind::function; }
+
+/// The owner of a gridpoint or zone and where its rows are.
+Span rows_of(const Model& model, Kind kind, Row block) {
+    return kind == Kind::gridpoint ? model.blocks.gridpoints[block] : model.blocks.zones[block];
+}
+
+/// The row where the source's object is now, no_row when it is gone.
+Row present_row(const Model& model, const HistorySource& source) {
+    if (source.kind == Kind::sub_contact)
+        return model.sub_contacts.ids.row({source.slot, source.generation});
+    const Row block = model.blocks.ids.row({source.slot, source.generation});
+    if (block == no_row || source.kind == Kind::block) return block;
+    const Span span = rows_of(model, source.kind, block);
+    if (span.count != source.rows_of_block || source.offset >= span.count) return no_row;
+    return span.first + source.offset;
+}
+
+double sample(const Model& model, const Field& field, Row row) {
+    const FieldValue value = field.get(model, row);
+    if (const auto* real = std::get_if<double>(&value)) return *real;
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+    throw Diagnostic(fmt::format("'{}' is not a number and cannot be recorded", field.name),
+                     "name one of its components");
+}
+
+} // namespace
+
+const Field* sampled_field(const HistorySource& source) {
+    if (source.kind == Kind::function) return nullptr;
+    const Field* field = find_field(info_of(source.kind).table, source.quantity);
+    if (!field) {
+        std::vector<std::string_view> names;
+        for (const auto& candidate : fields())
+            if (candidate.table == info_of(source.kind).table) names.push_back(candidate.name);
+        const auto near = did_you_mean(source.quantity, names);
+        throw Diagnostic(fmt::format("'{}' is not a quantity of {}", source.quantity,
+                                     has_place(source.kind) ? info_of(source.kind).plural : "the whole model"),
+                         near.empty() ? std::string() : fmt::format("did you mean '{}'?", near));
+    }
+    return field;
+}
+
+void locate(const Model& model, HistorySource& source) {
+    if (!has_place(source.kind)) return;
+    const KindInfo info = info_of(source.kind);
+    const auto rows = select(model, info.object, {}, true);
+    if (rows.empty()) throw Diagnostic(fmt::format("there are no {} for a history", info.plural), info.remedy);
+
+    double nearest = std::numeric_limits<double>::infinity();
+    source.row = rows.front();
+    for (const Row row : rows) {
+        const double distance = (reference_point(model, info.object, row) - source.place).squaredNorm();
+        if (distance < nearest) {
+            nearest = distance;
+            source.row = row;
+        }
+    }
+    if (source.kind == Kind::sub_contact) {
+        const auto id = model.sub_contacts.id[source.row];
+        source.slot = id.slot;
+        source.generation = id.generation;
+        return;
+    }
+    const Row block = block_of(model, info.object, source.row);
+    source.slot = model.blocks.id[block].slot;
+    source.generation = model.blocks.id[block].generation;
+    if (source.kind == Kind::block) return;
+    const Span span = rows_of(model, source.kind, block);
+    source.offset = source.row - span.first;
+    source.rows_of_block = span.count;
+}
+
+History& add_history(Model& model, HistorySource source, std::string label) {
+    const Field* field = sampled_field(source);
+    locate(model, source);
+    if (field) sample(model, *field, source.row); // so that a text or a vector is refused now, not while cycling
+    History history;
+    history.number = static_cast<std::int32_t>(model.histories.all.size()) + 1;
+    history.label = label.empty() ? source.quantity : std::move(label);
+    history.source = std::move(source);
+    history.first_sample = model.histories.time.size();
+    return model.histories.all.emplace_back(std::move(history));
+}
+
+void sample_histories(Model& model, const std::function<double(const std::string&)>& script_value) {
+    // Values first, then all of them at once: a function of the deck may fail half way.
+    auto& histories = model.histories;
+    std::vector<double> values;
+    values.reserve(histories.all.size());
+    for (auto& history : histories.all) {
+        auto& source = history.source;
+        if (source.kind == Kind::function) {
+            if (!script_value)
+                throw Diagnostic(fmt::format("history {} records '{}', but no script is loaded", history.number,
+                                             source.quantity),
+                                 "define the function before cycling");
+            values.push_back(script_value(source.quantity));
+            continue;
+        }
+        const Field* field = sampled_field(source);
+        if (has_place(source.kind)) {
+            source.row = present_row(model, source);
+            if (source.row == no_row && count_of(model, info_of(source.kind).object) > 0) locate(model, source);
+            if (source.row == no_row) { // nothing of the kind is left: the run goes on all the same
+                values.push_back(std::numeric_limits<double>::quiet_NaN());
+                continue;
+            }
+        }
+        values.push_back(sample(model, *field, source.row));
+    }
+    for (std::size_t k = 0; k < values.size(); ++k) histories.all[k].values.push_back(values[k]);
+    histories.time.push_back(model.clock.time);
+    histories.cycle.push_back(model.clock.cycle);
+}
+
+void reset_histories(Histories& histories) {
+    for (auto& history : histories.all) {
+        history.values.clear();
+        history.first_sample = 0;
+    }
+    histories.time.clear();
+    histories.cycle.clear();
+}
+
+} // namespace kaya

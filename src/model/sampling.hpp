@@ -1,0 +1,35 @@
+// Takes the samples of histories.
+#pragma once
+
+#include "model/history.hpp"
+#include "model/model.hpp"
+
+#include <functional>
+#include <string>
+
+namespace kaya {
+
+struct Field;
+
+/// The field that a history samples; null for a function of the deck. Throws Diagnostic when the
+/// quantity is not one of that kind of object.
+const Field* sampled_field(const HistorySource& source);
+
+/// Finds the row nearest to the source's place: gridpoint or vertex, zone by its centroid, sub-contact
+/// by its position, block by its centroid; on hidden blocks too. Of two at the same distance the one
+/// with the lower row. Throws Diagnostic when the model has none of that kind.
+void locate(const Model& model, HistorySource& source);
+
+/// Adds a history, numbered one up, and locates it. Its first sample is the next one taken.
+/// An empty label becomes the name of the quantity.
+History& add_history(Model& model, HistorySource source, std::string label = {});
+
+/// One sample of every history, and its time and cycle. `script_value` gives the value of a function
+/// or variable of the deck. An object that is gone is looked for anew; NaN when there is none of its kind
+/// left. When anything throws, no history has got a sample.
+void sample_histories(Model& model, const std::function<double(const std::string&)>& script_value);
+
+/// Forgets all samples; the histories stay.
+void reset_histories(Histories& histories);
+
+} // namespace kaya

@@ -1,0 +1,208 @@
+// The one walk over everything that a Model holds. Hash, save and restore are archives that are led
+// along it, so that none of them can forget what another one knows.
+#pragma once
+
+#include "model/model.hpp"
+#include "model/plain.hpp"
+
+#include <utility>
+
+namespace kaya {
+
+// An archive has:
+//   value(name, T&)             a plain value (plain.hpp)
+//   text(name, std::string&)
+//   column(name, Column<T>&)    plain values
+//   rows(table)                 number of rows, before the table's columns
+//   records(name, std::vector<S>&, visit)   visit(S&) is called for each, inside a section of its own
+//   section(name, visit)        visit() sees names of its own
+//   aside(visit)                what does not decide how a run goes on: the hash leaves it out
+//
+// The members of each struct are taken by structured binding: one that is added to the struct and
+// not here does not compile.
+
+template <class Archive> void visit_state(Archive& archive, Settings& settings) {
+    auto& [gravity, damping, local_factor, global_ratio, rayleigh_fraction, rayleigh_frequency, rayleigh_mass,
+           rayleigh_stiffness, time_step_fraction, given_time_step, dynamic, large_strain, mass_scale,
+           default_joint_material, default_joint_constitutive, default_properties] = settings;
+    archive.value("gravity", gravity);
+    archive.value("damping", damping);
+    archive.value("local_factor", local_factor);
+    archive.value("global_ratio", global_ratio);
+    archive.value("rayleigh_fraction", rayleigh_fraction);
+    archive.value("rayleigh_frequency", rayleigh_frequency);
+    archive.value("rayleigh_mass", rayleigh_mass);
+    archive.value("rayleigh_stiffness", rayleigh_stiffness);
+    archive.value("time_step_fraction", time_step_fraction);
+    archive.value("given_time_step", given_time_step);
+    archive.value("dynamic", dynamic);
+    archive.value("large_strain", large_strain);
+    archive.value("mass_scale", mass_scale);
+    archive.value("default_joint_material", default_joint_material);
+    archive.value("default_joint_constitutive", default_joint_constitutive);
+    archive.value("default_properties", default_properties);
+}
+
+template <class Archive> void visit_state(Archive& archive, Clock& clock) {
+    auto& [time, cycle, time_step, global_viscosity, last_kinetic, unbalanced_force, average_ratio, maximum_ratio,
+           local_ratio, kinetic, gravity_work, boundary_work, damped, frictional, joint_elastic, zone_elastic] =
+        clock;
+    archive.value("time", time);
+    archive.value("cycle", cycle);
+    archive.value("time_step", time_step);
+    archive.value("global_viscosity", global_viscosity);
+    archive.value("last_kinetic", last_kinetic);
+    archive.value("unbalanced_force", unbalanced_force);
+    archive.value("average_ratio", average_ratio);
+    archive.value("maximum_ratio", maximum_ratio);
+    archive.value("local_ratio", local_ratio);
+    archive.value("kinetic", kinetic);
+    archive.value("gravity_work", gravity_work);
+    archive.value("boundary_work", boundary_work);
+    archive.value("damped", damped);
+    archive.value("frictional", frictional);
+    archive.value("joint_elastic", joint_elastic);
+    archive.value("zone_elastic", zone_elastic);
+}
+
+/// Maps go through the walk as records of key and value.
+template <class Archive, class Key, class Value, class Visit>
+void visit_map(Archive& archive, const char* name, std::map<Key, Value>& map, Visit&& visit) {
+    std::vector<std::pair<Key, Value>> pairs(map.begin(), map.end());
+    archive.records(name, pairs, [&](std::pair<Key, Value>& pair) { visit(pair.first, pair.second); });
+    map = std::map<Key, Value>(pairs.begin(), pairs.end());
+}
+
+template <class Archive> void visit_state(Archive& archive, Material& material) {
+    auto& [density, bulk, shear, young, poisson, cohesion, friction, tension, dilation, joint] = material;
+    archive.value("density", density);
+    archive.value("bulk", bulk);
+    archive.value("shear", shear);
+    archive.value("young", young);
+    archive.value("poisson", poisson);
+    archive.value("cohesion", cohesion);
+    archive.value("friction", friction);
+    archive.value("tension", tension);
+    archive.value("dilation", dilation);
+    visit_map(archive, "joint", joint, [&](std::string& word, double& number) {
+        archive.text("word", word);
+        archive.value("value", number);
+    });
+}
+
+template <class Archive> void visit_state(Archive& archive, JointProperties& properties) {
+    auto& [model, material, values, place] = properties;
+    archive.text("model", model);
+    archive.value("material", material);
+    archive.column("values", values);
+    archive.aside([&] { archive.text("place", place); });
+}
+
+template <class Archive> void visit_state(Archive& archive, HistorySource& source) {
+    auto& [kind, quantity, place, row, slot, generation, offset, rows_of_block] = source;
+    archive.value("kind", kind);
+    archive.text("quantity", quantity);
+    archive.value("place", place);
+    archive.value("row", row);
+    archive.value("slot", slot);
+    archive.value("generation", generation);
+    archive.value("offset", offset);
+    archive.value("rows_of_block", rows_of_block);
+}
+
+template <class Archive> void visit_state(Archive& archive, History& history) {
+    auto& [number, label, source, values, first_sample] = history;
+    archive.value("number", number);
+    archive.text("label", label);
+    visit_state(archive, source);
+    archive.column("values", values);
+    archive.value("first_sample", first_sample);
+}
+
+template <class Archive> void visit_state(Archive& archive, Histories& histories) {
+    auto& [all, time, cycle, interval] = histories;
+    archive.column("time", time);
+    archive.column("cycle", cycle);
+    archive.value("interval", interval);
+    archive.records("all", all, [&](History& history) { visit_state(archive, history); });
+}
+
+template <class Archive, class Tag> void visit_ids(Archive& archive, IdMap<Tag>& ids) {
+    Column<Row> rows;
+    Column<std::uint32_t> generations;
+    for (const auto& slot : ids.slots()) {
+        rows.push_back(slot.row);
+        generations.push_back(slot.generation);
+    }
+    archive.section("ids", [&] {
+        archive.column("rows", rows);
+        archive.column("generations", generations);
+        archive.column("free", ids.free_slots());
+    });
+    // Columns of different lengths: the longer one is seen by the check of the whole model.
+    const std::size_t count = std::max(rows.size(), generations.size());
+    rows.resize(count, no_row);
+    generations.resize(count, 0);
+    ids.slots().resize(count);
+    for (std::size_t k = 0; k < count; ++k) ids.slots()[k] = {rows[k], generations[k]};
+}
+
+template <class Archive, class T> void visit_column(Archive& archive, const std::string& name, Column<T>& column) {
+    archive.column(name, column);
+}
+
+/// Attachment has a gap between its rows and its weights; it goes as two columns.
+template <class Archive>
+void visit_column(Archive& archive, const std::string& name, Column<Attachment>& column) {
+    Column<std::array<Row, 3>> gridpoints(column.size());
+    Column<std::array<double, 3>> weights(column.size());
+    for (std::size_t i = 0; i < column.size(); ++i) {
+        gridpoints[i] = column[i].gridpoints;
+        weights[i] = column[i].weights;
+    }
+    archive.column(name + "_gridpoints", gridpoints);
+    archive.column(name + "_weights", weights);
+    for (std::size_t i = 0; i < column.size(); ++i) column[i] = {gridpoints[i], weights[i]};
+}
+
+template <class Archive, class T> void visit_table(Archive& archive, const char* name, T& table) {
+    archive.section(name, [&] {
+        archive.rows(table);
+        table.columns([&](const std::string& column_name, auto& column) {
+            visit_column(archive, column_name, column);
+        });
+        if constexpr (requires { table.ids; }) visit_ids(archive, table.ids);
+    });
+}
+
+template <class Archive> void visit_state(Archive& archive, Model& model) {
+    auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, materials, joint_properties,
+           joint_constitutive, group_names, settings, clock, histories, next_block_number, next_contact_number,
+           next_sub_contact_number, structure_changed, properties_changed] = model;
+    // The tables named above stand here only to be counted: Model::tables() is their list.
+    model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
+
+    visit_map(archive, "materials", materials, [&](std::int32_t& number, Material& material) {
+        archive.value("number", number);
+        visit_state(archive, material);
+    });
+    archive.records("joint_properties", joint_properties,
+                    [&](JointProperties& properties) { visit_state(archive, properties); });
+    visit_map(archive, "joint_constitutive", joint_constitutive, [&](std::int32_t& number, std::string& name) {
+        archive.value("number", number);
+        archive.text("model", name);
+    });
+    archive.records("group_names", group_names, [&](std::string& name) { archive.text("name", name); });
+    archive.section("settings", [&] { visit_state(archive, settings); });
+    archive.section("clock", [&] { visit_state(archive, clock); });
+    archive.section("histories", [&] { visit_state(archive, histories); });
+    archive.value("next_block_number", next_block_number);
+    archive.value("next_contact_number", next_contact_number);
+    archive.value("next_sub_contact_number", next_sub_contact_number);
+    archive.aside([&] {
+        archive.value("structure_changed", structure_changed);
+        archive.value("properties_changed", properties_changed);
+    });
+}
+
+} // namespace kaya

@@ -1,0 +1,123 @@
+#include "model/state.hpp"
+
+#include "model/sampling.hpp"
+#include "tests/unit/model/hand_made.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <functional>
+#include <set>
+
+using namespace kaya;
+using kaya::test::hand_made_model;
+
+namespace {
+
+/// The hash after one change to a fresh model.
+std::uint64_t hash_with(const std::function<void(Model&)>& change) {
+    Model model = hand_made_model();
+    add_history(model, {HistorySource::Kind::global, "time"});
+    change(model);
+    return state_hash(model);
+}
+
+/// Adds one to the n-th scalar that the walk meets; false when there are fewer.
+class ScalarChanger {
+public:
+    explicit ScalarChanger(std::size_t target) : target_(target) {}
+
+    template <class T> void value(std::string_view, T& value) { change(scalars(value), Plain<T>::count); }
+    void text(std::string_view, std::string& text) {
+        if (count_++ == target_) text += "x";
+    }
+    template <class T> void column(std::string_view, Column<T>& column) {
+        change(scalars(column), column.size() * Plain<T>::count);
+    }
+    template <class T> void rows(T&) {}
+    template <class S, class Visit> void records(std::string_view, std::vector<S>& all, Visit&& visit) {
+        for (auto& record : all) visit(record);
+    }
+    template <class Visit> void section(std::string_view, Visit&& visit) { visit(); }
+    template <class Visit> void aside(Visit&&) {}
+
+    bool changed() const { return count_ > target_; }
+
+private:
+    template <class S> void change(S* scalar, std::size_t n) {
+        if (target_ >= count_ && target_ < count_ + n) {
+            auto* byte = reinterpret_cast<unsigned char*>(scalar + (target_ - count_));
+            *byte ^= 1; // one bit, also of a NaN
+        }
+        count_ += n;
+    }
+
+    std::size_t target_, count_ = 0;
+};
+
+} // namespace
+
+TEST(StateHash, EqualStatesHaveEqualHashes) {
+    EXPECT_EQ(hash_with([](Model&) {}), hash_with([](Model&) {}));
+    Model model = hand_made_model();
+    const auto first = state_hash(model);
+    EXPECT_EQ(state_hash(model), first);
+    Model copy = model;
+    EXPECT_EQ(state_hash(copy), first);
+}
+
+TEST(StateHash, EverySingleBitOfTheStateCounts) {
+    const auto original = hash_with([](Model&) {});
+    std::set<std::uint64_t> seen{original};
+    std::size_t target = 0;
+    for (bool more = true; more; ++target) {
+        Model model = hand_made_model();
+        add_history(model, {HistorySource::Kind::global, "time"});
+        ScalarChanger changer(target);
+        visit_state(changer, model);
+        more = changer.changed();
+        if (more) {
+            EXPECT_TRUE(seen.insert(state_hash(model)).second) << "scalar " << target;
+        }
+    }
+    EXPECT_GT(target, 600u);
+}
+
+TEST(StateHash, WhatDoesNotDecideTheRunIsLeftOut) {
+    const auto original = hash_with([](Model&) {});
+    EXPECT_EQ(hash_with([](Model& m) { m.joint_properties[0].place = "elsewhere.3dd:7"; }), original);
+    EXPECT_EQ(hash_with([](Model& m) { m.structure_changed = !m.structure_changed; }), original);
+    EXPECT_EQ(hash_with([](Model& m) { m.properties_changed = !m.properties_changed; }), original);
+}
+
+TEST(StateHash, ThePaddingOfAttachmentsIsLeftOut) {
+    Model model = hand_made_model();
+    const auto original = state_hash(model);
+    static_assert(sizeof(Attachment) > 3 * sizeof(Row) + 3 * sizeof(double), "there is a gap to test");
+    // The gap stands between the rows and the weights.
+    auto* bytes = reinterpret_cast<unsigned char*>(&model.sub_contacts.side1[0]);
+    std::memset(bytes + 3 * sizeof(Row), 0xAB, offsetof(Attachment, weights) - 3 * sizeof(Row));
+    EXPECT_EQ(state_hash(model), original);
+}
+
+TEST(StateHash, AddedAndRemovedThingsCount) {
+    const auto original = hash_with([](Model&) {});
+    EXPECT_NE(hash_with([](Model& m) { m.blocks.resize(3); }), original);
+    EXPECT_NE(hash_with([](Model& m) { m.materials.erase(3); }), original);
+    EXPECT_NE(hash_with([](Model& m) { m.materials[3].joint.erase("jfric"); }), original);
+    EXPECT_NE(hash_with([](Model& m) { m.group_names.push_back("more"); }), original);
+    EXPECT_NE(hash_with([](Model& m) { m.joint_constitutive[2] = "elastic"; }), original);
+    EXPECT_NE(hash_with([](Model& m) { m.blocks.ids.destroy(m.blocks.id[0]); }), original);
+    EXPECT_NE(hash_with([](Model& m) { sample_histories(m, {}); }), original);
+}
+
+TEST(StateHash, HashingChangesNothing) {
+    Model model = hand_made_model();
+    model.blocks.ids.destroy(model.blocks.id[1]);
+    state_hash(model);
+    EXPECT_EQ(model.blocks.ids.slots().size(), 2u);
+    EXPECT_EQ(model.blocks.ids.row(model.blocks.id[0]), 0);
+    EXPECT_EQ(model.blocks.ids.row(model.blocks.id[1]), no_row);
+    EXPECT_EQ(model.materials.at(3).joint.at("jfric"), 30);
+    EXPECT_EQ(model.sub_contacts.side1[1].gridpoints[2], 6);
+}
