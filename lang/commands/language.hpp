@@ -1,0 +1,20 @@
+// The classic language: all families in the order in which short words resolve.
+#pragma once
+
+#include "lang/interp/spec.hpp"
+
+namespace kaya::lang {
+
+Family control();
+Family geometry();
+Family materials();
+Family boundary();
+Family history();
+Family output();
+Family solution();
+Family script();
+
+/// Built once, on first use.
+const Language& classic();
+
+} // namespace kaya::lang

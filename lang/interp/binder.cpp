@@ -1,0 +1,239 @@
+#include "lang/interp/binder.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace kaya::lang {
+
+namespace {
+
+const std::vector<Spelling>& words_of(const CommandSpec* spec) { return spec->words; }
+
+std::vector<const CommandSpec*> all_commands(const Language& language) {
+    std::vector<const CommandSpec*> commands;
+    for (const auto& family : language.families)
+        for (const auto& spec : family.commands) commands.push_back(&spec);
+    return commands;
+}
+
+/// The commands that share the first word which `typed` stands for.
+std::vector<const CommandSpec*> commands_called(const Language& language, std::string_view typed) {
+    auto commands = all_commands(language);
+    const auto* found = resolve(commands, typed, words_of);
+    if (!found) return {};
+    const std::string_view canonical = (*found)->words.front().word;
+    std::erase_if(commands, [&](const CommandSpec* c) { return c->words.front().word != canonical; });
+    return commands;
+}
+
+void add_words(std::vector<std::string_view>& to, const std::vector<Spelling>& words) {
+    for (const Spelling& s : words)
+        if (std::find(to.begin(), to.end(), s.word) == to.end()) to.push_back(s.word);
+}
+
+void add_words(std::vector<std::string_view>& to, const std::vector<KeywordSpec>& keywords) {
+    for (const auto& k : keywords) add_words(to, k.words);
+}
+
+[[noreturn]] void unknown_command(const Language& language, const Statement& statement) {
+    std::vector<std::string_view> candidates;
+    for (const auto* c : all_commands(language)) add_words(candidates, c->words);
+    const Word& word = statement.words.front();
+    Reader reader(statement, 0, 1, nullptr);
+    if (word.kind == WordKind::word && word.text != "?") {
+        const auto near = did_you_mean(word.folded, candidates);
+        Diagnostic d(fmt::format("'{}' is not a command", word.text),
+                     near.empty() ? "'kaya help' lists the commands" : fmt::format("did you mean '{}'?", near));
+        d.code = "unknown-command";
+        throw d.at(word.place);
+    }
+    reader.unknown("a command", candidates);
+}
+
+bool is_form(const CommandSpec& spec, const Word& word) {
+    return word.kind == WordKind::word &&
+           std::any_of(spec.form.begin(), spec.form.end(), [&](const Spelling& s) { return s.matches(word.folded); });
+}
+
+/// Index of the word that names the form, 0 when there is none. Options may stand before it.
+std::size_t find_form(const CommandSpec& spec, const Statement& statement) {
+    const auto& words = statement.words;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        if (is_form(spec, words[i])) return i;
+        if (!spec.options_before_form) return 0;
+        const bool option = words[i].kind == WordKind::word && find_keyword(spec.keywords, words[i].folded);
+        if (!option && words[i].kind == WordKind::word) return 0;
+    }
+    return 0;
+}
+
+/// The next word is no keyword: says so, with everything that might have stood there.
+[[noreturn]] void unknown_keyword(const Language& language, const CommandSpec& spec, const Reader& reader) {
+    std::vector<std::string_view> candidates;
+    add_words(candidates, spec.keywords);
+    if (reader.statement().words.size() > 1 && reader.peek() == &reader.statement().words[1])
+        for (const auto* other : commands_called(language, spec.words.front().word))
+            add_words(candidates, other->form);
+    if (spec.range_elements) candidates.push_back("range");
+    if (spec.range_without_word) {
+        // Suggested when near, not listed: the list of keywords is long enough.
+        std::vector<std::string_view> more = candidates;
+        add_words(more, *spec.range_elements);
+        if (reader.peek()->kind == WordKind::word && did_you_mean(reader.peek()->folded, candidates).empty() &&
+            !did_you_mean(reader.peek()->folded, more).empty())
+            candidates = more;
+    }
+    reader.unknown(fmt::format("a keyword of {}", spec.name()), candidates);
+}
+
+/// True when the next word opens the range phrase; the word `range` itself is taken.
+bool at_range(const CommandSpec& spec, Reader& reader) {
+    if (!spec.range_elements) return false;
+    const Word* word = reader.peek();
+    if (!word || word->kind != WordKind::word) return false;
+    if (Spelling{"range", 2}.matches(word->folded)) return true;
+    return spec.range_without_word && find_keyword(*spec.range_elements, word->folded);
+}
+
+void read_rest(const Language& language, const CommandSpec& spec, Reader& reader, void* target, bool range_allowed) {
+    while (const Word* word = reader.peek()) {
+        const KeywordSpec* keyword =
+            word->kind == WordKind::word ? find_keyword(spec.keywords, word->folded) : nullptr;
+        if (keyword) {
+            reader.take();
+            keyword->read(reader, target);
+        } else if (range_allowed && at_range(spec, reader)) {
+            spec.read_range(reader, target);
+        } else if (!(spec.otherwise && spec.otherwise(reader, target))) {
+            unknown_keyword(language, spec, reader);
+        }
+    }
+}
+
+} // namespace
+
+FoundCommand find_command(const Language& language, const Statement& statement) {
+    const Word& first = statement.words.front();
+    std::string_view typed = first.folded;
+    if (first.late()) typed = "@"; // a line that starts with a name calls a function
+    else if (first.kind != WordKind::word) unknown_command(language, statement);
+    const auto commands = commands_called(language, typed);
+    if (commands.empty()) unknown_command(language, statement);
+
+    const CommandSpec* plain = nullptr;
+    for (const auto* spec : commands) {
+        if (spec->form.empty()) {
+            const bool bare = statement.words.size() == 1;
+            if (!plain || (bare && spec->body_needs_bare_line)) plain = spec;
+            if (!bare && plain->body_needs_bare_line) plain = spec;
+        } else if (const auto at = find_form(*spec, statement)) {
+            return {spec, at};
+        }
+    }
+    if (plain) return {plain, 0};
+
+    std::vector<std::string_view> forms;
+    for (const auto* spec : commands) add_words(forms, spec->form);
+    const std::string_view name = commands.front()->words.front().word;
+    std::size_t wrong = 1;
+    if (commands.front()->options_before_form)
+        while (wrong < statement.words.size() &&
+               (statement.words[wrong].kind != WordKind::word ||
+                find_keyword(commands.front()->keywords, statement.words[wrong].folded)))
+            ++wrong;
+    Reader reader(statement, wrong, statement.words.size(), nullptr);
+    if (!reader.at_end()) {
+        if (commands.front()->options_before_form) add_words(forms, commands.front()->keywords);
+        reader.unknown(fmt::format("a kind of {}", name), forms);
+    }
+    std::string list;
+    for (const auto form : forms) list += (list.empty() ? "" : ", ") + std::string(form);
+    Place place = reader.previous().place;
+    place.column += place.length;
+    place.length = 1;
+    Diagnostic d(fmt::format("a word is missing after '{}'", reader.previous().text), "expected: " + list);
+    d.code = "missing-value";
+    throw d.at(place);
+}
+
+BoundCommand bind(const Language& language, const Statement& statement, const ValueSource* values) {
+    const FoundCommand found = find_command(language, statement);
+    const CommandSpec& spec = *found.spec;
+
+    BoundCommand bound;
+    bound.spec = &spec;
+    bound.place = statement.words.front().place;
+    bound.last_line = statement.last_line;
+    bound.command = spec.make();
+    void* target = spec.address(bound.command);
+    if (spec.start) spec.start(statement, target);
+    if (spec.raw) return bound;
+
+    Reader before_form(statement, 1, std::max<std::size_t>(found.form_at, 1), values);
+    read_rest(language, spec, before_form, target, false);
+
+    Reader reader(statement, found.form_at + 1, statement.words.size(), values);
+    for (const auto& positional : spec.arguments) {
+        const bool number = positional.argument.kind == ArgumentKind::real || positional.argument.kind == ArgumentKind::integer;
+        if (positional.argument.optional && !(number ? reader.at_number() : reader.at_value())) continue;
+        positional.read(reader, target);
+    }
+    read_rest(language, spec, reader, target, true);
+    if (spec.finish) spec.finish(reader, target);
+    bound.late = before_form.late() || reader.late();
+    return bound;
+}
+
+bool next_statement(const Language& language, Lexer& lexer, Statement& statement) {
+    if (!lexer.next(statement)) return false;
+    const Word& first = statement.words.front();
+    if (first.kind != WordKind::word) return true;
+    const CommandSpec* opens = nullptr;
+    for (const auto* spec : commands_called(language, first.folded))
+        if (!spec->body_end.empty() && !(spec->body_needs_bare_line && statement.words.size() > 1) &&
+            (spec->form.empty() || find_form(*spec, statement)))
+            opens = spec;
+    if (!opens) return true;
+
+    const auto& lines = lexer.source()->lines;
+    const int count = static_cast<int>(lines.size());
+    // A script keeps its own first line when it is part of the script (def NAME), else starts below (lua).
+    const int body_first = opens->body_needs_bare_line ? statement.last_line + 1 : statement.first_line;
+    const auto never_ended = [&](int next_line) {
+        lexer.go_to(next_line);
+        const std::string name = statement.words.size() > 1 ? " '" + statement.words.back().text + "'" : "";
+        Diagnostic d(fmt::format("{}{} is never ended", opens->name(), name),
+                     fmt::format("write a line '{}' after its last line", opens->body_end));
+        d.code = "never-ended";
+        return d.at(first.place);
+    };
+    for (int line = statement.last_line + 1; line <= count; ++line) {
+        const auto words = lexer.words_of_line(line);
+        if (words.empty() || words[0].kind != WordKind::word) continue;
+        if (words.size() == 2 && !opens->body_needs_bare_line && words[1].kind == WordKind::word &&
+            std::any_of(opens->words.begin(), opens->words.end(),
+                        [&](const Spelling& s) { return s.word == words[0].folded; }))
+            throw never_ended(line); // the next function starts: reading goes on there
+        if (words.size() != 1 || words[0].folded != opens->body_end) continue;
+
+        const int body_last = opens->body_needs_bare_line ? line - 1 : line;
+        for (int i = body_first; i <= body_last; ++i) statement.body += lines[static_cast<std::size_t>(i - 1)] + "\n";
+        statement.body_place = {lexer.source(), body_first, 1, 1};
+        statement.last_line = line;
+        lexer.go_to(line + 1);
+        return true;
+    }
+    throw never_ended(count + 1);
+}
+
+std::string BoundCommand::text() const {
+    Lexer lexer(place.source, place.line);
+    Statement statement;
+    if (!lexer.next(statement)) return {};
+    std::string text = statement.raw(0);
+    for (int line = lexer.line(); line <= last_line; ++line)
+        text += "\n" + place.source->lines[static_cast<std::size_t>(line - 1)];
+    return text;
+}
+
+} // namespace kaya::lang

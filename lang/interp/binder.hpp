@@ -1,0 +1,37 @@
+// From words to a typed command: finds the entry of the table and fills its struct.
+#pragma once
+
+#include "lang/interp/reader.hpp"
+
+#include <any>
+
+namespace kaya::lang {
+
+/// One command, ready to be run.
+struct BoundCommand {
+    const CommandSpec* spec = nullptr;
+    Place place; ///< of its first word
+    int last_line = 0;
+    std::any command;  ///< the struct of lang/commands/commands.hpp
+    bool late = false; ///< holds wildcards: to be bound again with values when it is reached
+
+    /// The statement in one line, words as typed and single blanks between them; a body follows as it is.
+    std::string text() const;
+};
+
+/// The command that the first words of the statement name. Throws Diagnostic.
+struct FoundCommand {
+    const CommandSpec* spec = nullptr;
+    std::size_t form_at = 0; ///< index of the form word, 0 without one
+};
+FoundCommand find_command(const Language& language, const Statement& statement);
+
+/// Throws Diagnostic for the first mistake in the statement. Without `values` names bind to wildcards.
+/// A word `?` throws a Diagnostic of severity note that lists what may stand there.
+BoundCommand bind(const Language& language, const Statement& statement, const ValueSource* values = nullptr);
+
+/// The next statement with its body (def ... end), or false at the end of the text.
+/// Throws Diagnostic when the body is never ended; the lexer then stands behind what was read.
+bool next_statement(const Language& language, Lexer& lexer, Statement& statement);
+
+} // namespace kaya::lang

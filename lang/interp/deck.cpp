@@ -1,0 +1,144 @@
+#include "lang/interp/deck.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace kaya::lang {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using SharedFile = std::shared_ptr<const BoundFile>;
+
+/// Binds a file and, through its calls, the files below it.
+class DeckReader {
+public:
+    DeckReader(const Language& language, const std::vector<fs::path>& folders, const Checks* checks)
+        : language_(language), folders_(folders), checks_(checks) {}
+
+    SharedFile file(const std::string& name) {
+        const fs::path path = find_deck(name, searched());
+        const fs::path whole = fs::weakly_canonical(path);
+        for (const auto& [known, bound] : done_)
+            if (known == whole) return bound;
+        refuse_cycle(whole);
+        chain_.push_back({whole, name});
+        const SharedFile bound = text(read_source(path, name), path);
+        chain_.pop_back();
+        done_.emplace_back(whole, bound);
+        return bound;
+    }
+
+    SharedFile text(const Source& source, const fs::path& path) {
+        auto bound = std::make_shared<BoundFile>();
+        bound->source = source;
+        bound->path = path;
+        Lexer lexer(source);
+        Statement statement;
+        while (problems_.size() < most_errors_shown) {
+            try {
+                if (!next_statement(language_, lexer, statement)) break;
+                bound->steps.push_back(step(statement));
+                // What stands behind `return` is never read: many a deck keeps notes there.
+                if (bound->steps.back().command.spec->flow == Flow::leave_file) break;
+            } catch (const Diagnostic& problem) {
+                problems_.push_back(problem);
+            }
+        }
+        return bound;
+    }
+
+    void throw_problems() {
+        if (!problems_.empty()) throw DeckErrors(std::move(problems_));
+    }
+
+private:
+    BoundFile::Step step(const Statement& statement) {
+        BoundFile::Step step{bind(language_, statement), {}};
+        BoundCommand& command = step.command;
+        if (checks_ && !command.late && checks_->has(command.command.type())) run_check(command);
+        if (!command.spec->body_end.empty() || statement.words.front().late()) script_seen_ = true;
+        if (command.spec->flow == Flow::call && !command.late) step.called = called(command);
+        return step;
+    }
+
+    void run_check(const BoundCommand& command) {
+        try {
+            checks_->run(command.command);
+        } catch (Diagnostic& problem) {
+            throw problem.at(command.place);
+        }
+    }
+
+    SharedFile called(const BoundCommand& command) {
+        const std::string name = command.spec->called_file(command.command);
+        try {
+            if (chain_.size() >= deepest_call)
+                throw Diagnostic(fmt::format("more than {} files call each other", deepest_call));
+            return file(name);
+        } catch (Diagnostic& problem) {
+            // A script may write the file before the call is reached; it is looked for again there.
+            if (problem.code == "no-file" && script_seen_) return {};
+            throw problem.at(command.place);
+        }
+    }
+
+    void refuse_cycle(const fs::path& whole) const {
+        const auto first = std::find_if(chain_.begin(), chain_.end(), [&](const auto& c) { return c.first == whole; });
+        if (first == chain_.end()) return;
+        std::string names;
+        for (auto link = first; link != chain_.end(); ++link) names += link->second + " calls ";
+        throw Diagnostic(fmt::format("this call never comes to an end: {}{}", names, first->second),
+                         "take one of the calls out");
+    }
+
+    /// The folder of the calling file first, then those of its callers, then where the program was started.
+    std::vector<fs::path> searched() const {
+        std::vector<fs::path> folders;
+        for (auto link = chain_.rbegin(); link != chain_.rend(); ++link) folders.push_back(link->first.parent_path());
+        folders.insert(folders.end(), folders_.begin(), folders_.end());
+        return folders;
+    }
+
+    const Language& language_;
+    const std::vector<fs::path>& folders_;
+    const Checks* checks_;
+    std::vector<std::pair<fs::path, std::string>> chain_; ///< files being read, with their names as written
+    std::vector<std::pair<fs::path, SharedFile>> done_;
+    std::vector<Diagnostic> problems_;
+    bool script_seen_ = false;
+};
+
+} // namespace
+
+SharedFile bind_deck(const Language& language, const std::string& name, const std::vector<fs::path>& folders,
+                     const Checks* checks) {
+    DeckReader reader(language, folders, checks);
+    const SharedFile bound = reader.file(name);
+    reader.throw_problems();
+    return bound;
+}
+
+SharedFile bind_text(const Language& language, Source source, const std::vector<fs::path>& folders,
+                     const Checks* checks) {
+    DeckReader reader(language, folders, checks);
+    const SharedFile bound = reader.text(source, {});
+    reader.throw_problems();
+    return bound;
+}
+
+bool needs_more(const Language& language, std::string_view text) {
+    try {
+        Lexer lexer(source_from_text("", text));
+        Statement statement;
+        const int count = static_cast<int>(lexer.source()->lines.size());
+        while (next_statement(language, lexer, statement))
+            if (lexer.line() > count && lexer.continued(count)) return true;
+    } catch (const Diagnostic& problem) {
+        return problem.code == "never-ended";
+    }
+    return false;
+}
+
+} // namespace kaya::lang

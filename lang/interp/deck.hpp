@@ -1,0 +1,56 @@
+// A deck with the files that it calls, bound before anything runs.
+#pragma once
+
+#include "lang/interp/binder.hpp"
+#include "lang/interp/handlers.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace kaya::lang {
+
+/// All mistakes that were found in a deck (at most 20). Caught as a Diagnostic it is the first of them.
+class DeckErrors : public Diagnostic {
+public:
+    explicit DeckErrors(std::vector<Diagnostic> errors) : Diagnostic(errors.front()), all(std::move(errors)) {}
+    std::vector<Diagnostic> all;
+};
+
+inline constexpr std::size_t most_errors_shown = 20;
+
+/// More calls inside each other than this are a mistake (a file that writes and calls itself).
+inline constexpr std::size_t deepest_call = 100;
+
+struct BoundFile {
+    struct Step {
+        BoundCommand command;
+        std::shared_ptr<const BoundFile> called; ///< of a call with a literal name
+    };
+    Source source;
+    std::filesystem::path path; ///< empty for a text that is no file
+    std::vector<Step> steps;
+};
+
+/// Checks that need more than the table (does this FISH function compile?), by command type.
+/// They run when the deck is bound, before any command of it.
+using Checks = Handlers;
+
+/// Reads and binds the file `name` and all files that it calls, searched in `folders`.
+/// Throws DeckErrors with every mistake; parsing goes on behind each.
+/// A called file that does not exist is no mistake yet when a script in front of the call may write it.
+std::shared_ptr<const BoundFile> bind_deck(const Language& language, const std::string& name,
+                                           const std::vector<std::filesystem::path>& folders,
+                                           const Checks* checks = nullptr);
+
+/// The same for a text: a line typed at the prompt, a test, command ... endcommand of a script.
+std::shared_ptr<const BoundFile> bind_text(const Language& language, Source source,
+                                           const std::vector<std::filesystem::path>& folders,
+                                           const Checks* checks = nullptr);
+
+/// True when the text ends inside something: a line to be continued, def without end.
+/// The prompt then asks for the next line.
+bool needs_more(const Language& language, std::string_view text);
+
+} // namespace kaya::lang

@@ -1,0 +1,95 @@
+#include "lang/interp/interpreter.hpp"
+
+#include <fmt/format.h>
+
+namespace kaya::lang {
+
+namespace fs = std::filesystem;
+
+Ended Interpreter::run_file(const std::string& name) {
+    return run(*bind_deck(language_, name, searched(), &checks));
+}
+
+Ended Interpreter::run_text(const std::string& text, const std::string& name, int first_line) {
+    return run(*bind_text(language_, source_from_text(name, text, first_line), searched(), &checks));
+}
+
+Ended Interpreter::run(const BoundFile& file) {
+    if (frames_.size() >= deepest_call)
+        throw Diagnostic(fmt::format("more than {} files and scripts call each other", deepest_call),
+                         "does one of them call itself?");
+    struct Leave { // the frame goes whatever happens
+        std::vector<Frame>& frames;
+        ~Leave() { frames.pop_back(); }
+    };
+    frames_.push_back({file.path.parent_path(), {}});
+    const Leave leave{frames_};
+
+    for (const auto& step : file.steps) {
+        const Place place = step.command.place;
+        frames_.back().place = place;
+        const Flow flow = step.command.spec->flow;
+        if (flow == Flow::leave_file) return Ended::end_of_deck;
+        if (flow == Flow::leave_all) return Ended::quit;
+        try {
+            if (run_step(step) == Ended::quit) return Ended::quit;
+        } catch (Diagnostic& problem) {
+            if (!problem.place) problem.at(place);
+            else if (problem.place.source != place.source)
+                problem.add(fmt::format("called from {}:{}", place.source->name, place.line));
+            throw;
+        }
+    }
+    return Ended::end_of_deck;
+}
+
+Ended Interpreter::run_step(const BoundFile::Step& step) {
+    if (before_command) before_command(step.command);
+    BoundCommand with_values;
+    const BoundCommand* command = &step.command;
+    if (command->late) {
+        if (!values) throw Diagnostic("a value with @ or [ ] needs a script language, and none is there");
+        Lexer lexer(command->place.source, command->place.line);
+        Statement statement;
+        next_statement(language_, lexer, statement);
+        with_values = bind(language_, statement, &values);
+        command = &with_values;
+    }
+    Ended ended = Ended::end_of_deck;
+    if (command->spec->flow == Flow::call) ended = run_call(step, *command);
+    else if (handlers_.has(command->command.type())) handlers_.run(command->command);
+    else throw Diagnostic(fmt::format("{} is known, but kaya cannot run it yet", command->spec->name()));
+    if (after_command) after_command(*command);
+    return ended;
+}
+
+Ended Interpreter::run_call(const BoundFile::Step& step, const BoundCommand& command) {
+    const std::string name = command.spec->called_file(command.command);
+    // The deck itself may have written the file since it was bound.
+    if (step.called && read_source(step.called->path, name)->lines == step.called->source->lines)
+        return run(*step.called);
+    return run(*bind_deck(language_, name, searched(), &checks));
+}
+
+std::vector<fs::path> Interpreter::searched() const {
+    std::vector<fs::path> searched;
+    for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
+        if (!frame->folder.empty()) searched.push_back(frame->folder);
+    searched.insert(searched.end(), folders.begin(), folders.end());
+    return searched;
+}
+
+std::vector<std::string> Interpreter::call_chain() const {
+    std::vector<std::string> chain;
+    for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
+        if (frame != frames_.rbegin() && frame->place)
+            chain.push_back(fmt::format("called from {}:{}", frame->place.source->name, frame->place.line));
+    return chain;
+}
+
+void Interpreter::warn(Diagnostic warning) const {
+    if (warning.severity == Severity::error) warning.severity = Severity::warning;
+    if (on_warning) on_warning(warning.at(current_place()));
+}
+
+} // namespace kaya::lang

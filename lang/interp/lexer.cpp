@@ -1,0 +1,193 @@
+#include "lang/interp/lexer.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace kaya::lang {
+
+namespace {
+
+/// These separate words and mean nothing else: (1,2) = 1 2.
+bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '(' || c == ')' || c == ',' || c == '=' || c == '\f' || c == '\v';
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// One past the bracket that closes the one at `open`, or npos. Quotes inside are skipped.
+std::size_t past_closing(std::string_view line, std::size_t open, char opening, char closing) {
+    int depth = 0;
+    char quote = 0;
+    for (std::size_t i = open; i < line.size(); ++i) {
+        const char c = line[i];
+        if (quote) {
+            if (c == quote) quote = 0;
+        } else if (c == '\'' || c == '"') quote = c;
+        else if (c == opening) ++depth;
+        else if (c == closing && --depth == 0) return i + 1;
+    }
+    return std::string_view::npos;
+}
+
+/// Makes a number of the word when the whole of it is one: 3, 3., .5, +0.01, 1e-6.
+void read_number(Word& word) {
+    std::string_view text = word.text;
+    if (text.starts_with('+')) text.remove_prefix(1);
+    std::string_view digits = text;
+    if (digits.starts_with('-')) digits.remove_prefix(1);
+    // from_chars also takes "inf" and "nan", which are names here.
+    const bool starts = !digits.empty() && (is_digit(digits[0]) || (digits[0] == '.' && digits.size() > 1));
+    if (!starts || (word.text[0] == '+' && text[0] == '-')) return;
+
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (end != text.data() + text.size() || error == std::errc::invalid_argument) return;
+    if (error == std::errc::result_out_of_range) {
+        const auto exponent = text.find_first_of("eE");
+        const bool tiny = exponent != std::string_view::npos && text.substr(exponent + 1).starts_with('-');
+        value = tiny ? 0.0 : std::numeric_limits<double>::infinity();
+    }
+    word.kind = WordKind::number;
+    word.number = value;
+    const auto whole = std::from_chars(text.data(), text.data() + text.size(), word.integer);
+    word.whole = whole.ec == std::errc{} && whole.ptr == text.data() + text.size();
+}
+
+} // namespace
+
+std::string fold(std::string_view text) {
+    std::string folded(text);
+    for (char& c : folded)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return folded;
+}
+
+bool Lexer::read_line(int line_number, std::vector<Word>& words) const {
+    const std::string_view line = source_->lines[static_cast<std::size_t>(line_number - 1)];
+    const std::size_t size = line.size();
+    std::size_t i = 0;
+    bool continued = false;
+
+    const auto add = [&](WordKind kind, std::size_t from, std::size_t to, std::string text) {
+        Word word;
+        word.kind = kind;
+        word.text = std::move(text);
+        word.place = {source_, line_number, static_cast<int>(from) + 1, static_cast<int>(to - from)};
+        if (kind == WordKind::word) read_number(word);
+        word.folded = fold(word.text);
+        words.push_back(std::move(word));
+    };
+    /// After a continuation mark only blanks and a comment may stand; then it is one.
+    const auto ends_after = [&](std::size_t from) {
+        const auto rest = line.find_first_not_of(" \t", from);
+        return rest == std::string_view::npos || line[rest] == ';';
+    };
+
+    while (i < size) {
+        const char c = line[i];
+        if (c == ';') break;
+        if (is_blank(c)) {
+            ++i;
+            continue;
+        }
+        if ((c == '&' && ends_after(i + 1)) || (line.substr(i, 3) == "..." && ends_after(i + 3))) {
+            continued = true;
+            break;
+        }
+        const std::size_t from = i;
+        if (c == '\'' || c == '"') {
+            std::string text;
+            bool closed = false;
+            for (++i; i < size; ++i) {
+                if (line[i] != c) text += line[i];
+                else if (i + 1 < size && line[i + 1] == c) text += line[i++];
+                else {
+                    closed = true;
+                    ++i;
+                    break;
+                }
+            }
+            add(closed ? WordKind::text : WordKind::open, from, i, closed ? text : std::string(line.substr(from)));
+            continue;
+        }
+        if (c == '[') {
+            const auto end = past_closing(line, i, '[', ']');
+            i = end == std::string_view::npos ? size : end;
+            const bool closed = end != std::string_view::npos;
+            add(closed ? WordKind::expression : WordKind::open, from, i,
+                std::string(closed ? line.substr(from + 1, i - from - 2) : line.substr(from)));
+            continue;
+        }
+        while (i < size && !is_blank(line[i]) && line[i] != ';') ++i;
+        if (c == '@' && i < size && line[i] == '(' && i > from + 1) {
+            const auto end = past_closing(line, i, '(', ')');
+            i = end == std::string_view::npos ? size : end;
+            const bool closed = end != std::string_view::npos;
+            add(closed ? WordKind::symbol : WordKind::open, from, i,
+                std::string(line.substr(from + (closed ? 1 : 0), i - from - (closed ? 1 : 0))));
+            continue;
+        }
+        // A mark may be glued to the last word of the line: "10&", "10...".
+        std::size_t to = i;
+        if (ends_after(i)) {
+            const std::string_view word = line.substr(from, i - from);
+            if (word.ends_with('&')) to = i - 1;
+            else if (word.ends_with("...")) to = i - 3;
+            continued = to < i;
+        }
+        if (c == '@') add(WordKind::symbol, from, to, std::string(line.substr(from + 1, to - from - 1)));
+        else add(WordKind::word, from, to, std::string(line.substr(from, to - from)));
+        if (continued) break;
+    }
+    return continued;
+}
+
+bool Lexer::next(Statement& statement) {
+    const int count = static_cast<int>(source_->lines.size());
+    statement = {};
+    while (line_ <= count) {
+        if (statement.words.empty()) statement.first_line = line_;
+        const bool continued = read_line(line_++, statement.words);
+        statement.last_line = line_ - 1;
+        if (!continued && !statement.words.empty()) return true;
+    }
+    return !statement.words.empty();
+}
+
+std::vector<Word> Lexer::words_of_line(int line) const {
+    std::vector<Word> words;
+    read_line(line, words);
+    return words;
+}
+
+bool Lexer::continued(int line) const {
+    std::vector<Word> words;
+    return read_line(line, words);
+}
+
+std::string Word::raw_text() const {
+    const std::string& line = place.source->lines[static_cast<std::size_t>(place.line - 1)];
+    return line.substr(static_cast<std::size_t>(place.column - 1), static_cast<std::size_t>(place.length));
+}
+
+std::string Statement::raw(std::size_t first) const {
+    std::string text;
+    for (std::size_t i = first; i < words.size();) {
+        const Place& from = words[i].place;
+        std::size_t last = i;
+        while (last + 1 < words.size() && words[last + 1].place.line == from.line) ++last;
+        const Place& to = words[last].place;
+        if (!text.empty()) text += ' ';
+        const std::string& line = from.source->lines[static_cast<std::size_t>(from.line - 1)];
+        const auto begin = static_cast<std::size_t>(from.column - 1);
+        auto end = static_cast<std::size_t>(to.column + to.length - 1);
+        while (end < line.size() && line[end] == ')') ++end; // a blank to the language, text to the reader
+        text += line.substr(begin, end - begin);
+        i = last + 1;
+    }
+    return text;
+}
+
+} // namespace kaya::lang

@@ -1,0 +1,243 @@
+#include "lang/interp/reader.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace kaya::lang {
+
+namespace {
+
+Diagnostic wrong(std::string code, const Place& place, std::string message, std::string hint = {}) {
+    Diagnostic d(std::move(message), std::move(hint));
+    d.code = std::move(code);
+    return d.at(place);
+}
+
+std::string expected(const ArgumentSpec& argument) { return "expected: " + describe(argument); }
+
+void refuse_open(const Word& word) {
+    if (word.kind != WordKind::open) return;
+    const char first = word.text.front();
+    const char* what = first == '[' ? "the bracket '['" : first == '@' ? "the parenthesis '('" : "the quote";
+    Diagnostic d = wrong("not-closed", word.place, fmt::format("{} is not closed on this line", what),
+                         "close it before the end of the line");
+    if (first != '@') d.place.length = 1;
+    throw d;
+}
+
+void check_limits(const ArgumentSpec& argument, double value, const Place& place) {
+    const Limits& l = argument.limits;
+    if (l.hold(value)) return;
+    const bool low = l.low_excluded ? value <= l.low : value < l.low;
+    const char* relation = low ? (l.low_excluded ? "greater than" : "at least")
+                               : (l.high_excluded ? "less than" : "at most");
+    throw wrong("out-of-limits", place,
+                fmt::format("{} must be {} {:g}, not {:g}", argument.name, relation, low ? l.low : l.high, value));
+}
+
+const char* name_of(const Value& value) {
+    static constexpr const char* names[] = {"nothing yet", "a truth value", "a whole number",
+                                            "a number",    "a text",        "a vector"};
+    return names[value.index()];
+}
+
+Diagnostic wrong_value(const Word& word, const Value& value, const ArgumentSpec& argument, const char* needed) {
+    return wrong("wrong-type", word.place,
+                 fmt::format("'{}' is {}, where {} must be", word.raw_text(), name_of(value), needed),
+                 expected(argument));
+}
+
+double as_real(const Word& word, const Value& got, const ArgumentSpec& argument) {
+    double value = 0;
+    if (const auto* r = std::get_if<double>(&got)) value = *r;
+    else if (const auto* i = std::get_if<std::int64_t>(&got)) value = static_cast<double>(*i);
+    else throw wrong_value(word, got, argument, "a number");
+    if (!std::isfinite(value))
+        throw wrong("wrong-type", word.place, fmt::format("'{}' is {}, not a usable number", word.raw_text(), value),
+                    expected(argument));
+    check_limits(argument, value, word.place);
+    return value;
+}
+
+} // namespace
+
+const Word& Reader::take() {
+    refuse_open(statement_.words[next_]);
+    return statement_.words[next_++];
+}
+
+std::string Reader::take_raw() {
+    std::string text = at_end() ? std::string() : statement_.raw(next_);
+    next_ = end_;
+    return text;
+}
+
+bool Reader::at_number() const {
+    const Word* word = peek();
+    return word && (word->kind == WordKind::number || word->late());
+}
+
+void Reader::missing(const ArgumentSpec& argument) const {
+    Place place = previous().place;
+    const std::string after = previous().raw_text();
+    place.column += place.length;
+    place.length = 1;
+    const bool number = argument.kind == ArgumentKind::real || argument.kind == ArgumentKind::integer;
+    throw wrong("missing-value", place, fmt::format("a {} is missing after '{}'", number ? "number" : "word", after),
+                expected(argument));
+}
+
+void Reader::unknown(std::string_view what, const std::vector<std::string_view>& candidates) const {
+    const Word& word = *peek();
+    refuse_open(word);
+    if (word.kind == WordKind::word && word.text == "?") {
+        Diagnostic d(fmt::format("{} may be: {}", what, fmt::join(candidates, ", ")));
+        d.severity = Severity::note;
+        d.code = "choices";
+        throw d.at(word.place);
+    }
+    if (candidates.empty())
+        throw wrong("left-over", word.place, fmt::format("'{}' is left over at the end of the line", word.raw_text()),
+                    fmt::format("nothing more is expected here"));
+    const std::string list = fmt::format("expected: {}", fmt::join(candidates, ", "));
+    if (word.kind != WordKind::word)
+        throw wrong("not-a-word", word.place, fmt::format("'{}' stands where {} must be", word.raw_text(), what), list);
+    const auto near = did_you_mean(word.folded, candidates);
+    throw wrong("unknown-word", word.place, fmt::format("'{}' is not {}", word.text, what),
+                near.empty() ? list : fmt::format("did you mean '{}'?", near));
+}
+
+Value Reader::value_of(const Word& word) {
+    if (word.text.empty())
+        throw wrong("missing-value", word.place, "a name is missing after '@'", "write for example @pressure");
+    late_ = true;
+    return (*values_)(word.text, word.place);
+}
+
+const Word& Reader::take_value(const ArgumentSpec& argument) {
+    if (at_end()) missing(argument);
+    const Word& word = take();
+    if (word.late() && word.text.empty())
+        throw wrong("missing-value", word.place, "a name is missing after '@'", "write for example @pressure");
+    return word;
+}
+
+double Reader::real(const ArgumentSpec& argument) {
+    const Word& word = take_value(argument);
+    if (word.late()) {
+        late_ = true;
+        return has_values() ? as_real(word, value_of(word), argument) : 1;
+    }
+    if (word.kind != WordKind::number)
+        throw wrong("not-a-number", word.place, fmt::format("'{}' stands where a number must be", word.raw_text()),
+                    expected(argument));
+    if (std::isinf(word.number))
+        throw wrong("out-of-limits", word.place, fmt::format("{} is too large for a number", word.text));
+    check_limits(argument, word.number, word.place);
+    return word.number;
+}
+
+std::int64_t Reader::integer(const ArgumentSpec& argument) {
+    const Word& word = take_value(argument);
+    std::int64_t value = word.integer;
+    if (word.late()) {
+        late_ = true;
+        if (!has_values()) return 1;
+        const Value got = value_of(word);
+        if (const auto* i = std::get_if<std::int64_t>(&got)) value = *i;
+        else if (const auto* r = std::get_if<double>(&got); r && *r == std::trunc(*r) && std::abs(*r) < 1e15)
+            value = static_cast<std::int64_t>(*r);
+        else throw wrong_value(word, got, argument, "a whole number");
+    } else if (word.kind != WordKind::number) {
+        throw wrong("not-a-number", word.place, fmt::format("'{}' stands where a whole number must be", word.raw_text()),
+                    expected(argument));
+    } else if (!word.whole) {
+        throw wrong("not-whole", word.place, fmt::format("{} takes a whole number, not {}", argument.name, word.text),
+                    "write it without a point or an exponent");
+    }
+    check_limits(argument, static_cast<double>(value), word.place);
+    return value;
+}
+
+std::string Reader::text(const ArgumentSpec& argument) {
+    const Word& word = take_value(argument);
+    if (word.late()) {
+        late_ = true;
+        if (!has_values()) return word.raw_text();
+        const Value got = value_of(word);
+        if (const auto* s = std::get_if<std::string>(&got)) return *s;
+        if (const auto* i = std::get_if<std::int64_t>(&got)) return fmt::format("{}", *i);
+        if (const auto* r = std::get_if<double>(&got)) return fmt::format("{:g}", *r);
+        throw wrong_value(word, got, argument, "a text");
+    }
+    if (word.kind == WordKind::text && word.text.empty())
+        throw wrong("missing-value", word.place, fmt::format("{} is an empty text", argument.name), expected(argument));
+    return word.text;
+}
+
+bool Reader::on_off(const ArgumentSpec& argument) {
+    const Word& word = take_value(argument);
+    if (word.late()) {
+        late_ = true;
+        if (!has_values()) return true;
+        const Value got = value_of(word);
+        if (const auto* b = std::get_if<bool>(&got)) return *b;
+        if (const auto* i = std::get_if<std::int64_t>(&got)) return *i != 0;
+        throw wrong_value(word, got, argument, "on or off");
+    }
+    for (const auto yes : {"on", "true", "yes"})
+        if (word.folded == yes) return true;
+    for (const auto no : {"off", "false", "no"})
+        if (word.folded == no) return false;
+    throw wrong("not-on-off", word.place, fmt::format("'{}' stands where on or off must be", word.raw_text()),
+                expected(argument));
+}
+
+Vec3 Reader::vector(const ArgumentSpec& argument) {
+    const Word* word = peek();
+    if (word && word->late()) {
+        if (!has_values()) {
+            // It may be a vector or the first of three numbers: what follows tells which.
+            (void)real(argument);
+            for (int i = 1; i < 3 && at_number(); ++i) (void)real(argument);
+            return Vec3::Ones();
+        }
+        const Value got = value_of(take());
+        if (const auto* v = std::get_if<Vec3>(&got)) return *v;
+        const double x = as_real(*word, got, argument), y = real(argument);
+        return {x, y, real(argument)};
+    }
+    const double x = real(argument), y = real(argument);
+    return {x, y, real(argument)};
+}
+
+Value Reader::any(const ArgumentSpec& argument) {
+    const Word& word = take_value(argument);
+    if (word.late()) {
+        late_ = true;
+        return has_values() ? value_of(word) : Value(1.0);
+    }
+    if (word.kind != WordKind::number) return word.text;
+    if (word.whole) return word.integer;
+    return word.number;
+}
+
+std::string Reader::symbol(const ArgumentSpec& argument) {
+    const Word& word = take_value(argument);
+    if (word.kind != WordKind::symbol)
+        throw wrong("not-a-symbol", word.place, fmt::format("'{}' stands where a name with @ must be", word.raw_text()),
+                    fmt::format("write @{}", word.text));
+    return word.text;
+}
+
+void read_keywords(Reader& reader, const std::vector<KeywordSpec>& keywords, void* target) {
+    while (const Word* word = reader.peek()) {
+        const KeywordSpec* found = word->kind == WordKind::word ? find_keyword(keywords, word->folded) : nullptr;
+        if (!found) return;
+        reader.take();
+        found->read(reader, target);
+    }
+}
+
+} // namespace kaya::lang

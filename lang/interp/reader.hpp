@@ -1,0 +1,83 @@
+// Walks over the words of one statement and reads typed values, with a message for each mistake.
+#pragma once
+
+#include "lang/interp/spec.hpp"
+#include "lang/interp/value.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace kaya::lang {
+
+class Reader {
+public:
+    /// Without a source of values, @name and [expression] are accepted where a value may stand and give a
+    /// wildcard (1, or the text as typed); late() then says that the statement must be read again.
+    Reader(const Statement& statement, std::size_t first, std::size_t end, const ValueSource* values)
+        : statement_(statement), next_(first), end_(end), values_(values) {}
+
+    bool at_end() const { return next_ >= end_; }
+    const Word* peek() const { return at_end() ? nullptr : &statement_.words[next_]; }
+    const Word& take(); ///< throws Diagnostic when the word is never closed; not at the end
+    const Word& previous() const { return statement_.words[next_ == 0 ? 0 : next_ - 1]; }
+    const Statement& statement() const { return statement_; }
+    /// Everything that is left, as typed.
+    std::string take_raw();
+
+    /// A number, or something that may turn out to be one.
+    bool at_number() const;
+    /// Anything but the end.
+    bool at_value() const { return !at_end(); }
+
+    double real(const ArgumentSpec& argument);
+    std::int64_t integer(const ArgumentSpec& argument);
+    std::string text(const ArgumentSpec& argument);
+    bool on_off(const ArgumentSpec& argument);
+    Vec3 vector(const ArgumentSpec& argument); ///< three numbers, or one @name that is a vector
+    /// Integer, real or text, whatever is there.
+    Value any(const ArgumentSpec& argument);
+    /// The name of a variable or function, written @name; without the @.
+    std::string symbol(const ArgumentSpec& argument);
+
+    template <class T> T read(const ArgumentSpec& argument);
+
+    bool late() const { return late_; }
+    /// True while @names still stand for wildcards: checks of values against each other must wait.
+    bool wildcards() const { return late_ && !has_values(); }
+
+    /// Throws: a value is missing at the place behind the last word.
+    [[noreturn]] void missing(const ArgumentSpec& argument) const;
+    /// Throws: the next word is none of the candidates. `what` names what they are: "a keyword of bound".
+    [[noreturn]] void unknown(std::string_view what, const std::vector<std::string_view>& candidates) const;
+
+private:
+    bool has_values() const { return values_ && *values_; }
+    Value value_of(const Word& word);
+    const Word& take_value(const ArgumentSpec& argument);
+
+    const Statement& statement_;
+    std::size_t next_, end_;
+    const ValueSource* values_;
+    bool late_ = false;
+};
+
+/// Reads keywords of the table while the next word is one of them.
+void read_keywords(Reader& reader, const std::vector<KeywordSpec>& keywords, void* target);
+
+template <> inline double Reader::read<double>(const ArgumentSpec& a) { return real(a); }
+template <> inline std::int64_t Reader::read<std::int64_t>(const ArgumentSpec& a) { return integer(a); }
+template <> inline std::string Reader::read<std::string>(const ArgumentSpec& a) { return text(a); }
+template <> inline bool Reader::read<bool>(const ArgumentSpec& a) { return on_off(a); }
+template <> inline Vec3 Reader::read<Vec3>(const ArgumentSpec& a) { return vector(a); }
+template <> inline std::array<double, 2> Reader::read<std::array<double, 2>>(const ArgumentSpec& a) {
+    const double first = real(a);
+    return {first, real(a)};
+}
+template <> inline std::array<double, 6> Reader::read<std::array<double, 6>>(const ArgumentSpec& a) {
+    std::array<double, 6> values{};
+    for (double& v : values) v = real(a);
+    return values;
+}
+
+} // namespace kaya::lang

@@ -1,0 +1,149 @@
+// The language as data: what a command is called, what it takes, how it is explained.
+// From these tables come the binder, help, completion, pages, editor grammars and the fuzz dictionary.
+#pragma once
+
+#include "lang/interp/lexer.hpp"
+
+#include <any>
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kaya::lang {
+
+class Reader;
+
+enum class ArgumentKind {
+    real,    ///< a number
+    integer, ///< a whole number
+    text,    ///< a word or a quoted text
+    on_off   ///< on|off, true|false, yes|no
+};
+
+struct Limits {
+    double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+    bool low_excluded = false, high_excluded = false;
+
+    bool hold(double value) const {
+        return (low_excluded ? value > low : value >= low) && (high_excluded ? value < high : value <= high);
+    }
+};
+
+/// One value, or several of the same kind ("x1 x2").
+struct ArgumentSpec {
+    std::string_view name; ///< "edge"; several values: their names with blanks between
+    ArgumentKind kind = ArgumentKind::real;
+    int count = 1;
+    bool optional = false;
+    bool repeated = false;      ///< as many as there are
+    std::string_view unit = {}; ///< what is measured: "length", "stress", ...; kaya never converts units
+    Limits limits = {};
+    std::string_view help = {};
+};
+
+/// A word that may be typed, and how much of it is enough.
+struct Spelling {
+    std::string_view word;
+    std::size_t shortest = 2; ///< letters; the whole word is always enough
+
+    Spelling(const char* text) : word(text) {}
+    Spelling(std::string_view text, std::size_t letters) : word(text), shortest(letters) {}
+
+    /// `typed` is folded.
+    bool matches(std::string_view typed) const {
+        return typed == word || (typed.size() >= shortest && word.starts_with(typed));
+    }
+};
+
+/// A word inside a command with what follows it. `target` of read is the struct of the command.
+struct KeywordSpec {
+    std::vector<Spelling> words; ///< the first is the canonical one
+    std::vector<ArgumentSpec> arguments;
+    std::string_view help;
+    std::function<void(Reader&, void* target)> read;
+    std::vector<KeywordSpec> keywords; ///< that belong to this one: sphere center .. radius ..
+};
+
+/// What stands in front of the keywords, in order.
+struct PositionalSpec {
+    ArgumentSpec argument;
+    std::function<void(Reader&, void* target)> read;
+};
+
+/// Right when `message` is empty, else the line gives exactly this message.
+struct Example {
+    std::string_view text;
+    std::string_view message;
+};
+
+/// What the interpreter itself does when the command is reached.
+enum class Flow {
+    next,      ///< the handler runs, then the next command
+    call,      ///< another file runs
+    leave_file,
+    leave_all
+};
+
+struct CommandSpec {
+    std::vector<Spelling> words; ///< first word, the first spelling is the canonical one
+    std::vector<Spelling> form;  ///< second word where there is one: poly brick
+    std::string_view help;
+    std::vector<PositionalSpec> arguments;
+    std::vector<KeywordSpec> keywords;
+    std::vector<Example> right, wrong;
+
+    bool options_before_form = false; ///< poly region 1 brick ...
+    Flow flow = Flow::next;
+    std::string_view body_end;   ///< "end": the lines up to this word belong to the command
+    bool body_needs_bare_line = false; ///< only a line without further words opens a body (lua)
+    bool raw = false;            ///< takes the rest of the line as it stands
+
+    /// Elements of a range phrase, when the command takes one.
+    const std::vector<KeywordSpec>* range_elements = nullptr;
+    bool range_without_word = false; ///< `hide z 0 1`, in place of `hide range z 0 1`
+
+    // The links to the struct, made and type-checked by the builder.
+    std::function<std::any()> make;
+    std::function<void*(std::any&)> address;
+    std::function<void(Reader&, void*)> read_range;
+    std::function<void(const Statement&, void*)> start;      ///< place and body, before anything is read
+    std::function<bool(Reader&, void*)> otherwise;           ///< for a word that is no keyword; false: not mine
+    std::vector<ArgumentSpec> otherwise_arguments;
+    std::function<void(const Reader&, void*)> finish;        ///< what only the whole line shows
+    std::function<std::string(const std::any&)> called_file; ///< of Flow::call
+
+    std::string name() const; ///< "poly brick"
+};
+
+struct Family {
+    std::string_view name; ///< "geometry"
+    std::string_view help;
+    std::vector<CommandSpec> commands;
+};
+
+/// A whole dialect. The order of families and of commands in them decides what a short word means.
+struct Language {
+    std::vector<Family> families;
+    std::vector<KeywordSpec> range_elements;
+};
+
+/// The first entry that is exactly the word, else the first in order that starts with it.
+template <class Table, class WordsOf> auto* resolve(Table& table, std::string_view typed, WordsOf words_of) {
+    for (auto& entry : table)
+        for (const Spelling& s : words_of(entry))
+            if (s.word == typed) return &entry;
+    for (auto& entry : table)
+        for (const Spelling& s : words_of(entry))
+            if (s.matches(typed)) return &entry;
+    using Entry = std::remove_reference_t<decltype(*std::begin(table))>;
+    return static_cast<Entry*>(nullptr);
+}
+
+const KeywordSpec* find_keyword(const std::vector<KeywordSpec>& keywords, std::string_view typed);
+
+/// "edge, a number greater than 0 [length]"
+std::string describe(const ArgumentSpec& argument);
+
+} // namespace kaya::lang
