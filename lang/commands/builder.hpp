@@ -146,9 +146,11 @@ public:
         return *this;
     }
 
-    Entry& range(RangePhrase Command::*phrase) {
+    /// `needs_word`: the elements count only behind the word range, because the line may hold names of
+    /// properties that nobody knows yet.
+    Entry& range(RangePhrase Command::*phrase, bool needs_word = false) {
         spec_.range_elements = &range_elements();
-        spec_.range_without_word = true;
+        spec_.range_without_word = !needs_word;
         spec_.read_range = [phrase](Reader& reader, void* at) {
             read_range(reader, static_cast<Command*>(at)->*phrase);
         };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lang/commands/range.hpp"
+#include "lang/interp/value.hpp"
 
 #include <array>
 #include <cstdint>
@@ -35,7 +36,7 @@ struct Set {
     std::optional<std::int64_t> threads;
     std::optional<bool> echo;
     std::vector<std::string> accepted; ///< words that have no effect here (pagination, ...)
-    std::vector<std::pair<std::string, double>> fish; ///< set @name = value
+    std::vector<std::pair<std::string, Value>> fish; ///< set @name = value; the name is without @
 };
 
 // --- geometry -----------------------------------------------------------------------------------
@@ -51,6 +52,7 @@ struct Hide { RangePhrase range; };
 struct Seek { RangePhrase range; };
 struct Delete { RangePhrase range; };
 struct Group { std::string kind; std::string name; RangePhrase range; }; ///< kind: block
+struct NameRange { std::string name; RangePhrase range; }; ///< range name NAME elements
 struct GenerateEdge { double edge = 0; RangePhrase range; Place place; };
 
 // --- materials ----------------------------------------------------------------------------------
@@ -115,7 +117,7 @@ struct VtkWrite { std::string file; };
 struct List {
     std::string what; ///< canonical: blocks, contacts, subcontacts, gridpoints, zones, prop, hist, time,
                       ///< timestep, max, energy, timing, hash, jmodel, ... or "" with `symbols`
-    std::vector<std::string> symbols; ///< print @a @b
+    std::vector<std::string> symbols; ///< print @a @b: without @
     RangePhrase range;
 };
 struct Ignored { std::string word; }; ///< plot, movie, ...: read to its end
@@ -134,13 +136,13 @@ struct Damp {
     bool mass = true, stiffness = true;
 };
 struct MassScale { bool on = true; std::optional<double> value; };
-struct NameRange { std::string name; RangePhrase range; }; ///< range name NAME elements
 struct Fraction { double value = 0; };
 
 // --- scripts -----------------------------------------------------------------------------------------
-struct FishDefinition { std::string text; Place place; }; ///< def ... end, whole
-struct FishCall { std::string expression; Place place; }; ///< a line that starts with @
-struct LuaChunk { std::string text; Place place; };       ///< lua ... endlua
+/// def NAME ... end: all its lines, the first and the last included; place is that of the first line.
+struct FishDefinition { std::string text; Place place; };
+struct FishCall { std::string expression; Place place; }; ///< a line @f(1) or [f(1)]: without @ and brackets
+struct LuaChunk { std::string text; Place place; };       ///< the lines between lua and endlua; place of the first
 struct LuaFile { std::string file; Place place; };
 
 } // namespace kaya::lang

@@ -156,7 +156,7 @@ FoundCommand find_command(const Language& language, const Statement& statement) 
     throw d.at(place);
 }
 
-BoundCommand bind(const Language& language, const Statement& statement, const ValueSource* values) {
+BoundCommand bind_statement(const Language& language, const Statement& statement, const ValueSource* values) {
     const FoundCommand found = find_command(language, statement);
     const CommandSpec& spec = *found.spec;
 

@@ -55,7 +55,7 @@ public:
 
 private:
     BoundFile::Step step(const Statement& statement) {
-        BoundFile::Step step{bind(language_, statement), {}};
+        BoundFile::Step step{bind_statement(language_, statement), {}};
         BoundCommand& command = step.command;
         if (checks_ && !command.late && checks_->has(command.command.type())) run_check(command);
         if (!command.spec->body_end.empty() || statement.words.front().late()) script_seen_ = true;

@@ -52,7 +52,7 @@ Ended Interpreter::run_step(const BoundFile::Step& step) {
         Lexer lexer(command->place.source, command->place.line);
         Statement statement;
         next_statement(language_, lexer, statement);
-        with_values = bind(language_, statement, &values);
+        with_values = bind_statement(language_, statement, &values);
         command = &with_values;
     }
     Ended ended = Ended::end_of_deck;

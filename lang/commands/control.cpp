@@ -1,0 +1,155 @@
+// Commands that steer the program: files, settings, the end.
+#include "lang/commands/builder.hpp"
+#include "lang/commands/commands.hpp"
+#include "lang/commands/language.hpp"
+
+namespace kaya::lang {
+
+namespace {
+
+CommandSpec set() {
+    Entry<Set> entry({"set"});
+    entry.help("changes settings; several may stand on one line");
+    entry.keyword({"dynamic"}, on_off(), &Set::dynamic, "true masses and times instead of a static search");
+    entry.keyword({"log"}, on_off(), &Set::log, "writes what is shown into the log file as well");
+    entry.keyword({"logfile"}, text("file"), &Set::log_file, "name of the log file");
+    entry.keyword({"jcondf"}, integer("n").at_least(1), &Set::default_joint_constitutive,
+                  "constitutive number of contacts that are made from now on");
+    entry.keyword({"jmatdf"}, integer("n").at_least(1), &Set::default_joint_material,
+                  "joint material number of contacts that are made from now on");
+    entry.keyword({"fraction"}, real("f").above(0).at_most(1), &Set::time_step_fraction,
+                  "time step as a part of the largest stable one");
+    entry.keyword({"threads"}, integer("n").at_least(1), &Set::threads, "number of threads");
+    entry.keyword({"echo"}, on_off(), &Set::echo, "shows the commands while they run");
+    for (const char* word : {"pagination", "atol", "btol", "ctol", "dtol", "etol", "nmech", "ncyc", "cust1", "cust2"})
+        entry.special({word}, {},
+                      [word](Reader& reader, Set& set) {
+                          set.accepted.emplace_back(word);
+                          const auto value = text("value").spec;
+                          while (const Word* next = reader.peek()) {
+                              const bool its_own = reader.at_number() || next->folded == "on" || next->folded == "off";
+                              if (!its_own) break;
+                              (void)reader.any(value);
+                          }
+                      },
+                      "accepted, without effect");
+    entry.otherwise({text("@name value").optional().spec}, [](Reader& reader, Set& set) {
+        if (reader.peek()->kind != WordKind::symbol) return false;
+        const std::string name = reader.symbol(text("@name").spec);
+        set.fish.emplace_back(name, reader.any(real("value").spec));
+        return true;
+    });
+    entry.finish([](const Reader& reader, Set&) {
+        if (reader.statement().words.size() == 1)
+            incomplete_line(reader, "set does not say what to set", "write for example: set dyn on");
+    });
+    entry.right("set dyn on").right("set jcondf 1 jmatdf 2").right("set log on logfile run.log").right("set @load = 5e6");
+    entry.right("set pagination off").right("set atol 1e-4 echo off");
+    entry.wrong("set", "set does not say what to set");
+    entry.wrong("set dyn maybe", "'maybe' stands where on or off must be");
+    entry.wrong("set jmatdf 1.5", "n takes a whole number, not 1.5");
+    entry.wrong("set fraction 0", "f must be greater than 0, not 0");
+    entry.wrong("set thraeds 2", "'thraeds' is not a keyword of set");
+    return entry;
+}
+
+CommandSpec title() {
+    Entry<Title> entry({"title"});
+    entry.raw(&Title::text);
+    entry.start([](const Statement& statement, Title& title) {
+        const auto& words = statement.words;
+        title.text = words.size() == 2 && words[1].kind == WordKind::text ? words[1].text : statement.raw(1);
+    });
+    entry.help("names the model; the text is the rest of the line");
+    entry.right("title Direct shear test").right("title 'A wall, second try'").right("title").right("title It's late");
+    return entry;
+}
+
+} // namespace
+
+Family control() {
+    return {"control",
+            "files, settings and the end",
+            {
+                Entry<New>({"new"})
+                    .help("throws the model away and starts with an empty one")
+                    .right("new")
+                    .wrong("new model", "'model' is left over at the end of the line"),
+                Entry<CallFile>({"call"})
+                    .help("reads commands from another file, then goes on here")
+                    .argument(text("file").help("name of the file; .3dd, .dat and so on may be left out"),
+                              &CallFile::file)
+                    .calls(&CallFile::file)
+                    .right("call wall.dat")
+                    .right("call 'second part.3dd'")
+                    .right("call @name")
+                    .wrong("call", "a word is missing after 'call'")
+                    .wrong("call a.dat b.dat", "'b.dat' is left over at the end of the line"),
+                Entry<Config>({"config"})
+                    .help("asks for options of the program; none is needed here")
+                    .otherwise({text("option").optional().spec},
+                               [](Reader& reader, Config& config) {
+                                   config.options.push_back(reader.text(text("option").spec));
+                                   return true;
+                               })
+                    .right("config dyn")
+                    .right("config cppudm"),
+                set(),
+                Entry<Save>({"save"})
+                    .help("writes the whole model to a file")
+                    .argument(text("file").help("name of the file; .kaya.h5 may be left out"), &Save::file)
+                    .right("save settled")
+                    .right("save 'two words'")
+                    .wrong("save", "a word is missing after 'save'")
+                    .wrong("save ''", "file is an empty text"),
+                Entry<Reset>({"reset"})
+                    .help("sets quantities back to zero; several may stand on one line")
+                    .action({"time"}, [](Reset& r) { r.what.emplace_back("time"); }, "the time")
+                    .action({"hist", "history", "histories"}, [](Reset& r) { r.what.emplace_back("hist"); },
+                            "all histories")
+                    .action({"disp", "displacement"}, [](Reset& r) { r.what.emplace_back("disp"); },
+                            "displacements of gridpoints and blocks")
+                    .action({"vel", "velocity"}, [](Reset& r) { r.what.emplace_back("vel"); }, "velocities")
+                    .action({"jdisp", "jdisplacement"}, [](Reset& r) { r.what.emplace_back("jdisp"); },
+                            "displacements of joints")
+                    .action({"energy"}, [](Reset& r) { r.what.emplace_back("energy"); }, "sums of energy and work")
+                    .action({"damp", "damping"}, [](Reset& r) { r.what.emplace_back("damp"); },
+                            "the state of adaptive damping")
+                    .finish([](const Reader& reader, Reset& reset) {
+                        if (reset.what.empty())
+                            incomplete_line(reader, "reset does not say what to reset",
+                                            "expected: time, hist, disp, vel, jdisp, energy, damp");
+                    })
+                    .right("reset disp jdisp")
+                    .right("reset time hist")
+                    .wrong("reset", "reset does not say what to reset")
+                    .wrong("reset dsip", "'dsip' is not a keyword of reset")
+                    .wrong("reset 5", "'5' stands where a keyword of reset must be"),
+                Entry<Restore>({"restore"})
+                    .help("replaces the model by a saved one")
+                    .argument(text("file").help("name of the file that save wrote"), &Restore::file)
+                    .right("restore settled")
+                    .right("rest settled")
+                    .wrong("restore", "a word is missing after 'restore'"),
+                Entry<Return>({"return"})
+                    .help("ends the file; what stands below is not read")
+                    .flow(Flow::leave_file)
+                    .right("return")
+                    .right("ret")
+                    .wrong("return 1", "'1' is left over at the end of the line"),
+                Entry<Quit>({"quit", "stop", "exit"})
+                    .help("ends the program")
+                    .flow(Flow::leave_all)
+                    .right("quit")
+                    .right("stop")
+                    .right("exit")
+                    .wrong("quit now", "'now' is left over at the end of the line"),
+                title(),
+                Entry<Pause>({"pause"})
+                    .help("waits for a key when somebody sits at the terminal")
+                    .right("pause")
+                    .wrong("pause 5", "'5' is left over at the end of the line"),
+            }};
+}
+
+} // namespace kaya::lang

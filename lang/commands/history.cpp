@@ -1,0 +1,123 @@
+// Histories: what is recorded while the model cycles.
+#include "lang/commands/builder.hpp"
+#include "lang/commands/commands.hpp"
+#include "lang/commands/language.hpp"
+
+namespace kaya::lang {
+
+namespace {
+
+struct Recorded {
+    std::vector<Spelling> words;
+    bool has_place;
+    const char* help;
+};
+
+const std::vector<Recorded>& recorded() {
+    static const std::vector<Recorded> words = {
+        {{"unbal", "unbalanced"}, false, "largest unbalanced force"},
+        {{"time"}, false, "time"},
+        {{"damp", "damping"}, false, "adaptive damping coefficient"},
+        {{"xdis", "xdisplacement"}, true, "displacement in x of the nearest gridpoint"},
+        {{"ydis", "ydisplacement"}, true, "displacement in y of the nearest gridpoint"},
+        {{"zdis", "zdisplacement"}, true, "displacement in z of the nearest gridpoint"},
+        {{"xvel", "xvelocity"}, true, "velocity in x of the nearest gridpoint"},
+        {{"yvel", "yvelocity"}, true, "velocity in y of the nearest gridpoint"},
+        {{"zvel", "zvelocity"}, true, "velocity in z of the nearest gridpoint"},
+        {{"sxx"}, true, "stress of the nearest zone"},
+        {{"syy"}, true, "stress of the nearest zone"},
+        {{"szz"}, true, "stress of the nearest zone"},
+        {{"sxy"}, true, "stress of the nearest zone"},
+        {{"sxz"}, true, "stress of the nearest zone"},
+        {{"syz"}, true, "stress of the nearest zone"},
+        {{"ndis", "ndisplacement"}, true, "normal displacement of the nearest sub-contact, closing negative"},
+        {{"sdis", "sdisplacement"}, true, "shear displacement of the nearest sub-contact"},
+        {{"nstr", "nstress"}, true, "normal stress of the nearest sub-contact, compression positive"},
+        {{"sstr", "sstress"}, true, "shear stress of the nearest sub-contact"},
+        {{"nfor", "nforce"}, true, "normal force of the nearest sub-contact, compression positive"},
+        {{"sfor", "sforce"}, true, "shear force of the nearest sub-contact"},
+    };
+    return words;
+}
+
+CommandSpec history_add() {
+    Entry<HistoryAdd> entry({"history"});
+    entry.help("records quantities from now on; several may stand on one line");
+    const auto place = vector("x y z").unit("length");
+    for (const auto& item : recorded()) {
+        const std::string_view word = item.words.front().word;
+        const bool has_place = item.has_place;
+        entry.special(item.words, has_place ? std::vector{place.spec} : std::vector<ArgumentSpec>{},
+                      [=](Reader& reader, HistoryAdd& history) {
+                          const Place at = reader.previous().place;
+                          const Vec3 where = has_place ? reader.vector(place.spec) : Vec3(Vec3::Zero());
+                          history.items.push_back({std::string(word), where, at});
+                      },
+                      item.help);
+    }
+    entry.keyword({"ncyc", "ncycle"}, integer("n").at_least(1), &HistoryAdd::interval,
+                  "cycles from one record to the next, for all histories");
+    entry.otherwise({text("@name").optional().spec}, [](Reader& reader, HistoryAdd& history) {
+        if (reader.peek()->kind != WordKind::symbol) return false;
+        const std::string name = reader.symbol(text("@name").spec);
+        history.items.push_back({"@" + name, Vec3::Zero(), reader.previous().place});
+        return true;
+    });
+    entry.finish([](const Reader& reader, HistoryAdd& history) {
+        if (history.items.empty() && !history.interval)
+            incomplete_line(reader, "history does not say what to record", "write for example: hist unbal");
+    });
+    entry.right("hist unbal ncyc 5").right("hist @sstav @nstav").right("hist sdis -1 -1 0 ndis -1 -1 0");
+    entry.right("hist zdisp 0 0 0.1").right("his xvel (0,0,1)").right("hist szz 0 0 0.1").right("hist ncyc 100");
+    entry.wrong("hist", "history does not say what to record");
+    entry.wrong("hist xdis 0 0", "a number is missing after '0'");
+    entry.wrong("hist xids 0 0 0", "'xids' is not a keyword of history");
+    entry.wrong("hist ncyc 0", "n must be at least 1, not 0");
+    entry.wrong("hist unbal 5", "'5' stands where a keyword of history must be");
+    return entry;
+}
+
+CommandSpec history_write() {
+    Entry<HistoryWrite> entry({"history"}, {"write"});
+    entry.help("writes histories as a table with a line of names on top");
+    entry.place(&HistoryWrite::place);
+    entry.keyword({"vs", "v"}, integer("m").at_least(1), &HistoryWrite::versus,
+                  "number of the history that makes the first column, in place of the cycle");
+    const auto number = integer("n").at_least(1).optional();
+    const auto file = text("file").optional();
+    entry.otherwise({number.spec, file.spec}, [=](Reader& reader, HistoryWrite& write) {
+        if (reader.peek()->kind == WordKind::number) {
+            write.numbers.push_back(reader.integer(number.spec));
+            return true;
+        }
+        if (!write.file.empty()) return false;
+        write.file = reader.text(file.spec);
+        return true;
+    });
+    entry.right("hist write").right("hist write 2 3 4 vs 5 curves.csv").right("hist write 'all curves.csv'");
+    entry.wrong("hist write 0", "n must be at least 1, not 0");
+    entry.wrong("hist write 1 vs", "a number is missing after 'vs'");
+    entry.wrong("hist write 1 a.csv b.csv", "'b.csv' is not a keyword of history write");
+    return entry;
+}
+
+CommandSpec history_label() {
+    return Entry<HistoryLabel>({"history"}, {"label"})
+        .help("names a history; the name stands in written tables")
+        .place(&HistoryLabel::place)
+        .argument(integer("n").at_least(1).help("number of the history, counted from 1"), &HistoryLabel::number)
+        .argument(text("text").help("the name"), &HistoryLabel::text)
+        .right("hist label 2 'Shear Stress'")
+        .wrong("hist label", "a number is missing after 'label'")
+        .wrong("hist label 2", "a word is missing after '2'")
+        .wrong("hist label 'Shear Stress' 2", "''Shear Stress'' stands where a whole number must be")
+        .wrong("hist label 2 'Shear Stress", "the quote is not closed on this line");
+}
+
+} // namespace
+
+Family history() {
+    return {"history", "curves over cycles", {history_add(), history_write(), history_label()}};
+}
+
+} // namespace kaya::lang

@@ -1,0 +1,184 @@
+// Properties and models of blocks and joints.
+#include "lang/commands/builder.hpp"
+#include "lang/commands/commands.hpp"
+#include "lang/commands/language.hpp"
+
+#include <array>
+
+namespace kaya::lang {
+
+namespace {
+
+struct ClassicWord {
+    std::vector<Spelling> words;
+    const char* unit;
+    const char* help;
+};
+
+/// The property words of the classic language. Others belong to loaded joint models and are passed on.
+const std::vector<ClassicWord>& classic_words() {
+    static const std::vector<ClassicWord> words = {
+        {{"density"}, "mass/length^3", "density of blocks"},
+        {{"bulk", "k"}, "stress", "bulk modulus of blocks"},
+        {{"shear", "g"}, "stress", "shear modulus of blocks"},
+        {{"ymod", "ymodulus", "young"}, "stress", "Young's modulus, with prat in place of bulk and shear"},
+        {{"prat", "pratio", "poisson"}, "", "Poisson's ratio"},
+        {{"bcoh", "bcohesion"}, "stress", "cohesion of Mohr-Coulomb blocks"},
+        {{"bfric", "bfriction"}, "degrees", "friction angle of Mohr-Coulomb blocks"},
+        {{"bten", "btension"}, "stress", "tensile strength of Mohr-Coulomb blocks"},
+        {{"bdil", "bdilation"}, "degrees", "dilation angle of Mohr-Coulomb blocks"},
+        {{"jkn"}, "stress/length", "normal stiffness of joints"},
+        {{"jks"}, "stress/length", "shear stiffness of joints"},
+        {{"jfric", "jfriction"}, "degrees", "friction angle of joints"},
+        {{"jcoh", "jcohesion"}, "stress", "cohesion of joints"},
+        {{"jten", "jtension"}, "stress", "tensile strength of joints"},
+        {{"jdil", "jdilation"}, "degrees", "dilation angle of joints"},
+        {{"zdil", "zdilation"}, "length", "slip at which dilation stops"},
+        // In full only: jrc and jrco are properties of other joint models.
+        {{Spelling{"jrfric", 6}, Spelling{"jrfriction", 6}}, "degrees", "residual friction angle of joints"},
+        {{Spelling{"jrcoh", 5}, Spelling{"jrcohesion", 5}}, "stress", "residual cohesion of joints"},
+        {{Spelling{"jrten", 5}, Spelling{"jrtension", 5}}, "stress", "residual tensile strength of joints"},
+    };
+    return words;
+}
+
+/// A word that only a joint model knows, and its value. The handler looks at the word when it runs.
+bool read_unknown_property(Reader& reader, std::vector<Property::Item>& items) {
+    const Word& word = *reader.peek();
+    if (word.kind != WordKind::word) return false;
+    const std::size_t index = static_cast<std::size_t>(&word - reader.statement().words.data());
+    const bool number_follows = index + 1 < reader.statement().words.size() &&
+                                (reader.statement().words[index + 1].kind == WordKind::number ||
+                                 reader.statement().words[index + 1].late());
+    if (!number_follows && !did_you_mean(word.folded, {"range", "model", "load"}).empty()) return false;
+    reader.take();
+    Property::Item item{word.folded, 0, word.place};
+    item.value = reader.real(real(word.folded).spec);
+    items.push_back(std::move(item));
+    return true;
+}
+
+template <class Command>
+void model_properties(Entry<Command>& entry, std::vector<Property::Item> Command::*items) {
+    entry.otherwise({real("property value").optional().spec}, [items](Reader& reader, Command& command) {
+        return read_unknown_property(reader, command.*items);
+    });
+}
+
+CommandSpec prop() {
+    Entry<Property> entry({"property"});
+    entry.help("gives a material its properties: of blocks, of joints, of joint models");
+    const auto number = integer("n").at_least(1);
+    entry.keyword({"material", "mat"}, number,
+                  [](Property& p, std::int64_t n) { p.number = n, p.joint = false; }, "number of the block material");
+    entry.keyword({"jmaterial", "jmat"}, number,
+                  [](Property& p, std::int64_t n) { p.number = n, p.joint = true; }, "number of the joint material");
+    for (const auto& known : classic_words()) {
+        const auto value = real(known.words.front().word).unit(known.unit);
+        entry.special(known.words, {value.spec},
+                      [value](Reader& reader, Property& property) {
+                          const Place place = reader.previous().place;
+                          property.items.push_back({std::string(value.spec.name), reader.real(value.spec), place});
+                      },
+                      known.help);
+    }
+    model_properties(entry, &Property::items);
+    entry.finish([](const Reader& reader, Property& property) {
+        if (property.items.empty())
+            incomplete_line(reader, "no property is given", "write for example: prop mat 1 dens 2600");
+    });
+    entry.right("prop mat=1 density = 0.0026 k=4e3 g=3e3").right("prop mat 1 jkn 1e2 jks 1e4 jfric 10 jcoh 5e3");
+    entry.right("prop jmat 2 jkn 1e9 jks 1e9 jfriction 35 jten 0").right("prop mat 1 ymod 5e10 prat 0.25");
+    entry.right("prop jmat 1 jrco 15 sigmac 150");
+    entry.wrong("prop mat 1", "no property is given");
+    entry.wrong("prop mat 1 dens", "a number is missing after 'dens'");
+    entry.wrong("prop mat 1 dens heavy", "'heavy' stands where a number must be");
+    entry.wrong("prop mat 1.5 dens 1", "n takes a whole number, not 1.5");
+    entry.wrong("prop mat 0 dens 1", "n must be at least 1, not 0");
+    entry.wrong("prop mat 1 dens 2600 1", "'1' stands where a keyword of property must be");
+    return entry;
+}
+
+CommandSpec change() {
+    Entry<Change> entry({"change"});
+    entry.help("gives blocks or contacts another material or constitutive number");
+    entry.keyword({"material", "mat"}, integer("n").at_least(1), &Change::material, "material number of blocks");
+    entry.keyword({"constitutive", "cons"}, integer("n").at_least(1), &Change::constitutive,
+                  "constitutive number of blocks");
+    entry.keyword({"jmaterial", "jmat"}, integer("n").at_least(1), &Change::joint_material,
+                  "material number of contacts");
+    entry.keyword({"jconstitutive", "jcons"}, integer("n").at_least(1), &Change::joint_constitutive,
+                  "constitutive number of contacts");
+    entry.range(&Change::range);
+    entry.finish([](const Reader& reader, Change& c) {
+        if (!c.material && !c.constitutive && !c.joint_material && !c.joint_constitutive)
+            incomplete_line(reader, "change does not say what to change", "expected: mat, cons, jmat or jcons and a number");
+    });
+    entry.right("change jmat 2 range z 0 1").right("change jcons 1 jmat 3 range x 0 1").right("chang cons 1 mat 2 range region 2");
+    entry.right("change mat 2 region 2").right("change jmat 2 range mintersection 1 2");
+    entry.wrong("change", "change does not say what to change");
+    entry.wrong("change mat", "a number is missing after 'mat'");
+    entry.wrong("change mat two", "'two' stands where a whole number must be");
+    entry.wrong("change jmta 2", "'jmta' is not a keyword of change");
+    return entry;
+}
+
+CommandSpec jmodel_load() {
+    // In full only: `lo` and `mo...` may be properties of the model in use.
+    return Entry<JointModelCommand>({"jmodel"}, {Spelling{"load", 4}})
+        .help("loads a joint model from a shared library")
+        .argument(text("name").help("name of the model or path of its library"),
+                  [](JointModelCommand& c, std::string name) {
+                      c.action = JointModelCommand::Action::load;
+                      c.model = std::move(name);
+                  })
+        .finish([](const Reader& reader, JointModelCommand& c) { c.model_place = reader.previous().place; })
+        .right("jmodel load barton-bandis")
+        .wrong("jmodel load", "a word is missing after 'load'")
+        .wrong("jmodel load a b", "'b' is left over at the end of the line");
+}
+
+CommandSpec jmodel_assign() {
+    Entry<JointModelCommand> entry({"jmodel"}, {Spelling{"model", 3}, Spelling{"assign", 3}});
+    entry.help("gives contacts a joint model, with properties if wanted");
+    entry.start([](const Statement& statement, JointModelCommand& c) {
+        c.action = JointModelCommand::Action::assign;
+        if (statement.words.size() > 2) c.model_place = statement.words[2].place;
+    });
+    entry.argument(text("name").help("name of the joint model"), &JointModelCommand::model);
+    model_properties(entry, &JointModelCommand::items);
+    entry.range(&JointModelCommand::range, true);
+    entry.right("jmodel model barton-bandis").right("jmodel model mohr jkn 1e5 jks 1e4 jfric 30 range z 0 1");
+    entry.wrong("jmodel model", "a word is missing after 'model'");
+    entry.wrong("jmodel model mohr jkn", "a number is missing after 'jkn'");
+    entry.wrong("jmodel model mohr rang z 0 one", "'one' is not a range element (the range ends the line)");
+    return entry;
+}
+
+CommandSpec jmodel_properties() {
+    Entry<JointModelCommand> entry({"jmodel"});
+    entry.help("sets properties of the joint model that contacts have");
+    model_properties(entry, &JointModelCommand::items);
+    entry.range(&JointModelCommand::range, true);
+    entry.finish([](const Reader& reader, JointModelCommand& c) {
+        if (c.items.empty())
+            incomplete_line(reader, "jmodel does not say what to do",
+                            "expected: load NAME, model NAME, or a property and its value");
+    });
+    entry.right("jmodel jkn=1e5 jks=1e4 resfriction=20.0 jcso=100 nj = 0.8 lo = 0.1 ln=0.2");
+    entry.right("jmodel jkn 1e5 range z 0");
+    entry.wrong("jmodel", "jmodel does not say what to do");
+    entry.wrong("jmodel modle mohr", "'modle' is not a keyword of jmodel");
+    entry.wrong("jmodel jkn 1e5 rnage z 0", "'rnage' is not a keyword of jmodel");
+    return entry;
+}
+
+} // namespace
+
+Family materials() {
+    return {"materials",
+            "properties of blocks and joints",
+            {prop(), change(), jmodel_load(), jmodel_assign(), jmodel_properties()}};
+}
+
+} // namespace kaya::lang

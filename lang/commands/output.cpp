@@ -1,0 +1,105 @@
+// What a user sees of a model: lists, pictures, files for other programs.
+#include "lang/commands/builder.hpp"
+#include "lang/commands/commands.hpp"
+#include "lang/commands/language.hpp"
+
+namespace kaya::lang {
+
+namespace {
+
+struct Listed {
+    std::vector<Spelling> words;
+    const char* help;
+};
+
+const std::vector<Listed>& listed() {
+    static const std::vector<Listed> words = {
+        {{"blocks"}, "blocks: place, mass, material, region"},
+        {{"contacts"}, "contacts: blocks, normal, area"},
+        {{"subcontacts"}, "sub-contacts: displacements, forces, state"},
+        {{"gridpoints", "gp"}, "gridpoints: place, velocity, displacement, force"},
+        {{"zones"}, "zones: stresses, volume"},
+        {{"prop", "property"}, "properties of materials"},
+        {{"hist", "histories"}, "histories: number, name, least and greatest value"},
+        {{"max", "maximum"}, "greatest values of the model"},
+        {{"time"}, "time and cycle"},
+        {{"timestep"}, "time step and what limits it"},
+        {{"timing"}, "seconds spent in each phase of the cycle"},
+        {{"energy"}, "energies and their balance"},
+        {{"hash"}, "one number that tells two states of a model apart"},
+        {{"jmodel", "jmodels"}, "joint models that are loaded, with their properties"},
+        {{"boundary"}, "loads and held velocities"},
+        {{"groups"}, "names of groups and how many blocks each has"},
+        {{"settings"}, "settings of the model"},
+    };
+    return words;
+}
+
+CommandSpec list() {
+    Entry<List> entry({"list", "print"});
+    entry.help("shows what is in the model, or the value of a variable");
+    for (const auto& item : listed()) {
+        const std::string what(item.words.front().word);
+        entry.special(item.words, {},
+                      [what](Reader& reader, List& command) {
+                          if (!command.what.empty() || !command.symbols.empty())
+                              throw Diagnostic("one list command shows one thing", "write a second list command")
+                                  .at(reader.previous().place);
+                          command.what = what;
+                      },
+                      item.help);
+    }
+    entry.otherwise({text("@name").optional().spec}, [](Reader& reader, List& command) {
+        if (reader.peek()->kind != WordKind::symbol || !command.what.empty()) return false;
+        command.symbols.push_back(reader.symbol(text("@name").spec));
+        return true;
+    });
+    entry.range(&List::range);
+    entry.finish([](const Reader& reader, List& command) {
+        if (command.what.empty() && command.symbols.empty())
+            incomplete_line(reader, "list does not say what to show", "write for example: list blocks");
+    });
+    entry.right("list blocks").right("print @x").right("print @a @b").right("pri max").right("list contacts range z 0 1");
+    entry.wrong("list", "list does not say what to show");
+    entry.wrong("print blokcs", "'blokcs' is not a keyword of list");
+    entry.wrong("list blocks zones", "one list command shows one thing");
+    entry.wrong("list 5", "'5' stands where a keyword of list must be");
+    return entry;
+}
+
+CommandSpec ignored(const char* word, const char* help) {
+    Entry<Ignored> entry({word});
+    entry.help(help);
+    std::string dropped;
+    entry.raw(&Ignored::word);
+    entry.start([name = std::string(word)](const Statement&, Ignored& command) { command.word = name; });
+    return entry;
+}
+
+} // namespace
+
+Family output() {
+    CommandSpec plot = ignored("plot", "read to its end; pictures are made from the files that vtk write leaves");
+    plot.right = {{"pl block", {}}, {"plot hist 1 vs 2 &\n  hold", {}}, {"plot set dip 10 dd 'open", {}}};
+    CommandSpec movie = ignored("movie", "read to its end, without effect");
+    movie.right = {{"movie on file a.avi", {}}};
+    CommandSpec label = ignored("label", "read to its end, without effect");
+    label.right = {{"label arrow 1 2 3", {}}};
+    return {"output",
+            "lists, pictures, files for other programs",
+            {
+                list(),
+                std::move(plot),
+                Entry<VtkWrite>({"vtk"}, {"write"})
+                    .help("writes the model as it stands for ParaView; files of one name make a series")
+                    .argument(text("file").help("name without suffix"), &VtkWrite::file)
+                    .right("vtk write shear")
+                    .wrong("vtk", "a word is missing after 'vtk'")
+                    .wrong("vtk write", "a word is missing after 'write'")
+                    .wrong("vtk wirte a", "'wirte' is not a kind of vtk"),
+                std::move(movie),
+                std::move(label),
+            }};
+}
+
+} // namespace kaya::lang

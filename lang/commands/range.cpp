@@ -1,0 +1,311 @@
+// The range phrase as a table: each element says what follows it and adds one RangeElement.
+#include "lang/commands/builder.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace kaya::lang {
+
+namespace {
+
+using Kind = RangeElement::Kind;
+
+constexpr double degree = std::numbers::pi / 180;
+
+RangeElement& add(Reader& reader, RangePhrase& phrase, Kind kind) {
+    RangeElement element;
+    element.kind = kind;
+    element.place = reader.previous().place;
+    phrase.elements.push_back(std::move(element));
+    return phrase.elements.back();
+}
+
+/// One or two numbers; one alone is both limits.
+void read_limits(Reader& reader, RangeElement& element, const ArgumentSpec& low, const ArgumentSpec& high) {
+    const bool whole = low.kind == ArgumentKind::integer;
+    const auto number = [&](const ArgumentSpec& a) {
+        return whole ? static_cast<double>(reader.integer(a)) : reader.real(a);
+    };
+    element.low = element.high = number(low);
+    if (!reader.at_number()) return;
+    element.high = number(high);
+    if (element.low > element.high && !reader.wildcards())
+        throw Diagnostic(fmt::format("the lower limit {:g} is greater than the upper limit {:g}", element.low,
+                                     element.high),
+                         "write the smaller one first")
+            .at(reader.previous().place);
+}
+
+void coordinate(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
+    const auto low = real("low").unit("length").spec;
+    const auto high = real("high").unit("length").optional().spec;
+    table.special(std::move(words), {low, high},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      read_limits(reader, add(reader, phrase, kind), low, high);
+                  },
+                  help);
+}
+
+void numbers(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
+    const auto low = integer("low").spec;
+    const auto high = integer("high").optional().spec;
+    table.special(std::move(words), {low, high},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      read_limits(reader, add(reader, phrase, kind), low, high);
+                  },
+                  help);
+}
+
+void named(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
+    const auto name = text("name").spec;
+    table.special(std::move(words), {name},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      add(reader, phrase, kind);
+                      phrase.elements.back().name = reader.text(name);
+                  },
+                  help);
+}
+
+/// Number, or a name that stands for one (a joint set, a region by name).
+void numbered(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
+    const auto number = integer("number").spec;
+    table.special(std::move(words), {number},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      RangeElement& element = add(reader, phrase, kind);
+                      element.low = element.high = static_cast<double>(reader.integer(number));
+                  },
+                  help);
+}
+
+void both_sides(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
+    const auto first = integer("first").spec, second = integer("second").spec;
+    table.special(std::move(words), {first, second},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      RangeElement& element = add(reader, phrase, kind);
+                      element.low = static_cast<double>(reader.integer(first));
+                      element.high = static_cast<double>(reader.integer(second));
+                  },
+                  help);
+}
+
+/// What is said about a plane while its words are read.
+struct PlaneText {
+    double dip = 0, dip_direction = 0;
+    std::optional<Vec3> normal;
+    Vec3 origin = Vec3::Zero();
+    int side = 0;
+    std::optional<double> distance;
+};
+
+std::vector<KeywordSpec> plane_words() {
+    Keywords<PlaneText> words;
+    words.keyword({"dip"}, real("dip").unit("degrees"), &PlaneText::dip, "angle below the horizontal");
+    words.keyword({"dd", "dip-direction"}, real("dd").unit("degrees"), &PlaneText::dip_direction,
+                  "direction of dip, clockwise from +y seen from above");
+    words.keyword({"origin", "org"}, vector("x y z").unit("length"), &PlaneText::origin, "a point of the plane");
+    words.keyword({"normal"}, vector("nx ny nz"), &PlaneText::normal, "normal, in place of dip and dd");
+    words.action({"above"}, [](PlaneText& p) { p.side = 1; }, "the side to which the normal points");
+    words.action({"below"}, [](PlaneText& p) { p.side = -1; }, "the other side");
+    words.keyword({"distance"}, real("distance").unit("length").at_least(0), &PlaneText::distance,
+                  "all within this distance of the plane");
+    return std::move(words).list();
+}
+
+void plane(Keywords<RangePhrase>& table) {
+    static const std::vector<KeywordSpec> words = plane_words();
+    const auto read = [](Reader& reader, RangePhrase& phrase) {
+        RangeElement& element = add(reader, phrase, Kind::plane);
+        PlaneText plane;
+        read_keywords(reader, words, &plane);
+        if (plane.side == 0 && !plane.distance)
+            incomplete_line(reader, "the plane does not say which part is meant", "add above, below, or distance d");
+        const double dip = plane.dip * degree, dd = plane.dip_direction * degree;
+        Vec3 normal = {std::sin(dip) * std::sin(dd), std::sin(dip) * std::cos(dd), std::cos(dip)};
+        if (plane.normal) {
+            const double length = plane.normal->norm();
+            if (length == 0) incomplete_line(reader, "the normal of the plane is zero", "it must have a direction");
+            normal = *plane.normal / length;
+        }
+        element.normal = normal;
+        element.centre = plane.origin;
+        element.side = plane.side;
+        element.distance = plane.distance.value_or(0);
+    };
+    table.special({"plane"}, {}, read, "one side of a plane, or what is near to it", words);
+}
+
+/// A sphere or a cylinder while its words are read.
+struct RoundText {
+    std::optional<Vec3> centre, end;
+    std::optional<double> inner, outer;
+};
+
+void read_radii(Reader& reader, RoundText& round) {
+    const auto radius = real("radius").unit("length").above(0).spec;
+    round.outer = reader.real(radius);
+    if (!reader.at_number()) return;
+    round.inner = *round.outer;
+    round.outer = reader.real(radius);
+    if (*round.inner > *round.outer) std::swap(round.inner, round.outer);
+}
+
+std::vector<KeywordSpec> sphere_words() {
+    Keywords<RoundText> words;
+    words.keyword({"center", "centre"}, vector("x y z").unit("length"), &RoundText::centre, "the centre");
+    words.special({"radius"}, {real("radius").unit("length").above(0).spec,
+                               real("outer").unit("length").above(0).optional().spec},
+                  read_radii, "the radius; two make a hollow ball");
+    return std::move(words).list();
+}
+
+std::vector<KeywordSpec> cylinder_words() {
+    Keywords<RoundText> words;
+    words.keyword({"end1", "end-1"}, vector("x y z").unit("length"), &RoundText::centre, "one end of the axis");
+    words.keyword({"end2", "end-2"}, vector("x y z").unit("length"), &RoundText::end, "the other end");
+    words.special({"radius"}, {real("radius").unit("length").above(0).spec,
+                               real("outer").unit("length").above(0).optional().spec},
+                  read_radii, "the radius; two make a pipe");
+    return std::move(words).list();
+}
+
+void round_elements(Keywords<RangePhrase>& table) {
+    static const std::vector<KeywordSpec> of_sphere = sphere_words(), of_cylinder = cylinder_words();
+    const auto fill = [](RangeElement& element, const RoundText& round) {
+        element.centre = *round.centre;
+        element.radius1 = round.inner.value_or(0);
+        element.radius2 = *round.outer;
+    };
+    table.special({"sphere", "annulus"}, {},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      add(reader, phrase, Kind::sphere);
+                      RoundText round;
+                      read_keywords(reader, of_sphere, &round);
+                      if (!round.centre || !round.outer)
+                          incomplete_line(reader, "the sphere needs center and radius",
+                                          "write: sphere center x y z radius r");
+                      fill(phrase.elements.back(), round);
+                  },
+                  "inside a sphere", of_sphere);
+    table.special({"cylinder"}, {},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      add(reader, phrase, Kind::cylinder);
+                      RoundText round;
+                      read_keywords(reader, of_cylinder, &round);
+                      if (!round.centre || !round.end || !round.outer)
+                          incomplete_line(reader, "the cylinder needs end1, end2 and radius",
+                                          "write: cylinder end1 x y z end2 x y z radius r");
+                      fill(phrase.elements.back(), round);
+                      phrase.elements.back().end2 = *round.end;
+                  },
+                  "inside a cylinder", of_cylinder);
+}
+
+void box(Keywords<RangePhrase>& table) {
+    const auto corner = vector("x y z").unit("length").spec;
+    table.special({"position"}, {corner, corner},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      add(reader, phrase, Kind::box);
+                      const Vec3 one = reader.vector(corner), two = reader.vector(corner);
+                      phrase.elements.back().centre = one.cwiseMin(two);
+                      phrase.elements.back().end2 = one.cwiseMax(two);
+                  },
+                  "inside a box, given by two corners");
+}
+
+/// `block id 5`: the old long form of `bid 5`.
+void block_id(Keywords<RangePhrase>& table) {
+    const auto low = integer("low").spec, high = integer("high").optional().spec;
+    table.special({Spelling{"block", 3}}, {low, high},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      RangeElement& element = add(reader, phrase, Kind::block_id);
+                      const Word* word = reader.peek();
+                      if (word && word->folded != "id") reader.unknown("the word 'id' of block id", {"id"});
+                      if (word) reader.take();
+                      read_limits(reader, element, low, high);
+                  },
+                  "`block id n`: the same as bid");
+}
+
+/// Several names may follow one nrange; each is an element of its own.
+void named_ranges(Keywords<RangePhrase>& table) {
+    const auto name = text("name").spec;
+    table.special({"nrange", "name"}, {name},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      add(reader, phrase, Kind::named);
+                      phrase.elements.back().name = reader.text(name);
+                      while (const Word* word = reader.peek()) {
+                          const bool another = word->kind == WordKind::text ||
+                                               (word->kind == WordKind::word && !find_keyword(range_elements(), word->folded));
+                          if (!another) return;
+                          reader.take();
+                          add(reader, phrase, Kind::named).name = word->text;
+                      }
+                  },
+                  "a range that was given a name with range name");
+}
+
+std::vector<KeywordSpec> all_elements() {
+    Keywords<RangePhrase> table;
+    coordinate(table, {"x", "xr", "position-x"}, Kind::x, "x between two limits, or at one value");
+    coordinate(table, {"y", "yr", "position-y"}, Kind::y, "y between two limits, or at one value");
+    coordinate(table, {"z", "zr", "position-z"}, Kind::z, "z between two limits, or at one value");
+    box(table);
+    plane(table);
+    round_elements(table);
+    named(table, {"group"}, Kind::group, "members of a group");
+    numbered(table, {"material", "mat"}, Kind::material, "blocks of a material number");
+    numbered(table, {"constitutive", "cons"}, Kind::constitutive, "blocks of a constitutive number");
+    numbered(table, {"jmaterial", "jmat"}, Kind::joint_material, "contacts of a joint material number");
+    numbered(table, {"region"}, Kind::region, "blocks of a region number");
+    numbered(table, {"jset", "joint-set"}, Kind::joint_set, "contacts of a joint set");
+    numbers(table, {"id"}, Kind::id, "identity numbers of the objects themselves");
+    numbers(table, {"bid"}, Kind::block_id, "identity numbers of the blocks that the objects belong to");
+    block_id(table);
+    both_sides(table, {"mintersection"}, Kind::material_intersection, "contacts between two materials");
+    both_sides(table, {"rintersection"}, Kind::region_intersection, "contacts between two regions");
+    named_ranges(table);
+    table.action({"union"}, [](RangePhrase& phrase) { phrase.any = true; },
+                 "one element is enough, not all are needed");
+    table.special({Spelling{"not", 3}}, {},
+                  [](Reader& reader, RangePhrase& phrase) {
+                      if (!phrase.elements.empty()) {
+                          phrase.elements.back().negated = true;
+                          return;
+                      }
+                      throw Diagnostic("'not' stands before the element that it turns round",
+                                       "write it behind: range z 0 1 not")
+                          .at(reader.previous().place);
+                  },
+                  "turns the element before it round");
+    return std::move(table).list();
+}
+
+std::vector<std::string_view> words_of(const std::vector<KeywordSpec>& elements) {
+    std::vector<std::string_view> words;
+    for (const auto& element : elements)
+        for (const Spelling& s : element.words) words.push_back(s.word);
+    return words;
+}
+
+} // namespace
+
+const std::vector<KeywordSpec>& range_elements() {
+    static const std::vector<KeywordSpec> elements = all_elements();
+    return elements;
+}
+
+void read_range(Reader& reader, RangePhrase& phrase) {
+    phrase.place = reader.peek()->place;
+    // `ra` is enough, and no element starts so.
+    if (Spelling{"range", 2}.matches(reader.peek()->folded)) reader.take();
+    if (reader.at_end())
+        incomplete_line(reader, "the range is empty", "write for example: range z 0 1");
+    while (!reader.at_end()) {
+        read_keywords(reader, range_elements(), &phrase);
+        if (!reader.at_end()) reader.unknown("a range element (the range ends the line)", words_of(range_elements()));
+    }
+    if (phrase.elements.empty()) incomplete_line(reader, "the range has no element", "write for example: range z 0 1");
+}
+
+} // namespace kaya::lang

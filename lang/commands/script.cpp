@@ -1,0 +1,62 @@
+// Scripts inside a deck: FISH and Lua.
+#include "lang/commands/builder.hpp"
+#include "lang/commands/commands.hpp"
+#include "lang/commands/language.hpp"
+
+namespace kaya::lang {
+
+namespace {
+
+CommandSpec define(std::vector<Spelling> words, std::vector<Spelling> form) {
+    Entry<FishDefinition> entry(std::move(words), std::move(form));
+    entry.help("defines a FISH function; its lines go up to a line with the word end");
+    entry.body("end", &FishDefinition::text, &FishDefinition::place, false);
+    entry.argument(text("name").help("name of the function"), [](FishDefinition&, const std::string&) {});
+    // Arguments of the function: the FISH compiler reads them from the text.
+    entry.otherwise({text("argument").optional().spec}, [](Reader& reader, FishDefinition&) {
+        reader.take();
+        return true;
+    });
+    return entry;
+}
+
+} // namespace
+
+Family script() {
+    CommandSpec plain = define({"define"}, {});
+    plain.right = {{"def half\n  half = 0.5\nend", {}}, {"define twice(a)\n  twice = 2*a\nend", {}}};
+    plain.wrong = {{"def half\n  half = 0.5", "define 'half' is never ended"}, {"def\nend", "a word is missing after 'def'"}};
+    CommandSpec modern = define({"fish"}, {"define"});
+    modern.right = {{"fish define half\n  half = 0.5\nend", {}}};
+    modern.wrong = {{"fish define half\n  half = 0.5", "fish define 'half' is never ended"}};
+    return {"script",
+            "FISH and Lua",
+            {
+                std::move(plain),
+                std::move(modern),
+                Entry<FishCall>({"@"})
+                    .help("runs a function or shows a value: @name or @name(arguments) alone on a line")
+                    .raw(&FishCall::expression)
+                    .start([](const Statement& statement, FishCall& call) {
+                        const Word& word = statement.words.front();
+                        call.expression = word.kind == WordKind::symbol ? statement.raw(0).substr(1) : word.text;
+                        call.place = word.place;
+                    })
+                    .right("@build_wall")
+                    .right("@place(1, 2)")
+                    .right("[stiffness * 2]"),
+                Entry<LuaChunk>({"lua"})
+                    .help("lines of Lua up to a line with the word endlua")
+                    .body("endlua", &LuaChunk::text, &LuaChunk::place, true)
+                    .right("lua\n  x = 1\nendlua")
+                    .wrong("lua\n  x = 1", "lua is never ended"),
+                Entry<LuaFile>({"lua"})
+                    .help("runs a file of Lua")
+                    .argument(text("file").help("name of the file"), &LuaFile::file)
+                    .place(&LuaFile::place)
+                    .right("lua average.lua")
+                    .wrong("lua a.lua b.lua", "'b.lua' is left over at the end of the line"),
+            }};
+}
+
+} // namespace kaya::lang

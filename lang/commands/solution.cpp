@@ -1,0 +1,128 @@
+// Commands that move the model in time.
+#include "lang/commands/builder.hpp"
+#include "lang/commands/commands.hpp"
+#include "lang/commands/language.hpp"
+
+namespace kaya::lang {
+
+namespace {
+
+CommandSpec damp() {
+    Entry<Damp> entry({"damp", "damping"});
+    entry.help("how motion is damped");
+    const auto kind = [](std::string_view word) {
+        return [word](Damp& d) { d.kind = word; };
+    };
+    entry.action({"auto"}, kind("auto"), "adaptive global damping, the same as global");
+    entry.special({"local"}, {real("factor").at_least(0).at_most(1).optional().spec},
+                  [](Reader& reader, Damp& d) {
+                      d.kind = "local";
+                      if (reader.at_number()) d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
+                  },
+                  "a force against the motion, a part of the unbalanced force; 0.8 if not given");
+    entry.action({"global"}, kind("global"), "viscous damping that follows the kinetic energy");
+    entry.action({"combined"}, kind("combined"), "local damping for motion that is mostly one way");
+    entry.action({"none", "off"}, kind("none"), "no damping");
+    entry.action({"mass"}, [](Damp& d) { d.stiffness = false; }, "of Rayleigh damping: only the mass part");
+    entry.action({"stiffness"}, [](Damp& d) { d.mass = false; }, "of Rayleigh damping: only the stiffness part");
+    const auto fraction = real("fraction").at_least(0);
+    const auto frequency = real("frequency").unit("1/time").above(0);
+    entry.otherwise({fraction.spec, frequency.spec}, [=](Reader& reader, Damp& d) {
+        if (!reader.at_number() || !d.kind.empty()) return false;
+        d.kind = "rayleigh";
+        d.fraction = reader.real(fraction.spec);
+        d.frequency = reader.real(frequency.spec);
+        return true;
+    });
+    entry.finish([](const Reader& reader, Damp& d) {
+        if (d.kind.empty())
+            incomplete_line(reader, "damp does not say how to damp",
+                            "expected: auto, local, global, combined, none, or fraction and frequency");
+        if (!d.mass && !d.stiffness)
+            incomplete_line(reader, "mass and stiff leave no part of the damping", "give one of them, or none for both");
+        if ((!d.mass || !d.stiffness) && d.kind != "rayleigh")
+            incomplete_line(reader, "mass and stiff belong to damping by fraction and frequency",
+                            "write for example: damp 0.05 1.5 mass");
+    });
+    entry.right("damp auto").right("damp local").right("DAMP LOCAL 0.8").right("damp 0.05 1.5 mass").right("damp none");
+    entry.wrong("damp", "damp does not say how to damp");
+    entry.wrong("damp 0.05", "a number is missing after '0.05'");
+    entry.wrong("damp local 2", "factor must be at most 1, not 2");
+    entry.wrong("damp locla", "'locla' is not a keyword of damp");
+    entry.wrong("damp local mass", "mass and stiff belong to damping by fraction and frequency");
+    return entry;
+}
+
+CommandSpec cycle() {
+    Entry<CycleCommand> entry({"cycle", "step"});
+    entry.help("moves the model on by a number of cycles or by a span of time");
+    entry.argument(integer("n").at_least(0).optional().help("number of cycles"), [](CycleCommand& c, std::int64_t n) { c.cycles = n; });
+    entry.keyword({"time"}, real("t").unit("time").at_least(0), &CycleCommand::time, "time to be covered");
+    entry.finish([](const Reader& reader, CycleCommand& c) {
+        if (!c.cycles && !c.time)
+            incomplete_line(reader, "cycle does not say how many cycles", "write for example: cycle 1000");
+    });
+    entry.right("cycle 1000").right("step 10").right("cyc 20000").right("cycle time 0.5").right("cycle @n");
+    entry.wrong("cycle", "cycle does not say how many cycles");
+    entry.wrong("step 10.5", "n takes a whole number, not 10.5");
+    entry.wrong("cycle -5", "n must be at least 0, not -5");
+    entry.wrong("cycle many", "'many' is not a keyword of cycle");
+    entry.wrong("cycle 10 20", "'20' stands where a keyword of cycle must be");
+    return entry;
+}
+
+CommandSpec solve() {
+    return Entry<Solve>({"solve"})
+        .help("cycles until the model is at rest or a limit is reached, whichever comes first")
+        .keyword({"ratio"}, real("r").above(0), &Solve::ratio, "unbalanced over average force; 1e-5 if no limit is given")
+        .keyword({"force"}, real("f").unit("force").at_least(0), &Solve::force, "largest unbalanced force")
+        .keyword({"cycles"}, integer("n").at_least(1), &Solve::cycles, "number of cycles")
+        .keyword({"time"}, real("t").unit("time").above(0), &Solve::time, "time to be covered")
+        .keyword({"clock"}, real("m").unit("minutes").above(0), &Solve::clock, "minutes on the clock")
+        .action({"elastic"}, [](Solve& s) { s.elastic = true; },
+                "first with unbreakable joints, then with the true ones")
+        .right("solve")
+        .right("solve ratio 1e-6 cyc 5000")
+        .right("solve elastic force 1e3")
+        .wrong("solve raito 1e-5", "'raito' is not a keyword of solve")
+        .wrong("solve ratio", "a number is missing after 'ratio'")
+        .wrong("solve ratio 0", "r must be greater than 0, not 0")
+        .wrong("solve 100", "'100' stands where a keyword of solve must be");
+}
+
+CommandSpec mass_scale() {
+    Entry<MassScale> entry({"mscale"});
+    entry.help("scales masses so that all bodies allow the same time step; for static models only");
+    const auto value = real("mass").above(0).optional();
+    entry.action({"on"}, [](MassScale& m) { m.on = true; }, "masses are scaled");
+    entry.action({"off"}, [](MassScale& m) { m.on = false; }, "true masses");
+    entry.otherwise({value.spec}, [=](Reader& reader, MassScale& m) {
+        if (!reader.at_number() || m.value) return false;
+        m.value = reader.real(value.spec);
+        return true;
+    });
+    entry.right("mscale on").right("mscale off").right("mscale");
+    entry.wrong("mscale maybe", "'maybe' is not a keyword of mscale");
+    return entry;
+}
+
+} // namespace
+
+Family solution() {
+    return {"solution",
+            "cycles, damping, time step",
+            {
+                cycle(),
+                solve(),
+                damp(),
+                mass_scale(),
+                Entry<Fraction>({"fraction"})
+                    .help("time step as a part of the largest stable one")
+                    .argument(real("f").above(0).at_most(1), &Fraction::value)
+                    .right("fraction 0.3")
+                    .wrong("fraction", "a number is missing after 'fraction'")
+                    .wrong("fraction 2", "f must be at most 1, not 2"),
+            }};
+}
+
+} // namespace kaya::lang
