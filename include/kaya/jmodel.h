@@ -80,6 +80,7 @@ typedef struct kaya_jbatch {
     double* shear_force[3];      /* in: old; out: new */
     double* normal_stiffness;    /* out: current tangent, stress/length; the time step uses it */
     double* shear_stiffness;     /* out: likewise; leave both as they are if they are constant */
+    int stiffness_changed;       /* out: 1 when `run` wrote to a stiffness column; the host sets 0 */
     double* frictional_work;     /* in, out: add what slip and breaking took up in this step */
     uint32_t* state;             /* in, out: bit i belongs to the i-th name of state_names */
     double* const* history;      /* in, out: history[k][i] is variable k of row i */

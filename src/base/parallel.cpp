@@ -25,7 +25,7 @@ void set_threads(int count) {
 
 int threads() { return thread_count; }
 
-void for_chunks(std::size_t n, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
+void for_chunks(std::size_t n, std::size_t grain, ChunkBody body) {
     if (n == 0) return;
     grain = std::max<std::size_t>(grain, 1);
     const std::size_t chunks = (n + grain - 1) / grain;

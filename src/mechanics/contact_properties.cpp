@@ -96,7 +96,7 @@ void find_contacts(Model& model, JointRegistry& joints) {
     if (!model.structure_changed) return;
     search_contacts(model, joints, false);
     model.structure_changed = false;
-    model.properties_changed = true;
+    model.properties_changed = model.lists_changed = true;
 }
 
 void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<Row>& contacts,
@@ -121,7 +121,7 @@ void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<R
         }
     }
     initialise_again(model, joints, contacts);
-    model.properties_changed = true;
+    model.properties_changed = model.lists_changed = true;
 }
 
 void set_joint_properties(Model& model, JointRegistry& joints, const std::vector<Row>& contacts, const Items& items,
@@ -152,7 +152,7 @@ void set_joint_properties(Model& model, JointRegistry& joints, const std::vector
     for (const Row c : contacts) model.contacts.properties[c] = renamed[model.contacts.properties[c]];
     if (all) model.settings.default_properties = renamed[model.settings.default_properties];
     initialise_again(model, joints, contacts);
-    model.properties_changed = true;
+    model.properties_changed = model.lists_changed = true;
 }
 
 void set_joint_material(Model& model, JointRegistry& joints, std::int32_t material, const Items& items,
@@ -167,7 +167,7 @@ void set_joint_material(Model& model, JointRegistry& joints, std::int32_t materi
     }
     model.joint_properties = std::move(sets);
     for (const auto& [name, value] : items) model.materials[material].joint[name] = value;
-    model.properties_changed = true;
+    model.properties_changed = model.lists_changed = true;
 }
 
 void change_joint_material(Model& model, JointRegistry& joints, const std::vector<Row>& contacts,
@@ -182,7 +182,7 @@ void change_joint_material(Model& model, JointRegistry& joints, const std::vecto
         model.contacts.properties[c] = renamed[old];
         model.contacts.material[c] = material;
     }
-    model.properties_changed = true;
+    model.properties_changed = model.lists_changed = true;
 }
 
 namespace {

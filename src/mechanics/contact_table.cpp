@@ -193,7 +193,7 @@ void replace_contacts(Model& model, JointRegistry& joints, std::vector<ContactDr
     for (const auto& [h, id] : recorded) model.histories.all[h].source.row = subs.ids.row(id);
 
     start_sub_contacts(model, joints, fresh, moving);
-    model.properties_changed = true;
+    model.lists_changed = true;
 }
 
 void search_contacts(Model& model, JointRegistry& joints, bool moving) {

@@ -1,15 +1,19 @@
 // One cycle of the explicit scheme: the only place where the order of the phases stands.
 #pragma once
 
+#include "base/diagnostic.hpp"
 #include "joints/joint_model.hpp"
 #include "model/model.hpp"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace kaya {
+
+struct MotionSums;
 
 /// Where scripts and programs are called inside a cycle. They may read all and write fields; a change
 /// of structure from inside waits for the end of the cycle.
@@ -47,10 +51,18 @@ public:
     Hooks hooks;
 
 private:
-    struct Scratch; // adjacency and buffers, derived from the model, never saved
+    struct Scratch;
+
+    void make_lists();
+    void limit_step(bool may_grow);
+    void adapt_viscosity(const MotionSums& motion);
+    bool detect_contacts();
+    void run_hooks(const std::vector<std::function<void()>>& list);
+    Diagnostic lost() const;
+
     Model& model_;
     JointRegistry& joints_;
-    Scratch* scratch_;
+    std::unique_ptr<Scratch> scratch_;
 };
 
 } // namespace kaya

@@ -43,11 +43,12 @@ public:
     Column<Span> zones;
     Column<double> volume;        ///< length^3
     Column<double> mass;          ///< 0 until the density is known (at the first cycle)
-    Column<Mat3> inertia;         ///< about the centroid, in the block's own axes
+    Column<Mat3> inertia;         ///< of unit density, about the centroid, in the block's own axes
     Column<Vec3> centroid;
     Column<Quaternion> orientation; ///< turns own axes into global ones
     Column<Vec3> velocity;          ///< rigid blocks, of the centroid
     Column<Vec3> rotational_velocity; ///< global axes, rad/time
+    Column<Vec3> angular_momentum;    ///< about the centroid, global axes; what free spin keeps
     Column<Vec3> displacement;        ///< of the centroid
     Column<Vec3> force;               ///< sum of the last cycle, gravity and damping not included
     Column<Vec3> moment;
@@ -75,6 +76,7 @@ public:
         visit("orientation", orientation);
         visit("velocity", velocity);
         visit("rotational_velocity", rotational_velocity);
+        visit("angular_momentum", angular_momentum);
         visit("displacement", displacement);
         visit("force", force);
         visit("moment", moment);
@@ -95,7 +97,7 @@ public:
     Column<Vec3> displacement;
     Column<Vec3> force; ///< sum of the last cycle, gravity and damping not included
     Column<Vec3> load;  ///< applied force, constant
-    Column<double> stiffness; ///< sum of the tangent stiffnesses that act on it; limits the time step
+    Column<double> zone_frequency; ///< bound of the zones' part of its frequency, (rad/time)^2
 
     template <class Visit> void columns(Visit&& visit) {
         visit("block", block);
@@ -107,7 +109,7 @@ public:
         visit("displacement", displacement);
         visit("force", force);
         visit("load", load);
-        visit("stiffness", stiffness);
+        visit("zone_frequency", zone_frequency);
     }
 };
 

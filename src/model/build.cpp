@@ -136,10 +136,11 @@ Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& option
     blocks.region[b] = options.region;
     blocks.group[b] = options.group;
     blocks.volume[b] = mass.volume;
-    blocks.inertia[b] = mass.inertia; // of unit density until the density is known
+    blocks.inertia[b] = mass.inertia;
     blocks.centroid[b] = mass.centroid;
     blocks.orientation[b] = Quaternion(1, 0, 0, 0);
     blocks.velocity[b] = blocks.rotational_velocity[b] = blocks.displacement[b] = Vec3::Zero();
+    blocks.angular_momentum[b] = Vec3::Zero();
     blocks.force[b] = blocks.moment[b] = blocks.load[b] = blocks.torque[b] = Vec3::Zero();
 
     const Row g0 = append(model.gridpoints, polyhedron.vertices.size());

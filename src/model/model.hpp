@@ -35,10 +35,10 @@ struct Model {
     std::int32_t next_contact_number = 1;
     std::int32_t next_sub_contact_number = 1;
 
-    /// Something was made, deleted or zoned: contacts and what is derived must be made anew.
-    bool structure_changed = true;
-    /// Masses, stiffnesses or the time step must be computed anew.
-    bool properties_changed = true;
+    // What is stale. Not part of the state: a restored model has only `lists_changed`.
+    bool structure_changed = true;  ///< blocks were made, deleted or zoned: contacts are searched anew
+    bool properties_changed = true; ///< masses, stiffnesses or the time step are computed anew
+    bool lists_changed = true;      ///< contacts were replaced: lists of who acts on whom are made anew
 
     /// Every table with its name, in a fixed order.
     template <class Visit> void tables(Visit&& visit) {

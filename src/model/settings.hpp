@@ -37,11 +37,9 @@ struct Clock {
     double time_step = 0;      ///< 0: not computed yet
     double global_viscosity = 0; ///< of adaptive global damping, 1/time
     double last_kinetic = 0;
+    double travelled = 0; ///< longest way gone by a body since contacts were searched
     double unbalanced_force = 0; ///< largest of the last cycle
-    double average_ratio = 0, maximum_ratio = 0, local_ratio = 0;
-    // Energy, accumulated since the last `reset energy`.
-    double kinetic = 0, gravity_work = 0, boundary_work = 0, damped = 0, frictional = 0;
-    double joint_elastic = 0, zone_elastic = 0;
+    double average_ratio = 0, maximum_ratio = 0, local_ratio = 0; ///< docs/theory/motion.md
 };
 
 } // namespace kaya

@@ -1,0 +1,54 @@
+#include "mechanics/adjacency.hpp"
+
+namespace kaya {
+
+namespace {
+
+/// Counting sort: `each(add)` calls add(row, entry) in ascending order of entries, twice.
+template <class Entry, class Each> Lists<Entry> sorted_lists(std::size_t rows, Each each) {
+    Lists<Entry> lists;
+    lists.start.assign(rows + 1, 0);
+    each([&](Row row, const Entry&) { ++lists.start[row + 1]; });
+    for (std::size_t i = 0; i < rows; ++i) lists.start[i + 1] += lists.start[i];
+    lists.entries.resize(lists.start[rows]);
+    std::vector<Row> next(lists.start.begin(), lists.start.end() - 1);
+    each([&](Row row, const Entry& entry) { lists.entries[next[row]++] = entry; });
+    return lists;
+}
+
+} // namespace
+
+Adjacency make_adjacency(const Model& model) {
+    Adjacency adjacency;
+    const auto& subs = model.sub_contacts;
+    const auto& blocks = model.blocks;
+    const auto sides = [&](Row s) {
+        const Row contact = subs.contact[s];
+        return std::array{std::pair{model.contacts.block1[contact], &subs.side1[s]},
+                          std::pair{model.contacts.block2[contact], &subs.side2[s]}};
+    };
+    adjacency.of_gridpoint = sorted_lists<SideEntry>(model.gridpoints.size(), [&](auto add) {
+        for (Row s = 0; s < static_cast<Row>(subs.size()); ++s)
+            for (std::int32_t side = 0; side < 2; ++side) {
+                const auto [block, attachment] = sides(s)[side];
+                if (!blocks.deformable[block]) continue;
+                for (int k = 0; k < 3; ++k)
+                    if (attachment->weights[k] != 0)
+                        add(attachment->gridpoints[k], SideEntry{s, side, attachment->weights[k]});
+            }
+    });
+    adjacency.of_block = sorted_lists<SideEntry>(blocks.size(), [&](auto add) {
+        for (Row s = 0; s < static_cast<Row>(subs.size()); ++s)
+            for (std::int32_t side = 0; side < 2; ++side) {
+                const Row block = sides(s)[side].first;
+                if (!blocks.deformable[block]) add(block, SideEntry{s, side, 1.0});
+            }
+    });
+    adjacency.corners = sorted_lists<Row>(model.gridpoints.size(), [&](auto add) {
+        for (Row z = 0; z < static_cast<Row>(model.zones.size()); ++z)
+            for (int k = 0; k < 4; ++k) add(model.zones.gridpoints[z][k], 4 * z + k);
+    });
+    return adjacency;
+}
+
+} // namespace kaya

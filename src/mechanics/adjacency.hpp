@@ -1,0 +1,34 @@
+// Who acts on whom: forces are gathered through these lists, in the order of their rows.
+#pragma once
+
+#include "model/model.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+/// For every row of one table the entries that belong to it, in ascending order.
+template <class Entry> struct Lists {
+    std::vector<Row> start{0}; ///< one more than rows
+    std::vector<Entry> entries;
+
+    const Entry* begin(Row row) const { return entries.data() + start[row]; }
+    const Entry* end(Row row) const { return entries.data() + start[row + 1]; }
+};
+
+/// A weight in one side of a sub-contact.
+struct SideEntry {
+    Row sub_contact;
+    std::int32_t side; ///< 0 or 1
+    double weight;
+};
+
+struct Adjacency {
+    Lists<SideEntry> of_gridpoint; ///< gridpoints of deformable blocks
+    Lists<SideEntry> of_block;     ///< rigid blocks, weight 1
+    Lists<Row> corners;            ///< of each gridpoint: 4 zone + corner
+};
+
+Adjacency make_adjacency(const Model& model);
+
+} // namespace kaya

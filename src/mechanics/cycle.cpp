@@ -1,0 +1,254 @@
+#include "mechanics/cycle.hpp"
+
+#include "base/diagnostic.hpp"
+#include "mechanics/contact_properties.hpp"
+#include "mechanics/contact_table.hpp"
+#include "mechanics/phases.hpp"
+#include "model/sampling.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <set>
+
+namespace kaya {
+
+namespace {
+
+/// Cycles between two looks at whether the time step may grow again; a step that must shrink does at once.
+constexpr std::int64_t growth_interval = 100;
+/// The step shrinks a little more than it must, so that it does not have to again in the next cycle.
+constexpr double shrink = 0.9;
+
+enum Phase { move, contact, joint, zone, search, gather, step, script, phase_count };
+
+std::vector<PhaseTime> phase_names() {
+    return {{"move bodies"},     {"update contacts"}, {"joint models"},    {"zone models"},
+            {"search contacts"}, {"gather forces"},   {"time step limit"}, {"hooks and histories"}};
+}
+
+double smallest_margin(const Model& model) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t b = 0; b < model.blocks.size(); ++b)
+        least = std::min(least, contact_margin(model, static_cast<Row>(b)));
+    return least;
+}
+
+/// Joint properties that must be given and are not, and values that do not go together.
+void check_properties(const Model& model, JointRegistry& joints) {
+    std::set<Row> used;
+    for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+        const Row row = model.contacts.properties[c];
+        if (!used.insert(row).second) continue;
+        const auto& set = model.joint_properties[row];
+        const JointModel& joint = joints.get(set.model);
+        std::string list;
+        for (const auto& name : joint.missing(set.values)) list += (list.empty() ? "" : ", ") + name;
+        const std::string complaint = list.empty() ? joint.check(set.values) : "";
+        if (list.empty() && complaint.empty()) continue;
+        Diagnostic d(
+            list.empty() ? fmt::format("joint model '{}': {}", joint.name, complaint)
+                         : fmt::format("joint model '{}' is used without {}", joint.name, list),
+            list.empty() ? "" : fmt::format("give it with `jmodel {} value` or `prop jmat {}`",
+                                            joint.missing(set.values).front(), set.material));
+        d.code = "property-missing";
+        d.add(fmt::format("first used by contact {} between blocks {} and {}", model.contacts.number[c],
+                          model.blocks.number[model.contacts.block1[c]],
+                          model.blocks.number[model.contacts.block2[c]]));
+        if (!set.place.empty()) d.add("properties given at " + set.place);
+        throw d;
+    }
+}
+
+} // namespace
+
+/// What is derived from the model and never saved.
+struct Cycle::Scratch {
+    Adjacency adjacency;
+    std::vector<Batch> batches;
+    std::vector<ElasticConstants> elastic;
+    std::vector<Vec3> corner_forces;
+    double margin = 0; ///< smallest contact margin of all blocks
+    std::vector<PhaseTime> timing = phase_names();
+
+    /// Calls a phase and adds its time.
+    template <class Call> auto timed(Phase phase, Call call) {
+        struct Stop {
+            PhaseTime& time;
+            std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+            ~Stop() {
+                time.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+                ++time.calls;
+            }
+        } stop{timing[phase]};
+        return call();
+    }
+};
+
+Cycle::Cycle(Model& model, JointRegistry& joints)
+    : model_(model), joints_(joints), scratch_(std::make_unique<Scratch>()) {}
+
+Cycle::~Cycle() = default;
+
+const std::vector<PhaseTime>& Cycle::timing() const { return scratch_->timing; }
+
+void Cycle::prepare() {
+    Scratch& s = *scratch_;
+    find_contacts(model_, joints_);
+    if (model_.properties_changed) {
+        check_properties(model_, joints_);
+        compute_masses(model_);
+        s.elastic = elastic_constants(model_);
+        zone_frequencies(model_, s.elastic);
+    }
+    if (model_.lists_changed || model_.properties_changed) {
+        make_lists();
+        model_.lists_changed = false;
+    }
+    if (model_.properties_changed) {
+        // Forces of what is there already, so that the first step starts from them.
+        gather_forces(model_, s.adjacency, s.corner_forces);
+        model_.clock.time_step = 0;
+        limit_step(true);
+        model_.clock.travelled = 0;
+        model_.properties_changed = false;
+    }
+}
+
+void Cycle::make_lists() {
+    Scratch& s = *scratch_;
+    s.adjacency = make_adjacency(model_);
+    s.batches = make_batches(model_, joints_);
+    s.elastic = elastic_constants(model_);
+    zone_forces(model_, s.corner_forces);
+    s.margin = smallest_margin(model_);
+}
+
+void Cycle::limit_step(bool may_grow) {
+    Clock& clock = model_.clock;
+    const Settings& settings = model_.settings;
+    const StepLimit limit = limit_of_step(model_, scratch_->adjacency);
+    const double stable = limit.frequency_squared > 0 ? 2 / std::sqrt(limit.frequency_squared) : 0;
+    if (settings.given_time_step > 0) {
+        if (stable > 0 && settings.given_time_step > stable) {
+            Diagnostic d(fmt::format("the time step {:.6g} is above the largest stable one, {:.6g}",
+                                     settings.given_time_step, stable),
+                         "give a smaller one, or none");
+            d.add(time_step_report());
+            throw d;
+        }
+        clock.time_step = settings.given_time_step;
+        return;
+    }
+    if (stable == 0) {
+        // Nothing is elastic: a thousandth of the time to fall through one's own size is fine enough.
+        double size = 1;
+        for (std::size_t b = 0; b < model_.blocks.size(); ++b) size = std::min(size, std::cbrt(model_.blocks.volume[b]));
+        const double g = settings.gravity.norm();
+        if (clock.time_step == 0) clock.time_step = 1e-3 * (g > 0 ? std::sqrt(2 * size / g) : 1.0);
+        return;
+    }
+    const double wanted = settings.time_step_fraction * stable;
+    if (clock.time_step == 0) clock.time_step = wanted;
+    else if (wanted < clock.time_step) clock.time_step = shrink * wanted;
+    else if (may_grow && wanted * shrink * shrink > clock.time_step) clock.time_step = wanted;
+}
+
+void Cycle::adapt_viscosity(const MotionSums& motion) {
+    // Cundall 1982: the power that damping takes is kept a given part of the rate at which kinetic energy
+    // changes.
+    Clock& clock = model_.clock;
+    if (model_.settings.damping == Damping::global) {
+        if (clock.global_viscosity == 0) clock.global_viscosity = 0.01 / clock.time_step;
+        const double rate = std::abs(motion.kinetic - clock.last_kinetic) / clock.time_step;
+        const double ratio = rate > 0 ? motion.damping_power / rate : 0;
+        clock.global_viscosity *= ratio > model_.settings.global_ratio ? 0.95 : 1.05;
+        clock.global_viscosity = std::min(clock.global_viscosity, 1 / clock.time_step);
+    }
+    clock.last_kinetic = motion.kinetic;
+}
+
+bool Cycle::detect_contacts() {
+    // A body that has gone half the margin, towards another that has too, may be about to touch.
+    Clock& clock = model_.clock;
+    const bool changed = refresh_slid_contacts(model_, joints_);
+    if (2 * clock.travelled < scratch_->margin) return changed;
+    search_contacts(model_, joints_, true);
+    clock.travelled = 0;
+    return true;
+}
+
+// The order of one step, and the only place where it stands.
+void Cycle::advance() {
+    prepare();
+    Scratch& s = *scratch_;
+    Clock& clock = model_.clock;
+
+    run_hooks(hooks.before_cycle);
+    const MotionSums motion = s.timed(move, [&] {
+        MotionSums sums = move_blocks(model_);
+        const MotionSums of_gridpoints = move_gridpoints(model_);
+        sums.kinetic += of_gridpoints.kinetic;
+        sums.damping_power += of_gridpoints.damping_power;
+        sums.travel = std::max(sums.travel, of_gridpoints.travel);
+        return sums;
+    });
+    s.timed(contact, [&] { update_contacts(model_); });
+    bool stiffness_changed = s.timed(joint, [&] { return run_joint_models(model_, s.batches); });
+    s.timed(zone, [&] { run_zone_models(model_, s.elastic, s.corner_forces); });
+    clock.travelled += motion.travel;
+    clock.time += clock.time_step;
+    ++clock.cycle;
+    const bool contacts_changed = s.timed(search, [&] {
+        if (!model_.settings.large_strain || !detect_contacts()) return false;
+        make_lists();
+        model_.lists_changed = false;
+        return true;
+    });
+    s.timed(gather, [&] { gather_forces(model_, s.adjacency, s.corner_forces); });
+    run_hooks(hooks.after_forces);
+
+    if (!std::isfinite(motion.kinetic) || !std::isfinite(clock.unbalanced_force)) throw lost();
+    adapt_viscosity(motion);
+    const bool may_grow = clock.cycle % growth_interval == 0;
+    if (stiffness_changed || contacts_changed || may_grow)
+        s.timed(step, [&] {
+            if (may_grow) zone_frequencies(model_, s.elastic);
+            limit_step(may_grow);
+        });
+    s.timed(script, [&] { sample_histories(model_, hooks.script_value); });
+    run_hooks(hooks.after_cycle);
+}
+
+void Cycle::run_hooks(const std::vector<std::function<void()>>& list) {
+    if (list.empty()) return;
+    scratch_->timed(script, [&] {
+        for (const auto& hook : list) hook();
+    });
+}
+
+Diagnostic Cycle::lost() const {
+    Diagnostic d("the motion of the model is no longer a number",
+                 "a velocity or a force has grown without limit: look at the time step, stiffnesses and loads",
+                 Fault::run);
+    d.code = "motion-lost";
+    d.add(fmt::format("cycle {}, time {:.6g}", model_.clock.cycle, model_.clock.time));
+    return d;
+}
+
+std::string Cycle::time_step_report() {
+    const StepLimit limit = limit_of_step(model_, scratch_->adjacency);
+    if (limit.row == no_row || limit.frequency_squared <= 0) return "nothing limits the time step: no stiffness acts";
+    const double stable = 2 / std::sqrt(limit.frequency_squared);
+    if (limit.of_block)
+        return fmt::format("largest stable step {:.6g}, set by block {} and the joints on it", stable,
+                           model_.blocks.number[limit.row]);
+    const Vec3& x = model_.gridpoints.position[limit.row];
+    const double zones = model_.gridpoints.zone_frequency[limit.row] / limit.frequency_squared;
+    return fmt::format("largest stable step {:.6g}, set by the gridpoint of block {} at ({:.6g}, {:.6g}, {:.6g}): "
+                       "{:.0f} % by its zones, {:.0f} % by joints",
+                       stable, model_.blocks.number[model_.gridpoints.block[limit.row]], x.x(), x.y(), x.z(),
+                       100 * zones, 100 * (1 - zones));
+}
+
+} // namespace kaya

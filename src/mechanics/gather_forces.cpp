@@ -1,0 +1,128 @@
+#include "base/reduce.hpp"
+#include "mechanics/phases.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace kaya {
+
+namespace {
+
+constexpr std::size_t grain = 512;
+
+/// Force of a sub-contact on its second side: on the first it is the opposite.
+Vec3 force_of(const Model& model, Row s) {
+    const auto& subs = model.sub_contacts;
+    const double normal = subs.normal_force[s] + subs.pore_pressure[s] * subs.area[s];
+    return normal * model.contacts.normal[subs.contact[s]] + subs.shear_force[s];
+}
+
+/// Unbalanced forces of free bodies against the forces that act on them.
+struct Balance {
+    double largest = 0;      ///< unbalanced force of one body
+    double unbalanced = 0;   ///< sum over bodies
+    double applied = 0;      ///< sum over bodies of the sizes of all forces on them
+    double local_ratio = 0;  ///< largest unbalanced over applied of one body
+    std::size_t bodies = 0;
+
+    void add(const Vec3& force, double acting) {
+        const double size = force.norm();
+        largest = std::max(largest, size);
+        unbalanced += size;
+        applied += acting;
+        if (acting > 0) local_ratio = std::max(local_ratio, size / acting);
+        ++bodies;
+    }
+};
+
+void combine(Balance& sum, const Balance& part) {
+    sum.largest = std::max(sum.largest, part.largest);
+    sum.unbalanced += part.unbalanced;
+    sum.applied += part.applied;
+    sum.local_ratio = std::max(sum.local_ratio, part.local_ratio);
+    sum.bodies += part.bodies;
+}
+
+/// The components that may move.
+Vec3 free_part(Vec3 force, std::uint8_t fixed) {
+    for (int k = 0; k < 3; ++k)
+        if (fixed & (1 << k)) force[k] = 0;
+    return force;
+}
+
+} // namespace
+
+void gather_forces(Model& model, const Adjacency& adjacency, const std::vector<Vec3>& corner_forces) {
+    auto& g = model.gridpoints;
+    auto& blocks = model.blocks;
+    const Vec3 gravity = model.settings.gravity;
+
+    Balance balance = reduce_chunks(
+        g.size(), grain, Balance{},
+        [&](std::size_t first, std::size_t last) {
+            Balance part;
+            for (std::size_t i = first; i < last; ++i) {
+                const Row row = static_cast<Row>(i);
+                if (!blocks.deformable[g.block[row]]) continue;
+                Vec3 sum = Vec3::Zero();
+                double acting = 0;
+                for (auto c = adjacency.corners.begin(row); c != adjacency.corners.end(row); ++c) {
+                    sum += corner_forces[*c];
+                    acting += corner_forces[*c].norm();
+                }
+                for (auto e = adjacency.of_gridpoint.begin(row); e != adjacency.of_gridpoint.end(row); ++e) {
+                    const Vec3 force = (e->side == 0 ? -e->weight : e->weight) * force_of(model, e->sub_contact);
+                    sum += force;
+                    acting += force.norm();
+                }
+                g.force[row] = sum;
+                const Vec3 weight = g.mass[row] * gravity;
+                if ((g.fixed[row] & 7) != 7)
+                    part.add(free_part(sum + g.load[row] + weight, g.fixed[row]),
+                             acting + g.load[row].norm() + weight.norm());
+            }
+            return part;
+        },
+        combine);
+
+    const Balance of_blocks = reduce_chunks(
+        blocks.size(), grain, Balance{},
+        [&](std::size_t first, std::size_t last) {
+            Balance part;
+            for (std::size_t i = first; i < last; ++i) {
+                const Row row = static_cast<Row>(i);
+                Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
+                double acting = 0;
+                if (blocks.deformable[row]) {
+                    for (Row p = blocks.gridpoints[row].first; p < blocks.gridpoints[row].end(); ++p) sum += g.force[p];
+                    blocks.force[row] = sum;
+                    continue;
+                }
+                for (auto e = adjacency.of_block.begin(row); e != adjacency.of_block.end(row); ++e) {
+                    const Vec3 force = (e->side == 0 ? -1.0 : 1.0) * force_of(model, e->sub_contact);
+                    sum += force;
+                    moment += (model.sub_contacts.position[e->sub_contact] - blocks.centroid[row]).cross(force);
+                    acting += force.norm();
+                }
+                blocks.force[row] = sum;
+                blocks.moment[row] = moment;
+                const Vec3 weight = blocks.mass[row] * gravity;
+                if ((blocks.fixed[row] & 7) != 7)
+                    part.add(free_part(sum + blocks.load[row] + weight, blocks.fixed[row]),
+                             acting + blocks.load[row].norm() + weight.norm());
+            }
+            return part;
+        },
+        combine);
+    combine(balance, of_blocks);
+
+    Clock& clock = model.clock;
+    clock.unbalanced_force = balance.largest;
+    clock.average_ratio = balance.applied > 0 ? balance.unbalanced / balance.applied : 0;
+    clock.maximum_ratio =
+        balance.applied > 0 ? balance.largest * static_cast<double>(balance.bodies) / balance.applied : 0;
+    clock.local_ratio = balance.local_ratio;
+}
+
+} // namespace kaya

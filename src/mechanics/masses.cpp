@@ -1,0 +1,69 @@
+#include "base/diagnostic.hpp"
+#include "mechanics/phases.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+const Material& material_of(const Model& model, Row block) {
+    static const Material none;
+    const auto found = model.materials.find(model.blocks.material[block]);
+    return found == model.materials.end() ? none : found->second;
+}
+
+[[noreturn]] void missing(const Model& model, Row block, const char* what, const char* words) {
+    const auto material = model.blocks.material[block];
+    Diagnostic d(fmt::format("block {} (material {}) has no {}", model.blocks.number[block], material, what),
+                 fmt::format("give it, e.g. `prop mat {} {}`", material, words));
+    d.code = "property-missing";
+    throw d;
+}
+
+/// Bulk and shear modulus; from Young's modulus and Poisson's ratio when those were given.
+std::pair<double, double> moduli(const Material& m) {
+    if (std::isfinite(m.bulk) && std::isfinite(m.shear)) return {m.bulk, m.shear};
+    return {m.young / (3 * (1 - 2 * m.poisson)), m.young / (2 * (1 + m.poisson))};
+}
+
+} // namespace
+
+void compute_masses(Model& model) {
+    auto& blocks = model.blocks;
+    auto& g = model.gridpoints;
+    // All densities are looked at before the first mass is written.
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const Row row = static_cast<Row>(b);
+        const double density = material_of(model, row).density;
+        const bool held = !blocks.deformable[b] && blocks.fixed[b] == fix_all;
+        if (!(density > 0) && !held) missing(model, row, density == 0 ? "mass: its density is 0" : "density", "dens 2600");
+    }
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const double density = material_of(model, static_cast<Row>(b)).density;
+        blocks.mass[b] = density > 0 ? density * blocks.volume[b] : 0;
+        const Span span = blocks.gridpoints[b];
+        for (Row row = span.first; row < span.end(); ++row) g.mass[row] = 0;
+        if (!blocks.deformable[b]) continue;
+        const Span zones = blocks.zones[b];
+        for (Row z = zones.first; z < zones.end(); ++z)
+            for (const Row row : model.zones.gridpoints[z]) g.mass[row] += 0.25 * density * model.zones.volume[z];
+    }
+}
+
+std::vector<ElasticConstants> elastic_constants(const Model& model) {
+    std::vector<ElasticConstants> constants(model.blocks.size());
+    for (std::size_t b = 0; b < constants.size(); ++b) {
+        if (!model.blocks.deformable[b]) continue;
+        const Row row = static_cast<Row>(b);
+        const auto [bulk, shear] = moduli(material_of(model, row));
+        if (!(std::isfinite(bulk) && std::isfinite(shear))) missing(model, row, "elastic moduli", "bulk 4e9 shear 3e9");
+        if (!(bulk > 0 && shear > 0))
+            missing(model, row, "stiffness: its bulk and shear moduli must be above 0", "bulk 4e9 shear 3e9");
+        constants[b] = {bulk - 2.0 / 3.0 * shear, 2 * shear};
+    }
+    return constants;
+}
+
+} // namespace kaya

@@ -1,0 +1,70 @@
+// The phases of a cycle. Each is a free function in a file of its own name and says what it reads and
+// writes; cycle.cpp puts them in order.
+#pragma once
+
+#include "mechanics/adjacency.hpp"
+#include "mechanics/batches.hpp"
+#include "model/model.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+/// Sums over moving bodies that stopping and damping need.
+struct MotionSums {
+    double kinetic = 0;       ///< energy
+    double damping_power = 0; ///< of viscous damping
+    double travel = 0;        ///< longest way that a point of a body has gone in this step
+};
+
+/// Reads forces, loads, masses; writes velocities, positions, displacements, orientations of rigid blocks
+/// and the positions of their vertices.
+MotionSums move_blocks(Model& model);
+
+/// The same for gridpoints of deformable blocks, and their blocks' centroids.
+MotionSums move_gridpoints(Model& model);
+
+/// Reads positions and velocities; writes planes, displacement increments, sub-contact positions; turns
+/// shear forces with the planes.
+void update_contacts(Model& model);
+
+/// Reads displacement increments; writes contact forces, displacements, history, state, stiffnesses.
+/// Returns whether a tangent stiffness changed.
+bool run_joint_models(Model& model, const std::vector<Batch>& batches);
+
+/// Lame's constants of a block: stress = lambda trace(strain) + two_shear strain.
+struct ElasticConstants {
+    double lambda = 0, two_shear = 0;
+};
+
+/// One entry per block, zero for rigid ones. Throws Diagnostic when a deformable block's material has
+/// no moduli.
+std::vector<ElasticConstants> elastic_constants(const Model& model);
+
+/// Reads gridpoint motion; writes zone stresses and the four corner forces of every zone.
+void run_zone_models(Model& model, const std::vector<ElasticConstants>& elastic, std::vector<Vec3>& corner_forces);
+
+/// Corner forces of the stresses that are there, without a step.
+void zone_forces(const Model& model, std::vector<Vec3>& corner_forces);
+
+/// Reads contact forces, corner forces, loads; writes forces and moments in row order, and the unbalanced
+/// force and its ratios in the clock.
+void gather_forces(Model& model, const Adjacency& adjacency, const std::vector<Vec3>& corner_forces);
+
+/// Masses of blocks and gridpoints from the densities. Throws Diagnostic when one is missing.
+void compute_masses(Model& model);
+
+/// Writes Gridpoints::zone_frequency.
+void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic);
+
+/// The body that limits the time step.
+struct StepLimit {
+    double frequency_squared = 0; ///< upper bound of the highest, (rad/time)^2
+    bool of_block = false;
+    Row row = no_row; ///< gridpoint or rigid block
+};
+
+/// A bound on the highest frequency of the system: docs/theory/time-step.md.
+StepLimit limit_of_step(const Model& model, const Adjacency& adjacency);
+
+} // namespace kaya
