@@ -1,0 +1,106 @@
+#include "io/history_csv.hpp"
+
+#include "base/diagnostic.hpp"
+#include "io/whole_file.hpp"
+#include "model/field.hpp"
+#include "model/sampling.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+namespace kaya {
+
+namespace {
+
+using Kind = HistorySource::Kind;
+
+const History& find_history(const Histories& histories, std::int64_t number) {
+    for (const auto& history : histories.all)
+        if (history.number == number) return history;
+    const auto count = histories.all.size();
+    throw Diagnostic(fmt::format("there is no history {}", number),
+                     count == 0 ? std::string("no history is defined")
+                                : fmt::format("histories 1 to {} are defined", histories.all.back().number));
+}
+
+/// RFC 4180: quotes around what has a separator in it, and quotes doubled.
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"') result += '"';
+        result += c;
+    }
+    return result + '"';
+}
+
+const char* object_name(Kind kind) {
+    switch (kind) {
+    case Kind::gridpoint: return "gridpoint";
+    case Kind::zone: return "zone";
+    case Kind::sub_contact: return "sub-contact";
+    case Kind::block: return "block";
+    case Kind::global:
+    case Kind::function: break;
+    }
+    return "";
+}
+
+/// The sample of a history in that row of the table, NaN where it has none.
+double sample_at(const History& history, std::size_t row) {
+    const bool there = row >= history.first_sample && row - history.first_sample < history.values.size();
+    return there ? history.values[row - history.first_sample] : std::nan("");
+}
+
+void append_cell(std::string& text, double number) {
+    if (!std::isnan(number)) fmt::format_to(std::back_inserter(text), "{}", number);
+}
+
+} // namespace
+
+std::string column_title(const History& history) {
+    const auto& source = history.source;
+    const std::string head = fmt::format("{}:{}", history.number, history.label);
+    if (source.kind == Kind::function) return fmt::format("{} [script {}]", head, source.quantity);
+    const std::string_view unit = sampled_field(source)->unit;
+    const std::string name = history.label == source.quantity ? "" : source.quantity + ", ";
+    if (source.kind == Kind::global) return fmt::format("{} [{}{}]", head, name, unit);
+    return fmt::format("{} [{}{}, {} nearest to {} {} {}]", head, name, unit, object_name(source.kind),
+                       source.place.x(), source.place.y(), source.place.z());
+}
+
+std::string history_csv(const Histories& histories, const std::vector<std::int64_t>& numbers,
+                        std::optional<std::int64_t> versus) {
+    std::vector<const History*> columns;
+    if (versus) columns.push_back(&find_history(histories, *versus));
+    if (numbers.empty()) {
+        for (const auto& history : histories.all)
+            if (!versus || history.number != *versus) columns.push_back(&history);
+    }
+    for (const auto number : numbers) columns.push_back(&find_history(histories, number));
+
+    std::string text = versus ? "" : "cycle,time";
+    for (const auto* history : columns) {
+        if (!text.empty()) text += ',';
+        text += quoted(column_title(*history));
+    }
+    text += '\n';
+    for (std::size_t row = 0; row < histories.time.size(); ++row) {
+        if (!versus) fmt::format_to(std::back_inserter(text), "{},{}", histories.cycle[row], histories.time[row]);
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+            if (!versus || k > 0) text += ',';
+            append_cell(text, sample_at(*columns[k], row));
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+void write_history_csv(const Histories& histories, const std::string& path,
+                       const std::vector<std::int64_t>& numbers, std::optional<std::int64_t> versus) {
+    write_whole_file(path, history_csv(histories, numbers, versus));
+}
+
+} // namespace kaya

@@ -1,0 +1,131 @@
+#include "io/whole_file.hpp"
+
+#include "base/diagnostic.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace kaya {
+
+namespace {
+
+/// Closes a descriptor and, unless kept, removes the unfinished file of that name.
+class OpenFile {
+public:
+    OpenFile(int descriptor, std::string unfinished) : descriptor_(descriptor), unfinished_(std::move(unfinished)) {}
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    ~OpenFile() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+        if (!unfinished_.empty()) ::unlink(unfinished_.c_str());
+    }
+
+    int descriptor() const { return descriptor_; }
+    bool close() { return ::close(std::exchange(descriptor_, -1)) == 0; }
+    void keep() { unfinished_.clear(); }
+
+private:
+    int descriptor_;
+    std::string unfinished_;
+};
+
+[[noreturn]] void fail_to_write(const std::string& path, int error) {
+    std::string hint;
+    if (error == ENOSPC || error == EDQUOT || error == EFBIG)
+        hint = "make room or write elsewhere; a file of that name from before is as it was";
+    else if (error == ENOENT || error == ENOTDIR) hint = "make the folder first";
+    else if (error == EACCES || error == EPERM || error == EROFS) hint = "write to a folder that is yours";
+    else if (error == EISDIR) hint = "give the name of a file";
+    throw Diagnostic(fmt::format("cannot write '{}': {}", path, std::strerror(error)), hint, Fault::run);
+}
+
+bool write_all(int descriptor, std::string_view content) {
+    while (!content.empty()) {
+        const ssize_t written = ::write(descriptor, content.data(), content.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        content.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+void write_directly(const std::string& path, std::string_view content) {
+    OpenFile file(::open(path.c_str(), O_WRONLY | O_CLOEXEC), {});
+    if (file.descriptor() < 0 || !write_all(file.descriptor(), content)) fail_to_write(path, errno);
+    if (!file.close()) fail_to_write(path, errno);
+}
+
+/// A new name in a folder is on the disk only when the folder is.
+void sync_folder_of(const std::string& path) {
+    const auto parent = std::filesystem::path(path).parent_path();
+    const int folder = ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) return; // the file itself is complete all the same
+    ::fsync(folder);
+    ::close(folder);
+}
+
+} // namespace
+
+void write_whole_file(const std::string& path, std::string_view content) {
+    if (path.empty()) throw Diagnostic("cannot write a file without a name", "give it a name", Fault::run);
+    // The target of a link is replaced, not the link.
+    std::error_code none;
+    std::string target = path;
+    if (std::filesystem::is_symlink(path, none)) {
+        const auto followed = std::filesystem::canonical(path, none);
+        if (!none) target = followed.string();
+    }
+    struct stat old {};
+    const bool exists = ::stat(target.c_str(), &old) == 0;
+    if (exists && S_ISDIR(old.st_mode)) fail_to_write(path, EISDIR);
+    if (exists && !S_ISREG(old.st_mode)) return write_directly(path, content);
+    // Renaming would replace a file that its owner has write-protected.
+    if (exists && ::access(target.c_str(), W_OK) != 0) fail_to_write(path, errno);
+
+    std::string unfinished = target + ".XXXXXX";
+    const int descriptor = ::mkostemp(unfinished.data(), O_CLOEXEC);
+    if (descriptor < 0) fail_to_write(path, errno);
+    OpenFile file(descriptor, unfinished);
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    ::fchmod(descriptor, exists ? old.st_mode & 07777 : 0666 & ~mask);
+    if (!write_all(descriptor, content) || ::fsync(descriptor) != 0) fail_to_write(path, errno);
+    if (!file.close()) fail_to_write(path, errno);
+    if (::rename(unfinished.c_str(), target.c_str()) != 0) fail_to_write(path, errno);
+    file.keep();
+    sync_folder_of(target);
+}
+
+std::string read_whole_file(const std::string& path) {
+    const auto fail = [&path](int error) {
+        if (error == ENOENT || error == ENOTDIR)
+            return Diagnostic(fmt::format("there is no file '{}'", path), "check the name and the folder");
+        if (error == EISDIR) return Diagnostic(fmt::format("'{}' is a folder", path), "give the name of a file");
+        return Diagnostic(fmt::format("cannot read '{}': {}", path, std::strerror(error)), {}, Fault::run);
+    };
+    OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC), {});
+    if (file.descriptor() < 0) throw fail(errno);
+    struct stat info {};
+    if (::fstat(file.descriptor(), &info) != 0) throw fail(errno);
+    if (S_ISDIR(info.st_mode)) throw fail(EISDIR);
+
+    std::string content;
+    content.reserve(static_cast<std::size_t>(info.st_size));
+    std::string buffer(std::size_t{1} << 20, '\0');
+    for (;;) {
+        const ssize_t got = ::read(file.descriptor(), buffer.data(), buffer.size());
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw fail(errno);
+        if (got == 0) return content;
+        content.append(buffer.data(), static_cast<std::size_t>(got));
+    }
+}
+
+} // namespace kaya

@@ -1,0 +1,105 @@
+#include "io/whole_file.hpp"
+
+#include "base/diagnostic.hpp"
+#include "tests/unit/io/scratch_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace kaya;
+using namespace kaya::test;
+using testing::HasSubstr;
+
+namespace {
+
+Diagnostic caught(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const Diagnostic& d) {
+        return d;
+    }
+    return Diagnostic("nothing was thrown");
+}
+
+} // namespace
+
+TEST(WholeFile, WhatIsWrittenIsReadBackAndNothingElseIsLeft) {
+    const ScratchFolder folder;
+    std::string content = "line\n";
+    content.push_back('\0');
+    content += std::string(3 << 20, 'x');
+    write_whole_file(folder / "a.csv", content);
+    EXPECT_EQ(read_whole_file(folder / "a.csv"), content);
+    write_whole_file(folder / "a.csv", "short");
+    EXPECT_EQ(read_whole_file(folder / "a.csv"), "short");
+    EXPECT_EQ(folder.file_count(), 1u);
+}
+
+TEST(WholeFile, AFullDiskLeavesTheFileFromBefore) {
+    const ScratchFolder folder;
+    write_whole_file(folder / "a.csv", "from before");
+    Diagnostic d("");
+    {
+        const SmallDisk disk(1000);
+        d = caught([&] { write_whole_file(folder / "a.csv", std::string(5000, 'x')); });
+    }
+    EXPECT_THAT(d.message, HasSubstr("cannot write '" + (folder / "a.csv") + "'"));
+    EXPECT_THAT(d.hint, HasSubstr("as it was"));
+    EXPECT_EQ(d.fault, Fault::run);
+    EXPECT_EQ(content_of(folder / "a.csv"), "from before");
+    EXPECT_EQ(folder.file_count(), 1u);
+}
+
+TEST(WholeFile, ADeviceIsWrittenToDirectly) {
+    const Diagnostic d = caught([] { write_whole_file("/dev/full", "text"); });
+    EXPECT_EQ(d.message, "cannot write '/dev/full': No space left on device");
+    EXPECT_EQ(d.fault, Fault::run);
+    write_whole_file("/dev/null", "text");
+    struct stat info {};
+    ASSERT_EQ(::stat("/dev/null", &info), 0);
+    EXPECT_TRUE(S_ISCHR(info.st_mode));
+}
+
+TEST(WholeFile, WritingSaysWhyItIsImpossible) {
+    const ScratchFolder folder;
+    EXPECT_EQ(caught([&] { write_whole_file(folder / "no/a.csv", "x"); }).hint, "make the folder first");
+    EXPECT_THAT(caught([&] { write_whole_file(folder.path().string(), "x"); }).message, HasSubstr("directory"));
+    EXPECT_THAT(caught([] { write_whole_file("", "x"); }).message, HasSubstr("without a name"));
+    put(folder / "file", "x");
+    EXPECT_THAT(caught([&] { write_whole_file(folder / "file/a.csv", "x"); }).message, HasSubstr("cannot write"));
+    EXPECT_EQ(content_of(folder / "file"), "x");
+}
+
+TEST(WholeFile, ALinkStaysALink) {
+    const ScratchFolder folder;
+    put(folder / "target", "old");
+    ASSERT_EQ(::symlink((folder / "target").c_str(), (folder / "link").c_str()), 0);
+    write_whole_file(folder / "link", "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+    EXPECT_EQ(content_of(folder / "target"), "new");
+}
+
+TEST(WholeFile, PermissionsAreThoseOfTheOldFileOrOfTheUsersMask) {
+    const ScratchFolder folder;
+    const mode_t mask = ::umask(027);
+    write_whole_file(folder / "new", "x");
+    ::umask(mask);
+    struct stat info {};
+    ASSERT_EQ(::stat((folder / "new").c_str(), &info), 0);
+    EXPECT_EQ(info.st_mode & 0777u, 0640u);
+    ASSERT_EQ(::chmod((folder / "new").c_str(), 0600), 0);
+    write_whole_file(folder / "new", "y");
+    ASSERT_EQ(::stat((folder / "new").c_str(), &info), 0);
+    EXPECT_EQ(info.st_mode & 0777u, 0600u);
+}
+
+TEST(WholeFile, ReadingSaysWhyItIsImpossible) {
+    const ScratchFolder folder;
+    const Diagnostic missing = caught([&] { read_whole_file(folder / "none.sav"); });
+    EXPECT_EQ(missing.message, "there is no file '" + (folder / "none.sav") + "'");
+    EXPECT_EQ(missing.fault, Fault::deck);
+    EXPECT_THAT(caught([&] { read_whole_file(folder.path().string()); }).message, HasSubstr("is a folder"));
+}
