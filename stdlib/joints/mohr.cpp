@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 
 namespace {
@@ -55,7 +56,6 @@ double tan_degrees(double angle) { return std::tan(angle * (std::numbers::pi / 1
 ptrdiff_t initialise(kaya_jbatch* batch) {
     // A gap of this part of the size of the sub-contact is rounding of coordinates, and is none.
     constexpr double rounding = 1e-9;
-#pragma GCC ivdep
     for (size_t i = 0; i < batch->n; ++i) {
         batch->normal_stiffness[i] = batch->properties[stiffness_normal];
         batch->shear_stiffness[i] = batch->properties[stiffness_shear];
@@ -78,23 +78,25 @@ ptrdiff_t run(kaya_jbatch* batch) {
     const double residual_friction = std::isnan(p[friction_residual]) ? peak_friction : tan_degrees(p[friction_residual]);
     const double dilatancy = tan_degrees(p[dilation]);
     const double last_dilation = p[dilation_zero] > 0 ? p[dilation_zero] : INFINITY;
-    const bool parts = residual_tension == 0; // a failed joint that opens touches no more
+    // A failed joint without tension parts: beyond a gap of 0 its sides touch no more.
+    const double touching_gap = residual_tension > 0 ? INFINITY : 0;
 
-    const double* __restrict areas = batch->area;
-    const double* __restrict opening = batch->normal_disp_inc;
-    const double* __restrict shear_x = batch->shear_disp_inc[0];
-    const double* __restrict shear_y = batch->shear_disp_inc[1];
-    const double* __restrict shear_z = batch->shear_disp_inc[2];
-    double* __restrict normal_force = batch->normal_force;
-    double* __restrict force_x = batch->shear_force[0];
-    double* __restrict force_y = batch->shear_force[1];
-    double* __restrict force_z = batch->shear_force[2];
-    double* __restrict work = batch->frictional_work;
-    double* __restrict gaps = batch->history[gap];
-    double* __restrict slips = batch->history[slip];
-    uint32_t* __restrict states = batch->state;
+    const double* areas = batch->area;
+    const double* opening = batch->normal_disp_inc;
+    const double* shear_x = batch->shear_disp_inc[0];
+    const double* shear_y = batch->shear_disp_inc[1];
+    const double* shear_z = batch->shear_disp_inc[2];
+    double* normal_force = batch->normal_force;
+    double* force_x = batch->shear_force[0];
+    double* force_y = batch->shear_force[1];
+    double* force_z = batch->shear_force[2];
+    double* work = batch->frictional_work;
+    double* gaps = batch->history[gap];
+    double* slips = batch->history[slip];
+    uint32_t* states = batch->state;
 
-    // One straight line of arithmetic and selections: the compiler makes vector instructions of it.
+    // One straight line of arithmetic and selections, with minima and maxima instead of conditions
+    // that depend on each other: so the compiler makes vector instructions of it.
 #pragma GCC ivdep
     for (size_t i = 0; i < batch->n; ++i) {
         const double area = areas[i], old_gap = gaps[i], old_normal = normal_force[i];
@@ -110,7 +112,7 @@ ptrdiff_t run(kaya_jbatch* batch) {
         const double stretched = breaks ? (lowest - pulled) * per_area / kn : 0;
         const double new_gap = area > 0 ? stretched : std::max(0.0, old_gap + opening[i]);
         const double elastic_normal = breaks ? lowest : pulled;
-        const bool apart = new_gap > 0 && parts;
+        const bool apart = new_gap > touching_gap;
 
         // Shear: elastic trial (3) against the limit (4).
         const double old_x = force_x[i], old_y = force_y[i], old_z = force_z[i];
@@ -120,36 +122,36 @@ ptrdiff_t run(kaya_jbatch* batch) {
         const double trial = std::sqrt(trial_x * trial_x + trial_y * trial_y + trial_z * trial_z);
         const double bond = (failed ? residual_cohesion : peak_cohesion) * area;
         const double tangent = failed ? residual_friction : peak_friction;
-        const double elastic_limit = apart ? 0 : std::max(0.0, bond + elastic_normal * tangent);
-        const bool yields = trial > elastic_limit;
-        const bool slides = yields && !apart;
+        const double elastic_limit = std::max(0.0, bond + elastic_normal * tangent);
+        const double excess = apart ? 0 : std::max(0.0, trial - elastic_limit);
 
         // Dilation raises the normal force and with it the limit: slip that brings trial and limit
         // together (5), as far as dilation lasts; the rest of the slip follows at the new limit (6).
-        const double both = (trial - elastic_limit) * per_area / (ks + kn * dilatancy * tangent);
-        const double dilating = slides ? std::min(both, std::max(0.0, last_dilation - slips[i])) : 0;
+        const double both = excess * per_area / (ks + kn * dilatancy * tangent);
+        const double dilating = std::min(both, std::max(0.0, last_dilation - slips[i]));
         const double new_normal = elastic_normal + kn * area * dilatancy * dilating;
-        const double limit = apart ? 0 : std::min(trial, std::max(0.0, bond + new_normal * tangent));
-        const double slipped = yields ? (trial - limit) * per_area / ks : 0;
-        const double per_trial = yields ? 1 / trial : 0;
-        const double scale = yields ? limit * per_trial : 1;
+        const double strength = apart ? 0 : std::max(0.0, bond + new_normal * tangent);
+        const double limit = std::min(trial, strength);
+        const double slipped = (trial - limit) * per_area / ks;
+        const double divisor = std::max(trial, std::numeric_limits<double>::min());
+        const double scale = limit / divisor; // exactly 1 where it does not yield
 
         // Work taken up: mean force times slip, less what dilation lifts (7); and the energy of a
         // bond that breaks in tension.
-        const double along_old = (old_x * trial_x + old_y * trial_y + old_z * trial_z) * per_trial;
+        const double along_old = (old_x * trial_x + old_y * trial_y + old_z * trial_z) / divisor;
         const double sheared = 0.5 * (along_old + limit) * slipped;
         const double lifted = 0.5 * (old_normal + new_normal) * dilatancy * dilating;
-        const double snapped = breaks && old_normal < 0
-                                   ? 0.5 * (old_normal * old_normal - lowest * lowest) * per_area / kn : 0;
-        work[i] += sheared - lifted + snapped;
+        const double pull = std::min(0.0, old_normal);
+        const double lost = 0.5 * std::max(0.0, pull * pull - lowest * lowest) * per_area / kn;
+        work[i] += sheared - lifted + (breaks ? lost : 0);
 
         normal_force[i] = new_normal;
         force_x[i] = trial_x * scale;
         force_y[i] = trial_y * scale;
         force_z[i] = trial_z * scale;
         gaps[i] = new_gap;
-        slips[i] += slides ? slipped : 0;
-        states[i] = (old_state & ~now) | ((old_state & now) << from_now_to_past) | (slides ? slip_now : 0) |
+        slips[i] += apart ? 0 : slipped;
+        states[i] = (old_state & ~now) | ((old_state & now) << from_now_to_past) | (excess > 0 ? slip_now : 0) |
                     (breaks ? tension_now : 0);
     }
     return -1;
