@@ -1,0 +1,8 @@
+// Says that it has properties and gives none.
+#include "tests/plugins/plugin.hpp"
+
+const kaya_jmodel* kaya_joint_model(void) {
+    static kaya_jmodel model = plugin::working("missing-table");
+    model.properties = nullptr;
+    return &model;
+}

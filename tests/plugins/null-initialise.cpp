@@ -1,0 +1,8 @@
+// Cannot start a sub-contact.
+#include "tests/plugins/plugin.hpp"
+
+const kaya_jmodel* kaya_joint_model(void) {
+    static kaya_jmodel model = plugin::working("null-initialise");
+    model.initialise = nullptr;
+    return &model;
+}

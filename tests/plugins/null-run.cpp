@@ -1,0 +1,8 @@
+// Has nothing to run.
+#include "tests/plugins/plugin.hpp"
+
+const kaya_jmodel* kaya_joint_model(void) {
+    static kaya_jmodel model = plugin::working("null-run");
+    model.run = nullptr;
+    return &model;
+}

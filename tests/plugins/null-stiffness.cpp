@@ -1,0 +1,8 @@
+// Does not say how stiff it is.
+#include "tests/plugins/plugin.hpp"
+
+const kaya_jmodel* kaya_joint_model(void) {
+    static kaya_jmodel model = plugin::working("null-stiffness");
+    model.max_stiffness = nullptr;
+    return &model;
+}

@@ -1,0 +1,8 @@
+// Says that it has more properties than there can be.
+#include "tests/plugins/plugin.hpp"
+
+const kaya_jmodel* kaya_joint_model(void) {
+    static kaya_jmodel model = plugin::working("too-many-properties");
+    model.property_count = 1000000;
+    return &model;
+}

@@ -1,0 +1,8 @@
+// Has more states than bits are kept for.
+#include "tests/plugins/plugin.hpp"
+
+const kaya_jmodel* kaya_joint_model(void) {
+    static kaya_jmodel model = plugin::working("too-many-states");
+    model.state_names = "a b c d e f g h i j k l m n o p q";
+    return &model;
+}

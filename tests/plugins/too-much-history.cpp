@@ -1,0 +1,8 @@
+// Says that it keeps more numbers than there is room for.
+#include "tests/plugins/plugin.hpp"
+
+const kaya_jmodel* kaya_joint_model(void) {
+    static kaya_jmodel model = plugin::working("too-much-history");
+    model.history_count = KAYA_JMODEL_MAX_HISTORY + 1;
+    return &model;
+}
