@@ -10,11 +10,11 @@ namespace kaya {
 
 /// One sub-contact to be.
 struct TouchPoint {
-    Vec3 position; ///< midway between the two surfaces
-    double gap;    ///< along the normal; negative: overlap
-    double area;
-    Meeting meeting;
-    std::array<Row, 2> features;
+    Vec3 position = Vec3::Zero(); ///< midway between the two surfaces
+    double gap = 0; ///< along the normal; negative: overlap
+    double area = 0;
+    Meeting meeting = Meeting::vertex_face;
+    std::array<Row, 2> features{no_row, no_row};
     Attachment side1, side2;
 };
 

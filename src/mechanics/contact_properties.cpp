@@ -167,6 +167,11 @@ void set_joint_material(Model& model, JointRegistry& joints, std::int32_t materi
     }
     model.joint_properties = std::move(sets);
     for (const auto& [name, value] : items) model.materials[material].joint[name] = value;
+    std::vector<Row> contacts;
+    for (std::size_t c = 0; c < model.contacts.size(); ++c)
+        if (model.joint_properties[model.contacts.properties[c]].material == material)
+            contacts.push_back(static_cast<Row>(c));
+    initialise_again(model, joints, contacts);
     model.properties_changed = model.lists_changed = true;
 }
 

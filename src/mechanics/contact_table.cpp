@@ -46,6 +46,8 @@ template <class Call>
 void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>& marked, Call call) {
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
     for (const Batch& batch : make_batches(model, joints, std::numeric_limits<Row>::max())) {
+        // A set that is not complete yet has nothing to start with; the command that completes it comes back.
+        if (!batch.model->missing(model.joint_properties[batch.properties].values).empty()) continue;
         const Row last = batch.first + batch.count;
         for (Row row = batch.first; row < last;) {
             Row end = row;

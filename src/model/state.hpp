@@ -44,25 +44,18 @@ template <class Archive> void visit_state(Archive& archive, Settings& settings) 
 }
 
 template <class Archive> void visit_state(Archive& archive, Clock& clock) {
-    auto& [time, cycle, time_step, global_viscosity, last_kinetic, unbalanced_force, average_ratio, maximum_ratio,
-           local_ratio, kinetic, gravity_work, boundary_work, damped, frictional, joint_elastic, zone_elastic] =
-        clock;
+    auto& [time, cycle, time_step, global_viscosity, last_kinetic, travelled, unbalanced_force, average_ratio,
+           maximum_ratio, local_ratio] = clock;
     archive.value("time", time);
     archive.value("cycle", cycle);
     archive.value("time_step", time_step);
     archive.value("global_viscosity", global_viscosity);
     archive.value("last_kinetic", last_kinetic);
+    archive.value("travelled", travelled);
     archive.value("unbalanced_force", unbalanced_force);
     archive.value("average_ratio", average_ratio);
     archive.value("maximum_ratio", maximum_ratio);
     archive.value("local_ratio", local_ratio);
-    archive.value("kinetic", kinetic);
-    archive.value("gravity_work", gravity_work);
-    archive.value("boundary_work", boundary_work);
-    archive.value("damped", damped);
-    archive.value("frictional", frictional);
-    archive.value("joint_elastic", joint_elastic);
-    archive.value("zone_elastic", zone_elastic);
 }
 
 /// Maps go through the walk as records of key and value.
@@ -178,7 +171,7 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
 template <class Archive> void visit_state(Archive& archive, Model& model) {
     auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, materials, joint_properties,
            joint_constitutive, group_names, settings, clock, histories, next_block_number, next_contact_number,
-           next_sub_contact_number, structure_changed, properties_changed] = model;
+           next_sub_contact_number, structure_changed, properties_changed, lists_changed] = model;
     // The tables named above stand here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
 
@@ -202,6 +195,7 @@ template <class Archive> void visit_state(Archive& archive, Model& model) {
     archive.aside([&] {
         archive.value("structure_changed", structure_changed);
         archive.value("properties_changed", properties_changed);
+        archive.value("lists_changed", lists_changed);
     });
 }
 

@@ -1,0 +1,64 @@
+// Small models that several tests of the engine use.
+#pragma once
+
+#include "mechanics/boundary.hpp"
+#include "mechanics/contact_properties.hpp"
+#include "mechanics/cycle.hpp"
+#include "model/build.hpp"
+#include "model/selection.hpp"
+
+#include <numeric>
+
+namespace kaya::test {
+
+/// A model with the program's own joint models at hand.
+struct Bench {
+    Model model;
+    JointRegistry joints;
+    Cycle cycle{model, joints};
+
+    Bench() { joints.set_path({KAYA_TEST_JOINTS}); }
+
+    Row brick(const Vec3& low, const Vec3& high, std::int32_t material = 1) {
+        NewBlock options;
+        options.material = material;
+        return add_block(model, make_brick(low, high), options);
+    }
+    void elastic(std::int32_t number, double density, double bulk, double shear) {
+        auto& m = model.materials[number];
+        m.density = density;
+        m.bulk = bulk;
+        m.shear = shear;
+    }
+    void joint(const std::string& name, const std::vector<std::pair<std::string, double>>& values) {
+        find_contacts(model, joints);
+        assign_joint_model(model, joints, all_contacts(), name, "");
+        set_joint_properties(model, joints, all_contacts(), values, "");
+    }
+    std::vector<Row> all_contacts() const {
+        std::vector<Row> rows(model.contacts.size());
+        std::iota(rows.begin(), rows.end(), 0);
+        return rows;
+    }
+    std::vector<Row> gridpoints_of(Row block) const {
+        std::vector<Row> rows(model.blocks.gridpoints[block].count);
+        std::iota(rows.begin(), rows.end(), model.blocks.gridpoints[block].first);
+        return rows;
+    }
+    void run(int cycles) {
+        for (int i = 0; i < cycles; ++i) cycle.advance();
+    }
+    double normal_force() const {
+        return std::accumulate(model.sub_contacts.normal_force.begin(), model.sub_contacts.normal_force.end(), 0.0);
+    }
+    double area() const {
+        return std::accumulate(model.sub_contacts.area.begin(), model.sub_contacts.area.end(), 0.0);
+    }
+    Vec3 shear_force() const {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t s = 0; s < model.sub_contacts.size(); ++s) sum += model.sub_contacts.shear_force[s];
+        return sum;
+    }
+};
+
+} // namespace kaya::test
