@@ -2,14 +2,13 @@
 #include "joints/joint_model.hpp"
 
 #include "base/diagnostic.hpp"
+#include "joints/library_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
 #include <set>
 
 namespace kaya {
@@ -40,17 +39,9 @@ bool same_file(const fs::path& a, const fs::path& b) {
     return fs::equivalent(a, b, ignored);
 }
 
-/// The loader's own sentence about a file that is no library at all does not help: look at it first.
-bool is_elf(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::array<char, 4> magic{};
-    stream.read(magic.data(), magic.size());
-    return stream && magic == std::array<char, 4>{'\x7f', 'E', 'L', 'F'};
-}
-
 std::shared_ptr<void> open_library(const fs::path& file) {
-    if (!fs::is_regular_file(file) || !is_elf(file))
-        refuse("joint-model-not-a-library", fmt::format("{} is not a shared library", file.string()),
+    if (const auto fault = fault_of_library_file(file); !fault.empty())
+        refuse("joint-model-not-a-library", fmt::format("{} {}", file.string(), fault),
                "build it with kaya_add_joint_model in CMake, or with c++ -shared -fPIC");
     // An absolute path keeps the system from looking elsewhere; local symbols keep models apart.
     void* handle = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);

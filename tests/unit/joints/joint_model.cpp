@@ -1,0 +1,89 @@
+#include "test_joint.hpp"
+
+#include "base/diagnostic.hpp"
+
+#include <cmath>
+#include <gmock/gmock.h>
+
+namespace kaya {
+namespace {
+
+using test::plugin;
+using test::shipped;
+using test::values_of;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string found(const JointModel& model, std::string_view word) {
+    const auto index = model.find_property(word);
+    return index ? model.properties[*index].name : "";
+}
+
+TEST(JointModel, FindsAPropertyByNameAliasAndBeginning) {
+    const auto& mohr = shipped("mohr");
+    EXPECT_EQ(found(mohr, "stiffness-normal"), "stiffness-normal");
+    EXPECT_EQ(found(mohr, "jkn"), "stiffness-normal");
+    EXPECT_EQ(found(mohr, "JKS"), "stiffness-shear");
+    EXPECT_EQ(found(mohr, "stiffness-n"), "stiffness-normal");
+}
+
+TEST(JointModel, AWholeNameWinsOverTheBeginningOfAnother) {
+    EXPECT_EQ(found(shipped("mohr"), "friction"), "friction");
+    EXPECT_EQ(found(shipped("mohr"), "friction-"), "friction-residual");
+}
+
+TEST(JointModel, AnAmbiguousOrUnknownWordIsNoProperty) {
+    EXPECT_EQ(found(shipped("mohr"), "stiffness-"), "");
+    EXPECT_EQ(found(shipped("mohr"), "st"), "");
+    EXPECT_EQ(found(shipped("mohr"), "jcoo"), "");
+    EXPECT_EQ(found(shipped("mohr"), ""), "");
+}
+
+TEST(JointModel, ManyWordsOfOnePropertyAreNotAmbiguous) {
+    EXPECT_EQ(found(shipped("barton-bandis"), "jc"), "jcso"); // jcso and jcs
+    EXPECT_EQ(found(shipped("barton-bandis"), "jr"), "");     // jrco and jrfric
+}
+
+TEST(JointModel, SaysWhatMustBeGiven) {
+    const auto& mohr = shipped("mohr");
+    EXPECT_THAT(mohr.missing(values_of(mohr, {{"jkn", 1}})), ElementsAre("stiffness-shear"));
+    EXPECT_THAT(mohr.missing(values_of(mohr, {{"jkn", 1}, {"jks", 1}})), ElementsAre());
+}
+
+TEST(JointModel, PassesOnTheSentenceOfItsCheck) {
+    const auto& mohr = shipped("mohr");
+    EXPECT_EQ(mohr.check(values_of(mohr, {{"jkn", 1}, {"jks", 1}})), "");
+    EXPECT_THAT(mohr.check(values_of(mohr, {{"jkn", 0}, {"jks", 1}})), HasSubstr("stiffness-normal (jkn) is 0"));
+}
+
+TEST(JointModel, AModelWithoutACheckAgreesToEverything) { EXPECT_EQ(plugin("works").check({-1}), ""); }
+
+TEST(JointModel, ACheckThatThrowsIsASentence) {
+    EXPECT_EQ(plugin("throws").check({1}), "joint model throws threw an exception from check(): no table");
+}
+
+TEST(JointModel, GivesTheStiffnessToStartWith) {
+    const auto& mohr = shipped("mohr");
+    const auto stiffness = mohr.initial_stiffness(values_of(mohr, {{"jkn", 3}, {"jks", 2}}));
+    EXPECT_EQ(stiffness.normal, 3);
+    EXPECT_EQ(stiffness.shear, 2);
+}
+
+TEST(JointModel, RefusesAStiffnessThatGivesNoTimeStep) {
+    for (const char* name : {"no-stiffness", "throws"}) {
+        try {
+            plugin(name).initial_stiffness({1});
+            ADD_FAILURE() << name;
+        } catch (const Diagnostic& d) {
+            EXPECT_THAT(d.message, HasSubstr("gives no stiffness to compute a time step from")) << name;
+            EXPECT_EQ(d.fault, Fault::run);
+            ASSERT_EQ(d.context.size(), 1u);
+        }
+    }
+    EXPECT_THROW(plugin("works").initial_stiffness({-1}), Diagnostic);
+    EXPECT_THROW(plugin("works").initial_stiffness({NAN}), Diagnostic);
+    EXPECT_THROW(plugin("works").initial_stiffness({INFINITY}), Diagnostic);
+}
+
+} // namespace
+} // namespace kaya

@@ -1,0 +1,195 @@
+#include "test_joint.hpp"
+
+#include "base/diagnostic.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+
+namespace kaya {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const fs::path shipped_folder = KAYA_SHIPPED_MODELS;
+const fs::path plugin_folder = KAYA_TEST_PLUGINS;
+
+/// The diagnostic that getting a model gives.
+Diagnostic refusal(JointRegistry& registry, const std::string& name) {
+    try {
+        registry.get(name);
+    } catch (const Diagnostic& diagnostic) {
+        return diagnostic;
+    }
+    ADD_FAILURE() << name << " was loaded";
+    return Diagnostic("");
+}
+
+Diagnostic refusal_of_plugin(const std::string& name) {
+    JointRegistry registry;
+    return refusal(registry, (plugin_folder / (name + ".so")).string());
+}
+
+TEST(JointRegistry, FindsAModelByKeywordInAnyCase) {
+    JointRegistry registry;
+    registry.set_path({plugin_folder / "no such folder", shipped_folder});
+    const auto& mohr = registry.get("MOHR");
+    EXPECT_EQ(mohr.name, "mohr");
+    EXPECT_EQ(&registry.get("mohr"), &mohr);
+    EXPECT_EQ(registry.find("mohr"), &mohr);
+    EXPECT_EQ(registry.find("elastic"), nullptr);
+    EXPECT_EQ(registry.loaded().size(), 1u);
+}
+
+TEST(JointRegistry, LoadsAFile) {
+    JointRegistry registry;
+    const auto& model = registry.get((plugin_folder / "works.so").string());
+    EXPECT_EQ(model.name, "works");
+    EXPECT_EQ(model.version, "1.0");
+    EXPECT_THAT(model.states, ElementsAre("pushed"));
+    EXPECT_EQ(&registry.get((plugin_folder / "." / "works.so").string()), &model);
+    EXPECT_EQ(&registry.get("works"), &model);
+}
+
+TEST(JointRegistry, ListsWhatIsThere) {
+    JointRegistry registry;
+    registry.set_path({shipped_folder});
+    EXPECT_THAT(registry.available(), testing::IsSupersetOf({"barton-bandis", "elastic", "mohr"}));
+    registry.get((plugin_folder / "works.so").string());
+    EXPECT_THAT(registry.available(), testing::Contains("works"));
+}
+
+TEST(JointRegistry, SaysWhatIsThereWhenAModelIsUnknown) {
+    JointRegistry registry;
+    registry.set_path({shipped_folder});
+    const auto d = refusal(registry, "mohrr");
+    EXPECT_EQ(d.message, "there is no joint model 'mohrr'");
+    EXPECT_EQ(d.hint, "did you mean 'mohr'?");
+    ASSERT_EQ(d.context.size(), 1u);
+    EXPECT_THAT(d.context[0], HasSubstr("barton-bandis"));
+    EXPECT_EQ(d.fault, Fault::deck);
+}
+
+TEST(JointRegistry, SaysThatNoModelsWereFoundAtAll) {
+    JointRegistry registry;
+    const auto d = refusal(registry, "mohr");
+    ASSERT_EQ(d.context.size(), 1u);
+    EXPECT_THAT(d.context[0], HasSubstr("no joint models were found"));
+}
+
+TEST(JointRegistry, RefusesAFileThatIsNotThere) {
+    JointRegistry registry;
+    EXPECT_THAT(refusal(registry, "models/none.so").message, HasSubstr("there is no joint model file models/none.so"));
+}
+
+TEST(JointRegistry, RefusesATextFileAndAFolder) {
+    const auto folder = fs::path(testing::TempDir()) / "kaya-joint-registry";
+    fs::create_directories(folder / "folder.so");
+    std::ofstream(folder / "text.so") << "jmodel mohr\n";
+    JointRegistry registry;
+    EXPECT_THAT(refusal(registry, (folder / "text.so").string()).message, HasSubstr("text.so is not a shared library"));
+    EXPECT_THAT(refusal(registry, (folder / "folder.so").string()).message, HasSubstr("folder.so is not a shared library"));
+    fs::remove_all(folder);
+}
+
+TEST(JointRegistry, RefusesATruncatedLibrary) {
+    const auto file = fs::path(testing::TempDir()) / "kaya-truncated.so";
+    for (const std::uintmax_t size : {20u, 100u, 1000u, 9000u}) {
+        fs::copy_file(plugin_folder / "works.so", file, fs::copy_options::overwrite_existing);
+        ASSERT_GT(fs::file_size(file), size);
+        fs::resize_file(file, size);
+        JointRegistry registry;
+        EXPECT_THAT(refusal(registry, file.string()).message, HasSubstr("is cut off")) << size;
+    }
+    fs::remove(file);
+}
+
+TEST(JointRegistry, PassesOnWhatALibraryLacks) {
+    EXPECT_THAT(refusal_of_plugin("needs-more").hint, HasSubstr("function_that_nobody_has"));
+}
+
+TEST(JointRegistry, RefusesALibraryWithoutTheEntryPoint) {
+    EXPECT_THAT(refusal_of_plugin("no-entry").message, HasSubstr("it has no function kaya_joint_model"));
+}
+
+TEST(JointRegistry, NamesBothInterfaceVersions) {
+    const auto d = refusal_of_plugin("version-99");
+    EXPECT_THAT(d.message, HasSubstr("was built for interface version 99, this program has version 1"));
+    EXPECT_EQ(d.code, "joint-model-version");
+}
+
+TEST(JointRegistry, SurvivesAnExceptionWhileLoading) {
+    EXPECT_THAT(refusal_of_plugin("throws-at-load").message, HasSubstr("threw an exception"));
+}
+
+TEST(JointRegistry, KeepsNothingOfARefusedLibrary) {
+    JointRegistry registry;
+    refusal(registry, (plugin_folder / "version-99.so").string());
+    EXPECT_TRUE(registry.loaded().empty());
+    EXPECT_EQ(registry.get((plugin_folder / "works.so").string()).name, "works");
+}
+
+struct WrongTable {
+    const char* plugin;
+    const char* sentence;
+};
+
+class JointTable : public testing::TestWithParam<WrongTable> {};
+
+TEST_P(JointTable, IsRefusedWithItsReason) {
+    const auto d = refusal_of_plugin(GetParam().plugin);
+    EXPECT_THAT(d.message, HasSubstr(GetParam().sentence));
+    EXPECT_FALSE(d.hint.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Wrong, JointTable,
+    testing::Values(WrongTable{"no-descriptor", "kaya_joint_model() returned NULL"},
+                    WrongTable{"other-size", "its size is 8 bytes, it must be "},
+                    WrongTable{"null-name", "'name' is NULL"}, WrongTable{"null-run", "'run' is NULL"},
+                    WrongTable{"null-initialise", "'initialise' is NULL"},
+                    WrongTable{"null-stiffness", "'max_stiffness' is NULL"},
+                    WrongTable{"untypable-name", "'My Model' cannot be typed"},
+                    WrongTable{"missing-table", "it says 1 properties but gives no table"},
+                    WrongTable{"too-many-properties", "it has 1000000 properties, 64 at most"},
+                    WrongTable{"too-much-history", "it has 17 history variables, 16 at most"},
+                    WrongTable{"too-many-states", "it has 17 states, 16 at most"},
+                    WrongTable{"two-of-a-name", "the word 'k' stands for 'stiffness' and for 'key'"},
+                    WrongTable{"nameless-property", "property 1 has no name"},
+                    WrongTable{"nan-limits", "the limits of property 'stiffness' are nan and 2"},
+                    WrongTable{"initial-outside", "the initial value of property 'stiffness' is 5"}),
+    [](const auto& parameter) {
+        std::string name = parameter.param.plugin;
+        std::erase(name, '-');
+        return name;
+    });
+
+TEST(JointRegistry, AFileOfTheFoldersHasTheNameOfItsModel) {
+    JointRegistry registry;
+    registry.set_path({plugin_folder});
+    const auto d = refusal(registry, "other-name");
+    EXPECT_THAT(d.message, HasSubstr("holds a joint model named 'something-else'"));
+    EXPECT_THAT(d.hint, HasSubstr("something-else.so"));
+}
+
+TEST(JointRegistry, AFileElsewhereMayHaveAnyName) {
+    EXPECT_EQ(JointRegistry().get((plugin_folder / "other-name.so").string()).name, "something-else");
+}
+
+TEST(JointRegistry, ANameThatIsLoadedIsTaken) {
+    JointRegistry registry;
+    registry.get((shipped_folder / "mohr.so").string());
+    EXPECT_THAT(refusal(registry, (plugin_folder / "twin.so").string()).message, HasSubstr("is named 'mohr', and that name belongs to"));
+}
+
+TEST(JointRegistry, ANameInTheFoldersIsTakenBeforeItIsLoaded) {
+    JointRegistry registry;
+    registry.set_path({shipped_folder});
+    EXPECT_THAT(refusal(registry, (plugin_folder / "twin.so").string()).message, HasSubstr("that name belongs to"));
+    EXPECT_EQ(registry.get("mohr").file, shipped_folder / "mohr.so");
+}
+
+} // namespace
+} // namespace kaya
