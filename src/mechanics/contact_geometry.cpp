@@ -60,7 +60,8 @@ std::vector<std::array<Row, 2>> edges_of(const Model& model, Row block) {
 }
 
 /// Separating axes of two convex bodies: face normals, then cross products of edges (Gottschalk 1996).
-/// `enough`: a separation at which the search may stop.
+/// `enough`: a separation at which the search may stop. An axis of two edges must beat the faces clearly:
+/// faces of deformed blocks are a little warped, and their edges then seem to part what lies flat.
 Separation find_separation(const Model& model, Row block1, Row block2, double enough, double tie) {
     Separation best;
     const auto try_face = [&](Row face, bool of_first) {
@@ -103,7 +104,7 @@ Separation find_separation(const Model& model, Row block1, Row block2, double en
             if (axis.dot(model.gridpoints.position[e1[0]]) < high1 - tie) continue; // not an outermost edge
             const double low2 = support(model, block2, axis).low;
             if (axis.dot(model.gridpoints.position[e2[0]]) > low2 + tie) continue;
-            if (low2 - high1 > best.distance + tie) {
+            if (low2 - high1 > best.distance + (best.edge1[0] == no_row ? enough : tie)) {
                 best = {low2 - high1, axis, no_row, no_row, e1, e2};
                 if (best.distance > enough) return best;
             }

@@ -31,6 +31,23 @@ Row nearest(const SubContacts& s, Span span, const Vec3& place) {
     return best;
 }
 
+/// How far apart two blocks may be and still touch. A joint that has dilated carries force across a gap:
+/// a contact that exists is kept as long as one of its sub-contacts does.
+double reach(const Model& model, Row block1, Row block2, Row contact) {
+    const double margin = std::min(contact_margin(model, block1), contact_margin(model, block2));
+    double gap = 0;
+    if (contact != no_row) {
+        const auto& s = model.sub_contacts;
+        const Span span = model.contacts.sub_contacts[contact];
+        for (Row row = span.first; row < span.end(); ++row) {
+            if (s.normal_force[row] == 0) continue;
+            const Vec3 between = attached_position(model, s.side2[row]) - attached_position(model, s.side1[row]);
+            gap = std::max(gap, between.dot(model.contacts.normal[contact]));
+        }
+    }
+    return margin + 2 * gap;
+}
+
 /// Rows of histories of sub-contacts follow their sub-contact.
 std::vector<std::pair<std::size_t, SubContactId>> recorded_sub_contacts(const Model& model) {
     std::vector<std::pair<std::size_t, SubContactId>> recorded;
@@ -215,13 +232,18 @@ void search_contacts(Model& model, JointRegistry& joints, bool moving) {
     for (std::size_t c = 0; c < model.contacts.size(); ++c)
         known[{model.contacts.block1[c], model.contacts.block2[c]}] = static_cast<Row>(c);
 
+    auto pairs = overlapping_boxes(boxes);
+    for (const auto& [pair, contact] : known) pairs.push_back(pair);
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+
     std::vector<ContactDraft> drafts;
-    for (const auto& [b1, b2] : overlapping_boxes(boxes)) {
-        const double margin = std::min(contact_margin(model, b1), contact_margin(model, b2));
-        auto touch = find_touch(model, b1, b2, margin);
-        if (!touch) continue;
-        const auto old = known.find({b1, b2});
-        drafts.push_back({b1, b2, old == known.end() ? no_row : old->second, std::move(touch)});
+    for (const auto& pair : pairs) {
+        const auto [b1, b2] = pair;
+        const auto found = known.find(pair);
+        const Row old = found == known.end() ? no_row : found->second;
+        auto touch = find_touch(model, b1, b2, reach(model, b1, b2, old));
+        if (touch) drafts.push_back({b1, b2, old, std::move(touch)});
     }
     replace_contacts(model, joints, std::move(drafts), moving);
 }
@@ -240,7 +262,7 @@ bool refresh_slid_contacts(Model& model, JointRegistry& joints) {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         ContactDraft draft{contacts.block1[c], contacts.block2[c], static_cast<Row>(c), std::nullopt};
         if (contacts.slid[c] > slide_tolerance * std::sqrt(contacts.area[c])) {
-            const double margin = std::min(contact_margin(model, draft.block1), contact_margin(model, draft.block2));
+            const double margin = reach(model, draft.block1, draft.block2, draft.old);
             draft.geometry = find_touch(model, draft.block1, draft.block2, margin);
             if (!draft.geometry) continue; // they have parted
         }
