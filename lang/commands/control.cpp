@@ -27,7 +27,7 @@ CommandSpec set() {
                           set.accepted.emplace_back(word);
                           const auto value = text("value").spec;
                           while (const Word* next = reader.peek()) {
-                              const bool its_own = reader.at_number() || next->folded == "on" || next->folded == "off";
+                              const bool its_own = next->kind == WordKind::number || next->folded == "on" || next->folded == "off";
                               if (!its_own) break;
                               (void)reader.any(value);
                           }
@@ -137,7 +137,7 @@ Family control() {
                     .right("return")
                     .right("ret")
                     .wrong("return 1", "'1' is left over at the end of the line"),
-                Entry<Quit>({"quit", "stop", "exit"})
+                Entry<Quit>({"quit", Spelling{"stop", 3}, "exit"}) // st is step
                     .help("ends the program")
                     .flow(Flow::leave_all)
                     .right("quit")

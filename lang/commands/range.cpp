@@ -152,8 +152,8 @@ void read_radii(Reader& reader, RoundText& round) {
 
 std::vector<KeywordSpec> sphere_words() {
     Keywords<RoundText> words;
-    words.keyword({"center", "centre"}, vector("x y z").unit("length"), &RoundText::centre, "the centre");
-    words.special({"radius"}, {real("radius").unit("length").above(0).spec,
+    words.keyword({"center", "centre", "c"}, vector("x y z").unit("length"), &RoundText::centre, "the centre");
+    words.special({"radius", "r"}, {real("radius").unit("length").above(0).spec,
                                real("outer").unit("length").above(0).optional().spec},
                   read_radii, "the radius; two make a hollow ball");
     return std::move(words).list();
@@ -163,7 +163,7 @@ std::vector<KeywordSpec> cylinder_words() {
     Keywords<RoundText> words;
     words.keyword({"end1", "end-1"}, vector("x y z").unit("length"), &RoundText::centre, "one end of the axis");
     words.keyword({"end2", "end-2"}, vector("x y z").unit("length"), &RoundText::end, "the other end");
-    words.special({"radius"}, {real("radius").unit("length").above(0).spec,
+    words.special({"radius", "r"}, {real("radius").unit("length").above(0).spec,
                                real("outer").unit("length").above(0).optional().spec},
                   read_radii, "the radius; two make a pipe");
     return std::move(words).list();

@@ -23,7 +23,7 @@ CommandSpec define(std::vector<Spelling> words, std::vector<Spelling> form) {
 } // namespace
 
 Family script() {
-    CommandSpec plain = define({"define"}, {});
+    CommandSpec plain = define({Spelling{"define", 3}}, {});
     plain.right = {{"def half\n  half = 0.5\nend", {}}, {"define twice(a)\n  twice = 2*a\nend", {}}};
     plain.wrong = {{"def half\n  half = 0.5", "define 'half' is never ended"}, {"def\nend", "a word is missing after 'def'"}};
     CommandSpec modern = define({"fish"}, {"define"});

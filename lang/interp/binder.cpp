@@ -212,7 +212,7 @@ bool next_statement(const Language& language, Lexer& lexer, Statement& statement
         if (words.empty() || words[0].kind != WordKind::word) continue;
         if (words.size() == 2 && !opens->body_needs_bare_line && words[1].kind == WordKind::word &&
             std::any_of(opens->words.begin(), opens->words.end(),
-                        [&](const Spelling& s) { return s.word == words[0].folded; }))
+                        [&](const Spelling& s) { return s.matches(words[0].folded); }))
             throw never_ended(line); // the next function starts: reading goes on there
         if (words.size() != 1 || words[0].folded != opens->body_end) continue;
 

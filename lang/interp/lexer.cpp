@@ -149,9 +149,13 @@ bool Lexer::next(Statement& statement) {
     statement = {};
     while (line_ <= count) {
         if (statement.words.empty()) statement.first_line = line_;
+        const std::string& line = source_->lines[static_cast<std::size_t>(line_ - 1)];
         const bool continued = read_line(line_++, statement.words);
         statement.last_line = line_ - 1;
-        if (!continued && !statement.words.empty()) return true;
+        // A line that was taken out by a comment does not end the statement around it.
+        const auto start = line.find_first_not_of(" \t");
+        const bool comment = start != std::string::npos && line[start] == ';';
+        if (!continued && !comment && !statement.words.empty()) return true;
     }
     return !statement.words.empty();
 }

@@ -63,20 +63,28 @@ std::string underlined(const Diagnostic& d) {
     return fmt::format("  {:>4} | {}\n  {:>4} | {}", number, line, "", below);
 }
 
+/// Mistakes between a word as typed and one that may have been meant.
+struct Mistakes {
+    int whole;     ///< when all of it was meant
+    int beginning; ///< when it was shortened: the language takes any beginning of a word
+};
+
 /// Edit distance in which a swap of neighbours counts as one (optimal string alignment).
-int distance(std::string_view a, std::string_view b) {
-    const std::size_t n = a.size(), m = b.size();
+Mistakes mistakes(std::string_view typed, std::string_view meant) {
+    const std::size_t n = typed.size(), m = meant.size();
     std::vector<std::vector<int>> d(n + 1, std::vector<int>(m + 1));
     for (std::size_t i = 0; i <= n; ++i) d[i][0] = static_cast<int>(i);
     for (std::size_t j = 0; j <= m; ++j) d[0][j] = static_cast<int>(j);
     for (std::size_t i = 1; i <= n; ++i)
         for (std::size_t j = 1; j <= m; ++j) {
-            const int cost = a[i - 1] == b[j - 1] ? 0 : 1;
+            const int cost = typed[i - 1] == meant[j - 1] ? 0 : 1;
             d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + cost});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+            if (i > 1 && j > 1 && typed[i - 1] == meant[j - 2] && typed[i - 2] == meant[j - 1])
                 d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
         }
-    return d[n][m];
+    int beginning = d[n][m];
+    for (std::size_t j = 3; j < m; ++j) beginning = std::min(beginning, d[n][j]);
+    return {d[n][m], beginning};
 }
 
 } // namespace
@@ -99,21 +107,26 @@ std::string render(const Diagnostic& d, bool colour) {
 }
 
 std::string_view did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
-    std::string_view best;
+    if (word.empty()) return {};
     // One mistake in a short word, two in a longer one: beyond that a guess hurts more than it helps.
-    int limit = word.size() <= 2 ? 1 : word.size() <= 5 ? 2 : 3;
-    int best_distance = limit + 1;
+    // In halves, so that a shortened word loses against a whole one with as many mistakes.
+    const int limit = 2 * (word.size() <= 2 ? 1 : word.size() <= 5 ? 2 : 3);
+    std::string_view best;
+    int best_halves = limit + 1;
     for (const auto candidate : candidates) {
-        const int d = distance(word, candidate);
+        if (candidate.empty()) continue;
+        const auto [whole, beginning] = mistakes(word, candidate);
+        int halves = 2 * whole;
+        if (whole >= static_cast<int>(std::max(word.size(), candidate.size()))) halves = limit + 1;
+        if (word.size() >= 3 && beginning <= 1) halves = std::min(halves, 2 * beginning + 1);
         // Between equals the one that starts like the word is the likelier.
-        const bool better = d < best_distance || (d == best_distance && !best.empty() && !word.empty() &&
-                                                  candidate.front() == word.front() && best.front() != word.front());
-        if (better) {
+        const bool likelier = halves == best_halves && !best.empty() && candidate.front() == word.front() &&
+                              best.front() != word.front();
+        if (halves < best_halves || likelier) {
             best = candidate;
-            best_distance = d;
+            best_halves = halves;
         }
     }
-    if (best.empty() || best_distance >= static_cast<int>(std::max(word.size(), best.size()))) return {};
     return best;
 }
 

@@ -1,0 +1,113 @@
+// How often a misspelt word of the language gets the right suggestion: measured over the whole table.
+#include "bound.hpp"
+
+#include <fmt/format.h>
+#include <set>
+
+namespace kaya::lang {
+namespace {
+
+/// All words at one letter from `word`: one left out, one doubled or put in, one replaced, two swapped.
+std::set<std::string> one_letter_off(const std::string& word) {
+    static constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz";
+    std::set<std::string> all;
+    for (std::size_t i = 0; i <= word.size(); ++i) {
+        const std::string before = word.substr(0, i), after = word.substr(i);
+        for (const char c : letters) {
+            all.insert(before + c + after);
+            if (!after.empty()) all.insert(before + c + after.substr(1));
+        }
+        if (!after.empty()) all.insert(before + after.substr(1));
+        if (after.size() > 1) all.insert(before + after[1] + after[0] + after.substr(2));
+    }
+    all.erase(word);
+    return all;
+}
+
+struct Score {
+    int asked = 0, right = 0;
+    std::vector<std::string> missed;
+};
+
+/// `resolves` tells whether the table understands a word at this point; then no suggestion is made.
+template <class Resolves>
+void measure(const std::vector<std::vector<std::string_view>>& entries, Resolves resolves, Score& score) {
+    std::vector<std::string_view> candidates;
+    for (const auto& spellings : entries) candidates.insert(candidates.end(), spellings.begin(), spellings.end());
+    for (const auto& spellings : entries)
+        for (const auto word : spellings) {
+            if (word.size() < 3) continue; // at one letter from a short word lies nearly every other
+            for (const auto& typed : one_letter_off(std::string(word))) {
+                if (resolves(typed)) continue;
+                ++score.asked;
+                const auto near = did_you_mean(typed, candidates);
+                if (std::find(spellings.begin(), spellings.end(), near) != spellings.end()) ++score.right;
+                else score.missed.push_back(fmt::format("{} for {}: '{}'", typed, word, near));
+            }
+        }
+}
+
+std::vector<std::string_view> spellings_of(const std::vector<Spelling>& words) {
+    std::vector<std::string_view> all;
+    for (const Spelling& s : words) all.push_back(s.word);
+    return all;
+}
+
+Score measure_keywords(const std::vector<KeywordSpec>& keywords) {
+    Score score;
+    std::vector<std::vector<std::string_view>> entries;
+    for (const auto& keyword : keywords) entries.push_back(spellings_of(keyword.words));
+    measure(entries, [&](const std::string& typed) { return find_keyword(keywords, typed) != nullptr; }, score);
+    return score;
+}
+
+double percent(const Score& score) { return 100.0 * score.right / score.asked; }
+
+TEST(Suggestions, OneLetterMisspellingsOfCommands) {
+    std::vector<std::vector<std::string_view>> entries;
+    std::set<std::string_view> seen;
+    for (const auto& family : classic().families)
+        for (const auto& command : family.commands)
+            if (seen.insert(command.words.front().word).second) entries.push_back(spellings_of(command.words));
+    const auto resolves = [&](const std::string& typed) {
+        for (const auto& family : classic().families)
+            for (const auto& command : family.commands)
+                for (const Spelling& s : command.words)
+                    if (s.matches(typed)) return true;
+        return false;
+    };
+    Score score;
+    measure(entries, resolves, score);
+    fmt::print("commands: {} of {} ({:.1f} %)\n", score.right, score.asked, percent(score));
+    EXPECT_GT(score.asked, 5000);
+    EXPECT_GE(percent(score), 97);
+}
+
+TEST(Suggestions, OneLetterMisspellingsOfKeywords) {
+    Score total;
+    const auto add = [&](const Score& score, const std::string& where) {
+        total.asked += score.asked;
+        total.right += score.right;
+        if (score.asked > 0 && percent(score) < 90)
+            fmt::print("  {}: {:.1f} %, e.g. {}\n", where, percent(score), score.missed.front());
+    };
+    for (const auto& family : classic().families)
+        for (const auto& command : family.commands) add(measure_keywords(command.keywords), command.name());
+    add(measure_keywords(classic().range_elements), "range");
+    fmt::print("keywords: {} of {} ({:.1f} %)\n", total.right, total.asked, percent(total));
+    EXPECT_GT(total.asked, 10000);
+    EXPECT_GE(percent(total), 90);
+}
+
+TEST(Suggestions, OfShortWordsToo) {
+    const std::vector<std::string_view> words = {"generate", "gravity", "group", "history"};
+    EXPECT_EQ(did_you_mean("genn", words), "generate");
+    EXPECT_EQ(did_you_mean("hsit", words), "history");
+    EXPECT_EQ(did_you_mean("gruop", words), "group");
+    EXPECT_EQ(did_you_mean("xyzzy", words), "");
+    EXPECT_EQ(did_you_mean("", words), "");
+    EXPECT_EQ(did_you_mean("group", {}), "");
+}
+
+} // namespace
+} // namespace kaya::lang
