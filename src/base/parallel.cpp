@@ -7,6 +7,10 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
+#ifdef __SANITIZE_THREAD__
+#include <thread>
+#include <vector>
+#endif
 
 namespace kaya {
 
@@ -14,6 +18,22 @@ namespace {
 
 int thread_count = 1;
 std::unique_ptr<oneapi::tbb::global_control> limit;
+
+/// Calls call(c) for every c in [0, count), on all threads that are allowed.
+template <class Call> void spread(std::size_t count, const Call& call) {
+#ifdef __SANITIZE_THREAD__
+    // The thread sanitizer does not see how TBB's library hands work to its threads and would report every
+    // loop. With plain threads it reports the races that are ours.
+    const auto stride = static_cast<std::size_t>(thread_count);
+    std::vector<std::jthread> team;
+    for (std::size_t t = 0; t < std::min(stride, count); ++t)
+        team.emplace_back([&call, t, count, stride] {
+            for (std::size_t c = t; c < count; c += stride) call(c);
+        });
+#else
+    oneapi::tbb::parallel_for(std::size_t{0}, count, std::size_t{1}, call, oneapi::tbb::static_partitioner{});
+#endif
+}
 
 } // namespace
 
@@ -36,20 +56,17 @@ void for_chunks(std::size_t n, std::size_t grain, ChunkBody body) {
     std::mutex mutex;
     std::exception_ptr first;
     std::size_t first_chunk = chunks;
-    oneapi::tbb::parallel_for(
-        std::size_t{0}, chunks, std::size_t{1},
-        [&](std::size_t c) {
-            try {
-                body(c * grain, std::min(n, (c + 1) * grain));
-            } catch (...) {
-                const std::lock_guard lock(mutex);
-                if (c < first_chunk) {
-                    first_chunk = c;
-                    first = std::current_exception();
-                }
+    spread(chunks, [&](std::size_t c) {
+        try {
+            body(c * grain, std::min(n, (c + 1) * grain));
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (c < first_chunk) {
+                first_chunk = c;
+                first = std::current_exception();
             }
-        },
-        oneapi::tbb::static_partitioner{});
+        }
+    });
     if (first) std::rethrow_exception(first);
 }
 
