@@ -1,0 +1,290 @@
+#include "io/hdf5_tree.hpp"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace kaya {
+
+namespace {
+
+/// An HDF5 object that is closed at the end of its scope.
+class Handle {
+public:
+    using Close = herr_t (*)(hid_t);
+    Handle(hid_t id, Close close) : id_(id), close_(close) {}
+    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+    Handle& operator=(Handle&&) = delete;
+    ~Handle() {
+        if (id_ >= 0) close_(id_);
+    }
+    operator hid_t() const { return id_; }
+    bool ok() const { return id_ >= 0; }
+
+private:
+    hid_t id_;
+    Close close_;
+};
+
+hid_t type_of(Scalar type) {
+    switch (type) {
+    case Scalar::uint8: return H5T_NATIVE_UINT8;
+    case Scalar::int32: return H5T_NATIVE_INT32;
+    case Scalar::uint32: return H5T_NATIVE_UINT32;
+    case Scalar::int64: return H5T_NATIVE_INT64;
+    case Scalar::uint64: return H5T_NATIVE_UINT64;
+    case Scalar::float64: return H5T_NATIVE_DOUBLE;
+    }
+    return H5I_INVALID_HID;
+}
+
+std::size_t size_of(Scalar type) {
+    switch (type) {
+    case Scalar::uint8: return 1;
+    case Scalar::int32:
+    case Scalar::uint32: return 4;
+    case Scalar::int64:
+    case Scalar::uint64:
+    case Scalar::float64: return 8;
+    }
+    return 8;
+}
+
+/// HDF5 prints its own stack of errors on the terminal unless it is told not to.
+void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+Handle file_access_in_memory() {
+    Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    constexpr std::size_t growth = std::size_t{4} << 20;
+    H5Pset_fapl_core(access, growth, 0);
+    return access;
+}
+
+/// HDF5 takes two files in memory for one file when they have the same name.
+std::string unused_name() {
+    static std::atomic<std::uint64_t> count{0};
+    return "memory-" + std::to_string(count++);
+}
+
+/// The groups that are open, the file's root first, and the names that lead there.
+class Groups {
+public:
+    void push(Handle group, const std::string& name) {
+        open_.push_back(std::move(group));
+        names_.push_back(name);
+    }
+    void pop() {
+        open_.pop_back();
+        names_.pop_back();
+    }
+    hid_t top() const { return open_.back(); }
+    std::string path_of(const std::string& name) const {
+        std::string path;
+        for (std::size_t k = 1; k < names_.size(); ++k) path += names_[k] + "/";
+        return path + name;
+    }
+
+private:
+    std::vector<Handle> open_;
+    std::vector<std::string> names_;
+};
+
+/// Whether light compression pays: whole numbers always shrink, reals when a good part of them repeats
+/// the row before. Deflating what is noise would only make saving slow.
+bool worth_compressing(Scalar type, const void* numbers, std::size_t rows, std::size_t per_row) {
+    constexpr std::size_t smallest = 4096; // rows below which nothing is gained
+    if (rows * per_row < smallest) return false;
+    if (type != Scalar::float64) return true;
+    const auto* real = static_cast<const double*>(numbers);
+    constexpr std::size_t probes = 1024;
+    const std::size_t step = std::max<std::size_t>(1, (rows - 1) / probes);
+    std::size_t seen = 0, same = 0;
+    for (std::size_t row = 1; row < rows; row += step)
+        for (std::size_t k = 0; k < per_row; ++k) {
+            ++seen;
+            same += std::memcmp(real + row * per_row + k, real + (row - 1) * per_row + k, sizeof(double)) == 0;
+        }
+    return 4 * same >= seen;
+}
+
+} // namespace
+
+struct TreeWriter::Files {
+    Handle file;
+    Groups groups;
+};
+
+TreeWriter::TreeWriter() {
+    silence();
+    const Handle access = file_access_in_memory();
+    Handle file(H5Fcreate(unused_name().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
+    if (!file.ok()) throw TreeError("no file can be made in memory");
+    files_ = std::make_unique<Files>(Files{std::move(file), {}});
+    files_->groups.push(Handle(H5Gopen2(files_->file, "/", H5P_DEFAULT), H5Gclose), "");
+}
+
+TreeWriter::~TreeWriter() = default;
+
+void TreeWriter::open_group(const std::string& name) {
+    Handle group(H5Gcreate2(files_->groups.top(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+    if (!group.ok()) throw TreeError("cannot make group " + files_->groups.path_of(name));
+    files_->groups.push(std::move(group), name);
+}
+
+void TreeWriter::close_group() { files_->groups.pop(); }
+
+void TreeWriter::write_attribute(const std::string& name, Scalar type, const void* numbers, std::size_t count) {
+    const hsize_t size = count;
+    const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Handle attribute(
+        H5Acreate2(files_->groups.top(), name.c_str(), type_of(type), space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    if (!attribute.ok() || H5Awrite(attribute, type_of(type), numbers) < 0)
+        throw TreeError("cannot write " + files_->groups.path_of(name));
+}
+
+void TreeWriter::write_data(const std::string& name, Scalar type, const void* numbers, std::size_t rows,
+                            std::size_t per_row) {
+    const std::array<hsize_t, 2> size{rows, per_row};
+    const Handle space(H5Screate_simple(2, size.data(), nullptr), H5Sclose);
+    const Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_obj_track_times(how, false); // the same state gives the same bytes
+    if (worth_compressing(type, numbers, rows, per_row)) {
+        constexpr std::size_t chunk_bytes = std::size_t{1} << 18;
+        const std::size_t row_bytes = size_of(type) * per_row;
+        const std::array<hsize_t, 2> chunk{std::clamp<std::size_t>(chunk_bytes / row_bytes, 1, rows), per_row};
+        H5Pset_chunk(how, 2, chunk.data());
+        H5Pset_shuffle(how);
+        H5Pset_deflate(how, 1);
+    }
+    const Handle data(
+        H5Dcreate2(files_->groups.top(), name.c_str(), type_of(type), space, H5P_DEFAULT, how, H5P_DEFAULT),
+        H5Dclose);
+    if (!data.ok() || (rows > 0 && H5Dwrite(data, type_of(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) < 0))
+        throw TreeError("cannot write " + files_->groups.path_of(name));
+}
+
+void TreeWriter::text(const std::string& name, const std::string& text) {
+    // HDF5 has no text of length zero.
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type, std::max<std::size_t>(1, text.size()));
+    H5Tset_strpad(type, H5T_STR_NULLPAD);
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_obj_track_times(how, false);
+    const Handle data(H5Dcreate2(files_->groups.top(), name.c_str(), type, space, H5P_DEFAULT, how, H5P_DEFAULT),
+                      H5Dclose);
+    if (!data.ok() || H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) < 0)
+        throw TreeError("cannot write " + files_->groups.path_of(name));
+}
+
+std::string TreeWriter::image() {
+    if (H5Fflush(files_->file, H5F_SCOPE_GLOBAL) < 0) throw TreeError("the file in memory cannot be completed");
+    const ssize_t size = H5Fget_file_image(files_->file, nullptr, 0);
+    if (size <= 0) throw TreeError("the file in memory cannot be completed");
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    if (H5Fget_file_image(files_->file, bytes.data(), bytes.size()) != size)
+        throw TreeError("the file in memory cannot be read");
+    return bytes;
+}
+
+struct TreeReader::Files {
+    Handle file;
+    Groups groups;
+    std::size_t size; ///< bytes of the whole file
+
+    Handle open_data(const std::string& name, hid_t type, std::array<hsize_t, 2>& extent);
+};
+
+TreeReader::TreeReader(std::string_view image) {
+    silence();
+    const Handle access = file_access_in_memory();
+    // The buffer is copied by the call.
+    H5Pset_file_image(access, const_cast<char*>(image.data()), image.size());
+    Handle file(H5Fopen(unused_name().c_str(), H5F_ACC_RDONLY, access), H5Fclose);
+    if (!file.ok()) throw TreeError("it is no HDF5 file");
+    files_ = std::make_unique<Files>(Files{std::move(file), {}, image.size()});
+    Handle root(H5Gopen2(files_->file, "/", H5P_DEFAULT), H5Gclose);
+    if (!root.ok()) throw TreeError("it has no root group");
+    files_->groups.push(std::move(root), "");
+}
+
+TreeReader::~TreeReader() = default;
+
+void TreeReader::open_group(const std::string& name) {
+    Handle group(H5Gopen2(files_->groups.top(), name.c_str(), H5P_DEFAULT), H5Gclose);
+    if (!group.ok()) throw TreeError("group " + files_->groups.path_of(name) + " is missing");
+    files_->groups.push(std::move(group), name);
+}
+
+void TreeReader::close_group() { files_->groups.pop(); }
+
+void TreeReader::read_attribute(const std::string& name, Scalar type, void* numbers, std::size_t count) {
+    const Handle attribute(H5Aopen(files_->groups.top(), name.c_str(), H5P_DEFAULT), H5Aclose);
+    if (!attribute.ok()) throw TreeError(files_->groups.path_of(name) + " is missing");
+    const Handle space(H5Aget_space(attribute), H5Sclose);
+    const Handle found(H5Aget_type(attribute), H5Tclose);
+    const bool right = H5Tequal(found, type_of(type)) > 0 && H5Sget_simple_extent_type(space) == H5S_SIMPLE &&
+                       H5Sget_simple_extent_npoints(space) == static_cast<hssize_t>(count);
+    if (!right || H5Aread(attribute, type_of(type), numbers) < 0)
+        throw TreeError(files_->groups.path_of(name) + " is of another type or size");
+}
+
+Handle TreeReader::Files::open_data(const std::string& name, hid_t type, std::array<hsize_t, 2>& extent) {
+    Handle data(H5Dopen2(groups.top(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!data.ok()) throw TreeError(groups.path_of(name) + " is missing");
+    const Handle space(H5Dget_space(data), H5Sclose);
+    const Handle found(H5Dget_type(data), H5Tclose);
+    const bool right = H5Tequal(found, type) > 0 && H5Sget_simple_extent_ndims(space) == 2 &&
+                       H5Sget_simple_extent_dims(space, extent.data(), nullptr) == 2;
+    if (!right) throw TreeError(groups.path_of(name) + " is of another type");
+    return data;
+}
+
+std::size_t TreeReader::find_rows(const std::string& name, Scalar type, std::size_t per_row) {
+    std::array<hsize_t, 2> extent{};
+    const Handle data = files_->open_data(name, type_of(type), extent);
+    // Deflate shrinks to a thousandth at best: what claims to be larger is not in the file, and asking
+    // for that much memory could end the program.
+    constexpr double most = 1100;
+    const double bytes = static_cast<double>(extent[0]) * static_cast<double>(per_row) *
+                         static_cast<double>(size_of(type));
+    const auto stored = static_cast<double>(std::min<hsize_t>(H5Dget_storage_size(data), files_->size));
+    if (extent[1] != per_row || bytes > most * stored + 1)
+        throw TreeError(files_->groups.path_of(name) + " is of another size");
+    return static_cast<std::size_t>(extent[0]);
+}
+
+void TreeReader::read_data(const std::string& name, Scalar type, void* numbers, std::size_t rows,
+                           std::size_t per_row) {
+    std::array<hsize_t, 2> extent{};
+    const Handle data = files_->open_data(name, type_of(type), extent);
+    if (extent != std::array<hsize_t, 2>{rows, per_row})
+        throw TreeError(files_->groups.path_of(name) + " is of another size");
+    if (rows > 0 && H5Dread(data, type_of(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) < 0)
+        throw TreeError(files_->groups.path_of(name) + " cannot be read");
+}
+
+std::string TreeReader::text(const std::string& name) {
+    const Handle data(H5Dopen2(files_->groups.top(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!data.ok()) throw TreeError(files_->groups.path_of(name) + " is missing");
+    const Handle type(H5Dget_type(data), H5Tclose);
+    const Handle space(H5Dget_space(data), H5Sclose);
+    const bool right = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0 &&
+                       H5Sget_simple_extent_npoints(space) == 1 && H5Tget_size(type) <= files_->size;
+    if (!right) throw TreeError(files_->groups.path_of(name) + " is no text");
+    std::string text(H5Tget_size(type), '\0');
+    const Handle memory(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(memory, text.size());
+    H5Tset_strpad(memory, H5T_STR_NULLPAD);
+    if (H5Dread(data, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
+        throw TreeError(files_->groups.path_of(name) + " cannot be read");
+    text.resize(std::strlen(text.c_str()));
+    return text;
+}
+
+} // namespace kaya

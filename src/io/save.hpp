@@ -1,0 +1,39 @@
+// The whole model as a file, and back. The layout is described in docs/save-files.md.
+#pragma once
+
+#include "model/model.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kaya {
+
+/// Raised whenever a save file of today could not be read by the program of yesterday.
+inline constexpr std::int32_t save_format_version = 1;
+
+/// What stands beside the model in a save file; the model does not depend on it.
+struct SaveExtras {
+    struct Item {
+        std::string name;
+        std::string content; ///< any bytes
+    };
+    std::string program_version;
+    std::string title;
+    std::vector<Item> scripts; ///< state of the script languages, by part
+    std::vector<Item> decks;   ///< texts of the files that made this model, in order of reading
+};
+
+/// The bytes of a save file. The same state gives the same bytes.
+std::string save_image(Model& model, const SaveExtras& extras);
+
+/// Writes it whole or not at all (io/whole_file.hpp). Throws Diagnostic (Fault::run).
+void save_state(Model& model, const std::string& path, const SaveExtras& extras);
+
+/// The other way. The model is built aside, checked (model/consistency.hpp, state hash) and handed over
+/// at the end: when anything is wrong Diagnostic is thrown and `model` is as it was. `name` is for messages.
+SaveExtras restore_image(Model& model, std::string_view image, const std::string& name);
+SaveExtras restore_state(Model& model, const std::string& path);
+
+} // namespace kaya

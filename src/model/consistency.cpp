@@ -1,0 +1,194 @@
+#include "model/consistency.hpp"
+
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+/// Collects the first thing that is wrong; later ones are not looked at.
+class Findings {
+public:
+    const std::string& text() const { return text_; }
+    bool clean() const { return text_.empty(); }
+
+    void require(bool right, const char* table, std::size_t row, const std::string& what) {
+        if (!right && clean()) text_ = fmt::format("row {} of {}: {}", row, table, what);
+    }
+    void require(bool right, const std::string& what) {
+        if (!right && clean()) text_ = what;
+    }
+
+private:
+    std::string text_;
+};
+
+bool inside(Row row, std::size_t size) { return row >= 0 && static_cast<std::size_t>(row) < size; }
+bool inside_or_none(Row row, std::size_t size) { return row == no_row || inside(row, size); }
+
+/// A column of rows of another table.
+void check_links(Findings& findings, const char* table, const char* target, const Column<Row>& column,
+                 std::size_t size, bool none_allowed = false) {
+    for (std::size_t i = 0; i < column.size() && findings.clean(); ++i)
+        findings.require(none_allowed ? inside_or_none(column[i], size) : inside(column[i], size), table, i,
+                         fmt::format("{} {} of {}", target, column[i], size));
+}
+
+/// Spans lie inside the other table, and the rows in them name their owner.
+void check_spans(Findings& findings, const char* table, const char* target, const Column<Span>& spans,
+                 const Column<Row>& owners) {
+    const auto size = static_cast<Row>(owners.size());
+    std::size_t covered = 0;
+    for (std::size_t i = 0; i < spans.size() && findings.clean(); ++i) {
+        const Span span = spans[i];
+        const bool fits = span.count >= 0 && span.first >= 0 && span.first <= size && span.count <= size - span.first;
+        findings.require(fits, table, i, fmt::format("{} {} and the {} behind of {}", target, span.first,
+                                                     span.count, size));
+        if (!fits) return;
+        for (Row row = span.first; row < span.end(); ++row)
+            findings.require(owners[static_cast<std::size_t>(row)] == static_cast<Row>(i), table, i,
+                             fmt::format("{} {} belongs to another row", target, row));
+        covered += static_cast<std::size_t>(span.count);
+    }
+    findings.require(covered == owners.size(), fmt::format("some rows of {} belong to no row of {}", target, table));
+}
+
+template <class Tag>
+void check_ids(Findings& findings, const char* table, const IdMap<Tag>& ids, const Column<Id<Tag>>& column) {
+    for (std::size_t i = 0; i < column.size() && findings.clean(); ++i)
+        findings.require(ids.row(column[i]) == static_cast<Row>(i), table, i, "its id stands for another row");
+    std::size_t used = 0;
+    for (const auto& slot : ids.slots()) {
+        if (slot.row == no_row) continue;
+        findings.require(inside(slot.row, column.size()), fmt::format("an id of {} stands for no row", table));
+        ++used;
+    }
+    findings.require(used == column.size(), fmt::format("{} ids stand for {} rows of {}", used, column.size(), table));
+    findings.require(ids.free_slots().size() + used == ids.slots().size(),
+                     fmt::format("the free ids of {} are not counted right", table));
+    std::vector<bool> seen(ids.slots().size());
+    for (const auto slot : ids.free_slots()) {
+        const bool right = slot < seen.size() && !seen[slot] && ids.slots()[slot].row == no_row;
+        findings.require(right, fmt::format("free id {} of {} is in use", slot, table));
+        if (!right) return;
+        seen[slot] = true;
+    }
+}
+
+template <class T> bool between(T value, T first, T last) { return value >= first && value <= last; }
+
+void check_blocks(Findings& findings, const Model& model) {
+    const auto& blocks = model.blocks;
+    check_ids(findings, "blocks", blocks.ids, blocks.id);
+    check_spans(findings, "blocks", "gridpoint", blocks.gridpoints, model.gridpoints.block);
+    check_spans(findings, "blocks", "face", blocks.faces, model.faces.block);
+    check_spans(findings, "blocks", "zone", blocks.zones, model.zones.block);
+    for (std::size_t i = 0; i < blocks.size() && findings.clean(); ++i) {
+        findings.require(inside(blocks.group[i], model.group_names.size()), "blocks", i,
+                         fmt::format("group {} of {}", blocks.group[i], model.group_names.size()));
+        findings.require(blocks.number[i] >= 1 && blocks.number[i] < model.next_block_number, "blocks", i,
+                         fmt::format("number {} where {} is the next", blocks.number[i], model.next_block_number));
+    }
+}
+
+/// Corners of triangles and zones belong to the block that the face or zone belongs to.
+void check_geometry(Findings& findings, const Model& model) {
+    check_spans(findings, "faces", "triangle", model.faces.triangles, model.triangles.face);
+    if (!findings.clean()) return;
+    // A block's triangles are those of its faces, one behind the other.
+    Column<Row> owner;
+    for (const Row face : model.triangles.face) owner.push_back(model.faces.block[static_cast<std::size_t>(face)]);
+    check_spans(findings, "blocks", "triangle", model.blocks.triangles, owner);
+    const auto check_corners = [&](const char* table, const auto& corners, const Column<Row>& block) {
+        for (std::size_t i = 0; i < corners.size() && findings.clean(); ++i)
+            for (const Row corner : corners[i])
+                findings.require(inside(corner, model.gridpoints.size()) &&
+                                     model.gridpoints.block[static_cast<std::size_t>(corner)] == block[i],
+                                 table, i, fmt::format("gridpoint {} is not one of its block", corner));
+    };
+    check_corners("triangles", model.triangles.gridpoints, owner);
+    check_corners("zones", model.zones.gridpoints, model.zones.block);
+}
+
+void check_contacts(Findings& findings, const Model& model) {
+    const auto& contacts = model.contacts;
+    check_ids(findings, "contacts", contacts.ids, contacts.id);
+    check_links(findings, "contacts", "block", contacts.block1, model.blocks.size());
+    check_links(findings, "contacts", "block", contacts.block2, model.blocks.size());
+    check_links(findings, "contacts", "face", contacts.face1, model.faces.size(), true);
+    check_links(findings, "contacts", "face", contacts.face2, model.faces.size(), true);
+    check_links(findings, "contacts", "property set", contacts.properties, model.joint_properties.size(), true);
+    check_spans(findings, "contacts", "sub-contact", contacts.sub_contacts, model.sub_contacts.contact);
+    for (std::size_t i = 0; i < contacts.size() && findings.clean(); ++i) {
+        findings.require(contacts.block1[i] != contacts.block2[i], "contacts", i, "a block touches itself");
+        findings.require(between(contacts.touch[i], Touch::face_face, Touch::vertex_vertex), "contacts", i,
+                         "its kind of touch is unknown");
+        findings.require(contacts.number[i] >= 1 && contacts.number[i] < model.next_contact_number, "contacts", i,
+                         fmt::format("number {} where {} is the next", contacts.number[i],
+                                     model.next_contact_number));
+    }
+}
+
+void check_attachments(Findings& findings, const Column<Attachment>& side, std::size_t gridpoints) {
+    for (std::size_t i = 0; i < side.size() && findings.clean(); ++i)
+        for (const Row row : side[i].gridpoints)
+            findings.require(inside_or_none(row, gridpoints), "sub_contacts", i,
+                             fmt::format("gridpoint {} of {}", row, gridpoints));
+}
+
+void check_sub_contacts(Findings& findings, const Model& model) {
+    const auto& sub = model.sub_contacts;
+    check_ids(findings, "sub_contacts", sub.ids, sub.id);
+    check_attachments(findings, sub.side1, model.gridpoints.size());
+    check_attachments(findings, sub.side2, model.gridpoints.size());
+    for (std::size_t i = 0; i < sub.size() && findings.clean(); ++i) {
+        findings.require(between(sub.meeting[i], Meeting::vertex_face, Meeting::edge_edge), "sub_contacts", i,
+                         "its kind of meeting is unknown");
+        findings.require(sub.number[i] >= 1 && sub.number[i] < model.next_sub_contact_number, "sub_contacts", i,
+                         fmt::format("number {} where {} is the next", sub.number[i],
+                                     model.next_sub_contact_number));
+    }
+}
+
+void check_histories(Findings& findings, const Model& model) {
+    const auto& histories = model.histories;
+    const std::size_t samples = histories.time.size();
+    findings.require(histories.cycle.size() == samples, "histories have not as many cycles as times");
+    findings.require(histories.interval > 0, fmt::format("histories are sampled every {} cycles", histories.interval));
+    for (std::size_t k = 0; k < histories.all.size(); ++k) {
+        const auto& history = histories.all[k];
+        findings.require(history.number == static_cast<std::int32_t>(k) + 1, "histories", k, "its number is another");
+        findings.require(history.first_sample <= samples && history.values.size() == samples - history.first_sample,
+                         "histories", k, "it has not as many values as there are samples");
+        findings.require(between(history.source.kind, HistorySource::Kind::global, HistorySource::Kind::function),
+                         "histories", k, "its kind is unknown");
+    }
+}
+
+} // namespace
+
+std::string inconsistency(Model& model) {
+    Findings findings;
+    // Columns first: everything below reads as many rows as the table says.
+    model.tables([&](const char* name, auto& table) {
+        table.columns([&](const std::string& column_name, auto& column) {
+            findings.require(column.size() == table.size(),
+                             fmt::format("column {} of {} has {} rows of {}", column_name, name, column.size(),
+                                         table.size()));
+        });
+    });
+    findings.require(!model.group_names.empty() && model.group_names.front().empty(), "group 0 has a name");
+    findings.require(between(model.settings.damping, Damping::none, Damping::rayleigh), "the damping is unknown");
+    findings.require(inside_or_none(model.settings.default_properties, model.joint_properties.size()),
+                     "the joint properties of new contacts are not there");
+    if (!findings.clean()) return findings.text();
+
+    for (const auto check :
+         {check_blocks, check_geometry, check_contacts, check_sub_contacts, check_histories}) {
+        check(findings, model);
+        if (!findings.clean()) break;
+    }
+    return findings.text();
+}
+
+} // namespace kaya
