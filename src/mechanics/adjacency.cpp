@@ -37,11 +37,11 @@ Adjacency make_adjacency(const Model& model) {
                         add(attachment->gridpoints[k], SideEntry{s, side, attachment->weights[k]});
             }
     });
-    adjacency.of_block = sorted_lists<SideEntry>(blocks.size(), [&](auto add) {
-        for (Row s = 0; s < static_cast<Row>(subs.size()); ++s)
+    adjacency.of_block = sorted_lists<ContactEntry>(blocks.size(), [&](auto add) {
+        for (Row c = 0; c < static_cast<Row>(model.contacts.size()); ++c)
             for (std::int32_t side = 0; side < 2; ++side) {
-                const Row block = sides(s)[side].first;
-                if (!blocks.deformable[block]) add(block, SideEntry{s, side, 1.0});
+                const Row block = side == 0 ? model.contacts.block1[c] : model.contacts.block2[c];
+                if (!blocks.deformable[block]) add(block, ContactEntry{c, side});
             }
     });
     adjacency.corners = sorted_lists<Row>(model.gridpoints.size(), [&](auto add) {

@@ -23,9 +23,15 @@ struct SideEntry {
     double weight;
 };
 
+/// A contact that a block has.
+struct ContactEntry {
+    Row contact;
+    std::int32_t side; ///< 0 or 1
+};
+
 struct Adjacency {
     Lists<SideEntry> of_gridpoint; ///< gridpoints of deformable blocks
-    Lists<SideEntry> of_block;     ///< rigid blocks, weight 1
+    Lists<ContactEntry> of_block;  ///< rigid blocks
     Lists<Row> corners;            ///< of each gridpoint: 4 zone + corner
 };
 

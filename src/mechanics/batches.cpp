@@ -9,17 +9,16 @@ std::vector<Batch> make_batches(const Model& model, JointRegistry& joints, Row m
     std::vector<Batch> batches;
     for (std::size_t c = 0; c < model.contacts.size(); ++c) {
         const Span span = model.contacts.sub_contacts[c];
-        if (span.count == 0) continue;
         const Row properties = model.contacts.properties[c];
         const bool joins = !batches.empty() && batches.back().properties == properties &&
                            batches.back().count + span.count <= most;
         if (joins) {
             batches.back().count += span.count;
+            ++batches.back().contacts.count;
             continue;
         }
         const JointModel& joint = joints.get(model.joint_properties[properties].model);
-        for (Row first = span.first; first < span.end(); first += most)
-            batches.push_back({&joint, properties, first, std::min(most, span.end() - first)});
+        batches.push_back({&joint, properties, span.first, span.count, {static_cast<Row>(c), 1}});
     }
     return batches;
 }

@@ -9,15 +9,17 @@
 
 namespace kaya {
 
-/// Consecutive sub-contacts whose contacts share a property set.
+/// Sub-contacts of consecutive contacts that share a property set.
 struct Batch {
     const JointModel* model;
     Row properties;
-    Row first, count;
+    Row first, count; ///< rows of sub-contacts
+    Span contacts;
 };
 
-/// All batches, in row order; none is longer than `most` rows, so that threads share the work.
-std::vector<Batch> make_batches(const Model& model, JointRegistry& joints, Row most = 2048);
+/// All batches, in row order. One has whole contacts and, if it has several, at most `most` rows: few
+/// enough that what a cycle reads and writes of them stays near the processor.
+std::vector<Batch> make_batches(const Model& model, JointRegistry& joints, Row most = 512);
 
 /// The columns of rows [first, first + count) as a joint model sees them.
 /// `history` must have room for the model's history pointers and live as long as the batch is used.

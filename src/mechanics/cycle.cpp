@@ -20,11 +20,11 @@ constexpr std::int64_t growth_interval = 100;
 /// The step shrinks a little more than it must, so that it does not have to again in the next cycle.
 constexpr double shrink = 0.9;
 
-enum Phase { move, contact, joint, zone, search, gather, step, script, phase_count };
+enum Phase { move, joint, zone, search, gather, step, script, phase_count };
 
 std::vector<PhaseTime> phase_names() {
-    return {{"move bodies"},     {"update contacts"}, {"joint models"},    {"zone models"},
-            {"search contacts"}, {"gather forces"},   {"time step limit"}, {"hooks and histories"}};
+    return {{"move bodies"},   {"contacts and joint models"}, {"zone models"},        {"search contacts"},
+            {"gather forces"}, {"time step limit"},           {"hooks and histories"}};
 }
 
 double smallest_margin(const Model& model) {
@@ -67,6 +67,7 @@ struct Cycle::Scratch {
     Adjacency adjacency;
     std::vector<Batch> batches;
     std::vector<ElasticConstants> elastic;
+    JointForces joints;
     std::vector<Vec3> corner_forces;
     double margin = 0; ///< smallest contact margin of all blocks
     std::vector<PhaseTime> timing = phase_names();
@@ -107,7 +108,7 @@ void Cycle::prepare() {
     }
     if (model_.properties_changed) {
         // Forces of what is there already, so that the first step starts from them.
-        gather_forces(model_, s.adjacency, s.corner_forces);
+        gather_forces(model_, s.adjacency, s.joints, s.corner_forces);
         model_.clock.time_step = 0;
         limit_step(true);
         model_.clock.travelled = 0;
@@ -120,6 +121,7 @@ void Cycle::make_lists() {
     s.adjacency = make_adjacency(model_);
     s.batches = make_batches(model_, joints_);
     s.elastic = elastic_constants(model_);
+    joint_forces(model_, s.joints);
     zone_forces(model_, s.corner_forces);
     s.margin = smallest_margin(model_);
 }
@@ -193,8 +195,7 @@ void Cycle::advance() {
         sums.travel = std::max(sums.travel, of_gridpoints.travel);
         return sums;
     });
-    s.timed(contact, [&] { update_contacts(model_); });
-    bool stiffness_changed = s.timed(joint, [&] { return run_joint_models(model_, s.batches); });
+    const bool stiffness_changed = s.timed(joint, [&] { return advance_joints(model_, s.batches, s.joints); });
     s.timed(zone, [&] { run_zone_models(model_, s.elastic, s.corner_forces); });
     clock.travelled += motion.travel;
     clock.time += clock.time_step;
@@ -205,7 +206,7 @@ void Cycle::advance() {
         model_.lists_changed = false;
         return true;
     });
-    s.timed(gather, [&] { gather_forces(model_, s.adjacency, s.corner_forces); });
+    s.timed(gather, [&] { gather_forces(model_, s.adjacency, s.joints, s.corner_forces); });
     run_hooks(hooks.after_forces);
 
     if (!std::isfinite(motion.kinetic) || !std::isfinite(clock.unbalanced_force)) throw lost();

@@ -11,13 +11,6 @@ namespace {
 
 constexpr std::size_t grain = 512;
 
-/// Force of a sub-contact on its second side: on the first it is the opposite.
-Vec3 force_of(const Model& model, Row s) {
-    const auto& subs = model.sub_contacts;
-    const double normal = subs.normal_force[s] + subs.pore_pressure[s] * subs.area[s];
-    return normal * model.contacts.normal[subs.contact[s]] + subs.shear_force[s];
-}
-
 /// Unbalanced forces of free bodies against the forces that act on them.
 struct Balance {
     double largest = 0;      ///< unbalanced force of one body
@@ -53,7 +46,8 @@ Vec3 free_part(Vec3 force, std::uint8_t fixed) {
 
 } // namespace
 
-void gather_forces(Model& model, const Adjacency& adjacency, const std::vector<Vec3>& corner_forces) {
+void gather_forces(Model& model, const Adjacency& adjacency, const JointForces& joints,
+                   const std::vector<Vec3>& corner_forces) {
     auto& g = model.gridpoints;
     auto& blocks = model.blocks;
     const Vec3 gravity = model.settings.gravity;
@@ -72,7 +66,7 @@ void gather_forces(Model& model, const Adjacency& adjacency, const std::vector<V
                     acting += corner_forces[*c].norm();
                 }
                 for (auto e = adjacency.of_gridpoint.begin(row); e != adjacency.of_gridpoint.end(row); ++e) {
-                    const Vec3 force = (e->side == 0 ? -e->weight : e->weight) * force_of(model, e->sub_contact);
+                    const Vec3 force = (e->side == 0 ? -e->weight : e->weight) * joints.of_sub_contact[e->sub_contact];
                     sum += force;
                     acting += force.norm();
                 }
@@ -100,9 +94,11 @@ void gather_forces(Model& model, const Adjacency& adjacency, const std::vector<V
                     continue;
                 }
                 for (auto e = adjacency.of_block.begin(row); e != adjacency.of_block.end(row); ++e) {
-                    const Vec3 force = (e->side == 0 ? -1.0 : 1.0) * force_of(model, e->sub_contact);
+                    const double sign = e->side == 0 ? -1.0 : 1.0;
+                    const Vec3 force = sign * joints.of_contact[e->contact];
+                    const Vec3 arm = model.contacts.position[e->contact] - blocks.centroid[row];
                     sum += force;
-                    moment += (model.sub_contacts.position[e->sub_contact] - blocks.centroid[row]).cross(force);
+                    moment += arm.cross(force) + sign * joints.moment[e->contact];
                     acting += force.norm();
                 }
                 blocks.force[row] = sum;

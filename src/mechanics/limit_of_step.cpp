@@ -94,8 +94,10 @@ StepLimit limit_of_step(const Model& model, const Adjacency& adjacency) {
             for (std::size_t i = first; i < last; ++i) {
                 const Row row = static_cast<Row>(i);
                 double sum = 0;
-                for (auto e = adjacency.of_block.begin(row); e != adjacency.of_block.end(row); ++e)
-                    sum += size.block(row, e->sub_contact) * coupling[e->sub_contact];
+                for (auto e = adjacency.of_block.begin(row); e != adjacency.of_block.end(row); ++e) {
+                    const Span span = model.contacts.sub_contacts[e->contact];
+                    for (Row s = span.first; s < span.end(); ++s) sum += size.block(row, s) * coupling[s];
+                }
                 take_larger(part, {sum, true, row});
             }
             return part;

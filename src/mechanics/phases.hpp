@@ -24,13 +24,25 @@ MotionSums move_blocks(Model& model);
 /// The same for gridpoints of deformable blocks, and their blocks' centroids.
 MotionSums move_gridpoints(Model& model);
 
-/// Reads positions and velocities; writes planes, displacement increments, sub-contact positions; turns
-/// shear forces with the planes.
-void update_contacts(Model& model);
+/// What contacts pass on in a cycle; derived, so that it is not part of the model.
+struct JointForces {
+    std::vector<Vec3> of_sub_contact; ///< on the second side, of contacts with a deformable block
+    std::vector<Vec3> of_contact;     ///< sum on the second block
+    std::vector<Vec3> moment;         ///< of that sum about Contacts::position
+};
 
-/// Reads displacement increments; writes contact forces, displacements, history, state, stiffnesses.
-/// Returns whether a tangent stiffness changed.
-bool run_joint_models(Model& model, const std::vector<Batch>& batches);
+/// Reads positions and velocities of blocks and gridpoints; turns the planes, computes displacement
+/// increments, calls the joint models, and writes contact forces, displacements, history, state and
+/// stiffnesses. One batch after another goes through all of it. Returns whether a tangent stiffness
+/// changed.
+bool advance_joints(Model& model, const std::vector<Batch>& batches, JointForces& forces);
+
+/// Forces of the contacts as they are, without a step.
+void joint_forces(const Model& model, JointForces& forces);
+
+/// Turns the plane of a contact with its blocks and writes the displacement increments of its
+/// sub-contacts; turns their shear forces with the plane.
+void move_contact(Model& model, Row contact);
 
 /// Lame's constants of a block: stress = lambda trace(strain) + two_shear strain.
 struct ElasticConstants {
@@ -49,7 +61,8 @@ void zone_forces(const Model& model, std::vector<Vec3>& corner_forces);
 
 /// Reads contact forces, corner forces, loads; writes forces and moments in row order, and the unbalanced
 /// force and its ratios in the clock.
-void gather_forces(Model& model, const Adjacency& adjacency, const std::vector<Vec3>& corner_forces);
+void gather_forces(Model& model, const Adjacency& adjacency, const JointForces& joints,
+                   const std::vector<Vec3>& corner_forces);
 
 /// Masses of blocks and gridpoints from the densities. Throws Diagnostic when one is missing.
 void compute_masses(Model& model);
