@@ -186,7 +186,8 @@ ptrdiff_t run(kaya_jbatch* batch) {
         const double was_on_curve = (states[i] & is_unloading) != 0 ? 0 : 1;
         path.on_curve = turns ? 0 : was_on_curve;
 
-        const double touching_motion = free_closure > 0 ? path.motion : 0;
+        // Dilation can keep a joint closed whose sides move apart; it cannot close an open one.
+        const double touching_motion = std::max(closures[i], free_closure) > 0 ? path.motion : 0;
         path.friction0 = mobilised_friction(before * per_peak);
         path.roughness0 = mobilised_roughness(before * per_peak);
         path.friction1 = mobilised_friction((before + touching_motion) * per_peak);
@@ -202,7 +203,8 @@ ptrdiff_t run(kaya_jbatch* batch) {
         const Strength strength = strength_at(law, log_jcs, new_closure);
         const Trial last = trial_at(law, strength, path);
 
-        const double after = before + last.spent;
+        const double spent = new_closure > 0 ? last.spent : 0;
+        const double after = before + spent;
         const double limit = strength.stress * tangent_of_degrees(law.residual_friction * mobilised_friction(after * per_peak) +
                                                                   strength.ruff * mobilised_roughness(after * per_peak));
         const double size = std::min(last.size, limit);
@@ -212,9 +214,9 @@ ptrdiff_t run(kaya_jbatch* batch) {
         const double start = std::sqrt(path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z);
         const double old_stress = normal_force[i] * per_area;
         const double elastic = (limit - last.limit0) / std::max(std::max(strength.stiffness, last.stiffness), law.lowest_stress);
-        const double plastic = std::max(0.0, last.spent - elastic);
-        const double taken_up = 0.5 * (start + size) * plastic - 0.5 * (old_stress + strength.stress) * last.dilation * last.spent;
-        work[i] += last.spent > 0 ? area * std::max(0.0, taken_up) : 0;
+        const double plastic = std::max(0.0, spent - elastic);
+        const double taken_up = 0.5 * (start + size) * plastic - 0.5 * (old_stress + strength.stress) * last.dilation * spent;
+        work[i] += spent > 0 ? area * std::max(0.0, taken_up) : 0;
 
         normal_force[i] = strength.stress * area;
         force_x[i] = last.x * scale * area;
@@ -234,7 +236,7 @@ ptrdiff_t run(kaya_jbatch* batch) {
         turn_x[i] = unloads * from_x;
         turn_y[i] = unloads * from_y;
         turn_z[i] = unloads * from_z;
-        states[i] = (touches > 0 ? 0 : is_open) | (last.spent > 0 ? is_slipping : 0) |
+        states[i] = (touches > 0 ? 0 : is_open) | (spent > 0 ? is_slipping : 0) |
                     (after > law.peak_displacement ? is_past_peak : 0) | (continues > 0 ? 0 : is_unloading);
     }
     return -1;
