@@ -7,29 +7,29 @@ namespace kaya::lang {
 
 namespace {
 
+constexpr const char* velocity_words[3][2] = {{"xvel", "xvelocity"}, {"yvel", "yvelocity"}, {"zvel", "zvelocity"}};
+
 CommandSpec bound() {
     Entry<Boundary> entry({"boundary"});
     entry.help("drives or loads gridpoints and vertices at the boundary of visible blocks");
     entry.place(&Boundary::place);
-    static constexpr const char* velocity[] = {"xvel", "yvel", "zvel"};
     static constexpr const char* load[] = {"xload", "yload", "zload"};
     static constexpr const char* free[] = {"xfree", "yfree", "zfree"};
     for (std::size_t i = 0; i < 3; ++i) {
-        entry.keyword({velocity[i], i == 0 ? "xvelocity" : i == 1 ? "yvelocity" : "zvelocity"},
-                      real("v").unit("velocity"), [i](Boundary& b) -> auto& { return b.velocity[i]; },
-                      "velocity held constant");
+        entry.keyword({velocity_words[i][0], velocity_words[i][1]}, real("v").unit("velocity"),
+                      [i](Boundary& b) -> auto& { return b.velocity[i]; }, "velocity held constant");
         entry.keyword({load[i]}, real("f").unit("force"), [i](Boundary& b) -> auto& { return b.load[i]; },
                       "force added at every vertex");
         entry.action({free[i]}, [i](Boundary& b) { b.free[i] = true; }, "no longer held in this direction");
     }
     entry.keyword({"stress"}, tensor("sxx syy szz sxy sxz syz").unit("stress"), &Boundary::stress,
                   "stress on the boundary faces, compression negative");
-    entry.keyword({"xgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"), &Boundary::x_gradient,
-                  "change of the stress with x");
-    entry.keyword({"ygradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"), &Boundary::y_gradient,
-                  "change of the stress with y");
-    entry.keyword({"zgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"), &Boundary::z_gradient,
-                  "change of the stress with z");
+    entry.keyword({"xgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"),
+                  &Boundary::x_gradient, "change of the stress with x");
+    entry.keyword({"ygradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"),
+                  &Boundary::y_gradient, "change of the stress with y");
+    entry.keyword({"zgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"),
+                  &Boundary::z_gradient, "change of the stress with z");
     entry.range(&Boundary::range);
     entry.finish([](const Reader& reader, Boundary& b) {
         bool given = b.stress.has_value();
@@ -59,14 +59,14 @@ CommandSpec bound() {
 CommandSpec initialize() {
     Entry<Initialize> entry({"initialize"});
     entry.help("gives gridpoints and rigid blocks a velocity to start with");
-    static constexpr const char* words[] = {"xvel", "yvel", "zvel"};
     for (std::size_t i = 0; i < 3; ++i)
-        entry.keyword({words[i], i == 0 ? "xvelocity" : i == 1 ? "yvelocity" : "zvelocity"},
-                      real("v").unit("velocity"), [i](Initialize& c) -> auto& { return c.velocity[i]; }, "velocity");
+        entry.keyword({velocity_words[i][0], velocity_words[i][1]}, real("v").unit("velocity"),
+                      [i](Initialize& c) -> auto& { return c.velocity[i]; }, "velocity");
     entry.range(&Initialize::range);
     entry.finish([](const Reader& reader, Initialize& c) {
         if (!c.velocity[0] && !c.velocity[1] && !c.velocity[2])
-            incomplete_line(reader, "initialize does not say what to set", "expected: xvel, yvel or zvel and a number");
+            incomplete_line(reader, "initialize does not say what to set",
+                            "expected: xvel, yvel or zvel and a number");
     });
     entry.right("ini xvel 1").right("initialize xvel 0 yvel 0 zvel -2 range group ball");
     entry.wrong("ini", "initialize does not say what to set");

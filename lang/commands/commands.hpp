@@ -142,7 +142,10 @@ struct Fraction { double value = 0; };
 /// def NAME ... end: all its lines, the first and the last included; place is that of the first line.
 struct FishDefinition { std::string text; Place place; };
 struct FishCall { std::string expression; Place place; }; ///< a line @f(1) or [f(1)]: without @ and brackets
-struct LuaChunk { std::string text; Place place; };       ///< the lines between lua and endlua; place of the first
+struct LuaChunk {
+    std::string text;
+    Place place;
+}; ///< the lines between lua and endlua; place of the first
 struct LuaFile { std::string file; Place place; };
 
 } // namespace kaya::lang

@@ -21,13 +21,15 @@ CommandSpec set() {
                   "time step as a part of the largest stable one");
     entry.keyword({"threads"}, integer("n").at_least(1), &Set::threads, "number of threads");
     entry.keyword({"echo"}, on_off(), &Set::echo, "shows the commands while they run");
-    for (const char* word : {"pagination", "atol", "btol", "ctol", "dtol", "etol", "nmech", "ncyc", "cust1", "cust2"})
+    for (const char* word :
+         {"pagination", "atol", "btol", "ctol", "dtol", "etol", "nmech", "ncyc", "cust1", "cust2"})
         entry.special({word}, {},
                       [word](Reader& reader, Set& set) {
                           set.accepted.emplace_back(word);
                           const auto value = text("value").spec;
                           while (const Word* next = reader.peek()) {
-                              const bool its_own = next->kind == WordKind::number || next->folded == "on" || next->folded == "off";
+                              const bool its_own = next->kind == WordKind::number || next->folded == "on" ||
+                                                   next->folded == "off";
                               if (!its_own) break;
                               (void)reader.any(value);
                           }
@@ -43,7 +45,10 @@ CommandSpec set() {
         if (reader.statement().words.size() == 1)
             incomplete_line(reader, "set does not say what to set", "write for example: set dyn on");
     });
-    entry.right("set dyn on").right("set jcondf 1 jmatdf 2").right("set log on logfile run.log").right("set @load = 5e6");
+    entry.right("set dyn on")
+        .right("set jcondf 1 jmatdf 2")
+        .right("set log on logfile run.log")
+        .right("set @load = 5e6");
     entry.right("set pagination off").right("set atol 1e-4 echo off");
     entry.wrong("set", "set does not say what to set");
     entry.wrong("set dyn maybe", "'maybe' stands where on or off must be");
@@ -61,7 +66,10 @@ CommandSpec title() {
         title.text = words.size() == 2 && words[1].kind == WordKind::text ? words[1].text : statement.raw(1);
     });
     entry.help("names the model; the text is the rest of the line");
-    entry.right("title Direct shear test").right("title 'A wall, second try'").right("title").right("title It's late");
+    entry.right("title Direct shear test")
+        .right("title 'A wall, second try'")
+        .right("title")
+        .right("title It's late");
     return entry;
 }
 
@@ -104,17 +112,25 @@ Family control() {
                     .wrong("save ''", "file is an empty text"),
                 Entry<Reset>({"reset"})
                     .help("sets quantities back to zero; several may stand on one line")
-                    .action({"time"}, [](Reset& r) { r.what.emplace_back("time"); }, "the time")
-                    .action({"hist", "history", "histories"}, [](Reset& r) { r.what.emplace_back("hist"); },
-                            "all histories")
-                    .action({"disp", "displacement"}, [](Reset& r) { r.what.emplace_back("disp"); },
-                            "displacements of gridpoints and blocks")
-                    .action({"vel", "velocity"}, [](Reset& r) { r.what.emplace_back("vel"); }, "velocities")
-                    .action({"jdisp", "jdisplacement"}, [](Reset& r) { r.what.emplace_back("jdisp"); },
-                            "displacements of joints")
-                    .action({"energy"}, [](Reset& r) { r.what.emplace_back("energy"); }, "sums of energy and work")
-                    .action({"damp", "damping"}, [](Reset& r) { r.what.emplace_back("damp"); },
-                            "the state of adaptive damping")
+                    .action(
+                        {"time"}, [](Reset& r) { r.what.emplace_back("time"); }, "the time")
+                    .action(
+                        {"hist", "history", "histories"}, [](Reset& r) { r.what.emplace_back("hist"); },
+                        "all histories")
+                    .action(
+                        {"disp", "displacement"}, [](Reset& r) { r.what.emplace_back("disp"); },
+                        "displacements of gridpoints and blocks")
+                    .action(
+                        {"vel", "velocity"}, [](Reset& r) { r.what.emplace_back("vel"); }, "velocities")
+                    .action(
+                        {"jdisp", "jdisplacement"}, [](Reset& r) { r.what.emplace_back("jdisp"); },
+                        "displacements of joints")
+                    .action(
+                        {"energy"}, [](Reset& r) { r.what.emplace_back("energy"); },
+                        "sums of energy and work")
+                    .action(
+                        {"damp", "damping"}, [](Reset& r) { r.what.emplace_back("damp"); },
+                        "the state of adaptive damping")
                     .finish([](const Reader& reader, Reset& reset) {
                         if (reset.what.empty())
                             incomplete_line(reader, "reset does not say what to reset",

@@ -13,7 +13,8 @@ void block_options(Entry<PolyBrick>& entry) {
     const auto options = [](std::int64_t BlockOptions::*member) {
         return [member](PolyBrick& brick) -> auto& { return brick.options.*member; };
     };
-    entry.keyword({"region"}, integer("n").at_least(0), options(&BlockOptions::region), "region number, 0 if not given");
+    entry.keyword({"region"}, integer("n").at_least(0), options(&BlockOptions::region),
+                  "region number, 0 if not given");
     entry.keyword({"material", "mat"}, integer("n").at_least(1), options(&BlockOptions::material),
                   "material number, 1 if not given");
     entry.keyword({"constitutive", "cons"}, integer("n").at_least(1), options(&BlockOptions::constitutive),
@@ -27,15 +28,18 @@ CommandSpec poly_brick() {
     entry.place(&PolyBrick::place);
     entry.argument(pair("x1 x2").unit("length").help("limits in x"),
                    [](PolyBrick& brick, std::array<double, 2> x) { brick.x = brick.y = brick.z = x; });
-    entry.argument(pair("y1 y2").unit("length").optional().help("limits in y; those of x if not given"), &PolyBrick::y);
-    entry.argument(pair("z1 z2").unit("length").optional().help("limits in z; those of x if not given"), &PolyBrick::z);
+    entry.argument(pair("y1 y2").unit("length").optional().help("limits in y; those of x if not given"),
+                   &PolyBrick::y);
+    entry.argument(pair("z1 z2").unit("length").optional().help("limits in z; those of x if not given"),
+                   &PolyBrick::z);
     block_options(entry);
     entry.finish([](const Reader& reader, PolyBrick& brick) {
         if (reader.wildcards()) return;
         const auto check = [&](const char* axis, const std::array<double, 2>& limits) {
             if (limits[0] < limits[1]) return;
-            Diagnostic d(fmt::format("the brick has no extent in {}: from {:g} to {:g}", axis, limits[0], limits[1]),
-                         "the lower limit comes first and must be less than the upper one");
+            Diagnostic d(
+                fmt::format("the brick has no extent in {}: from {:g} to {:g}", axis, limits[0], limits[1]),
+                "the lower limit comes first and must be less than the upper one");
             throw d.at(brick.place);
         };
         check("x", brick.x);
@@ -43,7 +47,9 @@ CommandSpec poly_brick() {
         check("z", brick.z);
     });
     entry.right("poly brick 0,1 0,1 0,1").right("poly brick -0.15,0.15 -0.10,0.10 -0.10,0.0");
-    entry.right("poly brick (0,2)").right("poly region 3 brick 0 1 0 1 0 1").right("poly brick 0 1 0 1 0 1 mat=2 cons 1 reg 5");
+    entry.right("poly brick (0,2)")
+        .right("poly region 3 brick 0 1 0 1 0 1")
+        .right("poly brick 0 1 0 1 0 1 mat=2 cons 1 reg 5");
     entry.wrong("poly", "a word is missing after 'poly'");
     entry.wrong("poly brik 0,1 0,1 0,1", "'brik' is not a kind of poly");
     entry.wrong("poly brick", "a number is missing after 'brick'");
@@ -94,10 +100,11 @@ Family geometry() {
                 .wrong("delete range not z 0 1", "'not' stands before the element that it turns round"),
             Entry<Group>({"group"}, {"block"})
                 .help("gives blocks a name by which a range finds them")
-                .argument(text("name").help("name of the group"), [](Group& g, std::string name) {
-                    g.kind = "block";
-                    g.name = std::move(name);
-                })
+                .argument(text("name").help("name of the group"),
+                          [](Group& g, std::string name) {
+                              g.kind = "block";
+                              g.name = std::move(name);
+                          })
                 .range(&Group::range)
                 .right("group block wall range z 0 3")
                 .right("group block 'left wall' range x -1 0 y 0 1")
@@ -110,7 +117,8 @@ Family geometry() {
                 .range(&NameRange::range)
                 .finish([](const Reader& reader, NameRange& named) {
                     if (named.range.elements.empty())
-                        incomplete_line(reader, "the named range has no element", "write for example: range name top z 1 2");
+                        incomplete_line(reader, "the named range has no element",
+                                        "write for example: range name top z 1 2");
                 })
                 .right("range name top z 0.9 1.1")
                 .right("range name both nrange top bottom union")
@@ -118,7 +126,8 @@ Family geometry() {
                 .wrong("range z 0 1", "'z' is not a kind of range"),
             Entry<GenerateEdge>({"generate"}, {"edge"})
                 .help("fills blocks with tetrahedral zones; from then on they deform")
-                .argument(real("edge").unit("length").above(0).help("average edge of a zone"), &GenerateEdge::edge)
+                .argument(real("edge").unit("length").above(0).help("average edge of a zone"),
+                          &GenerateEdge::edge)
                 .range(&GenerateEdge::range)
                 .place(&GenerateEdge::place)
                 .right("gen edge 1")

@@ -68,7 +68,10 @@ CommandSpec history_add() {
             incomplete_line(reader, "history does not say what to record", "write for example: hist unbal");
     });
     entry.right("hist unbal ncyc 5").right("hist @sstav @nstav").right("hist sdis -1 -1 0 ndis -1 -1 0");
-    entry.right("hist zdisp 0 0 0.1").right("his xvel (0,0,1)").right("hist szz 0 0 0.1").right("hist ncyc 100");
+    entry.right("hist zdisp 0 0 0.1")
+        .right("his xvel (0,0,1)")
+        .right("hist szz 0 0 0.1")
+        .right("hist ncyc 100");
     entry.wrong("hist", "history does not say what to record");
     entry.wrong("hist xdis 0 0", "a number is missing after '0'");
     entry.wrong("hist xids 0 0 0", "'xids' is not a keyword of history");
@@ -105,7 +108,8 @@ CommandSpec history_label() {
     return Entry<HistoryLabel>({"history"}, {"label"})
         .help("names a history; the name stands in written tables")
         .place(&HistoryLabel::place)
-        .argument(integer("n").at_least(1).help("number of the history, counted from 1"), &HistoryLabel::number)
+        .argument(integer("n").at_least(1).help("number of the history, counted from 1"),
+                  &HistoryLabel::number)
         .argument(text("text").help("the name"), &HistoryLabel::text)
         .right("hist label 2 'Shear Stress'")
         .wrong("hist label", "a number is missing after 'label'")

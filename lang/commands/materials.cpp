@@ -69,16 +69,19 @@ CommandSpec prop() {
     Entry<Property> entry({"property"});
     entry.help("gives a material its properties: of blocks, of joints, of joint models");
     const auto number = integer("n").at_least(1);
-    entry.keyword({"material", "mat"}, number,
-                  [](Property& p, std::int64_t n) { p.number = n, p.joint = false; }, "number of the block material");
-    entry.keyword({"jmaterial", "jmat"}, number,
-                  [](Property& p, std::int64_t n) { p.number = n, p.joint = true; }, "number of the joint material");
+    entry.keyword(
+        {"material", "mat"}, number, [](Property& p, std::int64_t n) { p.number = n, p.joint = false; },
+        "number of the block material");
+    entry.keyword(
+        {"jmaterial", "jmat"}, number, [](Property& p, std::int64_t n) { p.number = n, p.joint = true; },
+        "number of the joint material");
     for (const auto& known : classic_words()) {
         const auto value = real(known.words.front().word).unit(known.unit);
         entry.special(known.words, {value.spec},
                       [value](Reader& reader, Property& property) {
                           const Place place = reader.previous().place;
-                          property.items.push_back({std::string(value.spec.name), reader.real(value.spec), place});
+                          property.items.push_back(
+                              {std::string(value.spec.name), reader.real(value.spec), place});
                       },
                       known.help);
     }
@@ -87,7 +90,8 @@ CommandSpec prop() {
         if (property.items.empty())
             incomplete_line(reader, "no property is given", "write for example: prop mat 1 dens 2600");
     });
-    entry.right("prop mat=1 density = 0.0026 k=4e3 g=3e3").right("prop mat 1 jkn 1e2 jks 1e4 jfric 10 jcoh 5e3");
+    entry.right("prop mat=1 density = 0.0026 k=4e3 g=3e3")
+        .right("prop mat 1 jkn 1e2 jks 1e4 jfric 10 jcoh 5e3");
     entry.right("prop jmat 2 jkn 1e9 jks 1e9 jfriction 35 jten 0").right("prop mat 1 ymod 5e10 prat 0.25");
     entry.right("prop jmat 1 jrco 15 sigmac 150");
     entry.wrong("prop mat 1", "no property is given");
@@ -102,7 +106,8 @@ CommandSpec prop() {
 CommandSpec change() {
     Entry<Change> entry({"change"});
     entry.help("gives blocks or contacts another material or constitutive number");
-    entry.keyword({"material", "mat"}, integer("n").at_least(1), &Change::material, "material number of blocks");
+    entry.keyword({"material", "mat"}, integer("n").at_least(1), &Change::material,
+                  "material number of blocks");
     entry.keyword({"constitutive", "cons"}, integer("n").at_least(1), &Change::constitutive,
                   "constitutive number of blocks");
     entry.keyword({"jmaterial", "jmat"}, integer("n").at_least(1), &Change::joint_material,
@@ -112,9 +117,12 @@ CommandSpec change() {
     entry.range(&Change::range);
     entry.finish([](const Reader& reader, Change& c) {
         if (!c.material && !c.constitutive && !c.joint_material && !c.joint_constitutive)
-            incomplete_line(reader, "change does not say what to change", "expected: mat, cons, jmat or jcons and a number");
+            incomplete_line(reader, "change does not say what to change",
+                            "expected: mat, cons, jmat or jcons and a number");
     });
-    entry.right("change jmat 2 range z 0 1").right("change jcons 1 jmat 3 range x 0 1").right("chang cons 1 mat 2 range region 2");
+    entry.right("change jmat 2 range z 0 1")
+        .right("change jcons 1 jmat 3 range x 0 1")
+        .right("chang cons 1 mat 2 range region 2");
     entry.right("change mat 2 region 2").right("change jmat 2 range mintersection 1 2");
     entry.wrong("change", "change does not say what to change");
     entry.wrong("change mat", "a number is missing after 'mat'");

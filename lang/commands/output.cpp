@@ -43,7 +43,8 @@ CommandSpec list() {
         entry.special(item.words, {},
                       [what](Reader& reader, List& command) {
                           if (!command.what.empty() || !command.symbols.empty())
-                              throw Diagnostic("one list command shows one thing", "write a second list command")
+                              throw Diagnostic("one list command shows one thing",
+                                               "write a second list command")
                                   .at(reader.previous().place);
                           command.what = what;
                       },
@@ -59,7 +60,11 @@ CommandSpec list() {
         if (command.what.empty() && command.symbols.empty())
             incomplete_line(reader, "list does not say what to show", "write for example: list blocks");
     });
-    entry.right("list blocks").right("print @x").right("print @a @b").right("pri max").right("list contacts range z 0 1");
+    entry.right("list blocks")
+        .right("print @x")
+        .right("print @a @b")
+        .right("pri max")
+        .right("list contacts range z 0 1");
     entry.wrong("list", "list does not say what to show");
     entry.wrong("print blokcs", "'blokcs' is not a keyword of list");
     entry.wrong("list blocks zones", "one list command shows one thing");
@@ -79,7 +84,8 @@ CommandSpec ignored(const char* word, const char* help) {
 } // namespace
 
 Family output() {
-    CommandSpec plot = ignored("plot", "read to its end; pictures are made from the files that vtk write leaves");
+    CommandSpec plot =
+        ignored("plot", "read to its end; pictures are made from the files that vtk write leaves");
     plot.right = {{"pl block", {}}, {"plot hist 1 vs 2 &\n  hold", {}}, {"plot set dip 10 dd 'open", {}}};
     CommandSpec movie = ignored("movie", "read to its end, without effect");
     movie.right = {{"movie on file a.avi", {}}};

@@ -103,7 +103,8 @@ std::vector<KeywordSpec> plane_words() {
     words.keyword({"dip"}, real("dip").unit("degrees"), &PlaneText::dip, "angle below the horizontal");
     words.keyword({"dd", "dip-direction"}, real("dd").unit("degrees"), &PlaneText::dip_direction,
                   "direction of dip, clockwise from +y seen from above");
-    words.keyword({"origin", "org"}, vector("x y z").unit("length"), &PlaneText::origin, "a point of the plane");
+    words.keyword({"origin", "org"}, vector("x y z").unit("length"), &PlaneText::origin,
+                  "a point of the plane");
     words.keyword({"normal"}, vector("nx ny nz"), &PlaneText::normal, "normal, in place of dip and dd");
     words.action({"above"}, [](PlaneText& p) { p.side = 1; }, "the side to which the normal points");
     words.action({"below"}, [](PlaneText& p) { p.side = -1; }, "the other side");
@@ -119,12 +120,14 @@ void plane(Keywords<RangePhrase>& table) {
         PlaneText plane;
         read_keywords(reader, words, &plane);
         if (plane.side == 0 && !plane.distance)
-            incomplete_line(reader, "the plane does not say which part is meant", "add above, below, or distance d");
+            incomplete_line(reader, "the plane does not say which part is meant",
+                            "add above, below, or distance d");
         const double dip = plane.dip * degree, dd = plane.dip_direction * degree;
         Vec3 normal = {std::sin(dip) * std::sin(dd), std::sin(dip) * std::cos(dd), std::cos(dip)};
         if (plane.normal) {
             const double length = plane.normal->norm();
-            if (length == 0) incomplete_line(reader, "the normal of the plane is zero", "it must have a direction");
+            if (length == 0)
+                incomplete_line(reader, "the normal of the plane is zero", "it must have a direction");
             normal = *plane.normal / length;
         }
         element.normal = normal;
@@ -152,7 +155,8 @@ void read_radii(Reader& reader, RoundText& round) {
 
 std::vector<KeywordSpec> sphere_words() {
     Keywords<RoundText> words;
-    words.keyword({"center", "centre", "c"}, vector("x y z").unit("length"), &RoundText::centre, "the centre");
+    words.keyword({"center", "centre", "c"}, vector("x y z").unit("length"), &RoundText::centre,
+                  "the centre");
     words.special({"radius", "r"}, {real("radius").unit("length").above(0).spec,
                                real("outer").unit("length").above(0).optional().spec},
                   read_radii, "the radius; two make a hollow ball");
@@ -161,7 +165,8 @@ std::vector<KeywordSpec> sphere_words() {
 
 std::vector<KeywordSpec> cylinder_words() {
     Keywords<RoundText> words;
-    words.keyword({"end1", "end-1"}, vector("x y z").unit("length"), &RoundText::centre, "one end of the axis");
+    words.keyword({"end1", "end-1"}, vector("x y z").unit("length"), &RoundText::centre,
+                  "one end of the axis");
     words.keyword({"end2", "end-2"}, vector("x y z").unit("length"), &RoundText::end, "the other end");
     words.special({"radius", "r"}, {real("radius").unit("length").above(0).spec,
                                real("outer").unit("length").above(0).optional().spec},
@@ -235,8 +240,9 @@ void named_ranges(Keywords<RangePhrase>& table) {
                       add(reader, phrase, Kind::named);
                       phrase.elements.back().name = reader.text(name);
                       while (const Word* word = reader.peek()) {
-                          const bool another = word->kind == WordKind::text ||
-                                               (word->kind == WordKind::word && !find_keyword(range_elements(), word->folded));
+                          const bool another =
+                              word->kind == WordKind::text ||
+                              (word->kind == WordKind::word && !find_keyword(range_elements(), word->folded));
                           if (!another) return;
                           reader.take();
                           add(reader, phrase, Kind::named).name = word->text;
@@ -303,9 +309,11 @@ void read_range(Reader& reader, RangePhrase& phrase) {
         incomplete_line(reader, "the range is empty", "write for example: range z 0 1");
     while (!reader.at_end()) {
         read_keywords(reader, range_elements(), &phrase);
-        if (!reader.at_end()) reader.unknown("a range element (the range ends the line)", words_of(range_elements()));
+        if (!reader.at_end())
+            reader.unknown("a range element (the range ends the line)", words_of(range_elements()));
     }
-    if (phrase.elements.empty()) incomplete_line(reader, "the range has no element", "write for example: range z 0 1");
+    if (phrase.elements.empty())
+        incomplete_line(reader, "the range has no element", "write for example: range z 0 1");
 }
 
 } // namespace kaya::lang

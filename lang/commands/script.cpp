@@ -25,7 +25,8 @@ CommandSpec define(std::vector<Spelling> words, std::vector<Spelling> form) {
 Family script() {
     CommandSpec plain = define({Spelling{"define", 3}}, {});
     plain.right = {{"def half\n  half = 0.5\nend", {}}, {"define twice(a)\n  twice = 2*a\nend", {}}};
-    plain.wrong = {{"def half\n  half = 0.5", "define 'half' is never ended"}, {"def\nend", "a word is missing after 'def'"}};
+    plain.wrong = {{"def half\n  half = 0.5", "define 'half' is never ended"},
+                   {"def\nend", "a word is missing after 'def'"}};
     CommandSpec modern = define({"fish"}, {"define"});
     modern.right = {{"fish define half\n  half = 0.5\nend", {}}};
     modern.wrong = {{"fish define half\n  half = 0.5", "fish define 'half' is never ended"}};
@@ -39,7 +40,8 @@ Family script() {
                     .raw(&FishCall::expression)
                     .start([](const Statement& statement, FishCall& call) {
                         const Word& word = statement.words.front();
-                        call.expression = word.kind == WordKind::symbol ? statement.raw(0).substr(1) : word.text;
+                        call.expression =
+                            word.kind == WordKind::symbol ? statement.raw(0).substr(1) : word.text;
                         call.place = word.place;
                     })
                     .right("@build_wall")

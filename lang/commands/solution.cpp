@@ -17,14 +17,16 @@ CommandSpec damp() {
     entry.special({"local"}, {real("factor").at_least(0).at_most(1).optional().spec},
                   [](Reader& reader, Damp& d) {
                       d.kind = "local";
-                      if (reader.at_number()) d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
+                      if (reader.at_number())
+                          d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
                   },
                   "a force against the motion, a part of the unbalanced force; 0.8 if not given");
     entry.action({"global"}, kind("global"), "viscous damping that follows the kinetic energy");
     entry.action({"combined"}, kind("combined"), "local damping for motion that is mostly one way");
     entry.action({"none", "off"}, kind("none"), "no damping");
     entry.action({"mass"}, [](Damp& d) { d.stiffness = false; }, "of Rayleigh damping: only the mass part");
-    entry.action({"stiffness"}, [](Damp& d) { d.mass = false; }, "of Rayleigh damping: only the stiffness part");
+    entry.action(
+        {"stiffness"}, [](Damp& d) { d.mass = false; }, "of Rayleigh damping: only the stiffness part");
     const auto fraction = real("fraction").at_least(0);
     const auto frequency = real("frequency").unit("1/time").above(0);
     entry.otherwise({fraction.spec, frequency.spec}, [=](Reader& reader, Damp& d) {
@@ -39,12 +41,17 @@ CommandSpec damp() {
             incomplete_line(reader, "damp does not say how to damp",
                             "expected: auto, local, global, combined, none, or fraction and frequency");
         if (!d.mass && !d.stiffness)
-            incomplete_line(reader, "mass and stiff leave no part of the damping", "give one of them, or none for both");
+            incomplete_line(reader, "mass and stiff leave no part of the damping",
+                            "give one of them, or none for both");
         if ((!d.mass || !d.stiffness) && d.kind != "rayleigh")
             incomplete_line(reader, "mass and stiff belong to damping by fraction and frequency",
                             "write for example: damp 0.05 1.5 mass");
     });
-    entry.right("damp auto").right("damp local").right("DAMP LOCAL 0.8").right("damp 0.05 1.5 mass").right("damp none");
+    entry.right("damp auto")
+        .right("damp local")
+        .right("DAMP LOCAL 0.8")
+        .right("damp 0.05 1.5 mass")
+        .right("damp none");
     entry.wrong("damp", "damp does not say how to damp");
     entry.wrong("damp 0.05", "a number is missing after '0.05'");
     entry.wrong("damp local 2", "factor must be at most 1, not 2");
@@ -56,7 +63,8 @@ CommandSpec damp() {
 CommandSpec cycle() {
     Entry<CycleCommand> entry({"cycle", "step"});
     entry.help("moves the model on by a number of cycles or by a span of time");
-    entry.argument(integer("n").at_least(0).optional().help("number of cycles"), [](CycleCommand& c, std::int64_t n) { c.cycles = n; });
+    entry.argument(integer("n").at_least(0).optional().help("number of cycles"),
+                   [](CycleCommand& c, std::int64_t n) { c.cycles = n; });
     entry.keyword({"time"}, real("t").unit("time").at_least(0), &CycleCommand::time, "time to be covered");
     entry.finish([](const Reader& reader, CycleCommand& c) {
         if (!c.cycles && !c.time)
@@ -74,13 +82,15 @@ CommandSpec cycle() {
 CommandSpec solve() {
     return Entry<Solve>({"solve"})
         .help("cycles until the model is at rest or a limit is reached, whichever comes first")
-        .keyword({"ratio"}, real("r").above(0), &Solve::ratio, "unbalanced over average force; 1e-5 if no limit is given")
+        .keyword({"ratio"}, real("r").above(0), &Solve::ratio,
+                 "unbalanced over average force; 1e-5 if no limit is given")
         .keyword({"force"}, real("f").unit("force").at_least(0), &Solve::force, "largest unbalanced force")
         .keyword({"cycles"}, integer("n").at_least(1), &Solve::cycles, "number of cycles")
         .keyword({"time"}, real("t").unit("time").above(0), &Solve::time, "time to be covered")
         .keyword({"clock"}, real("m").unit("minutes").above(0), &Solve::clock, "minutes on the clock")
-        .action({"elastic"}, [](Solve& s) { s.elastic = true; },
-                "first with unbreakable joints, then with the true ones")
+        .action(
+            {"elastic"}, [](Solve& s) { s.elastic = true; },
+            "first with unbreakable joints, then with the true ones")
         .right("solve")
         .right("solve ratio 1e-6 cyc 5000")
         .right("solve elastic force 1e3")

@@ -43,7 +43,8 @@ void add_words(std::vector<std::string_view>& to, const std::vector<KeywordSpec>
     if (word.kind == WordKind::word && word.text != "?") {
         const auto near = did_you_mean(word.folded, candidates);
         Diagnostic d(fmt::format("'{}' is not a command", word.text),
-                     near.empty() ? "'kaya help' lists the commands" : fmt::format("did you mean '{}'?", near));
+                     near.empty() ? "'kaya help' lists the commands"
+                                  : fmt::format("did you mean '{}'?", near));
         d.code = "unknown-command";
         throw d.at(word.place);
     }
@@ -52,7 +53,8 @@ void add_words(std::vector<std::string_view>& to, const std::vector<KeywordSpec>
 
 bool is_form(const CommandSpec& spec, const Word& word) {
     return word.kind == WordKind::word &&
-           std::any_of(spec.form.begin(), spec.form.end(), [&](const Spelling& s) { return s.matches(word.folded); });
+           std::any_of(spec.form.begin(), spec.form.end(),
+                       [&](const Spelling& s) { return s.matches(word.folded); });
 }
 
 /// Index of the word that names the form, 0 when there is none. Options may stand before it.
@@ -79,7 +81,8 @@ std::size_t find_form(const CommandSpec& spec, const Statement& statement) {
         // Suggested when near, not listed: the list of keywords is long enough.
         std::vector<std::string_view> more = candidates;
         add_words(more, *spec.range_elements);
-        if (reader.peek()->kind == WordKind::word && did_you_mean(reader.peek()->folded, candidates).empty() &&
+        if (reader.peek()->kind == WordKind::word &&
+            did_you_mean(reader.peek()->folded, candidates).empty() &&
             !did_you_mean(reader.peek()->folded, more).empty())
             candidates = more;
     }
@@ -95,7 +98,8 @@ bool at_range(const CommandSpec& spec, Reader& reader) {
     return spec.range_without_word && find_keyword(*spec.range_elements, word->folded);
 }
 
-void read_rest(const Language& language, const CommandSpec& spec, Reader& reader, void* target, bool range_allowed) {
+void read_rest(const Language& language, const CommandSpec& spec, Reader& reader, void* target,
+               bool range_allowed) {
     while (const Word* word = reader.peek()) {
         const KeywordSpec* keyword =
             word->kind == WordKind::word ? find_keyword(spec.keywords, word->folded) : nullptr;
@@ -174,7 +178,8 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
 
     Reader reader(statement, found.form_at + 1, statement.words.size(), values);
     for (const auto& positional : spec.arguments) {
-        const bool number = positional.argument.kind == ArgumentKind::real || positional.argument.kind == ArgumentKind::integer;
+        const bool number = positional.argument.kind == ArgumentKind::real ||
+                            positional.argument.kind == ArgumentKind::integer;
         if (positional.argument.optional && !(number ? reader.at_number() : reader.at_value())) continue;
         positional.read(reader, target);
     }
@@ -210,14 +215,17 @@ bool next_statement(const Language& language, Lexer& lexer, Statement& statement
     for (int line = statement.last_line + 1; line <= count; ++line) {
         const auto words = lexer.words_of_line(line);
         if (words.empty() || words[0].kind != WordKind::word) continue;
-        if (words.size() == 2 && !opens->body_needs_bare_line && words[1].kind == WordKind::word &&
+        const bool assigns = lines[static_cast<std::size_t>(line - 1)].find('=') != std::string::npos;
+        if (words.size() == 2 && !opens->body_needs_bare_line && !assigns &&
+            words[1].kind == WordKind::word &&
             std::any_of(opens->words.begin(), opens->words.end(),
                         [&](const Spelling& s) { return s.matches(words[0].folded); }))
             throw never_ended(line); // the next function starts: reading goes on there
         if (words.size() != 1 || words[0].folded != opens->body_end) continue;
 
         const int body_last = opens->body_needs_bare_line ? line - 1 : line;
-        for (int i = body_first; i <= body_last; ++i) statement.body += lines[static_cast<std::size_t>(i - 1)] + "\n";
+        for (int i = body_first; i <= body_last; ++i)
+            statement.body += lines[static_cast<std::size_t>(i - 1)] + "\n";
         statement.body_place = {lexer.source(), body_first, 1, 1};
         statement.last_line = line;
         lexer.go_to(line + 1);

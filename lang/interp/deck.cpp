@@ -85,7 +85,8 @@ private:
     }
 
     void refuse_cycle(const fs::path& whole) const {
-        const auto first = std::find_if(chain_.begin(), chain_.end(), [&](const auto& c) { return c.first == whole; });
+        const auto first =
+            std::find_if(chain_.begin(), chain_.end(), [&](const auto& c) { return c.first == whole; });
         if (first == chain_.end()) return;
         std::string names;
         for (auto link = first; link != chain_.end(); ++link) names += link->second + " calls ";
@@ -96,7 +97,8 @@ private:
     /// The folder of the calling file first, then those of its callers, then where the program was started.
     std::vector<fs::path> searched() const {
         std::vector<fs::path> folders;
-        for (auto link = chain_.rbegin(); link != chain_.rend(); ++link) folders.push_back(link->first.parent_path());
+        for (auto link = chain_.rbegin(); link != chain_.rend(); ++link)
+            folders.push_back(link->first.parent_path());
         folders.insert(folders.end(), folders_.begin(), folders_.end());
         return folders;
     }

@@ -14,7 +14,8 @@ namespace kaya::lang {
 /// All mistakes that were found in a deck (at most 20). Caught as a Diagnostic it is the first of them.
 class DeckErrors : public Diagnostic {
 public:
-    explicit DeckErrors(std::vector<Diagnostic> errors) : Diagnostic(errors.front()), all(std::move(errors)) {}
+    explicit DeckErrors(std::vector<Diagnostic> errors)
+        : Diagnostic(errors.front()), all(std::move(errors)) {}
     std::vector<Diagnostic> all;
 };
 

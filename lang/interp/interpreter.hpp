@@ -20,7 +20,8 @@ enum class Ended { end_of_deck, quit };
 class Interpreter {
 public:
     /// Both are kept by reference.
-    Interpreter(const Language& language, const Handlers& handlers) : language_(language), handlers_(handlers) {}
+    Interpreter(const Language& language, const Handlers& handlers)
+        : language_(language), handlers_(handlers) {}
 
     // Set by the session that owns the interpreter; each may stay empty.
     ValueSource values;                                      ///< gives the value of @name and [expression]

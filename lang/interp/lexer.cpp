@@ -109,7 +109,8 @@ bool Lexer::read_line(int line_number, std::vector<Word>& words) const {
                     break;
                 }
             }
-            add(closed ? WordKind::text : WordKind::open, from, i, closed ? text : std::string(line.substr(from)));
+            add(closed ? WordKind::text : WordKind::open, from, i,
+                closed ? text : std::string(line.substr(from)));
             continue;
         }
         if (c == '[') {

@@ -26,14 +26,17 @@ void refuse_open(const Word& word) {
     throw d;
 }
 
+bool is_question(const Word& word) { return word.kind == WordKind::word && word.text == "?"; }
+
 void check_limits(const ArgumentSpec& argument, double value, const Place& place) {
     const Limits& l = argument.limits;
     if (l.hold(value)) return;
     const bool low = l.low_excluded ? value <= l.low : value < l.low;
     const char* relation = low ? (l.low_excluded ? "greater than" : "at least")
                                : (l.high_excluded ? "less than" : "at most");
-    throw wrong("out-of-limits", place,
-                fmt::format("{} must be {} {:g}, not {:g}", argument.name, relation, low ? l.low : l.high, value));
+    throw wrong(
+        "out-of-limits", place,
+        fmt::format("{} must be {} {:g}, not {:g}", argument.name, relation, low ? l.low : l.high, value));
 }
 
 const char* name_of(const Value& value) {
@@ -42,7 +45,8 @@ const char* name_of(const Value& value) {
     return names[value.index()];
 }
 
-Diagnostic wrong_value(const Word& word, const Value& value, const ArgumentSpec& argument, const char* needed) {
+Diagnostic wrong_value(const Word& word, const Value& value, const ArgumentSpec& argument,
+                       const char* needed) {
     return wrong("wrong-type", word.place,
                  fmt::format("'{}' is {}, where {} must be", word.raw_text(), name_of(value), needed),
                  expected(argument));
@@ -54,13 +58,21 @@ double as_real(const Word& word, const Value& got, const ArgumentSpec& argument)
     else if (const auto* i = std::get_if<std::int64_t>(&got)) value = static_cast<double>(*i);
     else throw wrong_value(word, got, argument, "a number");
     if (!std::isfinite(value))
-        throw wrong("wrong-type", word.place, fmt::format("'{}' is {}, not a usable number", word.raw_text(), value),
+        throw wrong("wrong-type", word.place,
+                    fmt::format("'{}' is {}, not a usable number", word.raw_text(), value),
                     expected(argument));
     check_limits(argument, value, word.place);
     return value;
 }
 
 } // namespace
+
+Choices::Choices(const std::string& text, std::vector<std::string> list, const Place& where)
+    : Diagnostic(text), words(std::move(list)) {
+    severity = Severity::note;
+    code = "choices";
+    place = where;
+}
 
 const Word& Reader::take() {
     refuse_open(statement_.words[next_]);
@@ -84,25 +96,26 @@ void Reader::missing(const ArgumentSpec& argument) const {
     place.column += place.length;
     place.length = 1;
     const bool number = argument.kind == ArgumentKind::real || argument.kind == ArgumentKind::integer;
-    throw wrong("missing-value", place, fmt::format("a {} is missing after '{}'", number ? "number" : "word", after),
+    throw wrong("missing-value", place,
+                fmt::format("a {} is missing after '{}'", number ? "number" : "word", after),
                 expected(argument));
 }
 
 void Reader::unknown(std::string_view what, const std::vector<std::string_view>& candidates) const {
     const Word& word = *peek();
     refuse_open(word);
-    if (word.kind == WordKind::word && word.text == "?") {
-        Diagnostic d(fmt::format("{} may be: {}", what, fmt::join(candidates, ", ")));
-        d.severity = Severity::note;
-        d.code = "choices";
-        throw d.at(word.place);
-    }
+    if (is_question(word))
+        throw Choices(candidates.empty() ? "nothing more may stand here"
+                                         : fmt::format("{} may be: {}", what, fmt::join(candidates, ", ")),
+                      {candidates.begin(), candidates.end()}, word.place);
     if (candidates.empty())
-        throw wrong("left-over", word.place, fmt::format("'{}' is left over at the end of the line", word.raw_text()),
+        throw wrong("left-over", word.place,
+                    fmt::format("'{}' is left over at the end of the line", word.raw_text()),
                     fmt::format("nothing more is expected here"));
     const std::string list = fmt::format("expected: {}", fmt::join(candidates, ", "));
     if (word.kind != WordKind::word)
-        throw wrong("not-a-word", word.place, fmt::format("'{}' stands where {} must be", word.raw_text(), what), list);
+        throw wrong("not-a-word", word.place,
+                    fmt::format("'{}' stands where {} must be", word.raw_text(), what), list);
     const auto near = did_you_mean(word.folded, candidates);
     throw wrong("unknown-word", word.place, fmt::format("'{}' is not {}", word.text, what),
                 near.empty() ? list : fmt::format("did you mean '{}'?", near));
@@ -110,7 +123,8 @@ void Reader::unknown(std::string_view what, const std::vector<std::string_view>&
 
 Value Reader::value_of(const Word& word) {
     if (word.text.empty())
-        throw wrong("missing-value", word.place, "a name is missing after '@'", "write for example @pressure");
+        throw wrong("missing-value", word.place, "a name is missing after '@'",
+                    "write for example @pressure");
     late_ = true;
     return (*values_)(word.text, word.place);
 }
@@ -118,8 +132,10 @@ Value Reader::value_of(const Word& word) {
 const Word& Reader::take_value(const ArgumentSpec& argument) {
     if (at_end()) missing(argument);
     const Word& word = take();
+    if (is_question(word)) throw Choices(expected(argument), {}, word.place);
     if (word.late() && word.text.empty())
-        throw wrong("missing-value", word.place, "a name is missing after '@'", "write for example @pressure");
+        throw wrong("missing-value", word.place, "a name is missing after '@'",
+                    "write for example @pressure");
     return word;
 }
 
@@ -130,8 +146,8 @@ double Reader::real(const ArgumentSpec& argument) {
         return has_values() ? as_real(word, value_of(word), argument) : 1;
     }
     if (word.kind != WordKind::number)
-        throw wrong("not-a-number", word.place, fmt::format("'{}' stands where a number must be", word.raw_text()),
-                    expected(argument));
+        throw wrong("not-a-number", word.place,
+                    fmt::format("'{}' stands where a number must be", word.raw_text()), expected(argument));
     if (std::isinf(word.number))
         throw wrong("out-of-limits", word.place, fmt::format("{} is too large for a number", word.text));
     check_limits(argument, word.number, word.place);
@@ -150,10 +166,12 @@ std::int64_t Reader::integer(const ArgumentSpec& argument) {
             value = static_cast<std::int64_t>(*r);
         else throw wrong_value(word, got, argument, "a whole number");
     } else if (word.kind != WordKind::number) {
-        throw wrong("not-a-number", word.place, fmt::format("'{}' stands where a whole number must be", word.raw_text()),
+        throw wrong("not-a-number", word.place,
+                    fmt::format("'{}' stands where a whole number must be", word.raw_text()),
                     expected(argument));
     } else if (!word.whole) {
-        throw wrong("not-whole", word.place, fmt::format("{} takes a whole number, not {}", argument.name, word.text),
+        throw wrong("not-whole", word.place,
+                    fmt::format("{} takes a whole number, not {}", argument.name, word.text),
                     "write it without a point or an exponent");
     }
     check_limits(argument, static_cast<double>(value), word.place);
@@ -172,7 +190,8 @@ std::string Reader::text(const ArgumentSpec& argument) {
         throw wrong_value(word, got, argument, "a text");
     }
     if (word.kind == WordKind::text && word.text.empty())
-        throw wrong("missing-value", word.place, fmt::format("{} is an empty text", argument.name), expected(argument));
+        throw wrong("missing-value", word.place, fmt::format("{} is an empty text", argument.name),
+                    expected(argument));
     return word.text;
 }
 
@@ -226,14 +245,21 @@ Value Reader::any(const ArgumentSpec& argument) {
 std::string Reader::symbol(const ArgumentSpec& argument) {
     const Word& word = take_value(argument);
     if (word.kind != WordKind::symbol)
-        throw wrong("not-a-symbol", word.place, fmt::format("'{}' stands where a name with @ must be", word.raw_text()),
+        throw wrong("not-a-symbol", word.place,
+                    fmt::format("'{}' stands where a name with @ must be", word.raw_text()),
                     fmt::format("write @{}", word.text));
     return word.text;
 }
 
 void read_keywords(Reader& reader, const std::vector<KeywordSpec>& keywords, void* target) {
     while (const Word* word = reader.peek()) {
-        const KeywordSpec* found = word->kind == WordKind::word ? find_keyword(keywords, word->folded) : nullptr;
+        if (is_question(*word)) {
+            std::vector<std::string_view> words;
+            for (const auto& keyword : keywords) words.push_back(keyword.words.front().word);
+            reader.unknown("the next word", words);
+        }
+        const KeywordSpec* found =
+            word->kind == WordKind::word ? find_keyword(keywords, word->folded) : nullptr;
         if (!found) return;
         reader.take();
         found->read(reader, target);

@@ -10,6 +10,13 @@
 
 namespace kaya::lang {
 
+/// A `?` stands in the line: not a mistake, but a question. Severity note, code "choices".
+class Choices : public Diagnostic {
+public:
+    Choices(const std::string& text, std::vector<std::string> list, const Place& where);
+    std::vector<std::string> words; ///< empty where a number or a name of the user must stand
+};
+
 class Reader {
 public:
     /// Without a source of values, @name and [expression] are accepted where a value may stand and give a

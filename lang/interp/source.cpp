@@ -35,7 +35,8 @@ constexpr std::array signatures = {
 void refuse_binary(const std::string& name, std::string_view text) {
     for (const auto& s : signatures)
         if (text.starts_with(s.start))
-            throw Diagnostic(fmt::format(fmt::runtime(s.message), name), fmt::format(fmt::runtime(s.hint), name));
+            throw Diagnostic(fmt::format(fmt::runtime(s.message), name),
+                             fmt::format(fmt::runtime(s.hint), name));
     const auto nul = text.find('\0');
     if (nul != std::string_view::npos)
         throw Diagnostic(fmt::format("'{}' holds a byte 0 at position {}: it is not a text", name, nul),

@@ -20,8 +20,10 @@ std::string describe(const ArgumentSpec& argument) {
     std::string text = fmt::format("{}, {}", argument.name, one[static_cast<int>(argument.kind)]);
     if (argument.count > 1) text = fmt::format("{} numbers {}", argument.count, argument.name);
     const Limits& l = argument.limits;
-    if (std::isfinite(l.low)) text += fmt::format(", {} {:g}", l.low_excluded ? "greater than" : "at least", l.low);
-    if (std::isfinite(l.high)) text += fmt::format(", {} {:g}", l.high_excluded ? "less than" : "at most", l.high);
+    if (std::isfinite(l.low))
+        text += fmt::format(", {} {:g}", l.low_excluded ? "greater than" : "at least", l.low);
+    if (std::isfinite(l.high))
+        text += fmt::format(", {} {:g}", l.high_excluded ? "less than" : "at most", l.high);
     if (!argument.unit.empty()) text += fmt::format(" [{}]", argument.unit);
     return text;
 }

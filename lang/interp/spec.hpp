@@ -109,7 +109,7 @@ struct CommandSpec {
     std::function<void*(std::any&)> address;
     std::function<void(Reader&, void*)> read_range;
     std::function<void(const Statement&, void*)> start;      ///< place and body, before anything is read
-    std::function<bool(Reader&, void*)> otherwise;           ///< for a word that is no keyword; false: not mine
+    std::function<bool(Reader&, void*)> otherwise; ///< for a word that is no keyword; false: not mine
     std::vector<ArgumentSpec> otherwise_arguments;
     std::function<void(const Reader&, void*)> finish;        ///< what only the whole line shows
     std::function<std::string(const std::any&)> called_file; ///< of Flow::call

@@ -135,7 +135,8 @@ TEST(Binder, LinesTakenAsTheyStand) {
 }
 
 TEST(Binder, ScriptsAreTakenWhole) {
-    const auto fish = bound_as<FishDefinition>("\ndef av_str ; comment\n  if a\n  endif ; don't\n  'open\nEND ; done\n");
+    const auto fish =
+        bound_as<FishDefinition>("\ndef av_str ; comment\n  if a\n  endif ; don't\n  'open\nEND ; done\n");
     EXPECT_EQ(fish.text, "def av_str ; comment\n  if a\n  endif ; don't\n  'open\nEND ; done\n");
     EXPECT_EQ(fish.place.line, 2);
     const auto lua = bound_as<LuaChunk>("lua\nfor i = 1, 2 do\nend\nendlua");
@@ -182,6 +183,9 @@ TEST(Binder, QuestionMarkListsTheChoices) {
     EXPECT_NE(d.message.find("elastic"), std::string::npos);
     EXPECT_NE(mistake("?").message.find("poly"), std::string::npos);
     EXPECT_NE(mistake("poly ?").message.find("brick"), std::string::npos);
+    EXPECT_EQ(mistake("gen edge ?").message, "expected: edge, a number, greater than 0 [length]");
+    EXPECT_EQ(mistake("new ?").message, "nothing more may stand here");
+    EXPECT_NE(mistake("hide range plane ?").message.find("above"), std::string::npos);
     EXPECT_NE(mistake("hide range ?").message.find("sphere"), std::string::npos);
 }
 
@@ -194,7 +198,8 @@ TEST(Binder, NamesAreWildcardsUntilTheyHaveValues) {
     EXPECT_TRUE(bound("grav @g").late) << "may be a vector";
     EXPECT_TRUE(bound("grav @gx @gy @gz").late);
     EXPECT_TRUE(bound("hide range group @name").late);
-    EXPECT_EQ(mistake("gen egde @size").message, "'egde' is not a kind of generate") << "the rest is still checked";
+    EXPECT_EQ(mistake("gen egde @size").message, "'egde' is not a kind of generate")
+        << "the rest is still checked";
 }
 
 TEST(Binder, ValuesOfNames) {

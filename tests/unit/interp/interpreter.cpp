@@ -24,7 +24,8 @@ protected:
         fs::create_directories(folder);
         interpreter.folders = {folder};
         handlers.on<Title>([this](const Title& t) { done.push_back(t.text); });
-        handlers.on<CycleCommand>([this](const CycleCommand& c) { done.push_back(fmt::format("cycle {}", *c.cycles)); });
+        handlers.on<CycleCommand>(
+            [this](const CycleCommand& c) { done.push_back(fmt::format("cycle {}", *c.cycles)); });
         handlers.on<PolyBrick>([this](const PolyBrick&) { done.emplace_back("brick"); });
         handlers.on<FishDefinition>([](const FishDefinition&) {});
         handlers.on<FishCall>([this](const FishCall& call) { on_call(call.expression); });
@@ -281,7 +282,8 @@ TEST_F(Decks, MoreIsNeeded) {
 
 TEST_F(Decks, ManyLines) {
     std::string text;
-    for (int i = 0; i < 100000; ++i) text += fmt::format("poly brick {},{} 0,1 0,1 region {}\n", i, i + 1, i % 7);
+    for (int i = 0; i < 100000; ++i)
+        text += fmt::format("poly brick {},{} 0,1 0,1 region {}\n", i, i + 1, i % 7);
     const auto start = std::chrono::steady_clock::now();
     const auto bound = bind_text(classic(), source_from_text("many", text), {"."});
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -64,7 +64,8 @@ TEST(Tables, EverythingIsExplained) {
 void expect_distinct(const std::vector<KeywordSpec>& keywords, const std::string& where) {
     std::set<std::string_view> seen;
     for (const auto& keyword : keywords) {
-        for (const Spelling& s : keyword.words) EXPECT_TRUE(seen.insert(s.word).second) << where << ": " << s.word;
+        for (const Spelling& s : keyword.words)
+            EXPECT_TRUE(seen.insert(s.word).second) << where << ": " << s.word;
         expect_distinct(keyword.keywords, where + " " + std::string(keyword.words.front().word));
     }
 }

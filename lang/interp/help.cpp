@@ -1,0 +1,199 @@
+#include "lang/interp/help.hpp"
+
+#include "lang/interp/binder.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <set>
+
+namespace kaya::lang {
+
+namespace {
+
+template <class Visit> void for_each_command(const Language& language, Visit visit) {
+    for (const auto& family : language.families)
+        for (const auto& command : family.commands) visit(command);
+}
+
+std::string optional_part(std::string_view text, bool optional) {
+    return optional ? fmt::format("[{}]", text) : std::string(text);
+}
+
+std::string arguments_of(const KeywordSpec& keyword) {
+    std::string text;
+    for (const auto& argument : keyword.arguments)
+        text.append(" ").append(optional_part(argument.name, argument.optional));
+    for (const auto& inner : keyword.keywords)
+        text += fmt::format(" [{}{}]", inner.words.front().word, arguments_of(inner));
+    return text;
+}
+
+/// "material (mat)"
+std::string spellings(const std::vector<Spelling>& words) {
+    std::string text(words.front().word);
+    for (std::size_t i = 1; i < words.size(); ++i)
+        text += fmt::format("{}{}", i == 1 ? " (" : ", ", words[i].word);
+    return words.size() > 1 ? text + ")" : text;
+}
+
+void add_line(std::string& text, const std::string& left, std::string_view right) {
+    text += fmt::format("    {:<34} {}\n", left, right);
+}
+
+void add_keywords(std::string& text, const std::vector<KeywordSpec>& keywords) {
+    for (const auto& keyword : keywords) {
+        std::string right(keyword.help);
+        for (const auto& argument : keyword.arguments)
+            if (!argument.unit.empty() && right.find('[') == std::string::npos)
+                right += fmt::format(" [{}]", argument.unit);
+        add_line(text, spellings(keyword.words) + arguments_of(keyword), right);
+    }
+}
+
+std::string about_command(const CommandSpec& command) {
+    std::string text = fmt::format("{}\n    {}\n", usage(command), command.help);
+    if (command.words.size() > 1) text += fmt::format("    also spelled: {}\n", spellings(command.words));
+    if (!command.arguments.empty()) {
+        text += "\n  Arguments\n";
+        for (const auto& positional : command.arguments)
+            add_line(text, optional_part(positional.argument.name, positional.argument.optional),
+                     fmt::format("{}{}({})", positional.argument.help,
+                                 positional.argument.help.empty() ? "" : " ", describe(positional.argument)));
+    }
+    if (!command.keywords.empty()) {
+        text += "\n  Keywords\n";
+        add_keywords(text, command.keywords);
+    }
+    if (command.range_elements)
+        text += "\n  Ends with a range phrase when it shall not act on all that is visible: help range\n";
+    if (!command.right.empty()) text += "\n  Examples\n";
+    for (const auto& example : command.right) {
+        std::string lines(example.text);
+        for (std::size_t at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at + 1))
+            lines.insert(at + 1, "    ");
+        text += fmt::format("    {}\n", lines);
+    }
+    return text;
+}
+
+std::string about_range(const Language& language) {
+    std::string text = "range ELEMENT ...\n    picks the objects that a command acts on; all elements must "
+                       "hold\n\n  Elements\n";
+    add_keywords(text, language.range_elements);
+    return text;
+}
+
+/// Where a word may stand that is no command; empty when nowhere.
+std::string about_keyword(const Language& language, std::string_view word) {
+    std::string text;
+    for_each_command(language, [&](const CommandSpec& command) {
+        if (const KeywordSpec* keyword = find_keyword(command.keywords, word))
+            text += fmt::format("{} ... {}{}\n    {}\n", command.name(), keyword->words.front().word,
+                                arguments_of(*keyword), keyword->help);
+    });
+    if (const KeywordSpec* element = find_keyword(language.range_elements, word))
+        text += fmt::format("... range {}{}\n    {}\n", element->words.front().word, arguments_of(*element),
+                            element->help);
+    return text;
+}
+
+std::vector<std::string_view> all_words(const Language& language) {
+    std::set<std::string_view> words = {"range"};
+    const auto add = [&](const std::vector<Spelling>& spelled) {
+        for (const Spelling& s : spelled) words.insert(s.word);
+    };
+    for_each_command(language, [&](const CommandSpec& command) {
+        add(command.words);
+        for (const auto& keyword : command.keywords) add(keyword.words);
+    });
+    for (const auto& element : language.range_elements) add(element.words);
+    return {words.begin(), words.end()};
+}
+
+} // namespace
+
+std::string usage(const CommandSpec& command) {
+    std::string text = command.name();
+    if (command.raw) return text + (command.words.front().word == "@" ? "name" : " ...");
+    for (const auto& positional : command.arguments)
+        text.append(" ").append(optional_part(positional.argument.name, positional.argument.optional));
+    for (const auto& argument : command.otherwise_arguments)
+        text += fmt::format(" [{} ...]", argument.name);
+    for (const auto& keyword : command.keywords)
+        text += fmt::format(" [{}{}]", keyword.words.front().word, arguments_of(keyword));
+    if (command.range_elements) text += " [range ...]";
+    if (!command.body_end.empty()) text += fmt::format(" ... {}", command.body_end);
+    return text;
+}
+
+std::string help_list(const Language& language) {
+    std::string text;
+    for (const auto& family : language.families) {
+        text += fmt::format("{}: {}\n", family.name, family.help);
+        for (const auto& command : family.commands) add_line(text, command.name(), command.help);
+        text += "\n";
+    }
+    return text + "help WORD tells more about a command or a keyword; ? in place of a word lists what may "
+                  "stand there.\n";
+}
+
+std::string help_on(const Language& language, std::string_view words) {
+    Lexer lexer(source_from_text("help", words));
+    Statement statement;
+    if (!lexer.next(statement)) return help_list(language);
+    const Word& first = statement.words.front();
+
+    std::string text;
+    const auto add = [&](const CommandSpec& command) {
+        if (!text.empty()) text += '\n';
+        text += about_command(command);
+    };
+    if (Spelling{"range", 2}.matches(first.folded)) text = about_range(language);
+    try {
+        // Of a command with several forms: the one that was named, else all.
+        const FoundCommand found = find_command(language, statement);
+        for_each_command(language, [&](const CommandSpec& command) {
+            const bool same_word = command.words.front().word == found.spec->words.front().word;
+            if (found.form_at > 0 ? &command == found.spec : same_word) add(command);
+        });
+        return text;
+    } catch (const Diagnostic& problem) {
+        if (problem.code != "unknown-command") { // a command that needs a second word
+            for_each_command(language, [&](const CommandSpec& command) {
+                if (std::any_of(command.words.begin(), command.words.end(),
+                                [&](const Spelling& s) { return s.matches(first.folded); }))
+                    add(command);
+            });
+            if (!text.empty()) return text;
+        }
+    }
+    text = about_keyword(language, first.folded);
+    if (!text.empty()) return text;
+    const auto near = did_you_mean(first.folded, all_words(language));
+    throw Diagnostic(fmt::format("there is no command and no keyword '{}'", first.text),
+                     near.empty() ? "'kaya help' lists the commands"
+                                  : fmt::format("did you mean '{}'?", near));
+}
+
+std::vector<std::string> completions(const Language& language, std::string_view line) {
+    const auto blank = line.find_last_of(" \t=,()");
+    const std::size_t from = blank == std::string_view::npos ? 0 : blank + 1;
+    const std::string typed = fold(line.substr(from));
+    const std::string asked = fmt::format("{}?", line.substr(0, from));
+    Lexer lexer(source_from_text("prompt", asked));
+    Statement statement;
+    lexer.next(statement);
+    std::vector<std::string> words;
+    try {
+        (void)bind_statement(language, statement);
+    } catch (const Choices& choices) {
+        for (const auto& word : choices.words)
+            if (word.starts_with(typed)) words.push_back(word);
+    } catch (const Diagnostic&) {
+        // A mistake further left: nothing to offer.
+    }
+    return words;
+}
+
+} // namespace kaya::lang

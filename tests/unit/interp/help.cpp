@@ -1,0 +1,80 @@
+#include "lang/interp/help.hpp"
+
+#include "bound.hpp"
+
+#include <gmock/gmock.h>
+#include <map>
+
+namespace kaya::lang {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Help, UsageOfACommand) {
+    std::map<std::string, std::string> usages;
+    for (const auto& family : classic().families)
+        for (const auto& command : family.commands) usages[command.name()] = usage(command);
+    EXPECT_EQ(usages["poly brick"],
+              "poly brick x1 x2 [y1 y2] [z1 z2] [region n] [material n] [constitutive n]");
+    EXPECT_EQ(usages["generate edge"], "generate edge edge [range ...]");
+    EXPECT_EQ(usages["define"], "define name [argument ...] ... end");
+}
+
+TEST(Help, ListNamesEveryCommand) {
+    const std::string list = help_list(classic());
+    for (const auto& family : classic().families)
+        for (const auto& command : family.commands)
+            EXPECT_THAT(list, HasSubstr("    " + command.name() + " "));
+}
+
+TEST(Help, OnACommandInAnySpelling) {
+    for (const char* word : {"solve", "SOL"}) {
+        EXPECT_THAT(help_on(classic(), word), HasSubstr("ratio r"));
+        EXPECT_THAT(help_on(classic(), word), HasSubstr("solve ratio 1e-6 cyc 5000"));
+    }
+    EXPECT_THAT(help_on(classic(), "poly"), HasSubstr("limits in x"));
+    EXPECT_THAT(help_on(classic(), "gen edge"), HasSubstr("average edge of a zone"));
+    EXPECT_THAT(help_on(classic(), "print"), HasSubstr("also spelled: list (print)"));
+}
+
+TEST(Help, FormsOfACommand) {
+    const std::string all = help_on(classic(), "hist");
+    EXPECT_THAT(all, HasSubstr("largest unbalanced force"));
+    const std::string one = help_on(classic(), "hist write");
+    EXPECT_THAT(one, HasSubstr("hist write 2 3 4 vs 5 curves.csv"));
+    EXPECT_THAT(one, Not(HasSubstr("largest unbalanced force")));
+}
+
+TEST(Help, OnKeywordsAndRanges) {
+    EXPECT_THAT(help_on(classic(), "xvel"), HasSubstr("boundary ... xvel v"));
+    EXPECT_THAT(help_on(classic(), "xvel"), HasSubstr("history ... xvel x y z"));
+    EXPECT_THAT(help_on(classic(), "range"), HasSubstr("inside a sphere"));
+    EXPECT_THAT(help_on(classic(), "range"), HasSubstr("range name"));
+}
+
+TEST(Help, OnAnUnknownWord) {
+    try {
+        help_on(classic(), "densty");
+        FAIL();
+    } catch (const Diagnostic& d) {
+        EXPECT_EQ(d.message, "there is no command and no keyword 'densty'");
+        EXPECT_EQ(d.hint, "did you mean 'density'?");
+    }
+}
+
+TEST(Completion, OfCommandsKeywordsAndElements) {
+    EXPECT_THAT(completions(classic(), "po"), ElementsAre("poly"));
+    EXPECT_THAT(completions(classic(), "poly br"), ElementsAre("brick"));
+    EXPECT_THAT(completions(classic(), "BOUND XV"), ElementsAre("xvel", "xvelocity"));
+    EXPECT_THAT(completions(classic(), "hide range sp"), ElementsAre("sphere"));
+    EXPECT_THAT(completions(classic(), "hide range plane ab"), ElementsAre("above"));
+    EXPECT_THAT(completions(classic(), "solve ratio 1e-5 el"), ElementsAre("elastic"));
+    EXPECT_TRUE(completions(classic(), "solve ratio ").empty()) << "a number must follow";
+    EXPECT_TRUE(completions(classic(), "polly br").empty());
+    EXPECT_GT(completions(classic(), "").size(), 30u);
+}
+
+} // namespace
+} // namespace kaya::lang
