@@ -20,15 +20,18 @@ struct DampingFactors {
             viscous = 4 * 3.14159265358979323846 * settings.rayleigh_fraction * settings.rayleigh_frequency;
     }
 
-    /// The velocity half a step later, from the sum of forces and the mass (or moment and moment of
-    /// inertia). Viscous damping is centred, so it is stable for any viscosity.
+    /// The velocity one step later, from the sum of forces and the mass (or moment and moment of inertia).
+    /// Viscous damping is centred, so it is stable for any viscosity. Local damping turns round with the
+    /// velocity: where that happens inside a step, the rest of the step sees the other sign; without this
+    /// strongly damped motion would turn several steps too early.
     double advance(double velocity, double force, double mass, double step) const {
-        if (local != 0) {
-            const double sign = velocity > 0 ? 1.0 : velocity < 0 ? -1.0 : 0.0;
-            force -= local * std::abs(force) * sign;
-        }
         const double half = 0.5 * viscous * step;
-        return (velocity * (1 - half) + force / mass * step) / (1 + half);
+        const double push = force / mass * step;
+        if (local == 0) return (velocity * (1 - half) + push) / (1 + half);
+        const bool against = velocity * push < 0;
+        double next = velocity + (against ? 1 + local : 1 - local) * push;
+        if (against && next * velocity < 0) next *= (1 - local) / (1 + local);
+        return (next - half * velocity) / (1 + half);
     }
 };
 

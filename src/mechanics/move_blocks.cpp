@@ -103,13 +103,7 @@ MotionSums move_blocks(Model& model) {
                 // Moments act on the angular momentum; its viscous part decays like the velocity.
                 const Vec3 moment = blocks.moment[b] + blocks.torque[b];
                 Vec3& momentum = blocks.angular_momentum[b];
-                for (int k = 0; k < 3; ++k) {
-                    double m = moment[k];
-                    if (damping.local != 0)
-                        m -= damping.local * std::abs(m) * (w[k] > 0 ? 1.0 : w[k] < 0 ? -1.0 : 0.0);
-                    const double half = 0.5 * damping.viscous * step;
-                    momentum[k] = (momentum[k] * (1 - half) + m * step) / (1 + half);
-                }
+                for (int k = 0; k < 3; ++k) momentum[k] = damping.advance(momentum[k], moment[k], 1.0, step);
                 const Mat3 inertia = blocks.inertia[b] * (mass / blocks.volume[b]);
                 if (fixed & (fix_rx | fix_ry | fix_rz)) {
                     // Prescribed components keep their velocity; the momentum follows from it.

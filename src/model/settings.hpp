@@ -18,7 +18,7 @@ struct Settings {
     double rayleigh_fraction = 0;    ///< of critical damping, at
     double rayleigh_frequency = 0;   ///< cycles/time
     bool rayleigh_mass = true, rayleigh_stiffness = true;
-    double time_step_fraction = 0.5; ///< of the largest stable step
+    double time_step_fraction = 0.25; ///< of the largest stable step; about what 3DEC takes
     double given_time_step = 0;      ///< 0: computed
     bool dynamic = false;
     bool large_strain = true;
