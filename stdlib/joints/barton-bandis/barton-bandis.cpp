@@ -148,6 +148,7 @@ ptrdiff_t run(kaya_jbatch* batch) {
     double* force_z = batch->shear_force[2];
     double* normal_stiffness = batch->normal_stiffness;
     double* shear_stiffness = batch->shear_stiffness;
+    batch->stiffness_changed = 1;
     double* work = batch->frictional_work;
     uint32_t* states = batch->state;
     double* closures = batch->history[closure];
