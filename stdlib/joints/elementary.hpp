@@ -13,7 +13,7 @@
 namespace kaya::joints {
 
 /// Natural logarithm; x must be a normal number above 0.
-inline double logarithm(double x) {
+[[gnu::always_inline]] inline double logarithm(double x) {
     // x = 2^e m with m from 1 to 2; the exponent becomes a number by being put in the last bits of 2^52.
     const auto bits = std::bit_cast<std::uint64_t>(x);
     double e = std::bit_cast<double>(0x4330'0000'0000'0000 | (bits >> 52)) - (0x1p52 + 1023);
@@ -30,7 +30,7 @@ inline double logarithm(double x) {
 }
 
 /// e to the power x; x from -700 to 700.
-inline double exponential(double x) {
+[[gnu::always_inline]] inline double exponential(double x) {
     // x = k ln 2 + r. Adding 1.5 * 2^52 rounds to an integer and leaves it in the last bits.
     constexpr double shift = 0x1.8p52;
     constexpr double ln2_high = 0x1.62e42feep-1, ln2_low = 0x1.a39ef35793c76p-33; // k * high is exact
@@ -46,10 +46,10 @@ inline double exponential(double x) {
 }
 
 /// x to the power y, x above 0.
-inline double power(double x, double y) { return exponential(y * logarithm(x)); }
+[[gnu::always_inline]] inline double power(double x, double y) { return exponential(y * logarithm(x)); }
 
 /// Tangent of an angle in degrees, from -89 to 89.
-inline double tangent_of_degrees(double angle) {
+[[gnu::always_inline]] inline double tangent_of_degrees(double angle) {
     // From sine s and cosine c of the half angle, at most 45 degrees: tan = 2 s c / (c^2 - s^2).
     const double h = angle * (std::numbers::pi / 360), q = -h * h;
     const double s =

@@ -72,7 +72,7 @@ struct Strength {
     double stress, ruff, stiffness, peak;
 };
 
-Strength strength_at(const Law& law, double log_jcs, double closure_) {
+[[gnu::always_inline]] inline Strength strength_at(const Law& law, double log_jcs, double closure_) {
     const double stress = normal_stress(law, closure_);
     const double log_stress = logarithm(std::max(stress, law.lowest_stress));
     const double ruff = roughness_angle(law, log_stress, log_jcs);
@@ -103,7 +103,7 @@ struct Trial {
     double dilation;       ///< tangent of the mean dilation angle
 };
 
-Trial trial_at(const Law& law, const Strength& s, const Path& path) {
+[[gnu::always_inline]] inline Trial trial_at(const Law& law, const Strength& s, const Path& path) {
     constexpr double tiny = std::numeric_limits<double>::min();
     Trial t;
     t.limit0 = s.stress * tangent_of_degrees(law.residual_friction * path.friction0 + s.ruff * path.roughness0);
@@ -126,7 +126,7 @@ Trial trial_at(const Law& law, const Strength& s, const Path& path) {
 }
 
 /// The steepest rise that the mobilised curve has at this normal stress: for the time step.
-double steepest_rise(const Law& law, const Strength& s) {
+[[gnu::always_inline]] inline double steepest_rise(const Law& law, const Strength& s) {
     const double tangent = s.peak / std::max(s.stress, law.lowest_stress);
     const double degrees = std::max(0.75 / 0.20 * law.residual_friction, 0.50 / 0.15 * s.ruff);
     return s.stress * (1 + tangent * tangent) * degrees * law.radians_per_degree_and_peak;

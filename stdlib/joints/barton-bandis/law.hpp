@@ -66,14 +66,14 @@ struct Law {
 };
 
 /// Normal stress of a closure (2.22), 0 when open; straight with the tangent of the knee beyond it.
-inline double normal_stress(const Law& law, double closure) {
+[[gnu::always_inline]] inline double normal_stress(const Law& law, double closure) {
     const double c = std::clamp(closure, 0.0, law.knee_closure);
     return law.initial_stiffness * c / (1 - c / law.maximum_closure) +
            law.knee_stiffness * std::max(0.0, closure - law.knee_closure);
 }
 
 /// Its tangent (2.23); that of first touch while open.
-inline double normal_tangent(const Law& law, double closure) {
+[[gnu::always_inline]] inline double normal_tangent(const Law& law, double closure) {
     const double rest = 1 - std::clamp(closure, 0.0, law.knee_closure) / law.maximum_closure;
     return law.initial_stiffness / (rest * rest);
 }
@@ -92,7 +92,7 @@ struct Piece {
 
 /// JRC_mob / JRC_n over displacement / peak displacement where it is positive (Table 2.2); from
 /// 100 on nothing is left of the roughness. A sum of clamped pieces needs no search.
-inline double mobilised_roughness(double x) {
+[[gnu::always_inline]] inline double mobilised_roughness(double x) {
     constexpr Piece pieces[] = {
         {0.30, 0.15, 0.50}, {0.45, 0.15, 0.25}, {0.60, 0.20, 0.15}, {0.80, 0.20, 0.10}, {1.00, 0.50, -0.10},
         {1.50, 0.50, -0.05}, {2.00, 1.00, -0.10}, {3.00, 1.00, -0.05}, {4.00, 2.00, -0.10}, {6.00, 2.00, -0.05},
@@ -107,12 +107,12 @@ inline double mobilised_roughness(double x) {
 
 /// The part of the residual friction angle that is mobilised: the first three rows of Table 2.2, in
 /// which B is a multiple of -phi_r/RUFF, so that roughness itself drops out of (2.17).
-inline double mobilised_friction(double x) {
+[[gnu::always_inline]] inline double mobilised_friction(double x) {
     return 0.75 / 0.20 * std::clamp(x, 0.0, 0.20) + 0.25 / 0.10 * std::clamp(x - 0.20, 0.0, 0.10);
 }
 
 /// RUFF (2.18) in degrees: 0 from JCS_n on, and cut where the peak friction angle is 70 degrees.
-inline double roughness_angle(const Law& law, double log_stress, double log_jcs) {
+[[gnu::always_inline]] inline double roughness_angle(const Law& law, double log_stress, double log_jcs) {
     return std::clamp(law.jrc * std::numbers::log10e * (log_jcs - log_stress), 0.0, law.roughest);
 }
 
