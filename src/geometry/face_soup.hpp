@@ -1,0 +1,20 @@
+// What all readers of surface files collect, and how surfaces are made of it. Private to geometry.
+#pragma once
+
+#include "geometry/surface_files.hpp"
+
+namespace kaya {
+
+/// Faces as a file lists them, by number of vertex or corner by corner.
+struct FaceSoup {
+    std::string name;
+    std::vector<std::vector<Vec3>> loops;
+};
+
+/// Joins equal corners, leaves out faces that shrink to a line, and separates what hangs not together.
+void add_surfaces(const FaceSoup& soup, std::vector<NamedSurface>& surfaces);
+
+/// Refuses a file without any face.
+void need_surfaces(const std::vector<NamedSurface>& surfaces, const std::string& file);
+
+} // namespace kaya

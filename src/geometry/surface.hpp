@@ -1,0 +1,45 @@
+// A closed surface as users give it: faces turned either way, perhaps not quite flat, perhaps concave.
+#pragma once
+
+#include "geometry/polyhedron.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+struct Surface {
+    struct Face {
+        std::vector<int> vertices; ///< in order around the face, either way round
+        int joint_set = 0;
+        std::string name; ///< as messages call it: "face 3"
+    };
+    std::vector<Vec3> vertices;
+    std::vector<Face> faces;
+};
+
+/// What to do with faces that are not flat. Lengths are shares of the surface's size (the diagonal of
+/// its box).
+struct Flatness {
+    double mended = 1e-3;           ///< warp up to this is taken out by moving vertices
+    bool triangulate_rest = false;  ///< faces warped more become triangles; otherwise they are refused
+};
+
+/// A solid as convex parts: one for a convex body, several that belong together for a concave one.
+struct Solid {
+    std::vector<Polyhedron> parts;
+    int turned_faces = 0;  ///< faces that were given the other way round than the first
+    double mended_by = 0;  ///< longest way that a vertex was moved to make faces flat, a length
+};
+
+/// Joins corners nearer to each other than `near` (a length) and names the faces "face 1", ...
+Surface surface_from_loops(const std::vector<std::vector<Vec3>>& loops, double near);
+
+/// The separate closed surfaces that share no edge, in the order of their first faces.
+std::vector<Surface> separate(const Surface& surface);
+
+/// Checks and mends one closed surface, turns its faces outward and splits it when concave. Throws
+/// Diagnostic that names the face: repeated, open, without area, crossing itself or another, warped.
+Solid solid_from_surface(const Surface& surface, const Flatness& flatness = {});
+
+} // namespace kaya

@@ -1,0 +1,58 @@
+// The steps from a surface as given to a closed one with flat, outward faces. Private to geometry.
+#pragma once
+
+#include "geometry/surface.hpp"
+
+#include <array>
+
+namespace kaya {
+
+/// Diagonal of the box around the vertices.
+double size_of(const std::vector<Vec3>& vertices);
+
+/// Leaves out corners that repeat their neighbour and vertices that no face uses. Refuses faces that
+/// then have less than three corners or no area, name a corner twice, or repeat another face.
+void check_faces(Surface& surface);
+
+/// Makes all faces run the way of the first one; returns how many were turned. Refuses open edges,
+/// edges of more than two faces, and surfaces that fall apart.
+int turn_alike(Surface& surface);
+
+/// Turns all faces outward when they are inward. Refuses a surface without volume.
+void turn_outward(Surface& surface);
+
+/// The warp of a face: greatest distance of its vertices from its mean plane.
+double warp(const Surface& surface, const Surface::Face& face);
+
+/// Joins neighbouring faces of one joint set that lie in one plane (to a millionth of the size, the
+/// digits of single precision), as triangulated files have them; leaves out corners in mid-edge.
+void merge_flat_neighbours(Surface& surface);
+
+/// Makes faces flat by moving vertices, or splits them, or refuses. Returns the longest move.
+double flatten(Surface& surface, const Flatness& flatness);
+
+/// Refuses faces whose outline crosses itself.
+void check_outlines(const Surface& surface);
+
+/// Refuses surfaces with faces that cross each other.
+void check_crossings(const Surface& surface);
+
+bool is_convex(const Surface& surface, double tolerance);
+
+/// Triangles (indices of vertices) that cover a flat simple polygon, which need not be convex.
+std::vector<std::array<int, 3>> triangles_of(const std::vector<Vec3>& vertices, const Surface::Face& face);
+
+/// Convex parts of a closed surface with flat outward faces.
+std::vector<Polyhedron> convex_parts(const Surface& surface);
+
+/// Unit normal (Newell) and a point of the mean plane of a face.
+Vec3 mean_normal(const std::vector<Vec3>& vertices, const std::vector<int>& loop);
+Vec3 mean_point(const std::vector<Vec3>& vertices, const std::vector<int>& loop);
+inline Vec3 mean_normal(const Surface& surface, const Surface::Face& face) {
+    return mean_normal(surface.vertices, face.vertices);
+}
+inline Vec3 mean_point(const Surface& surface, const Surface::Face& face) {
+    return mean_point(surface.vertices, face.vertices);
+}
+
+} // namespace kaya

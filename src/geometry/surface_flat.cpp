@@ -1,0 +1,207 @@
+// Faces that are to be flat: joining the pieces of one plane, mending small warp, splitting large.
+#include "base/diagnostic.hpp"
+#include "geometry/surface_checks.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <map>
+
+namespace kaya {
+namespace {
+
+using HalfEdge = std::pair<int, int>;
+
+/// Which face lies left of each half-edge.
+std::map<HalfEdge, int> half_edges_of(const Surface& surface) {
+    std::map<HalfEdge, int> result;
+    for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+        const auto& loop = surface.faces[f].vertices;
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            result[{loop[i], loop[(i + 1) % loop.size()]}] = static_cast<int>(f);
+    }
+    return result;
+}
+
+/// Faces that lie in the plane of `seed` and hang together with it, not yet in a group.
+std::vector<int> plane_mates(const Surface& surface, const std::map<HalfEdge, int>& half_edges, int seed,
+                             const std::vector<bool>& grouped, double near) {
+    const Vec3 normal = mean_normal(surface, surface.faces[seed]);
+    const Vec3 centre = mean_point(surface, surface.faces[seed]);
+    const auto fits = [&](int f) {
+        const auto& face = surface.faces[f];
+        if (face.joint_set != surface.faces[seed].joint_set) return false;
+        if (mean_normal(surface, face).dot(normal) < 0.9) return false;
+        return std::all_of(face.vertices.begin(), face.vertices.end(), [&](int v) {
+            return std::abs(normal.dot(surface.vertices[v] - centre)) <= near;
+        });
+    };
+    std::vector<int> group{seed};
+    for (std::size_t next = 0; next < group.size(); ++next) {
+        const auto& loop = surface.faces[group[next]].vertices;
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const int other = half_edges.at({loop[(i + 1) % loop.size()], loop[i]});
+            if (grouped[other] || std::find(group.begin(), group.end(), other) != group.end()) continue;
+            if (fits(other)) group.push_back(other);
+        }
+    }
+    std::sort(group.begin(), group.end());
+    return group;
+}
+
+/// The outline of a group of faces; empty when it is not one simple loop.
+std::vector<int> outline_of(const Surface& surface, const std::vector<int>& group) {
+    std::map<int, int> next;
+    std::map<HalfEdge, int> inside;
+    for (const int f : group) {
+        const auto& loop = surface.faces[f].vertices;
+        for (std::size_t i = 0; i < loop.size(); ++i) inside[{loop[i], loop[(i + 1) % loop.size()]}] = f;
+    }
+    for (const auto& [edge, f] : inside) {
+        if (inside.contains({edge.second, edge.first})) continue;
+        if (!next.emplace(edge.first, edge.second).second) return {};
+    }
+    std::vector<int> loop{surface.faces[group.front()].vertices.front()};
+    if (!next.contains(loop.front())) loop.front() = next.begin()->first;
+    for (int v = next.at(loop.front()); v != loop.front(); v = next.at(v)) loop.push_back(v);
+    if (loop.size() != next.size()) loop.clear();
+    return loop;
+}
+
+/// Leaves out vertices between two faces only, where their common edge runs straight on.
+void drop_mid_edge_corners(Surface& surface, double near) {
+    std::vector<int> faces_at(surface.vertices.size(), 0);
+    for (const auto& face : surface.faces)
+        for (const int v : face.vertices) ++faces_at[v];
+    std::vector<bool> straight(surface.vertices.size(), false);
+    for (const auto& face : surface.faces) {
+        const std::size_t count = face.vertices.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const int v = face.vertices[i];
+            if (faces_at[v] != 2) continue;
+            const Vec3& before = surface.vertices[face.vertices[(i + count - 1) % count]];
+            const Vec3 chord = surface.vertices[face.vertices[(i + 1) % count]] - before;
+            const Vec3 arm = surface.vertices[v] - before;
+            straight[v] = chord.dot(arm) > 0 && chord.cross(arm).norm() <= near * chord.norm();
+        }
+    }
+    for (auto& face : surface.faces) {
+        std::vector<int> left;
+        for (const int v : face.vertices)
+            if (!straight[v]) left.push_back(v);
+        if (left.size() > 2) face.vertices = std::move(left);
+    }
+}
+
+/// Triangles instead of a face. The diagonal of a four-cornered face starts at its lowest corner, so that
+/// a neighbour with the same four corners gets the same one.
+std::vector<Surface::Face> split(const Surface& surface, const Surface::Face& face) {
+    std::vector<std::array<int, 3>> triangles;
+    if (face.vertices.size() == 4) {
+        const auto lowest = std::min_element(face.vertices.begin(), face.vertices.end(), [&](int a, int b) {
+            return std::lexicographical_compare(surface.vertices[a].begin(), surface.vertices[a].end(),
+                                                surface.vertices[b].begin(), surface.vertices[b].end());
+        });
+        std::vector<int> loop = face.vertices;
+        std::rotate(loop.begin(), loop.begin() + (lowest - face.vertices.begin()), loop.end());
+        triangles = {{loop[0], loop[1], loop[2]}, {loop[0], loop[2], loop[3]}};
+    } else {
+        triangles = triangles_of(surface.vertices, face);
+    }
+    std::vector<Surface::Face> result;
+    for (const auto& t : triangles) result.push_back({{t[0], t[1], t[2]}, face.joint_set, face.name});
+    return result;
+}
+
+double worst_warp(const Surface& surface) {
+    double worst = 0;
+    for (const auto& face : surface.faces) worst = std::max(worst, warp(surface, face));
+    return worst;
+}
+
+/// One sweep: every vertex goes to the mean of its projections on the planes of its faces.
+void pull_to_planes(Surface& surface) {
+    std::vector<Vec3> move(surface.vertices.size(), Vec3::Zero());
+    std::vector<int> count(surface.vertices.size(), 0);
+    for (const auto& face : surface.faces) {
+        if (face.vertices.size() < 4) continue;
+        const Vec3 normal = mean_normal(surface, face), centre = mean_point(surface, face);
+        for (const int v : face.vertices) {
+            move[v] -= normal.dot(surface.vertices[v] - centre) * normal;
+            ++count[v];
+        }
+    }
+    for (std::size_t v = 0; v < move.size(); ++v)
+        if (count[v]) surface.vertices[v] += move[v] / count[v];
+}
+
+} // namespace
+
+void merge_flat_neighbours(Surface& surface) {
+    const double near = 1e-6 * size_of(surface.vertices);
+    const auto half_edges = half_edges_of(surface);
+    std::vector<bool> grouped(surface.faces.size(), false);
+    std::vector<Surface::Face> merged;
+    for (std::size_t seed = 0; seed < surface.faces.size(); ++seed) {
+        if (grouped[seed]) continue;
+        const std::vector<int> group =
+            plane_mates(surface, half_edges, static_cast<int>(seed), grouped, near);
+        std::vector<int> outline;
+        if (group.size() > 1) outline = outline_of(surface, group);
+        if (outline.empty()) {
+            grouped[seed] = true;
+            merged.push_back(surface.faces[seed]);
+            continue;
+        }
+        for (const int f : group) grouped[f] = true;
+        merged.push_back({std::move(outline), surface.faces[seed].joint_set, surface.faces[seed].name});
+    }
+    if (merged.size() == surface.faces.size() || merged.size() < 4) return;
+    surface.faces = std::move(merged);
+    drop_mid_edge_corners(surface, near);
+    check_faces(surface);
+}
+
+double flatten(Surface& surface, const Flatness& flatness) {
+    const double size = size_of(surface.vertices);
+    double reach = size;
+    for (const Vec3& v : surface.vertices) reach = std::max(reach, v.lpNorm<1>());
+    const double rounding = 8 * std::numeric_limits<double>::epsilon() * reach;
+
+    std::vector<Surface::Face> faces;
+    for (const auto& face : surface.faces) {
+        const double off = warp(surface, face);
+        if (off <= std::max(flatness.mended * size, rounding)) {
+            faces.push_back(face);
+        } else if (flatness.triangulate_rest) {
+            for (auto& triangle : split(surface, face)) faces.push_back(std::move(triangle));
+        } else {
+            throw Diagnostic(fmt::format("{} is not flat: its corners lie up to {:.3g} off its mean plane",
+                                         face.name, off),
+                             "correct the corners, or give triangles instead");
+        }
+    }
+    surface.faces = std::move(faces);
+
+    const std::vector<Vec3> before = surface.vertices;
+    constexpr int most_sweeps = 20000;
+    int sweep = 0;
+    while (worst_warp(surface) > rounding) {
+        if (++sweep > most_sweeps) {
+            const auto worst = std::max_element(
+                surface.faces.begin(), surface.faces.end(),
+                [&](const auto& a, const auto& b) { return warp(surface, a) < warp(surface, b); });
+            throw Diagnostic(fmt::format("{} cannot be made flat together with its neighbours", worst->name),
+                             "correct the corners, or give triangles instead");
+        }
+        pull_to_planes(surface);
+    }
+    double longest = 0;
+    for (std::size_t v = 0; v < before.size(); ++v)
+        longest = std::max(longest, (surface.vertices[v] - before[v]).norm());
+    return longest;
+}
+
+} // namespace kaya
