@@ -26,6 +26,8 @@ Expression read_expression(const std::string& text, const Place& place) {
     Expression expression;
     expression.mentions = outside_names(tree);
     expression.place = place;
+    if (!tree.assignment.empty() && !tree.assignment.front().target.parentheses)
+        expression.assigned = tree.assignment.front().target.text;
     expression.tree = std::make_shared<const ExpressionTree>(std::move(tree));
     return expression;
 }

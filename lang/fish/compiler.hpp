@@ -54,6 +54,7 @@ std::string generate(const Function& function, const Dictionary& dictionary);
 /// An expression outside of any function: `@name(1,2)`, `[a + 1]`, `[a = 3]`.
 struct Expression {
     std::vector<std::string> mentions;
+    std::string assigned; ///< variable left of `=`, or empty
     Place place;
     std::shared_ptr<const ExpressionTree> tree;
 };

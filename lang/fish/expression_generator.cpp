@@ -52,7 +52,7 @@ std::string real_text(double value) {
     return text;
 }
 
-std::string in_parentheses(const std::string& text, bool wanted) { return wanted ? "(" + text + ")" : text; }
+std::string in_parentheses(const std::string& text, bool wanted) { return wanted ? fmt::format("({})", text) : text; }
 
 } // namespace
 
@@ -68,20 +68,23 @@ std::string quoted(std::string_view text) {
         else if (static_cast<unsigned char>(c) < 0x20) result += fmt::format("\\{:03}", static_cast<int>(c));
         else result += c;
     }
-    return result + "\"";
+    result += '"';
+    return result;
 }
 
 std::string ExpressionGenerator::variable(const Node& name) const {
     if (name.text == scope_.function) return "v_return";
     if (scope_.locals.contains(name.text))
-        return is_plain_name("v_" + name.text) ? "v_" + name.text : "S" + member(name.text);
-    if (scope_.spilled.contains(name.text)) return "S" + member(name.text);
-    return "G" + member(name.text);
+        return fmt::format("v_{}", name.text);
+    return fmt::format("{}{}", scope_.spilled.contains(name.text) ? "S" : "G", member(name.text));
 }
 
 std::string ExpressionGenerator::list(const std::vector<Node>& nodes) const {
     std::string text;
-    for (const auto& node : nodes) text += (text.empty() ? "" : ", ") + value(node);
+    for (const auto& node : nodes) {
+        if (!text.empty()) text += ", ";
+        text += value(node);
+    }
     return text;
 }
 
@@ -103,7 +106,7 @@ std::string ExpressionGenerator::generated(const Node& node, int strength) const
     case NodeKind::name: return name(node);
     case NodeKind::minus:
         // The blank keeps two signs from becoming a Lua comment.
-        return in_parentheses("- " + generated(node.children[0], sign), strength > sign);
+        return in_parentheses(fmt::format("- {}", generated(node.children[0], sign)), strength > sign);
     case NodeKind::logical_not: return fmt::format("(({}) and 1 or 0)", condition(node));
     case NodeKind::binary: return binary(node, strength);
     }

@@ -9,8 +9,16 @@ namespace kaya::script {
 struct Module {
     std::string_view name; ///< what `require` is given
     std::string_view text;
+    bool is_public = true; ///< false: a part of the program, which no deck may ask for
 };
 
 std::span<const Module> built_in_modules();
+
+/// Text of one module; empty when there is none of this name.
+inline std::string_view built_in_module(std::string_view name) {
+    for (const auto& module : built_in_modules())
+        if (module.name == name) return module.text;
+    return {};
+}
 
 } // namespace kaya::script

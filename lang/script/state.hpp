@@ -31,7 +31,8 @@ struct StoredObject {
 
 struct StoredSource {
     enum class Kind : std::uint8_t { fish, lua } kind = Kind::fish;
-    std::string name; ///< of the deck
+    std::string title; ///< name of the FISH function
+    std::string name;  ///< of the deck
     std::int64_t line = 1;
     std::string text;
 };

@@ -1,28 +1,24 @@
 -- What translated FISH needs where Lua differs: arrays with one or more dimensions, loops over lists.
--- Called by the program with `fail(message, hint)` and `whole(x)`; returns the functions by name.
--- A FISH array is a Lua table: elements 1 to n row by row, `dimensions` holds the sizes.
+-- The program calls it with `fail`, functions that stop with a message, and `whole(x)`: the whole number
+-- that x is, or nil. A FISH array is a Lua table: elements 1 to n, row by row; `dimensions` holds the sizes.
+-- The two most used functions, element and set_element for one dimension, are written in C++.
 
 local fail, whole = ...
-local runtime = {}
-local array_kind = { __name = "array" }
+local runtime = { list_kind = { __name = "array" }, grid_kind = { __name = "array" } }
+local most_elements = 2 ^ 27
 
-local function is_array(value)
-    return type(value) == "table" and getmetatable(value) == array_kind
-end
-
-local function refuse_index(array, name, index)
-    if not is_array(array) then
-        fail.not_array(array, name)
+function runtime.is_array(value)
+    if type(value) ~= "table" then
+        return false
     end
-    fail.outside(array, name, index)
+    local kind = getmetatable(value)
+    return kind == runtime.list_kind or kind == runtime.grid_kind
 end
 
--- Marks a table that holds its elements and its `dimensions` as an array.
+-- Makes an array of a table that holds its elements and its `dimensions`.
 function runtime.as_array(values)
-    return setmetatable(values, array_kind)
+    return setmetatable(values, #values.dimensions == 1 and runtime.list_kind or runtime.grid_kind)
 end
-
-runtime.is_array = is_array
 
 function runtime.array(name, ...)
     local values = { dimensions = { ... } }
@@ -34,37 +30,19 @@ function runtime.array(name, ...)
         end
         values.dimensions[i] = number
         size = size * number
-        if size > 2 ^ 27 then
+        if size > most_elements then
             fail.too_large(name)
         end
     end
     for i = 1, size do
         values[i] = 0
     end
-    return setmetatable(values, array_kind)
-end
-
-function runtime.element(array, name, index)
-    if is_array(array) and #array.dimensions == 1 then
-        local value = array[index]
-        if value ~= nil and index ~= "dimensions" then
-            return value
-        end
-    end
-    refuse_index(array, name, { index })
-end
-
-function runtime.set_element(array, name, index, value)
-    if is_array(array) and #array.dimensions == 1 and array[index] ~= nil and index ~= "dimensions" then
-        array[index] = value
-        return
-    end
-    refuse_index(array, name, { index })
+    return runtime.as_array(values)
 end
 
 -- Number of the element in the row-by-row order.
 local function position(array, name, indices)
-    if not is_array(array) then
+    if not runtime.is_array(array) then
         fail.not_array(array, name)
     end
     local dimensions = array.dimensions
@@ -90,8 +68,8 @@ function runtime.set_element_of(array, name, value, ...)
     array[position(array, name, { ... })] = value
 end
 
--- The members of a list one after the other. They are copied first: the body of the loop may change the
--- list and its loop variable.
+-- Gives the members of a list one after the other. They are copied first, because the body of the loop may
+-- change the list.
 function runtime.each(list)
     if type(list) ~= "table" then
         fail.not_list(list)

@@ -1,0 +1,33 @@
+// The names that FISH knows without a definition. Each file below adds its own to the tables A and W.
+#pragma once
+
+#include "lang/script/lua_headers.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace kaya::script {
+
+struct Machine;
+
+/// One row of a table of built-ins. Both functions are wrapped by `guarded`.
+struct BuiltInFunction {
+    const char* name;
+    int least, most;                 ///< arguments when it is read
+    lua_CFunction read;
+    lua_CFunction write = nullptr;   ///< arguments, then the value; null: read only
+};
+
+void add_built_ins(Machine& machine, std::span<const BuiltInFunction> functions);
+/// Takes the function at the top of the stack as reader or writer of `name`.
+void add_reader(Machine& machine, std::string_view name, int least, int most);
+void add_writer(Machine& machine, std::string_view name);
+
+void add_mathematics(Machine& machine); ///< sin, max, vector, urand, ...
+void add_texts(Machine& machine);       ///< string, parse, type, out, error, ...
+void add_tables(Machine& machine);      ///< table, xtable, ytable, ...
+void add_files(Machine& machine);       ///< open, close, read, write
+void add_accessors(Machine& machine);   ///< fields and globals of the world, by their classic names
+void add_walkers(Machine& machine);     ///< block_head, b_next, c_cx, gp_near, b_extra, ...
+
+} // namespace kaya::script

@@ -1,0 +1,150 @@
+#include "lang/script/chunks.hpp"
+
+#include "lang/script/guard.hpp"
+#include "lang/script/machine.hpp"
+#include "lang/script/modules.hpp"
+#include "lang/script/values.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace kaya::script {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool read_file(const fs::path& file, std::string& text) {
+    std::error_code problem;
+    if (fs::is_directory(file, problem)) return false;
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) return false;
+    std::ostringstream whole;
+    whole << stream.rdbuf();
+    text = whole.str();
+    return true;
+}
+
+/// A file becomes a text that messages can point into.
+Place beginning_of(const std::string& name, const std::string& text) {
+    auto source = std::make_shared<SourceText>();
+    source->name = name;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) source->lines.push_back(line);
+    return {source, 1, 1, 1};
+}
+
+/// Loads the text with the user's global variables and leaves the function on the stack.
+void load_chunk(Machine& machine, const std::string& text, const Place& place) {
+    lua_State* L = machine.lua;
+    load_text(L, text, machine.sources.add({"", place, false}));
+    push_anchor(L, machine.anchors.environment);
+    lua_setupvalue(L, -2, 1);
+}
+
+/// Addresses of all functions that global variables hold, also as members of tables: what a chunk can define.
+using Definitions = std::map<std::string, const void*>;
+
+void collect_functions(lua_State* L, const std::string& prefix, int depth, Definitions& found) {
+    luaL_checkstack(L, 4, "too many tables in tables");
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+        if (lua_type(L, -2) != LUA_TSTRING) continue;
+        const std::string name = prefix + lua_tostring(L, -2);
+        if (lua_isfunction(L, -1)) found[name] = lua_topointer(L, -1);
+        else if (lua_istable(L, -1) && depth > 0) collect_functions(L, name + ".", depth - 1, found);
+    }
+}
+
+Definitions definitions(Machine& machine) {
+    Definitions found;
+    push_anchor(machine.lua, machine.anchors.environment);
+    collect_functions(machine.lua, "", 2, found);
+    lua_pop(machine.lua, 1);
+    return found;
+}
+
+void run_loaded_chunk(Machine& machine, const std::string& text, const Place& place) {
+    const Definitions before = definitions(machine);
+    machine.registered = false;
+    load_chunk(machine, text, place);
+    call_protected(machine.lua, 0, 0);
+    if (!machine.unfinished_line.empty()) print_line(machine, std::exchange(machine.unfinished_line, {}));
+    if (machine.registered || definitions(machine) != before)
+        machine.fish.stored.push_back(
+            {StoredSource::Kind::lua, "", place.source ? place.source->name : "", place.line, text});
+}
+
+/// Where `require "a.b"` looks: beside the deck, in the folders of the options, in the working folder.
+std::vector<fs::path> candidates(const Machine& machine, const std::string& name) {
+    std::string file = name;
+    std::replace(file.begin(), file.end(), '.', '/');
+    std::vector<fs::path> paths{fs::path(machine.script_folder) / (file + ".lua")};
+    for (const auto& folder : machine.options.module_folders) paths.push_back(folder / (file + ".lua"));
+    paths.push_back(fs::path(file + ".lua"));
+    return paths;
+}
+
+bool is_module_name(const std::string& name) {
+    return !name.empty() && name.front() != '.' && name.find("..") == std::string::npos &&
+           name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.") ==
+               std::string::npos;
+}
+
+/// Runs the text of a module; its value, or true, is left on the stack and remembered.
+void run_module(Machine& machine, const std::string& name, const std::string& shown, const std::string& text) {
+    lua_State* L = machine.lua;
+    load_chunk(machine, text, beginning_of(shown, text));
+    lua_pushstring(L, name.c_str());
+    call_protected(L, 1, 1);
+    if (lua_isnil(L, -1)) {
+        lua_pop(L, 1);
+        lua_pushboolean(L, 1);
+    }
+    push_anchor(L, machine.anchors.modules);
+    lua_pushvalue(L, -2);
+    lua_setfield(L, -2, name.c_str());
+    lua_pop(L, 1);
+}
+
+} // namespace
+
+void run_chunk(Machine& machine, const std::string& text, const Place& place) {
+    if (place) machine.script_folder = fs::path(place.source->name).parent_path().string();
+    run_loaded_chunk(machine, text, place);
+}
+
+void run_chunk_file(Machine& machine, const fs::path& file, const Place& place) {
+    std::string text;
+    if (!read_file(file, text))
+        throw Diagnostic(fmt::format("the Lua file '{}' cannot be read", file.string()),
+                         "the path counts from the working folder")
+            .at(place);
+    machine.script_folder = file.parent_path().string();
+    run_loaded_chunk(machine, text, beginning_of(file.string(), text));
+}
+
+void push_module(Machine& machine, const std::string& name, const Place& place) {
+    lua_State* L = machine.lua;
+    push_anchor(L, machine.anchors.modules);
+    lua_getfield(L, -1, name.c_str());
+    lua_remove(L, -2);
+    if (!lua_isnil(L, -1)) return;
+    lua_pop(L, 1);
+
+    if (!is_module_name(name))
+        throw Diagnostic(fmt::format("'{}' is not the name of a module", name),
+                         "a name has letters, digits, '_' and '-'; a point stands for a folder", Fault::run);
+    std::string text;
+    for (const auto& path : candidates(machine, name))
+        if (read_file(path, text)) return run_module(machine, name, path.string(), text);
+    for (const auto& module : built_in_modules())
+        if (module.name == name && module.is_public) return run_module(machine, name, name + ".lua", std::string(module.text));
+    throw Diagnostic(fmt::format("there is no module '{}'", name),
+                     fmt::format("it would be the file {}.lua beside the deck", name), Fault::run)
+        .at(place);
+}
+
+} // namespace kaya::script

@@ -1,0 +1,298 @@
+#include "lang/script/fish_library.hpp"
+
+#include "lang/fish/lexer.hpp"
+#include "lang/script/guard.hpp"
+#include "lang/script/machine.hpp"
+#include "lang/script/values.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+namespace kaya::script {
+
+namespace {
+
+/// A Lua function takes what it is given.
+constexpr int most_lua_arguments = 50;
+constexpr std::array<std::string_view, 5> constants{"true", "false", "on", "off", "null"};
+
+bool is_constant(std::string_view name) {
+    return std::find(constants.begin(), constants.end(), name) != constants.end();
+}
+
+fish::Dictionary dictionary_of(const Machine& machine, const fish::Function* coming = nullptr) {
+    return [&machine, coming](std::string_view name) -> fish::Meaning {
+        const FishLibrary& fish = machine.fish;
+        const auto function_meaning = [](const fish::Function& function) {
+            const int count = static_cast<int>(function.arguments.size());
+            return fish::Meaning{fish::NameKind::function, count, count, false};
+        };
+        if (coming && coming->name == name) return function_meaning(*coming);
+        if (const auto found = fish.functions.find(name); found != fish.functions.end())
+            return function_meaning(found->second.function);
+        if (const auto found = fish.built_ins.find(name); found != fish.built_ins.end())
+            return {fish::NameKind::built_in, found->second.least, found->second.most, found->second.writable};
+        if (fish.lua_functions.contains(name)) return {fish::NameKind::function, 0, most_lua_arguments, false};
+        return {};
+    };
+}
+
+bool variable_exists(const Machine& machine, const std::string& name) {
+    lua_State* L = machine.lua;
+    push_anchor(L, machine.anchors.globals);
+    lua_pushlstring(L, name.data(), name.size());
+    const bool exists = lua_rawget(L, -2) != LUA_TNIL;
+    lua_pop(L, 2);
+    return exists;
+}
+
+/// A variable is the integer 0 from its first mention on.
+void create_variables(Machine& machine, const std::vector<std::string>& mentions, const fish::Dictionary& dictionary) {
+    lua_State* L = machine.lua;
+    for (const auto& name : mentions) {
+        if (dictionary(name).kind != fish::NameKind::variable || is_constant(name)) continue;
+        if (variable_exists(machine, name)) continue;
+        push_anchor(L, machine.anchors.globals);
+        lua_pushinteger(L, 0);
+        lua_setfield(L, -2, name.c_str());
+        lua_pop(L, 1);
+    }
+}
+
+/// Leaves the Lua function that the generated text makes on the stack.
+void push_generated(Machine& machine, const std::string& text, const std::string& chunk_name) {
+    lua_State* L = machine.lua;
+    load_text(L, text, chunk_name);
+    const Anchors& a = machine.anchors;
+    for (const int anchor : {a.globals, a.functions, a.readers, a.writers, a.runtime}) push_anchor(L, anchor);
+    call_protected(L, 5, 1);
+}
+
+/// Stands in F for a function that has to be translated before it runs. Upvalue: its name.
+int translate_and_call(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string name = lua_tostring(L, lua_upvalueindex(1));
+    const auto found = machine.fish.functions.find(name);
+    if (found == machine.fish.functions.end())
+        throw Diagnostic(fmt::format("the function '{}' is gone", name), {}, Fault::run);
+    const auto dictionary = dictionary_of(machine);
+    create_variables(machine, found->second.function.mentions, dictionary);
+    push_generated(machine, fish::generate(found->second.function, dictionary), found->second.chunk_name);
+    push_anchor(L, machine.anchors.functions);
+    lua_pushvalue(L, -2);
+    lua_setfield(L, -2, name.c_str());
+    lua_pop(L, 1);
+    lua_insert(L, 1);
+    lua_call(L, lua_gettop(L) - 1, 1);
+    return 1;
+}
+
+void set_translator(Machine& machine, const std::string& name) {
+    lua_State* L = machine.lua;
+    push_anchor(L, machine.anchors.functions);
+    lua_pushstring(L, name.c_str());
+    lua_pushcclosure(L, guarded<translate_and_call>, 1);
+    lua_setfield(L, -2, name.c_str());
+    lua_pop(L, 1);
+}
+
+void forget_expressions(Machine& machine) {
+    for (const auto& [text, kept] : machine.fish.expressions) luaL_unref(machine.lua, LUA_REGISTRYINDEX, kept);
+    machine.fish.expressions.clear();
+}
+
+[[noreturn]] void fail_unknown_name(const Machine& machine, const std::string& name, const Place& place) {
+    const auto symbols = fish_symbols(machine);
+    std::vector<std::string_view> candidates(symbols.begin(), symbols.end());
+    for (const auto& [known, built_in] : machine.fish.built_ins) candidates.push_back(known);
+    const auto meant = did_you_mean(name, candidates);
+    Diagnostic diagnostic(fmt::format("there is no FISH variable or function '{}'", name),
+                          meant.empty() ? std::string() : fmt::format("did you mean '{}'?", meant));
+    diagnostic.code = "unknown-fish-name";
+    throw diagnostic.at(place);
+}
+
+/// Called from Lua as fish.name(...). Upvalue: the name.
+int call_from_lua(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string name = lua_tostring(L, lua_upvalueindex(1));
+    const auto found = machine.fish.functions.find(name);
+    const int given = lua_gettop(L);
+    if (found != machine.fish.functions.end()) {
+        const int wanted = static_cast<int>(found->second.function.arguments.size());
+        if (given != wanted)
+            throw Diagnostic(fmt::format("the FISH function '{}' takes {} argument{}, here it is given {}", name, wanted,
+                                         wanted == 1 ? "" : "s", given == 0 ? "none" : std::to_string(given)),
+                             {}, Fault::run);
+    }
+    push_anchor(L, machine.anchors.functions);
+    lua_getfield(L, -1, name.c_str());
+    lua_remove(L, -2);
+    for (int i = 1; i <= given; ++i) {
+        lua_pushvalue(L, i);
+        make_fish_value(L);
+    }
+    lua_call(L, given, 1);
+    return 1;
+}
+
+/// Called from FISH. Upvalue: the name as Lua spells it.
+int call_lua_function(lua_State* L) {
+    Machine& machine = machine_of(L);
+    push_anchor(L, machine.anchors.environment);
+    lua_getfield(L, -1, lua_tostring(L, lua_upvalueindex(1)));
+    lua_remove(L, -2);
+    if (!lua_isfunction(L, -1))
+        throw Diagnostic(fmt::format("the Lua function '{}' is gone", lua_tostring(L, lua_upvalueindex(1))), {},
+                         Fault::run);
+    lua_insert(L, 1);
+    lua_call(L, lua_gettop(L) - 1, 1);
+    make_fish_value(L);
+    return 1;
+}
+
+} // namespace
+
+void define_fish_function(Machine& machine, const std::string& text, const Place& place) {
+    FishLibrary& fish = machine.fish;
+    fish::Function function = fish::read_function(text, place);
+    if (fish.built_ins.contains(function.name))
+        throw Diagnostic(fmt::format("'{}' is built in and cannot be defined", function.name),
+                         "give the function another name")
+            .at(function.place);
+    // Nothing is changed before the whole function is known to be right.
+    const auto dictionary = dictionary_of(machine, &function);
+    const std::string generated = fish::generate(function, dictionary);
+    const std::string chunk_name = machine.sources.add({function.name, function.place, true});
+    push_generated(machine, generated, chunk_name);
+
+    lua_State* L = machine.lua;
+    create_variables(machine, function.mentions, dictionary);
+    const std::string name = function.name;
+    push_anchor(L, machine.anchors.functions);
+    lua_insert(L, -2);
+    lua_setfield(L, -2, name.c_str());
+    lua_pop(L, 1);
+    push_anchor(L, machine.anchors.globals);
+    lua_pushnil(L);
+    lua_setfield(L, -2, name.c_str());
+    lua_pop(L, 1);
+
+    std::erase(fish.whilestepping, name);
+    if (function.whilestepping) fish.whilestepping.push_back(name);
+    std::erase_if(fish.stored, [&](const StoredSource& stored) {
+        return stored.kind == StoredSource::Kind::fish && stored.title == name;
+    });
+    fish.stored.push_back({StoredSource::Kind::fish, name, place.source ? place.source->name : "", place.line, text});
+    fish.lua_functions.erase(name);
+    fish.functions[name] = {std::move(function), chunk_name};
+    for (auto& [other, defined] : fish.functions) {
+        const auto& mentions = defined.function.mentions;
+        if (other != name && std::binary_search(mentions.begin(), mentions.end(), name)) set_translator(machine, other);
+    }
+    forget_expressions(machine);
+}
+
+void forget_translations(Machine& machine, const std::string& name) {
+    for (auto& [other, defined] : machine.fish.functions) {
+        const auto& mentions = defined.function.mentions;
+        if (std::binary_search(mentions.begin(), mentions.end(), name)) set_translator(machine, other);
+    }
+    forget_expressions(machine);
+}
+
+void adopt_lua_function(Machine& machine, const std::string& name) {
+    const std::string known_as = fish::lower(name);
+    if (machine.fish.functions.contains(known_as) || machine.fish.built_ins.contains(known_as)) return;
+    lua_State* L = machine.lua;
+    push_anchor(L, machine.anchors.functions);
+    lua_pushstring(L, name.c_str());
+    lua_pushcclosure(L, guarded<call_lua_function>, 1);
+    lua_setfield(L, -2, known_as.c_str());
+    lua_pop(L, 1);
+    if (machine.fish.lua_functions.insert(known_as).second) forget_translations(machine, known_as);
+}
+
+std::string bare_expression(const std::string& expression) {
+    const auto first = expression.find_first_not_of(" \t");
+    const auto last = expression.find_last_not_of(" \t\r\n");
+    if (first == std::string::npos) return {};
+    std::string bare = expression.substr(first, last - first + 1);
+    if (bare.front() == '@') return bare.substr(1);
+    if (bare.front() == '[' && bare.back() == ']') return bare.substr(1, bare.size() - 2);
+    return bare;
+}
+
+void push_expression(Machine& machine, const std::string& text, const Place& place) {
+    lua_State* L = machine.lua;
+    FishLibrary& fish = machine.fish;
+    const std::string key = place ? text + '\n' + std::to_string(place.line) : text;
+    if (const auto kept = fish.expressions.find(key); kept != fish.expressions.end()) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, kept->second);
+        return;
+    }
+    const fish::Expression expression = fish::read_expression(bare_expression(text), place);
+    const auto dictionary = dictionary_of(machine);
+    // A word of a command that means nothing is a slip of the pen; only an assignment makes a variable here.
+    for (const auto& name : expression.mentions) {
+        if (name == expression.assigned || is_constant(name)) continue;
+        if (dictionary(name).kind == fish::NameKind::variable && !variable_exists(machine, name))
+            fail_unknown_name(machine, name, place);
+    }
+    const std::string generated = fish::generate(expression, dictionary);
+    create_variables(machine, expression.mentions, dictionary);
+    push_generated(machine, generated, machine.sources.add({"", place, true}));
+    lua_pushvalue(L, -1);
+    fish.expressions[key] = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+void push_fish_name(Machine& machine, const std::string& given) {
+    lua_State* L = machine.lua;
+    const std::string name = fish::lower(given);
+    if (machine.fish.functions.contains(name) || machine.fish.lua_functions.contains(name)) {
+        lua_pushstring(L, name.c_str());
+        lua_pushcclosure(L, guarded<call_from_lua>, 1);
+        return;
+    }
+    if (!variable_exists(machine, name)) fail_unknown_name(machine, name, {});
+    push_anchor(L, machine.anchors.globals);
+    lua_getfield(L, -1, name.c_str());
+    lua_remove(L, -2);
+}
+
+void set_fish_name(Machine& machine, const std::string& given, int index) {
+    lua_State* L = machine.lua;
+    const std::string name = fish::lower(given);
+    if (machine.fish.functions.contains(name) || machine.fish.lua_functions.contains(name))
+        throw Diagnostic(fmt::format("'{}' is a FISH function: a value cannot be given to it", name));
+    if (machine.fish.built_ins.contains(name))
+        throw Diagnostic(fmt::format("'{}' is built in: a variable of this name cannot be made", name),
+                         "use another name for the variable");
+    lua_pushvalue(L, index);
+    make_fish_value(L);
+    push_anchor(L, machine.anchors.globals);
+    lua_insert(L, -2);
+    lua_setfield(L, -2, name.c_str());
+    lua_pop(L, 1);
+}
+
+std::vector<std::string> fish_symbols(const Machine& machine) {
+    lua_State* L = machine.lua;
+    std::vector<std::string> names;
+    for (const auto& [name, function] : machine.fish.functions) names.push_back(name);
+    push_anchor(L, machine.anchors.globals);
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) names.emplace_back(lua_tostring(L, -2));
+    lua_pop(L, 1);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+bool knows_fish_name(const Machine& machine, const std::string& given) {
+    const std::string name = fish::lower(given);
+    const FishLibrary& fish = machine.fish;
+    return fish.functions.contains(name) || fish.lua_functions.contains(name) || fish.built_ins.contains(name) ||
+           variable_exists(machine, name);
+}
+
+} // namespace kaya::script

@@ -1,0 +1,62 @@
+// FISH functions, what their names mean, and the built-ins that they may use.
+#pragma once
+
+#include "lang/fish/compiler.hpp"
+#include "lang/script/lua_headers.hpp"
+#include "lang/script/state.hpp"
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace kaya::script {
+
+struct Machine;
+
+/// A name that FISH knows without a definition.
+struct BuiltIn {
+    int least = 0; ///< arguments when it is read
+    int most = 0;
+    bool writable = false;
+};
+
+struct DefinedFunction {
+    fish::Function function;
+    std::string chunk_name;
+};
+
+struct FishLibrary {
+    std::map<std::string, DefinedFunction, std::less<>> functions;
+    std::set<std::string, std::less<>> lua_functions; ///< lower case names of global Lua functions
+    std::map<std::string, BuiltIn, std::less<>> built_ins;
+    std::vector<std::string> whilestepping;
+    std::vector<StoredSource> stored; ///< FISH functions and Lua chunks in the order in which they came
+    /// Translated expressions of commands and histories, by text: number in Lua's registry.
+    std::unordered_map<std::string, int> expressions;
+};
+
+/// Reads and checks the function, then puts it in the place of an older one of its name.
+void define_fish_function(Machine& machine, const std::string& text, const Place& place);
+
+/// Leaves the Lua function of the expression on the stack.
+void push_expression(Machine& machine, const std::string& expression, const Place& place);
+/// `@name(1)` and `[name(1)]` as `name(1)`.
+std::string bare_expression(const std::string& expression);
+
+/// The meaning of a name has changed: functions that mention it are translated again at their next call.
+void forget_translations(Machine& machine, const std::string& name);
+/// A Lua function has come: FISH can call it by its name in lower case.
+void adopt_lua_function(Machine& machine, const std::string& name);
+
+/// What fish.name is in Lua, and what `set @name` does; throw Diagnostic.
+void push_fish_name(Machine& machine, const std::string& name);
+void set_fish_name(Machine& machine, const std::string& name, int index);
+
+/// All variables and functions, sorted.
+std::vector<std::string> fish_symbols(const Machine& machine);
+bool knows_fish_name(const Machine& machine, const std::string& name);
+
+} // namespace kaya::script

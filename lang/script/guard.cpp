@@ -1,0 +1,160 @@
+#include "lang/script/guard.hpp"
+
+#include "lang/script/machine.hpp"
+
+#include <cstring>
+#include <fmt/format.h>
+#include <memory>
+
+namespace kaya::script {
+
+namespace {
+
+/// Each level costs C++ stack in the command interpreter as well.
+constexpr int deepest_call = 50;
+constexpr int most_stack_lines = 12;
+
+int release(lua_State* L) {
+    std::destroy_at(static_cast<Diagnostic*>(lua_touserdata(L, 1)));
+    return 0;
+}
+
+int show(lua_State* L) {
+    const auto* diagnostic = static_cast<const Diagnostic*>(lua_touserdata(L, 1));
+    lua_pushstring(L, diagnostic->message.c_str());
+    return 1;
+}
+
+int count_levels(lua_State* L) {
+    lua_Debug record;
+    int levels = 0;
+    while (lua_getstack(L, levels, &record)) ++levels;
+    return levels;
+}
+
+std::string describe(const Source& source, const lua_Debug& record) {
+    const Place place = line_place(source, record.currentline);
+    const std::string where = place ? fmt::format(", {}:{}", place.source->name, place.line) : "";
+    if (source.is_fish)
+        return source.title.empty() ? "in a FISH expression" + where
+                                    : fmt::format("in FISH function '{}'{}", source.title, where);
+    if (record.what && std::strcmp(record.what, "main") == 0) return "in a Lua chunk" + where;
+    return record.name ? fmt::format("in Lua function '{}'{}", record.name, where) : "in a Lua function" + where;
+}
+
+/// Gives the diagnostic the place of the innermost line of a script, and a line for every function.
+void add_stack(lua_State* L, Diagnostic& diagnostic) {
+    const Machine& machine = machine_of(L);
+    lua_Debug record;
+    const int levels = count_levels(L) - machine.levels_before;
+    int shown = 0;
+    for (int level = 0; level < levels && lua_getstack(L, level, &record); ++level) {
+        lua_getinfo(L, "Sln", &record);
+        const Source* source = machine.sources.find(record.source);
+        if (!source) continue;
+        if (!diagnostic.place) diagnostic.at(line_place(*source, record.currentline));
+        if (source->is_fish && source->title.empty()) continue;
+        if (++shown <= most_stack_lines) diagnostic.add(describe(*source, record));
+    }
+    if (shown > most_stack_lines) diagnostic.add(fmt::format("... and {} more", shown - most_stack_lines));
+}
+
+/// Lua's own words, where they would not be understood by somebody who wrote FISH.
+Diagnostic translated(std::string_view text) {
+    if (text.find("stack overflow") != std::string_view::npos)
+        return Diagnostic("functions call each other too deeply",
+                          "a function that calls itself needs a way to end", Fault::run);
+    if (text == "not enough memory") return Diagnostic("the script needs more memory than there is", {}, Fault::run);
+    return Diagnostic(std::string(text), {}, Fault::run);
+}
+
+Diagnostic from_error_value(lua_State* L, int index) {
+    if (const Diagnostic* known = diagnostic_at(L, index)) return *known;
+    std::size_t size = 0;
+    const char* raw = lua_type(L, index) == LUA_TSTRING ? lua_tolstring(L, index, &size) : nullptr;
+    if (!raw)
+        return Diagnostic(fmt::format("the script stopped with a {} as error value", luaL_typename(L, index)), {},
+                          Fault::run);
+    const std::string message(raw, size);
+    std::string_view chunk, text = message;
+    int line = 0;
+    const Source* source = nullptr;
+    if (split_message(message, chunk, line, text)) source = machine_of(L).sources.find(chunk);
+    Diagnostic diagnostic = translated(source ? text : std::string_view(message));
+    if (source) diagnostic.at(line_place(*source, line));
+    return diagnostic;
+}
+
+/// Runs at the point of the error, while the stack of functions still stands.
+int handle_error(lua_State* L) {
+    try {
+        Diagnostic diagnostic = from_error_value(L, 1);
+        add_stack(L, diagnostic);
+        push_diagnostic(L, diagnostic);
+    } catch (const std::exception&) {
+        lua_settop(L, 1);
+    }
+    return 1;
+}
+
+} // namespace
+
+void open_diagnostics(lua_State* L) {
+    lua_createtable(L, 0, 3);
+    lua_pushcfunction(L, release);
+    lua_setfield(L, -2, "__gc");
+    lua_pushcfunction(L, show);
+    lua_setfield(L, -2, "__tostring");
+    lua_pushstring(L, "error");
+    lua_setfield(L, -2, "__name");
+    lua_pushboolean(L, 0); // keeps getmetatable of a script away from __gc
+    lua_setfield(L, -2, "__metatable");
+    machine_of(L).anchors.diagnostic_type = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+void push_diagnostic(lua_State* L, const Diagnostic& diagnostic) {
+    luaL_checkstack(L, 4, "for an error");
+    void* memory = lua_newuserdatauv(L, sizeof(Diagnostic), 0);
+    new (memory) Diagnostic(diagnostic);
+    push_anchor(L, machine_of(L).anchors.diagnostic_type);
+    lua_setmetatable(L, -2);
+}
+
+const Diagnostic* diagnostic_at(lua_State* L, int index) {
+    if (lua_type(L, index) != LUA_TUSERDATA || !lua_getmetatable(L, index)) return nullptr;
+    push_anchor(L, machine_of(L).anchors.diagnostic_type);
+    const bool same = lua_rawequal(L, -1, -2);
+    lua_pop(L, 2);
+    return same ? static_cast<const Diagnostic*>(lua_touserdata(L, index)) : nullptr;
+}
+
+void call_protected(lua_State* L, int arguments, int results) {
+    Machine& machine = machine_of(L);
+    if (machine.depth >= deepest_call)
+        throw Diagnostic(fmt::format("commands and functions call each other more than {} levels deep", deepest_call),
+                         "a function that runs commands which call it needs a way to end", Fault::run);
+    const int outer_levels = machine.levels_before;
+    if (machine.depth > 0) machine.levels_before = count_levels(L);
+    ++machine.depth;
+
+    const int handler = lua_gettop(L) - arguments;
+    lua_pushcfunction(L, handle_error);
+    lua_insert(L, handler);
+    const int status = lua_pcall(L, arguments, results, handler);
+    --machine.depth;
+    machine.levels_before = outer_levels;
+    lua_remove(L, handler);
+    if (status == LUA_OK) return;
+    const Diagnostic diagnostic = from_error_value(L, -1);
+    lua_pop(L, 1);
+    throw diagnostic;
+}
+
+void load_text(lua_State* L, const std::string& text, const std::string& chunk_name) {
+    if (luaL_loadbufferx(L, text.data(), text.size(), chunk_name.c_str(), "t") == LUA_OK) return;
+    const Diagnostic diagnostic = from_error_value(L, -1);
+    lua_pop(L, 1);
+    throw diagnostic;
+}
+
+} // namespace kaya::script

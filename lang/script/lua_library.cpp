@@ -1,0 +1,330 @@
+#include "lang/script/lua_library.hpp"
+
+#include "lang/script/chunks.hpp"
+#include "lang/script/files.hpp"
+#include "lang/script/guard.hpp"
+#include "lang/script/handles.hpp"
+#include "lang/script/machine.hpp"
+#include "lang/script/modules.hpp"
+#include "lang/script/values.hpp"
+
+#include <array>
+#include <fmt/format.h>
+
+namespace kaya::script {
+
+namespace {
+
+std::int32_t table_argument(lua_State* L, const char* function) {
+    const std::string name = text_argument(L, 1, function);
+    const World& world = machine_of(L).world;
+    const std::int32_t table = find_table(world, name);
+    if (table >= 0) return table;
+    std::vector<std::string_view> names;
+    for (const auto& known : world.tables()) names.push_back(known.name);
+    const auto meant = did_you_mean(name, names);
+    throw Diagnostic(fmt::format("a model has no '{}'", name),
+                     meant.empty() ? std::string() : fmt::format("did you mean '{}'?", meant), Fault::run);
+}
+
+int tables(lua_State* L) {
+    lua_newtable(L);
+    lua_Integer i = 0;
+    for (const auto& table : machine_of(L).world.tables()) {
+        lua_pushlstring(L, table.name.data(), table.name.size());
+        lua_rawseti(L, -2, ++i);
+    }
+    return 1;
+}
+
+/// Upvalues: table, number of the next object.
+int next_object(lua_State* L) {
+    World& world = machine_of(L).world;
+    const auto table = static_cast<std::int32_t>(lua_tointeger(L, lua_upvalueindex(1)));
+    const auto at = static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(2)));
+    if (at >= world.count(table)) {
+        lua_pushnil(L);
+        return 1;
+    }
+    lua_pushinteger(L, static_cast<lua_Integer>(at + 1));
+    lua_replace(L, lua_upvalueindex(2));
+    lua_pushlightuserdata(L, pack_handle(world.at(table, at)));
+    return 1;
+}
+
+/// (table): the iterator over all its objects.
+int list(lua_State* L) {
+    lua_pushinteger(L, table_argument(L, "list"));
+    lua_pushinteger(L, 0);
+    lua_pushcclosure(L, guarded<next_object>, 2);
+    return 1;
+}
+
+int count(lua_State* L) {
+    lua_pushinteger(L, static_cast<lua_Integer>(machine_of(L).world.count(table_argument(L, "count"))));
+    return 1;
+}
+
+/// (table, field, way)
+int reduce(lua_State* L) {
+    const std::string way = text_argument(L, 3, "sum");
+    const std::int32_t table = table_argument(L, way.c_str());
+    const std::string name = text_argument(L, 2, way.c_str());
+    World& world = machine_of(L).world;
+    const auto& info = world.tables()[table];
+    const auto field = find_field(info.fields, name);
+    if (field < 0) fail_unknown_field(info.name, info.fields, name);
+    lua_pushnumber(L, world.reduce(table, static_cast<std::size_t>(field), way));
+    return 1;
+}
+
+/// (table, vector) or (table, x, y, z)
+int nearest(lua_State* L) {
+    const std::int32_t table = table_argument(L, "nearest");
+    Vec3 place;
+    if (lua_gettop(L) == 2) place = vector_argument(L, 2, "nearest");
+    else
+        for (int i = 0; i < 3; ++i) place[i] = number_argument(L, i + 2, "nearest");
+    push_lua_value(L, machine_of(L).world.nearest(table, place));
+    return 1;
+}
+
+/// (x, y, z)
+int vector(lua_State* L) {
+    Vec3 v = Vec3::Zero();
+    for (int i = 0; i < std::min(lua_gettop(L), 3); ++i) v[i] = number_argument(L, i + 1, "vector");
+    push_vector(L, v);
+    return 1;
+}
+
+const Member& global_argument(lua_State* L) {
+    const Machine& machine = machine_of(L);
+    const char* key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : nullptr;
+    const Member* member = key ? machine.fields.globals.find(key) : nullptr;
+    if (!member) fail_unknown_field("the model", machine.world.globals(), key ? key : describe_value(L, 2));
+    return *member;
+}
+
+int read_model(lua_State* L) {
+    push_lua_value(L, machine_of(L).world.get_global(global_argument(L).number));
+    return 1;
+}
+
+int write_model(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const Member& member = global_argument(L);
+    const auto& info = machine.world.globals()[member.number];
+    if (!info.writable)
+        throw Diagnostic(fmt::format("'{}' of the model can be read, not set", info.name), {}, Fault::run);
+    if (!machine.restoring)
+        machine.world.set_global(member.number, value_at(L, 3, fmt::format("the new '{}'", info.name)));
+    return 0;
+}
+
+int read_fish(lua_State* L) {
+    push_fish_name(machine_of(L), text_argument(L, 1, "fish"));
+    return 1;
+}
+
+int write_fish(lua_State* L) {
+    const std::string name = text_argument(L, 1, "fish");
+    if (lua_type(L, 2) == LUA_TFUNCTION)
+        throw Diagnostic(fmt::format("fish.{} cannot hold a function", name),
+                         "FISH can call every global function of Lua by its name", Fault::run);
+    set_fish_name(machine_of(L), name, 2);
+    return 0;
+}
+
+int as_array(lua_State* L) {
+    push_anchor(L, machine_of(L).anchors.runtime);
+    lua_getfield(L, -1, "as_array");
+    lua_pushvalue(L, 1);
+    lua_call(L, 1, 1);
+    return 1;
+}
+
+int is_array(lua_State* L) {
+    push_anchor(L, machine_of(L).anchors.runtime);
+    lua_getfield(L, -1, "is_array");
+    lua_pushvalue(L, 1);
+    lua_call(L, 1, 1);
+    return 1;
+}
+
+/// Numbers for sorting pointers; other userdata are all the same.
+int order(lua_State* L) {
+    const bool pointer = lua_type(L, 1) == LUA_TLIGHTUSERDATA;
+    const auto bits = pointer ? reinterpret_cast<std::uintptr_t>(lua_touserdata(L, 1)) : 0;
+    lua_pushinteger(L, static_cast<lua_Integer>(bits));
+    return 1;
+}
+
+int print(lua_State* L) {
+    Machine& machine = machine_of(L);
+    print_line(machine, std::exchange(machine.unfinished_line, {}) + text_argument(L, 1, "print"));
+    return 0;
+}
+
+int write(lua_State* L) {
+    Machine& machine = machine_of(L);
+    for (const char c : text_argument(L, 1, "io.write")) {
+        if (c == '\n') print_line(machine, std::exchange(machine.unfinished_line, {}));
+        else machine.unfinished_line += c;
+    }
+    return 0;
+}
+
+int uniform(lua_State* L) {
+    lua_pushnumber(L, machine_of(L).random.uniform());
+    return 1;
+}
+
+int seed(lua_State* L) {
+    machine_of(L).random.seed(static_cast<std::uint64_t>(integer_argument(L, 1, "math.randomseed")));
+    return 0;
+}
+
+int environment(lua_State* L) {
+    push_anchor(L, machine_of(L).anchors.environment);
+    return 1;
+}
+
+int path(lua_State* L) {
+    const std::string allowed = allowed_path(machine_of(L), text_argument(L, 1, "io.open")).string();
+    lua_pushlstring(L, allowed.data(), allowed.size());
+    return 1;
+}
+
+/// Place of the innermost Lua line of the deck.
+Place calling_place(lua_State* L) {
+    lua_Debug record;
+    for (int level = 1; lua_getstack(L, level, &record); ++level) {
+        lua_getinfo(L, "Sl", &record);
+        if (const Source* source = machine_of(L).sources.find(record.source))
+            return line_place(*source, record.currentline);
+    }
+    return {};
+}
+
+int command(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string text = text_argument(L, 1, "command");
+    const Place place = calling_place(L);
+    if (!machine.restoring) machine.world.command(text, place ? place.source->name : "", place.line);
+    return 0;
+}
+
+int add_hook(lua_State* L) {
+    static constexpr std::array<std::string_view, 3> moments{"before_cycle", "after_forces", "after_cycle"};
+    Machine& machine = machine_of(L);
+    const std::string name = text_argument(L, 1, "hook");
+    Hook made;
+    for (std::size_t i = 0; i < moments.size(); ++i)
+        if (moments[i] == name) made.moment = static_cast<Moment>(i);
+    if (lua_type(L, 2) != LUA_TFUNCTION)
+        throw Diagnostic(fmt::format("hook.{} needs a function, here it is given {}", name, describe_value(L, 2)), {},
+                         Fault::run);
+    if (!lua_isnoneornil(L, 3)) {
+        made.interval = integer_argument(L, 3, "hook");
+        if (made.interval < 1)
+            throw Diagnostic(fmt::format("the interval of a hook is {}", made.interval), "it counts cycles from 1 up",
+                             Fault::run);
+    }
+    lua_pushvalue(L, 2);
+    made.function = luaL_ref(L, LUA_REGISTRYINDEX);
+    machine.hooks.push_back(made);
+    machine.registered = true;
+    lua_pushvalue(L, 2);
+    return 1;
+}
+
+/// Takes every hook of this function away.
+int remove_hook(lua_State* L) {
+    Machine& machine = machine_of(L);
+    std::erase_if(machine.hooks, [&](const Hook& hook) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, hook.function);
+        const bool same = lua_rawequal(L, -1, 1);
+        lua_pop(L, 1);
+        if (same) luaL_unref(L, LUA_REGISTRYINDEX, hook.function);
+        return same;
+    });
+    return 0;
+}
+
+int name_history(lua_State* L) {
+    Machine& machine = machine_of(L);
+    machine.registered = true;
+    lua_pushstring(L, fmt::format("lua_history_{}", ++machine.lua_histories).c_str());
+    return 1;
+}
+
+int require(lua_State* L) {
+    push_module(machine_of(L), text_argument(L, 1, "require"), calling_place(L));
+    return 1;
+}
+
+/// A new global variable of the user; a function can be called by FISH from now on.
+int new_global(lua_State* L) {
+    const bool function = lua_type(L, 3) == LUA_TFUNCTION && lua_type(L, 2) == LUA_TSTRING;
+    if (function) adopt_lua_function(machine_of(L), lua_tostring(L, 2));
+    lua_settop(L, 3);
+    lua_rawset(L, 1);
+    return 0;
+}
+
+constexpr std::array<luaL_Reg, 25> natives{{
+    {"tables", guarded<tables>},
+    {"list", guarded<list>},
+    {"count", guarded<count>},
+    {"reduce", guarded<reduce>},
+    {"nearest", guarded<nearest>},
+    {"vector", guarded<vector>},
+    {"read_model", guarded<read_model>},
+    {"write_model", guarded<write_model>},
+    {"read_fish", guarded<read_fish>},
+    {"write_fish", guarded<write_fish>},
+    {"as_array", guarded<as_array>},
+    {"is_array", guarded<is_array>},
+    {"order", guarded<order>},
+    {"print", guarded<print>},
+    {"write", guarded<write>},
+    {"uniform", guarded<uniform>},
+    {"seed", guarded<seed>},
+    {"environment", guarded<environment>},
+    {"allowed_path", guarded<path>},
+    {"command", guarded<command>},
+    {"add_hook", guarded<add_hook>},
+    {"remove_hook", guarded<remove_hook>},
+    {"name_history", guarded<name_history>},
+    {"require", guarded<require>},
+    {nullptr, nullptr},
+}};
+
+} // namespace
+
+void open_library(Machine& machine) {
+    lua_State* L = machine.lua;
+    load_text(L, std::string(built_in_module("library")), "=library");
+    lua_newtable(L);
+    luaL_setfuncs(L, natives.data(), 0);
+    lua_pushboolean(L, machine.options.trusted);
+    call_protected(L, 2, 1);
+    lua_pushvalue(L, -1);
+    machine.anchors.library = luaL_ref(L, LUA_REGISTRYINDEX);
+
+    lua_newtable(L); // the user's global variables
+    lua_pushvalue(L, -1);
+    lua_setfield(L, -3, "_G");
+    lua_newtable(L);
+    lua_pushvalue(L, -3);
+    lua_setfield(L, -2, "__index");
+    lua_pushcfunction(L, guarded<new_global>);
+    lua_setfield(L, -2, "__newindex");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_setmetatable(L, -2);
+    machine.anchors.environment = luaL_ref(L, LUA_REGISTRYINDEX);
+    lua_pop(L, 1);
+}
+
+} // namespace kaya::script

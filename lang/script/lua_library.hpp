@@ -1,0 +1,13 @@
+// What Lua chunks of a deck can use beyond Lua itself: stdlib/lua/library.lua and the functions under it.
+#pragma once
+
+#include <string>
+
+namespace kaya::script {
+
+struct Machine;
+
+/// Makes the library and the table of the user's global variables.
+void open_library(Machine& machine);
+
+} // namespace kaya::script

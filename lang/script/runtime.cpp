@@ -1,0 +1,209 @@
+#include "lang/script/runtime.hpp"
+
+#include "lang/script/arithmetic.hpp"
+#include "lang/script/guard.hpp"
+#include "lang/script/machine.hpp"
+#include "lang/script/modules.hpp"
+#include "lang/script/values.hpp"
+
+#include <array>
+#include <fmt/format.h>
+
+namespace kaya::script {
+
+namespace {
+
+// --- messages about arrays: called by stdlib/lua/fish_runtime.lua ------------------------------------
+
+/// (value, name)
+int fail_not_array(lua_State* L) {
+    const Machine& machine = machine_of(L);
+    const std::string name = lua_tostring(L, 2);
+    const bool zero = lua_isinteger(L, 1) && lua_tointeger(L, 1) == 0;
+    if (!zero)
+        throw Diagnostic(fmt::format("'{}' is no array but {}", name, describe_value(L, 1)), {}, Fault::run);
+    std::vector<std::string_view> candidates;
+    for (const auto& [known, built_in] : machine.fish.built_ins) candidates.push_back(known);
+    for (const auto& [known, function] : machine.fish.functions) candidates.push_back(known);
+    const auto meant = did_you_mean(name, candidates);
+    throw Diagnostic(fmt::format("'{}' is neither a function nor an array", name),
+                     meant.empty() ? fmt::format("define it, or make the array with: array {}(n)", name)
+                                   : fmt::format("did you mean '{}'?", meant),
+                     Fault::run);
+}
+
+std::string joined(lua_State* L, int table) {
+    std::string text;
+    for (lua_Integer i = 1; i <= static_cast<lua_Integer>(lua_rawlen(L, table)); ++i) {
+        lua_rawgeti(L, table, i);
+        if (i > 1) text += ',';
+        text += text_at(L, -1);
+        lua_pop(L, 1);
+    }
+    return text;
+}
+
+/// (array, name, indices)
+int fail_outside(lua_State* L) {
+    const std::string name = lua_tostring(L, 2);
+    lua_getfield(L, 1, "dimensions");
+    throw Diagnostic(fmt::format("{}({}) is outside of the array {}({})", name, joined(L, 3), name, joined(L, 4)),
+                     "indices are whole numbers and count from 1", Fault::run);
+}
+
+/// (name, size)
+int fail_size(lua_State* L) {
+    throw Diagnostic(fmt::format("the size of the array '{}' is {}", lua_tostring(L, 1), describe_value(L, 2)),
+                     "a size is a whole number above 0", Fault::run);
+}
+
+/// (name)
+int fail_too_large(lua_State* L) {
+    throw Diagnostic(fmt::format("the array '{}' has too many elements", lua_tostring(L, 1)),
+                     "at most 134217728 are possible", Fault::run);
+}
+
+/// (value)
+int fail_not_list(lua_State* L) {
+    throw Diagnostic(fmt::format("'loop foreach' needs a list, here it is given {}", describe_value(L, 1)), {},
+                     Fault::run);
+}
+
+// --- elements of arrays with one dimension ------------------------------------------------------------
+
+bool is_list(lua_State* L) {
+    if (lua_type(L, 1) != LUA_TTABLE || !lua_getmetatable(L, 1)) return false;
+    const bool same = lua_topointer(L, -1) == machine_of(L).array_type;
+    lua_pop(L, 1);
+    return same;
+}
+
+[[noreturn]] void fail_element(lua_State* L) {
+    lua_createtable(L, 1, 0);
+    lua_pushvalue(L, 3);
+    lua_rawseti(L, -2, 1);
+    lua_replace(L, 3);
+    lua_settop(L, 3);
+    bool array = lua_type(L, 1) == LUA_TTABLE && lua_getmetatable(L, 1);
+    if (array) {
+        const void* kind = lua_topointer(L, -1);
+        array = kind == machine_of(L).array_type || kind == machine_of(L).grid_type;
+        lua_pop(L, 1);
+    }
+    if (array) fail_outside(L);
+    else fail_not_array(L);
+    throw std::logic_error("an array is and is not one");
+}
+
+/// (array, name, index)
+int element(lua_State* L) {
+    int whole = 0;
+    const lua_Integer index = lua_type(L, 3) == LUA_TNUMBER ? lua_tointegerx(L, 3, &whole) : 0;
+    if (!whole || !is_list(L) || lua_rawgeti(L, 1, index) == LUA_TNIL) fail_element(L);
+    return 1;
+}
+
+/// (array, name, index, value)
+int set_element(lua_State* L) {
+    int whole = 0;
+    const lua_Integer index = lua_type(L, 3) == LUA_TNUMBER ? lua_tointegerx(L, 3, &whole) : 0;
+    if (!whole || !is_list(L) || lua_rawgeti(L, 1, index) == LUA_TNIL) fail_element(L);
+    lua_pushvalue(L, 4);
+    lua_rawseti(L, 1, index);
+    return 0;
+}
+
+/// name(), where the name is that of a variable
+int not_function(lua_State* L) {
+    throw Diagnostic(fmt::format("'{}' is no function but {}", lua_tostring(L, 2), describe_value(L, 1)), {}, Fault::run);
+}
+
+// --- commands -------------------------------------------------------------------------------------------
+
+bool is_bare_word(const std::string& text) {
+    return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                   "0123456789_.-/+") == std::string::npos;
+}
+
+/// A value as it must be written in a command, so that it is read back the same.
+int word(lua_State* L) {
+    const Value value = value_at(L, 1, "this part of the command");
+    std::string text;
+    if (const auto* number = std::get_if<double>(&value)) {
+        text = fmt::format("{}", *number);
+    } else if (const auto* vector = std::get_if<Vec3>(&value)) {
+        text = fmt::format("({},{},{})", (*vector)[0], (*vector)[1], (*vector)[2]);
+    } else if (const auto* words = std::get_if<std::string>(&value)) {
+        text = *words;
+        if (!is_bare_word(text)) {
+            text.assign(1, '\'');
+            for (const char c : *words) text.append(c == '\'' ? 2 : 1, c);
+            text += '\'';
+        }
+    } else if (std::holds_alternative<Handle>(value)) {
+        throw Diagnostic("a pointer cannot stand in a command", "use its number, as in [b_id(p)]", Fault::run);
+    } else {
+        text = text_at(L, 1);
+    }
+    lua_pushlstring(L, text.data(), text.size());
+    return 1;
+}
+
+/// (text, line)
+int command(lua_State* L) {
+    Machine& machine = machine_of(L);
+    lua_Debug record;
+    const Source* source = nullptr;
+    if (lua_getstack(L, 1, &record)) {
+        lua_getinfo(L, "S", &record);
+        source = machine.sources.find(record.source);
+    }
+    const std::string chunk = source && source->first ? source->first.source->name : "";
+    const std::string text = text_argument(L, 1, "command");
+    if (!machine.restoring) machine.world.command(text, chunk, static_cast<int>(lua_tointeger(L, 2)));
+    return 0;
+}
+
+constexpr std::array<luaL_Reg, 6> failures{{{"not_array", guarded<fail_not_array>},
+                                            {"outside", guarded<fail_outside>},
+                                            {"size", guarded<fail_size>},
+                                            {"too_large", guarded<fail_too_large>},
+                                            {"not_list", guarded<fail_not_list>},
+                                            {nullptr, nullptr}}};
+
+constexpr std::array<luaL_Reg, 6> functions{{{"element", guarded<element>},
+                                             {"set_element", guarded<set_element>},
+                                             {"not_function", guarded<not_function>},
+                                             {"word", guarded<word>},
+                                             {"command", guarded<command>},
+                                             {nullptr, nullptr}}};
+
+/// Arithmetic with whole arrays is refused in words. Gives the address of the type.
+const void* finish_array_type(lua_State* L, const char* name) {
+    lua_getfield(L, -1, name);
+    add_refusing_arithmetic(L);
+    const void* address = lua_topointer(L, -1);
+    lua_pop(L, 1);
+    return address;
+}
+
+} // namespace
+
+void open_runtime(Machine& machine) {
+    lua_State* L = machine.lua;
+    load_text(L, std::string(built_in_module("fish_runtime")), "=fish_runtime");
+    lua_newtable(L);
+    luaL_setfuncs(L, failures.data(), 0);
+    lua_newtable(L);
+    add_runtime_arithmetic(L);
+    lua_getfield(L, -1, "whole");
+    lua_remove(L, -2);
+    call_protected(L, 2, 1);
+    add_runtime_arithmetic(L);
+    luaL_setfuncs(L, functions.data(), 0);
+    machine.array_type = finish_array_type(L, "list_kind");
+    machine.grid_type = finish_array_type(L, "grid_kind");
+    machine.anchors.runtime = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+} // namespace kaya::script

@@ -1,0 +1,193 @@
+#include "lang/script/scripts.hpp"
+
+#include "lang/fish/lexer.hpp"
+#include "lang/script/chunks.hpp"
+#include "lang/script/guard.hpp"
+#include "lang/script/machine.hpp"
+#include "lang/script/state_store.hpp"
+#include "lang/script/value_text.hpp"
+#include "lang/script/values.hpp"
+
+#include <atomic>
+#include <fmt/format.h>
+
+namespace kaya::script {
+
+class Scripts::Impl {
+public:
+    Impl(World& world, Options options) { renew(world, std::move(options)); }
+
+    void renew(World& world, Options options) {
+        lua.store(nullptr);
+        machine = std::make_unique<Machine>(world, std::move(options));
+        lua.store(machine->lua);
+    }
+
+    void refuse_inside_function(const char* what) const {
+        if (machine->depth > 0)
+            throw Diagnostic(fmt::format("'{}' would remove the function that runs it", what),
+                             "write it on a line of the deck", Fault::run);
+    }
+
+    std::unique_ptr<Machine> machine;
+    std::atomic<lua_State*> lua = nullptr; ///< for the signal handler
+};
+
+namespace {
+
+int stop(lua_State* L) {
+    lua_sethook(L, nullptr, 0, 0);
+    throw Diagnostic("the script was stopped", {}, Fault::run);
+}
+
+/// Runs before the next instruction of Lua.
+void stop_hook(lua_State* L, lua_Debug*) { guarded<stop>(L); }
+
+/// Leaves the stack as it was, whatever happens in between.
+class StackLevel {
+public:
+    explicit StackLevel(lua_State* L) : lua_(L), level_(lua_gettop(L)) { luaL_checkstack(L, 40, "for a call"); }
+    ~StackLevel() { lua_settop(lua_, level_); }
+    StackLevel(const StackLevel&) = delete;
+    StackLevel& operator=(const StackLevel&) = delete;
+
+private:
+    lua_State* lua_;
+    int level_;
+};
+
+/// Errors without a place in a script get that of the command.
+template <class Action> auto placed(const Place& place, Action action) {
+    try {
+        return action();
+    } catch (Diagnostic& diagnostic) {
+        throw diagnostic.at(place);
+    }
+}
+
+} // namespace
+
+Scripts::Scripts(World& world, Options options) : impl_(std::make_unique<Impl>(world, std::move(options))) {}
+Scripts::~Scripts() = default;
+
+void Scripts::on_print(std::function<void(const std::string&)> sink) { impl_->machine->sink = std::move(sink); }
+
+void Scripts::define_fish(const std::string& text, const Place& place) {
+    const StackLevel level(impl_->machine->lua);
+    placed(place, [&] { define_fish_function(*impl_->machine, text, place); });
+}
+
+void Scripts::run_lua(const std::string& text, const Place& place) {
+    const StackLevel level(impl_->machine->lua);
+    placed(place, [&] { run_chunk(*impl_->machine, text, place); });
+}
+
+void Scripts::run_lua_file(const std::filesystem::path& file, const Place& place) {
+    const StackLevel level(impl_->machine->lua);
+    placed(place, [&] { run_chunk_file(*impl_->machine, file, place); });
+}
+
+Value Scripts::value(const std::string& expression, const Place& place) {
+    lua_State* L = impl_->machine->lua;
+    const StackLevel level(L);
+    return placed(place, [&] {
+        push_expression(*impl_->machine, expression, place);
+        call_protected(L, 0, 1);
+        return value_at(L, -1, fmt::format("'{}'", bare_expression(expression)));
+    });
+}
+
+double Scripts::number(const std::string& expression, const Place& place) {
+    const Value result = value(expression, place);
+    if (const auto* real = std::get_if<double>(&result)) return *real;
+    if (const auto* whole = std::get_if<std::int64_t>(&result)) return static_cast<double>(*whole);
+    if (const auto* truth = std::get_if<bool>(&result)) return *truth ? 1 : 0;
+    throw Diagnostic(fmt::format("'{}' is the {} {}, where a number is needed", bare_expression(expression),
+                                 type_name(result), to_text(result, &impl_->machine->world)),
+                     {}, Fault::run)
+        .at(place);
+}
+
+void Scripts::call(const std::string& expression, const Place& place) {
+    lua_State* L = impl_->machine->lua;
+    const StackLevel level(L);
+    placed(place, [&] {
+        push_expression(*impl_->machine, expression, place);
+        call_protected(L, 0, 0);
+    });
+}
+
+void Scripts::set(const std::string& name, const Value& value, const Place& place) {
+    lua_State* L = impl_->machine->lua;
+    const StackLevel level(L);
+    placed(place, [&] {
+        push_fish_value(L, value);
+        set_fish_name(*impl_->machine, bare_expression(name), -1);
+    });
+}
+
+bool Scripts::knows(const std::string& name) const {
+    return knows_fish_name(*impl_->machine, bare_expression(name));
+}
+
+std::vector<std::string> Scripts::symbols() const { return fish_symbols(*impl_->machine); }
+
+bool Scripts::has_hooks(Moment moment) const {
+    const Machine& machine = *impl_->machine;
+    if (moment == Moment::after_cycle && !machine.fish.whilestepping.empty()) return true;
+    for (const auto& hook : machine.hooks)
+        if (hook.moment == moment) return true;
+    return false;
+}
+
+void Scripts::run_hooks(Moment moment, std::int64_t cycle) {
+    Machine& machine = *impl_->machine;
+    lua_State* L = machine.lua;
+    const StackLevel level(L);
+    if (moment == Moment::after_cycle && !machine.fish.whilestepping.empty()) {
+        const auto names = machine.fish.whilestepping; // a function may define or replace another one
+        for (const auto& name : names) {
+            push_anchor(L, machine.anchors.functions);
+            lua_getfield(L, -1, name.c_str());
+            call_protected(L, 0, 0);
+            lua_pop(L, 1);
+        }
+    }
+    const std::vector<Hook> hooks = machine.hooks;
+    for (const auto& hook : hooks) {
+        if (hook.moment != moment || cycle % hook.interval != 0) continue;
+        lua_rawgeti(L, LUA_REGISTRYINDEX, hook.function);
+        // A hook that ran before may have taken this one away.
+        if (lua_isfunction(L, -1)) call_protected(L, 0, 0);
+        else lua_pop(L, 1);
+    }
+}
+
+void Scripts::interrupt() noexcept {
+    lua_State* L = impl_->lua.load();
+    if (L) lua_sethook(L, stop_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT, 1);
+}
+
+Tables& Scripts::tables() { return impl_->machine->tables; }
+
+ScriptState Scripts::state() {
+    const StackLevel level(impl_->machine->lua);
+    return stored_state(*impl_->machine);
+}
+
+void Scripts::restore(const ScriptState& state) {
+    impl_->refuse_inside_function("restore");
+    clear();
+    const StackLevel level(impl_->machine->lua);
+    restore_state(*impl_->machine, state);
+}
+
+void Scripts::clear() {
+    impl_->refuse_inside_function("new");
+    Machine& old = *impl_->machine;
+    const auto sink = old.sink;
+    impl_->renew(old.world, old.options);
+    impl_->machine->sink = sink;
+}
+
+} // namespace kaya::script

@@ -1,0 +1,295 @@
+#include "lang/script/state_store.hpp"
+
+#include "lang/script/chunks.hpp"
+#include "lang/script/guard.hpp"
+#include "lang/script/machine.hpp"
+#include "lang/script/values.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <sstream>
+#include <unordered_map>
+
+namespace kaya::script {
+
+namespace {
+
+constexpr int deepest_table = 100;
+
+using Named = std::vector<std::pair<std::string, StoredValue>>;
+
+/// Numbers, then texts, then pointers, each ascending.
+bool before(const StoredValue& a, const StoredValue& b) {
+    const auto rank = [](const StoredValue& v) {
+        const bool number = std::holds_alternative<std::int64_t>(v) || std::holds_alternative<double>(v);
+        return number ? 0 : std::holds_alternative<std::string>(v) ? 1 : std::holds_alternative<bool>(v) ? 2 : 3;
+    };
+    if (rank(a) != rank(b)) return rank(a) < rank(b);
+    const auto number = [](const StoredValue& v) {
+        const auto* whole = std::get_if<std::int64_t>(&v);
+        return whole ? static_cast<double>(*whole) : std::get<double>(v);
+    };
+    switch (rank(a)) {
+    case 0: return number(a) < number(b);
+    case 1: return std::get<std::string>(a) < std::get<std::string>(b);
+    case 2: return !std::get<bool>(a) && std::get<bool>(b);
+    default: break;
+    }
+    const auto* left = std::get_if<Handle>(&a);
+    const auto* right = std::get_if<Handle>(&b);
+    if (!left || !right) return left != nullptr && right == nullptr;
+    return std::tie(left->table, left->slot, left->generation) < std::tie(right->table, right->slot, right->generation);
+}
+
+class StateWriter {
+public:
+    explicit StateWriter(Machine& machine) : machine_(machine), lua_(machine.lua) {}
+
+    ScriptState write() {
+        state_.fish_globals = named(machine_.anchors.globals);
+        state_.lua_globals = named(machine_.anchors.environment);
+        state_.extras = named(machine_.anchors.extras);
+        state_.sources = machine_.fish.stored;
+        state_.whilestepping = machine_.fish.whilestepping;
+        state_.tables = machine_.tables;
+        state_.random = machine_.random.state;
+        return std::move(state_);
+    }
+
+private:
+    Named named(int anchor) {
+        // Sorted before the values are taken, so that the numbers of objects do not depend on the order in
+        // which Lua keeps names.
+        std::vector<std::string> names;
+        push_anchor(lua_, anchor);
+        for (lua_pushnil(lua_); lua_next(lua_, -2) != 0; lua_pop(lua_, 1))
+            if (lua_type(lua_, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(lua_, -2));
+        std::sort(names.begin(), names.end());
+        Named result;
+        for (const auto& name : names) {
+            lua_pushlstring(lua_, name.data(), name.size());
+            lua_rawget(lua_, -2);
+            StoredValue value;
+            if (take(value, 0)) result.emplace_back(name, std::move(value));
+            lua_pop(lua_, 1);
+        }
+        lua_pop(lua_, 1);
+        return result;
+    }
+
+    /// The value at the top of the stack; false for what is no data: functions, files.
+    bool take(StoredValue& value, int depth) {
+        if (lua_istable(lua_, -1)) return take_table(value, depth);
+        if (lua_isfunction(lua_, -1) || (lua_type(lua_, -1) == LUA_TUSERDATA && !is_vector(lua_, -1))) return false;
+        std::visit([&](auto&& plain) { value = plain; }, value_at(lua_, -1, "a variable"));
+        return true;
+    }
+
+    bool take_table(StoredValue& value, int depth) {
+        if (depth > deepest_table)
+            throw Diagnostic("the tables of a Lua variable are nested too deeply to be saved", {}, Fault::run);
+        luaL_checkstack(lua_, 8, "too many tables in tables");
+        const auto [found, is_new] = known_.try_emplace(lua_topointer(lua_, -1), state_.objects.size());
+        value = ObjectReference{found->second};
+        if (!is_new) return true;
+        state_.objects.emplace_back();
+        StoredObject object;
+        const std::size_t index = found->second;
+        if (is_array()) take_array(object, depth);
+        else take_pairs(object, depth);
+        state_.objects[index] = std::move(object);
+        return true;
+    }
+
+    bool is_array() {
+        if (!lua_getmetatable(lua_, -1)) return false;
+        const void* kind = lua_topointer(lua_, -1);
+        lua_pop(lua_, 1);
+        return kind == machine_.array_type || kind == machine_.grid_type;
+    }
+
+    void take_array(StoredObject& object, int depth) {
+        lua_getfield(lua_, -1, "dimensions");
+        for (lua_Integer i = 1; i <= static_cast<lua_Integer>(lua_rawlen(lua_, -1)); ++i) {
+            lua_rawgeti(lua_, -1, i);
+            object.dimensions.push_back(lua_tointeger(lua_, -1));
+            lua_pop(lua_, 1);
+        }
+        lua_pop(lua_, 1);
+        for (lua_Integer i = 1; i <= static_cast<lua_Integer>(lua_rawlen(lua_, -1)); ++i) {
+            lua_rawgeti(lua_, -1, i);
+            StoredValue element;
+            take(element, depth + 1);
+            object.values.push_back(std::move(element));
+            lua_pop(lua_, 1);
+        }
+    }
+
+    void take_pairs(StoredObject& object, int depth) {
+        std::vector<StoredValue> keys;
+        for (lua_pushnil(lua_); lua_next(lua_, -2) != 0; lua_pop(lua_, 1)) {
+            if (lua_istable(lua_, -2) || lua_isfunction(lua_, -2) || lua_type(lua_, -2) == LUA_TUSERDATA) continue;
+            StoredValue key;
+            lua_pushvalue(lua_, -2);
+            take(key, depth + 1);
+            lua_pop(lua_, 1);
+            keys.push_back(std::move(key));
+        }
+        std::sort(keys.begin(), keys.end(), before);
+        for (auto& key : keys) {
+            push_plain(key);
+            lua_rawget(lua_, -2);
+            StoredValue value;
+            const bool data = take(value, depth + 1);
+            lua_pop(lua_, 1);
+            if (!data) continue;
+            object.keys.push_back(std::move(key));
+            object.values.push_back(std::move(value));
+        }
+    }
+
+    void push_plain(const StoredValue& stored) {
+        std::visit(
+            [&](const auto& plain) {
+                if constexpr (!std::is_same_v<std::decay_t<decltype(plain)>, ObjectReference>)
+                    push_lua_value(lua_, Value(plain));
+                else lua_pushnil(lua_);
+            },
+            stored);
+    }
+
+    Machine& machine_;
+    lua_State* lua_;
+    ScriptState state_;
+    std::unordered_map<const void*, std::size_t> known_; // looked up, never walked through
+};
+
+class StateReader {
+public:
+    StateReader(Machine& machine, const ScriptState& state)
+        : machine_(machine), lua_(machine.lua), state_(state), made_(state.objects.size(), LUA_NOREF) {}
+
+    ~StateReader() {
+        for (const int reference : made_) luaL_unref(lua_, LUA_REGISTRYINDEX, reference);
+    }
+    StateReader(const StateReader&) = delete;
+    StateReader& operator=(const StateReader&) = delete;
+
+    void read() {
+        machine_.tables = state_.tables;
+        machine_.restoring = true;
+        for (const auto& source : state_.sources) define(source);
+        machine_.restoring = false;
+        machine_.fish.whilestepping = state_.whilestepping;
+        named(machine_.anchors.globals, state_.fish_globals);
+        named(machine_.anchors.extras, state_.extras);
+        named(machine_.anchors.environment, state_.lua_globals);
+        machine_.tables = state_.tables;
+        machine_.random.state = state_.random;
+    }
+
+private:
+    void define(const StoredSource& stored) {
+        // Lines of the deck before the text are gone; empty ones keep the numbers right.
+        auto source = std::make_shared<SourceText>();
+        source->name = stored.name;
+        source->lines.assign(static_cast<std::size_t>(std::max<std::int64_t>(stored.line - 1, 0)), "");
+        std::istringstream stream(stored.text);
+        for (std::string line; std::getline(stream, line);) source->lines.push_back(line);
+        const Place place{source, static_cast<int>(std::max<std::int64_t>(stored.line, 1)), 1, 1};
+        try {
+            if (stored.kind == StoredSource::Kind::fish) define_fish_function(machine_, stored.text, place);
+            else run_chunk(machine_, stored.text, place);
+        } catch (Diagnostic& diagnostic) {
+            machine_.restoring = false;
+            throw diagnostic.add("while the scripts of the saved model were defined again");
+        }
+    }
+
+    void named(int anchor, const std::vector<std::pair<std::string, StoredValue>>& values) {
+        push_anchor(lua_, anchor);
+        for (const auto& [name, value] : values) {
+            lua_pushlstring(lua_, name.data(), name.size());
+            lua_pushvalue(lua_, -1);
+            lua_rawget(lua_, -3);
+            push(value);
+            lua_remove(lua_, -2);
+            lua_rawset(lua_, -3);
+        }
+        lua_pop(lua_, 1);
+    }
+
+    /// Pushes the value. Below it stands what the variable holds now: a table is filled, not replaced, because
+    /// functions of the chunks that ran again may hold it.
+    void push(const StoredValue& stored) {
+        if (const auto* reference = std::get_if<ObjectReference>(&stored)) return push_object(reference->index);
+        std::visit(
+            [&](const auto& plain) {
+                if constexpr (!std::is_same_v<std::decay_t<decltype(plain)>, ObjectReference>)
+                    push_lua_value(lua_, Value(plain));
+            },
+            stored);
+    }
+
+    void push_object(std::size_t index) {
+        if (index >= made_.size()) throw Diagnostic("the saved scripts are damaged", {}, Fault::run);
+        if (made_[index] != LUA_NOREF) {
+            lua_rawgeti(lua_, LUA_REGISTRYINDEX, made_[index]);
+            return;
+        }
+        luaL_checkstack(lua_, 8, "too many tables in tables");
+        const StoredObject& object = state_.objects[index];
+        const bool array = !object.dimensions.empty();
+        if (!array && lua_istable(lua_, -1)) lua_pushvalue(lua_, -1);
+        else lua_newtable(lua_);
+        lua_pushvalue(lua_, -1);
+        made_[index] = luaL_ref(lua_, LUA_REGISTRYINDEX);
+        if (array) fill_array(object);
+        else fill_pairs(object);
+    }
+
+    void fill_array(const StoredObject& object) {
+        for (std::size_t i = 0; i < object.values.size(); ++i) {
+            lua_pushnil(lua_);
+            push(object.values[i]);
+            lua_remove(lua_, -2);
+            lua_rawseti(lua_, -2, static_cast<lua_Integer>(i) + 1);
+        }
+        lua_newtable(lua_);
+        for (std::size_t i = 0; i < object.dimensions.size(); ++i) {
+            lua_pushinteger(lua_, object.dimensions[i]);
+            lua_rawseti(lua_, -2, static_cast<lua_Integer>(i) + 1);
+        }
+        lua_setfield(lua_, -2, "dimensions");
+        push_anchor(lua_, machine_.anchors.runtime);
+        lua_getfield(lua_, -1, object.dimensions.size() == 1 ? "list_kind" : "grid_kind");
+        lua_setmetatable(lua_, -3);
+        lua_pop(lua_, 1);
+    }
+
+    void fill_pairs(const StoredObject& object) {
+        for (std::size_t i = 0; i < object.keys.size() && i < object.values.size(); ++i) {
+            lua_pushnil(lua_);
+            push(object.keys[i]);
+            lua_remove(lua_, -2);
+            lua_pushvalue(lua_, -1);
+            lua_rawget(lua_, -3);
+            push(object.values[i]);
+            lua_remove(lua_, -2);
+            lua_rawset(lua_, -3);
+        }
+    }
+
+    Machine& machine_;
+    lua_State* lua_;
+    const ScriptState& state_;
+    std::vector<int> made_; ///< registry numbers of the tables made so far
+};
+
+} // namespace
+
+ScriptState stored_state(Machine& machine) { return StateWriter(machine).write(); }
+
+void restore_state(Machine& machine, const ScriptState& state) { StateReader(machine, state).read(); }
+
+} // namespace kaya::script

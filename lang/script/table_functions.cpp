@@ -1,0 +1,105 @@
+// Built-in functions of FISH on numbered tables: table(n, x), xtable(n, i), ytable(n, i), vtable(n, i), table_size(n).
+#include "lang/script/built_ins.hpp"
+#include "lang/script/guard.hpp"
+#include "lang/script/machine.hpp"
+#include "lang/script/values.hpp"
+
+#include <array>
+#include <fmt/format.h>
+
+namespace kaya::script {
+
+namespace {
+
+Table& existing_table(lua_State* L, const char* function) {
+    const std::int64_t number = integer_argument(L, 1, function);
+    Tables& tables = machine_of(L).tables;
+    const auto found = tables.find(number);
+    if (found == tables.end() || found->second.points.empty())
+        throw Diagnostic(fmt::format("table {} holds no point", number), "fill it before it is read", Fault::run);
+    return found->second;
+}
+
+TablePoint& existing_point(lua_State* L, const char* function) {
+    Table& table = existing_table(L, function);
+    const std::int64_t i = integer_argument(L, 2, function);
+    const auto size = static_cast<std::int64_t>(table.points.size());
+    if (i < 1 || i > size)
+        throw Diagnostic(fmt::format("table {} has points 1 to {}, not {}", lua_tointeger(L, 1), size, i), {}, Fault::run);
+    return table.points[static_cast<std::size_t>(i - 1)];
+}
+
+/// The i-th point; one behind the last makes a new one.
+TablePoint& point_to_write(lua_State* L, const char* function) {
+    Table& table = machine_of(L).tables[integer_argument(L, 1, function)];
+    const auto next = static_cast<std::int64_t>(table.points.size()) + 1;
+    if (integer_argument(L, 2, function) == next) return table.points.emplace_back();
+    return existing_point(L, function);
+}
+
+int read_table(lua_State* L) {
+    lua_pushnumber(L, existing_table(L, "table").at(number_argument(L, 2, "table")));
+    return 1;
+}
+
+int write_table(lua_State* L) {
+    const std::int64_t number = integer_argument(L, 1, "table");
+    const double x = number_argument(L, 2, "table"), y = number_argument(L, 3, "table");
+    machine_of(L).tables[number].set(x, y);
+    return 0;
+}
+
+int read_x(lua_State* L) {
+    lua_pushnumber(L, existing_point(L, "xtable").x);
+    return 1;
+}
+
+int write_x(lua_State* L) {
+    const double x = number_argument(L, 3, "xtable");
+    point_to_write(L, "xtable").x = x;
+    return 0;
+}
+
+int read_y(lua_State* L) {
+    lua_pushnumber(L, existing_point(L, "ytable").y);
+    return 1;
+}
+
+int write_y(lua_State* L) {
+    const double y = number_argument(L, 3, "ytable");
+    point_to_write(L, "ytable").y = y;
+    return 0;
+}
+
+int read_vector(lua_State* L) {
+    const TablePoint& point = existing_point(L, "vtable");
+    push_vector(L, {point.x, point.y, 0});
+    return 1;
+}
+
+int write_vector(lua_State* L) {
+    const Vec3 v = vector_argument(L, 3, "vtable");
+    point_to_write(L, "vtable") = {v[0], v[1]};
+    return 0;
+}
+
+int size(lua_State* L) {
+    const Tables& tables = machine_of(L).tables;
+    const auto found = tables.find(integer_argument(L, 1, "table_size"));
+    lua_pushinteger(L, found == tables.end() ? 0 : static_cast<lua_Integer>(found->second.points.size()));
+    return 1;
+}
+
+constexpr std::array functions{
+    BuiltInFunction{"table", 2, 2, guarded<read_table>, guarded<write_table>},
+    BuiltInFunction{"xtable", 2, 2, guarded<read_x>, guarded<write_x>},
+    BuiltInFunction{"ytable", 2, 2, guarded<read_y>, guarded<write_y>},
+    BuiltInFunction{"vtable", 2, 2, guarded<read_vector>, guarded<write_vector>},
+    BuiltInFunction{"table_size", 1, 1, guarded<size>},
+};
+
+} // namespace
+
+void add_tables(Machine& machine) { add_built_ins(machine, functions); }
+
+} // namespace kaya::script

@@ -1,0 +1,187 @@
+// How FISH walks over lists of the model: heads, next links, children, nearest objects; and b_extra, c_extra, ...
+#include "lang/script/built_ins.hpp"
+#include "lang/script/guard.hpp"
+#include "lang/script/handles.hpp"
+#include "lang/script/machine.hpp"
+#include "lang/script/values.hpp"
+
+#include <array>
+#include <fmt/format.h>
+
+namespace kaya::script {
+
+namespace {
+
+enum class Walk { head, next, child, nearest, extra };
+
+struct Walker {
+    const char* name;
+    Walk walk;
+    const char* table; ///< that the argument is in, or that the list is made of
+    const char* child = "";
+};
+
+constexpr std::array<Walker, 24> walkers{{
+    {"block_head", Walk::head, "block"},
+    {"contact_head", Walk::head, "contact"},
+    {"b_next", Walk::next, "block"},
+    {"c_next", Walk::next, "contact"},
+    {"cx_next", Walk::next, "sub_contact"},
+    {"gp_next", Walk::next, "gridpoint"},
+    {"z_next", Walk::next, "zone"},
+    {"face_next", Walk::next, "face"},
+    {"c_cx", Walk::child, "contact", "sub_contact"},
+    {"b_gp", Walk::child, "block", "gridpoint"},
+    {"b_zone", Walk::child, "block", "zone"},
+    {"b_face", Walk::child, "block", "face"},
+    {"b_near", Walk::nearest, "block"},
+    {"c_near", Walk::nearest, "contact"},
+    {"cx_near", Walk::nearest, "sub_contact"},
+    {"gp_near", Walk::nearest, "gridpoint"},
+    {"z_near", Walk::nearest, "zone"},
+    {"face_near", Walk::nearest, "face"},
+    {"b_extra", Walk::extra, "block"},
+    {"c_extra", Walk::extra, "contact"},
+    {"cx_extra", Walk::extra, "sub_contact"},
+    {"gp_extra", Walk::extra, "gridpoint"},
+    {"z_extra", Walk::extra, "zone"},
+    {"face_extra", Walk::extra, "face"},
+}};
+
+const Walker& walker_of(lua_State* L) {
+    return walkers[static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)))];
+}
+std::int32_t table_of(lua_State* L) { return static_cast<std::int32_t>(lua_tointeger(L, lua_upvalueindex(2))); }
+
+/// Upvalues of all: number of the walker, of its table, of its child table.
+Handle pointer_argument(lua_State* L) {
+    const bool pointer = lua_type(L, 1) == LUA_TLIGHTUSERDATA;
+    const Handle handle = pointer ? unpack_handle(lua_touserdata(L, 1)) : Handle{};
+    if (pointer && handle.table == table_of(L)) return handle;
+    const Walker& walker = walker_of(L);
+    if (lua_type(L, 1) == LUA_TNUMBER && lua_tonumber(L, 1) == 0)
+        throw Diagnostic(fmt::format("'{}' is given a null pointer", walker.name),
+                         "test the pointer against 0 before it is used", Fault::run);
+    throw Diagnostic(fmt::format("'{}' needs a pointer to a {}, here it is given {}", walker.name, walker.table,
+                                 describe_value(L, 1)),
+                     {}, Fault::run);
+}
+
+void push_handle(lua_State* L, const Handle& handle) {
+    if (handle.generation == 0) lua_pushinteger(L, 0);
+    else lua_pushlightuserdata(L, pack_handle(handle));
+}
+
+int head(lua_State* L) {
+    World& world = machine_of(L).world;
+    push_handle(L, world.count(table_of(L)) > 0 ? world.at(table_of(L), 0) : Handle{});
+    return 1;
+}
+
+int next(lua_State* L) {
+    push_handle(L, machine_of(L).world.next(pointer_argument(L)));
+    return 1;
+}
+
+int child(lua_State* L) {
+    const Handle parent = pointer_argument(L);
+    push_handle(L, machine_of(L).world.first_child(
+                       parent, static_cast<std::int32_t>(lua_tointeger(L, lua_upvalueindex(3)))));
+    return 1;
+}
+
+int nearest(lua_State* L) {
+    const char* name = walker_of(L).name;
+    Vec3 place;
+    if (lua_gettop(L) == 1) {
+        place = vector_argument(L, 1, name);
+    } else if (lua_gettop(L) == 3) {
+        for (int i = 0; i < 3; ++i) place[i] = number_argument(L, i + 1, name);
+    } else {
+        throw Diagnostic(fmt::format("'{}' needs a place: three coordinates or one vector", name), {}, Fault::run);
+    }
+    push_handle(L, machine_of(L).world.nearest(table_of(L), place));
+    return 1;
+}
+
+/// "b_extra", or "b_extra 2" for a second value: `index` is the stack place of its number.
+std::string extra_name(lua_State* L, int index, bool given) {
+    const char* name = walker_of(L).name;
+    const std::int64_t number = given ? integer_argument(L, index, name) : 1;
+    return number == 1 ? name : fmt::format("{} {}", name, number);
+}
+
+int read_extra(lua_State* L) {
+    const Handle owner = pointer_argument(L);
+    if (!machine_of(L).world.alive(owner))
+        throw Diagnostic(fmt::format("this {} no longer exists", walker_of(L).table), {}, Fault::run);
+    const std::string name = extra_name(L, 2, lua_gettop(L) == 2);
+    push_anchor(L, machine_of(L).anchors.extras);
+    lua_getfield(L, -1, name.c_str());
+    if (lua_istable(L, -1)) {
+        lua_rawgetp(L, -1, lua_touserdata(L, 1));
+        if (!lua_isnil(L, -1)) return 1;
+    }
+    lua_pushinteger(L, 0);
+    return 1;
+}
+
+int write_extra(lua_State* L) {
+    pointer_argument(L);
+    const int value = lua_gettop(L);
+    const std::string name = extra_name(L, 2, value == 3);
+    push_anchor(L, machine_of(L).anchors.extras);
+    if (lua_getfield(L, -1, name.c_str()) != LUA_TTABLE) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_setfield(L, -3, name.c_str());
+    }
+    lua_pushvalue(L, value);
+    lua_rawsetp(L, -2, lua_touserdata(L, 1));
+    return 0;
+}
+
+struct Kind {
+    lua_CFunction read;
+    int least, most;
+};
+
+Kind kind_of(Walk walk) {
+    switch (walk) {
+    case Walk::head: return {guarded<head>, 0, 0};
+    case Walk::next: return {guarded<next>, 1, 1};
+    case Walk::child: return {guarded<child>, 1, 1};
+    case Walk::nearest: return {guarded<nearest>, 1, 3};
+    case Walk::extra: break;
+    }
+    return {guarded<read_extra>, 1, 2};
+}
+
+} // namespace
+
+void add_walkers(Machine& machine) {
+    lua_State* L = machine.lua;
+    for (std::size_t i = 0; i < walkers.size(); ++i) {
+        const Walker& walker = walkers[i];
+        const std::int32_t table = find_table(machine.world, walker.table);
+        const std::int32_t child_table = find_table(machine.world, walker.child);
+        const bool needs_child = walker.walk == Walk::child;
+        if (table < 0 || (needs_child && child_table < 0)) continue;
+        if (walker.walk == Walk::extra && machine.fish.built_ins.contains(walker.name)) continue;
+        const auto push = [&](lua_CFunction function) {
+            lua_pushinteger(L, static_cast<lua_Integer>(i));
+            lua_pushinteger(L, table);
+            lua_pushinteger(L, child_table);
+            lua_pushcclosure(L, function, 3);
+        };
+        const Kind kind = kind_of(walker.walk);
+        push(kind.read);
+        add_reader(machine, walker.name, kind.least, kind.most);
+        if (walker.walk != Walk::extra) continue;
+        push(guarded<write_extra>);
+        add_writer(machine, walker.name);
+    }
+}
+
+} // namespace kaya::script
