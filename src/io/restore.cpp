@@ -106,6 +106,7 @@ SaveExtras restore_image(Model& model, std::string_view image, const std::string
     } catch (const std::bad_alloc&) {
         throw unusable(name, "there is not enough memory for it");
     }
+    fresh.lists_changed = true; // what the cycle derives from the tables is not in the file
     model = std::move(fresh);
     return extras;
 }

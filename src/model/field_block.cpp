@@ -73,11 +73,35 @@ template <int k> void set_load_component(Model& model, Row block, const FieldVal
     model.blocks.load[block][k] = number(value);
 }
 
-/// Moments of inertia about the centroid and global axes.
-Vec3 moments_of_inertia(const Model& model, Row block) {
-    const Quaternion& q = model.blocks.orientation[block];
+/// Inertia about the centroid and global axes. Before the first cycle the density is that of the material,
+/// NaN when it is not given.
+Mat3 inertia(const Model& model, Row block) {
+    const auto& blocks = model.blocks;
+    double density = std::nan("");
+    if (blocks.mass[block] > 0) density = blocks.mass[block] / blocks.volume[block];
+    else if (const auto found = model.materials.find(blocks.material[block]); found != model.materials.end())
+        density = found->second.density;
+    const Quaternion& q = blocks.orientation[block];
     const Mat3 turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-    return (turn * model.blocks.inertia[block] * turn.transpose()).diagonal();
+    return density * (turn * blocks.inertia[block] * turn.transpose());
+}
+Vec3 moments_of_inertia(const Model& model, Row block) { return inertia(model, block).diagonal(); }
+
+/// What the engine keeps is the angular momentum; the rotational velocity goes with it.
+void rotate(Model& model, Row block, const Vec3& velocity) {
+    const Vec3 momentum = inertia(model, block) * velocity;
+    if (!momentum.allFinite())
+        throw Diagnostic(fmt::format("block {} has no density yet and cannot be given a rotation",
+                                     model.blocks.number[block]),
+                         fmt::format("give the density of material {} before", model.blocks.material[block]));
+    model.blocks.rotational_velocity[block] = velocity;
+    model.blocks.angular_momentum[block] = momentum;
+}
+void set_rotation(Model& model, Row block, const FieldValue& value) { rotate(model, block, vector(value)); }
+template <int k> void set_rotation_component(Model& model, Row block, const FieldValue& value) {
+    Vec3 velocity = model.blocks.rotational_velocity[block];
+    velocity[k] = number(value);
+    rotate(model, block, velocity);
 }
 
 } // namespace
@@ -116,13 +140,13 @@ const Fields& block_fields() {
         {table, "z_velocity", "b_zvel", "", "length/time", "z velocity", call<block_velocity, 2>,
          set_velocity_component<2>},
         {table, "rotational_velocity", "b_rvel", "", "angle/time", "of a rigid block, global axes, radians",
-         read<rows_of, &Blocks::rotational_velocity>, write<rows_of, &Blocks::rotational_velocity>},
+         read<rows_of, &Blocks::rotational_velocity>, set_rotation},
         {table, "x_rotational_velocity", "b_rxvel", "", "angle/time", "about the x axis",
-         read<rows_of, &Blocks::rotational_velocity, 0>, write<rows_of, &Blocks::rotational_velocity, 0>},
+         read<rows_of, &Blocks::rotational_velocity, 0>, set_rotation_component<0>},
         {table, "y_rotational_velocity", "b_ryvel", "", "angle/time", "about the y axis",
-         read<rows_of, &Blocks::rotational_velocity, 1>, write<rows_of, &Blocks::rotational_velocity, 1>},
+         read<rows_of, &Blocks::rotational_velocity, 1>, set_rotation_component<1>},
         {table, "z_rotational_velocity", "b_rzvel", "", "angle/time", "about the z axis",
-         read<rows_of, &Blocks::rotational_velocity, 2>, write<rows_of, &Blocks::rotational_velocity, 2>},
+         read<rows_of, &Blocks::rotational_velocity, 2>, set_rotation_component<2>},
         {table, "displacement", "", "", "length", "displacement of the centroid", call<block_displacement>, nullptr},
         {table, "x_displacement", "", "", "length", "x displacement", call<block_displacement, 0>, nullptr},
         {table, "y_displacement", "", "", "length", "y displacement", call<block_displacement, 1>, nullptr},

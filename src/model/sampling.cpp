@@ -124,8 +124,9 @@ History& add_history(Model& model, HistorySource source, std::string label) {
 }
 
 void sample_histories(Model& model, const std::function<double(const std::string&)>& script_value) {
-    // Values first, then all of them at once: a function of the deck may fail half way.
     auto& histories = model.histories;
+    if (histories.all.empty() || model.clock.cycle % histories.interval != 0) return;
+    // Values first, then all of them at once: a function of the deck may fail half way.
     std::vector<double> values;
     values.reserve(histories.all.size());
     for (auto& history : histories.all) {

@@ -24,7 +24,8 @@ void locate(const Model& model, HistorySource& source);
 /// An empty label becomes the name of the quantity.
 History& add_history(Model& model, HistorySource source, std::string label = {});
 
-/// One sample of every history, and its time and cycle. `script_value` gives the value of a function
+/// One sample of every history, and its time and cycle, when the cycle is one of each `interval`; nothing
+/// when there is no history. `script_value` gives the value of a function
 /// or variable of the deck. An object that is gone is looked for anew; NaN when there is none of its kind
 /// left. When anything throws, no history has got a sample.
 void sample_histories(Model& model, const std::function<double(const std::string&)>& script_value);

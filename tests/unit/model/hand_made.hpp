@@ -128,6 +128,7 @@ inline Model hand_made_model() {
     model.clock.time = 0.1;
     model.clock.cycle = 42;
     model.clock.unbalanced_force = 12.5;
+    model.histories.interval = 1;
     model.structure_changed = false;
     add_contact(model, 0.25, 0.5);
     return model;

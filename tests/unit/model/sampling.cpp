@@ -119,6 +119,17 @@ TEST(SampleHistories, ValuesTimeAndCycleAreAppended) {
     EXPECT_THAT(model.histories.all[3].values, ElementsAre(3.25, 3.25));
 }
 
+TEST(SampleHistories, OnlyEveryIntervalAndOnlyWhenThereAreHistories) {
+    Model model = hand_made_model();
+    sample_histories(model, {});
+    EXPECT_TRUE(model.histories.time.empty());
+    add_history(model, {Kind::global, "cycle"});
+    model.histories.interval = 5;
+    for (model.clock.cycle = 0; model.clock.cycle <= 12; ++model.clock.cycle) sample_histories(model, {});
+    EXPECT_THAT(model.histories.all[0].values, ElementsAre(0, 5, 10));
+    EXPECT_THAT(model.histories.cycle, ElementsAre(0, 5, 10));
+}
+
 TEST(SampleHistories, ALaterHistoryKnowsHowManySamplesItMissed) {
     Model model = hand_made_model();
     add_history(model, {Kind::global, "time"});
