@@ -4,6 +4,7 @@
 #include "lang/script/machine.hpp"
 #include "lang/script/values.hpp"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>

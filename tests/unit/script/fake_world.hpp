@@ -1,0 +1,192 @@
+// A small world of made-up rows for the tests of the script side: contacts with sub-contacts, and blocks.
+#pragma once
+
+#include "base/diagnostic.hpp"
+#include "lang/script/scripts.hpp"
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace kaya::script::test {
+
+struct FakeCommand {
+    std::string text, chunk;
+    int line;
+};
+
+class FakeWorld : public World {
+public:
+    static constexpr std::int32_t block = 0, contact = 1, sub_contact = 2;
+
+    explicit FakeWorld(std::size_t contacts = 2, std::size_t per_contact = 4) : per_contact_(per_contact) {
+        tables_ = {
+            {"block", {{"id", "b_id", "-", "number of the block", false},
+                       {"velocity", "b_vel", "velocity", "of the centroid", true},
+                       {"volume", "b_vol", "volume", "", false}}},
+            {"contact", {{"id", "c_id", "-", "", false},
+                         {"block", "c_b1", "-", "first block", false},
+                         {"normal", "c_n", "-", "unit normal", false}}},
+            {"sub_contact",
+             {{"normal_force", "cx_nforce", "force", "compression positive", true},
+              {"x_shear_force", "cx_xsforce", "force", "", false},
+              {"normal_displacement", "cx_ndis", "length", "", false},
+              {"x_shear_displacement", "cx_xsdis", "length", "", false},
+              {"model", "cx_model", "-", "", false}}},
+        };
+        globals_ = {{"time", "time", "time", "", false},
+                    {"cycle", "cycle", "-", "", false},
+                    {"damping", "damp_local", "-", "", true},
+                    {"unbalanced_force", "unbal", "force", "", false}};
+        contacts_ = contacts;
+        for (std::size_t i = 0; i < contacts * per_contact; ++i) {
+            const double t = 0.1 * static_cast<double>(i + 1);
+            normal_force.push_back(std::sin(t) + 2);
+            shear_force.push_back(std::cos(3 * t));
+            normal_displacement.push_back(-1e-4 * t / 3);
+            shear_displacement.push_back(1e-3 * t / 7);
+        }
+    }
+
+    const std::vector<TableInfo>& tables() const override { return tables_; }
+    const std::vector<FieldInfo>& globals() const override { return globals_; }
+
+    Value get(Handle object, std::size_t field) override {
+        check(object);
+        const std::size_t row = object.slot;
+        if (object.table == block) {
+            if (field == 0) return static_cast<std::int64_t>(row + 1);
+            if (field == 1) return velocity;
+            return 2.5;
+        }
+        if (object.table == contact) {
+            if (field == 0) return static_cast<std::int64_t>(row + 1);
+            if (field == 1) return row == 0 ? Handle{block, 0, 1} : Handle{block, 0, 0};
+            return Vec3(0, 0, 1);
+        }
+        switch (field) {
+        case 0: return normal_force[row];
+        case 1: return shear_force[row];
+        case 2: return normal_displacement[row];
+        case 3: return shear_displacement[row];
+        default: return std::string("mohr");
+        }
+    }
+
+    void set(Handle object, std::size_t field, const Value& value) override {
+        check(object);
+        if (object.table == block) {
+            velocity = std::get<Vec3>(value);
+            return;
+        }
+        require_field(field == 0);
+        const auto* whole = std::get_if<std::int64_t>(&value);
+        normal_force[object.slot] = whole ? static_cast<double>(*whole) : std::get<double>(value);
+    }
+
+    std::size_t count(std::int32_t table) override {
+        return table == block ? 1 : table == contact ? contacts_ : normal_force.size();
+    }
+    Handle at(std::int32_t table, std::size_t index) override {
+        return {table, static_cast<std::uint32_t>(index), generation};
+    }
+    bool alive(Handle object) override { return object.generation == generation; }
+    Handle next(Handle object) override {
+        check(object);
+        const std::size_t row = object.slot + 1;
+        const bool ends = object.table == sub_contact ? row % per_contact_ == 0 : row >= count(object.table);
+        return {object.table, static_cast<std::uint32_t>(row), ends ? 0 : generation};
+    }
+    Handle first_child(Handle parent, std::int32_t child) override {
+        check(parent);
+        if (parent.table != contact || child != sub_contact)
+            throw Diagnostic("a block has no list of sub_contacts", {}, Fault::run);
+        return {child, static_cast<std::uint32_t>(parent.slot * per_contact_), generation};
+    }
+    Handle nearest(std::int32_t table, const Vec3& place) override {
+        asked = place;
+        return {table, 0, generation};
+    }
+    Value get_global(std::size_t index) override {
+        if (index == 0) return 0.25;
+        if (index == 1) return std::int64_t{100};
+        return index == 2 ? damping : 1.5;
+    }
+    void set_global(std::size_t, const Value& value) override { damping = std::get<double>(value); }
+    double reduce(std::int32_t, std::size_t, std::string_view how) override {
+        double sum = 0;
+        for (const double force : normal_force) sum += force;
+        return how == "sum" ? sum : sum / static_cast<double>(normal_force.size());
+    }
+    void command(const std::string& text, const std::string& chunk, int line) override {
+        commands.push_back({text, chunk, line});
+        if (on_command) on_command(text);
+    }
+
+    std::uint32_t generation = 1;
+    Vec3 velocity = Vec3::Zero(), asked = Vec3::Zero();
+    double damping = 0.8;
+    std::vector<double> normal_force, shear_force, normal_displacement, shear_displacement;
+    std::vector<FakeCommand> commands;
+    std::function<void(const std::string&)> on_command;
+
+private:
+    static void require_field(bool right) {
+        if (!right) throw Diagnostic("the test world has only one writable field", {}, Fault::own);
+    }
+    void check(Handle object) const {
+        if (object.generation != generation) throw Diagnostic("this object no longer exists", {}, Fault::run);
+    }
+
+    std::vector<TableInfo> tables_;
+    std::vector<FieldInfo> globals_;
+    std::size_t contacts_, per_contact_;
+};
+
+/// The whole text as a deck, and the place of one of its lines.
+inline Place deck(const std::string& text, int line = 1) {
+    auto source = std::make_shared<SourceText>();
+    source->name = "test.3ddat";
+    std::string rest;
+    for (const char c : text) {
+        if (c == '\n') {
+            source->lines.push_back(rest);
+            rest.clear();
+        } else {
+            rest += c;
+        }
+    }
+    if (!rest.empty()) source->lines.push_back(rest);
+    return {source, line, 1, 1};
+}
+
+/// Scripts with a world of their own; what they print is kept.
+struct Stage {
+    explicit Stage(std::size_t contacts = 2, std::size_t per_contact = 4, Options options = {})
+        : world(contacts, per_contact), scripts(world, std::move(options)) {
+        scripts.on_print([this](const std::string& line) { printed.push_back(line); });
+    }
+
+    void fish(const std::string& text) { scripts.define_fish(text, deck(text)); }
+    void lua(const std::string& text) { scripts.run_lua(text, deck(text)); }
+    Value value(const std::string& expression) { return scripts.value(expression); }
+    double number(const std::string& expression) { return scripts.number(expression); }
+    std::string text(const std::string& expression) { return std::get<std::string>(scripts.value(expression)); }
+
+    FakeWorld world;
+    Scripts scripts;
+    std::vector<std::string> printed;
+};
+
+/// What the user would read when `action` fails; "no error" when it does not.
+template <class Action> std::string message_of(Action action) {
+    try {
+        action();
+    } catch (const Diagnostic& diagnostic) {
+        return render(diagnostic);
+    }
+    return "no error";
+}
+
+} // namespace kaya::script::test
