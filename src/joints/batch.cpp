@@ -38,7 +38,8 @@ std::optional<BatchFailure> unusable_row(const JointModel& model, const Output& 
     for (std::size_t i = 0; i < n; ++i) {
         const double value = output.column[i];
         if (std::isfinite(value) && (output.may_be_negative || value >= 0)) continue;
-        return BatchFailure{i, fmt::format("joint model {} returned {} {}", model.name, output.quantity, value)};
+        return BatchFailure{i,
+                            fmt::format("joint model {} returned {} {}", model.name, output.quantity, value)};
     }
     return std::nullopt;
 }
@@ -56,16 +57,19 @@ std::optional<BatchFailure> unusable_output(const JointModel& model, const kaya_
     for (const auto& output : outputs)
         if (auto failure = unusable_row(model, output, batch.n)) return failure;
     for (std::size_t k = 0; k < model.history.size(); ++k)
-        if (auto failure = unusable_row(model, {model.history[k].name.c_str(), batch.history[k], true}, batch.n))
+        if (auto failure =
+                unusable_row(model, {model.history[k].name.c_str(), batch.history[k], true}, batch.n))
             return failure;
     return std::nullopt;
 }
 
 BatchFailure thrown_failure(const JointModel& model, const char* what) {
-    return {0, fmt::format("joint model {} threw an exception in a batch that begins with this row: {}", model.name, what)};
+    return {0, fmt::format("joint model {} threw an exception in a batch that begins with this row: {}",
+                           model.name, what)};
 }
 
-std::optional<BatchFailure> call(const JointModel& model, ptrdiff_t (*function)(kaya_jbatch*), kaya_jbatch& batch) {
+std::optional<BatchFailure> call(const JointModel& model, ptrdiff_t (*function)(kaya_jbatch*),
+                                 kaya_jbatch& batch) {
     batch.message[0] = '\0';
     ptrdiff_t row = -1;
     try {
@@ -77,11 +81,14 @@ std::optional<BatchFailure> call(const JointModel& model, ptrdiff_t (*function)(
     }
     if (row == -1) return unusable_output(model, batch);
     if (row < 0 || static_cast<std::size_t>(row) >= batch.n)
-        return BatchFailure{0, fmt::format("joint model {} returned row {} of a batch of {} rows, which begins with "
-                                           "this row", model.name, row, batch.n)};
+        return BatchFailure{
+            0, fmt::format("joint model {} returned row {} of a batch of {} rows, which begins with "
+                           "this row",
+                           model.name, row, batch.n)};
     const std::string_view message(batch.message, strnlen(batch.message, KAYA_JMODEL_MESSAGE));
     return BatchFailure{static_cast<std::size_t>(row),
-                        fmt::format("joint model {} failed: {}", model.name, message.empty() ? "it gives no reason" : message)};
+                        fmt::format("joint model {} failed: {}", model.name,
+                                    message.empty() ? "it gives no reason" : message)};
 }
 
 } // namespace

@@ -32,7 +32,8 @@ std::string folded(std::string_view word) {
 /// Decks fold case and split at blanks, so any other word could never be typed.
 bool is_keyword(std::string_view word) {
     const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
-    return !word.empty() && word.front() >= 'a' && word.front() <= 'z' && std::all_of(word.begin(), word.end(), allowed);
+    return !word.empty() && word.front() >= 'a' && word.front() <= 'z' &&
+           std::all_of(word.begin(), word.end(), allowed);
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
@@ -44,9 +45,10 @@ bool is_keyword(std::string_view word) {
 
 void refuse_other_interface(const kaya_jmodel& d, const std::filesystem::path& file) {
     if (d.interface_version == KAYA_JMODEL_INTERFACE) return;
-    Diagnostic error(fmt::format("joint model {} was built for interface version {}, this program has version {}",
-                                 file.string(), d.interface_version, KAYA_JMODEL_INTERFACE),
-                     "build the model again with the kaya/jmodel.h of this program");
+    Diagnostic error(
+        fmt::format("joint model {} was built for interface version {}, this program has version {}",
+                    file.string(), d.interface_version, KAYA_JMODEL_INTERFACE),
+        "build the model again with the kaya/jmodel.h of this program");
     error.code = "joint-model-version";
     throw error;
 }
@@ -64,7 +66,8 @@ void refuse_wrong_counts(const kaya_jmodel& d, const std::filesystem::path& file
     for (const auto& c : counts) {
         if (c.count > c.maximum)
             refuse(file, fmt::format("it has {} {}, {} at most are possible", c.count, c.things, c.maximum));
-        if (c.count > 0 && !c.table) refuse(file, fmt::format("it says {} {} but gives no table", c.count, c.things));
+        if (c.count > 0 && !c.table)
+            refuse(file, fmt::format("it says {} {} but gives no table", c.count, c.things));
     }
 }
 
@@ -79,15 +82,17 @@ void refuse_missing_parts(const kaya_jmodel& d, const std::filesystem::path& fil
         if (!is_there) refuse(file, fmt::format("'{}' is NULL", part));
 }
 
-JointModel::Property property_of(const kaya_jproperty& p, std::size_t index, const std::filesystem::path& file) {
+JointModel::Property property_of(const kaya_jproperty& p, std::size_t index,
+                                 const std::filesystem::path& file) {
     if (!p.name) refuse(file, fmt::format("property {} has no name", index + 1));
-    JointModel::Property property{p.name, words_of(p.aliases), text_or_empty(p.unit), text_or_empty(p.help),
-                                  p.initial, p.minimum, p.maximum, p.optional != 0};
+    JointModel::Property property{
+        p.name,    words_of(p.aliases), text_or_empty(p.unit), text_or_empty(p.help), p.initial,
+        p.minimum, p.maximum,           p.optional != 0};
     if (std::isnan(p.minimum) || std::isnan(p.maximum) || p.minimum > p.maximum)
         refuse(file, fmt::format("the limits of property '{}' are {} and {}", p.name, p.minimum, p.maximum));
     if (p.initial < p.minimum || p.initial > p.maximum)
-        refuse(file, fmt::format("the initial value of property '{}' is {}, outside its limits {} and {}", p.name,
-                                 p.initial, p.minimum, p.maximum));
+        refuse(file, fmt::format("the initial value of property '{}' is {}, outside its limits {} and {}",
+                                 p.name, p.initial, p.minimum, p.maximum));
     return property;
 }
 
@@ -98,17 +103,20 @@ void refuse_unusable_words(const JointModel& model) {
         words.insert(words.begin(), property.name);
         for (const auto& word : words) {
             if (!is_keyword(word))
-                refuse(model.file, fmt::format("'{}' cannot be typed as a property: use lower-case letters, digits "
-                                               "and hyphens, a letter first", word));
+                refuse(model.file,
+                       fmt::format("'{}' cannot be typed as a property: use lower-case letters, digits "
+                                   "and hyphens, a letter first",
+                                   word));
             const auto [place, is_new] = owner.emplace(word, property.name);
             if (!is_new)
-                refuse(model.file,
-                       fmt::format("the word '{}' stands for '{}' and for '{}'", word, place->second, property.name));
+                refuse(model.file, fmt::format("the word '{}' stands for '{}' and for '{}'", word,
+                                               place->second, property.name));
         }
     }
 }
 
-void refuse_repeated(const std::vector<std::string>& names, const char* kind, const std::filesystem::path& file) {
+void refuse_repeated(const std::vector<std::string>& names, const char* kind,
+                     const std::filesystem::path& file) {
     auto sorted = names;
     std::sort(sorted.begin(), sorted.end());
     const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
@@ -131,8 +139,10 @@ JointModel::JointModel(const kaya_jmodel* d, std::filesystem::path from, std::sh
     title = text_or_empty(d->title);
     version = text_or_empty(d->version);
     if (!is_keyword(name))
-        refuse(file, fmt::format("'{}' cannot be typed as the name of a joint model: use lower-case letters, digits "
-                                 "and hyphens, a letter first", name));
+        refuse(file, fmt::format(
+                         "'{}' cannot be typed as the name of a joint model: use lower-case letters, digits "
+                         "and hyphens, a letter first",
+                         name));
 
     for (std::size_t i = 0; i < d->property_count; ++i)
         properties.push_back(property_of(d->properties[i], i, file));
@@ -149,7 +159,8 @@ JointModel::JointModel(const kaya_jmodel* d, std::filesystem::path from, std::sh
 
     states = words_of(d->state_names);
     if (states.size() > KAYA_JMODEL_MAX_STATES)
-        refuse(file, fmt::format("it has {} states, {} at most are possible", states.size(), KAYA_JMODEL_MAX_STATES));
+        refuse(file, fmt::format("it has {} states, {} at most are possible", states.size(),
+                                 KAYA_JMODEL_MAX_STATES));
     refuse_repeated(states, "states", file);
 }
 

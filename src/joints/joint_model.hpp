@@ -72,8 +72,8 @@ public:
     /// not a joint model, other interface version (both numbers), bad table, name taken.
     const JointModel& get(std::string_view name);
 
-    const JointModel* find(std::string_view name) const;        ///< among the loaded ones
-    std::vector<std::string> available() const;                 ///< loaded or in the folders, sorted
+    const JointModel* find(std::string_view name) const; ///< among the loaded ones
+    std::vector<std::string> available() const;          ///< loaded or in the folders, sorted
     const std::vector<std::unique_ptr<JointModel>>& loaded() const { return models_; }
 
 private:

@@ -54,7 +54,8 @@ const kaya_jmodel* descriptor_of(void* library, const fs::path& file) {
     using Entry = const kaya_jmodel* (*)();
     const auto entry = reinterpret_cast<Entry>(dlsym(library, entry_point));
     if (!entry)
-        refuse("joint-model-no-entry", fmt::format("{} is not a joint model: it has no function {}", file.string(), entry_point),
+        refuse("joint-model-no-entry",
+               fmt::format("{} is not a joint model: it has no function {}", file.string(), entry_point),
                "include kaya/jmodel.h and define that function with C linkage");
     try {
         return entry();
@@ -80,8 +81,10 @@ const JointModel& JointRegistry::get(std::string_view name) {
                          near.empty() ? "give one of the names below, or the file of a joint model"
                                       : fmt::format("did you mean '{}'?", near));
         error.code = "joint-model-unknown";
-        if (names.empty()) error.add("no joint models were found in the folders that are searched");
-        else error.add(fmt::format("joint models: {}", fmt::join(names, ", ")));
+        if (names.empty())
+            error.add("no joint models were found in the folders that are searched");
+        else
+            error.add(fmt::format("joint models: {}", fmt::join(names, ", ")));
         throw error;
     }
     return load(*file);
@@ -108,8 +111,10 @@ const JointModel& JointRegistry::load(const fs::path& file) {
                "give the model another name in its descriptor");
     if (!owner && std::any_of(path_.begin(), path_.end(),
                               [&](const fs::path& folder) { return same_file(folder, file.parent_path()); }))
-        refuse("joint-model-name", fmt::format("{} holds a joint model named '{}'", file.string(), model->name),
-               fmt::format("a file in a folder that is searched must have the name of its model: {}{}", model->name, ending));
+        refuse("joint-model-name",
+               fmt::format("{} holds a joint model named '{}'", file.string(), model->name),
+               fmt::format("a file in a folder that is searched must have the name of its model: {}{}",
+                           model->name, ending));
 
     models_.push_back(std::move(model));
     return *models_.back();

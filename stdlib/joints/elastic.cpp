@@ -10,7 +10,8 @@ enum Property { stiffness_normal, stiffness_shear, property_count };
 
 constexpr kaya_jproperty properties[] = {
     {"stiffness-normal", "jkn kn", "stress/length", "normal stress per closure", NAN, 0, INFINITY, 0},
-    {"stiffness-shear", "jks ks", "stress/length", "shear stress per shear displacement", NAN, 0, INFINITY, 0},
+    {"stiffness-shear", "jks ks", "stress/length", "shear stress per shear displacement", NAN, 0, INFINITY,
+     0},
 };
 static_assert(std::size(properties) == property_count);
 
@@ -37,7 +38,8 @@ ptrdiff_t run(kaya_jbatch* batch) {
 }
 
 const char* check(const double* values) {
-    return values[stiffness_normal] > 0 ? nullptr : "stiffness-normal (jkn) is 0: give the joint a normal stiffness";
+    return values[stiffness_normal] > 0 ? nullptr
+                                        : "stiffness-normal (jkn) is 0: give the joint a normal stiffness";
 }
 
 void max_stiffness(const double* values, double* normal, double* shear) {
@@ -46,9 +48,20 @@ void max_stiffness(const double* values, double* normal, double* shear) {
 }
 
 constexpr kaya_jmodel descriptor = {
-    KAYA_JMODEL_INTERFACE, sizeof(kaya_jmodel), "elastic", "Linear elastic joint", "1.0",
-    properties, property_count, nullptr, 0, "",
-    initialise, run, check, max_stiffness,
+    KAYA_JMODEL_INTERFACE,
+    sizeof(kaya_jmodel),
+    "elastic",
+    "Linear elastic joint",
+    "1.0",
+    properties,
+    property_count,
+    nullptr,
+    0,
+    "",
+    initialise,
+    run,
+    check,
+    max_stiffness,
 };
 
 } // namespace

@@ -6,11 +6,30 @@
 // below 1e-15 to 70 degrees and 3e-14 at 89.
 #pragma once
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 
 namespace kaya::joints {
+
+/// The first n coefficients of a power series, made by the compiler.
+template <std::size_t n> consteval std::array<double, n> series(double (*coefficient)(std::size_t)) {
+    std::array<double, n> table{};
+    for (std::size_t k = 0; k < n; ++k) table[k] = coefficient(k);
+    return table;
+}
+
+constexpr double factorial(std::size_t n) { return n < 2 ? 1 : static_cast<double>(n) * factorial(n - 1); }
+
+template <std::size_t n>
+[[gnu::always_inline]] inline double polynomial(const std::array<double, n>& coefficients, double x) {
+    double sum = coefficients[n - 1];
+#pragma GCC unroll 16
+    for (std::size_t k = n - 1; k > 0; --k) sum = coefficients[k - 1] + x * sum;
+    return sum;
+}
 
 /// Natural logarithm; x must be a normal number above 0.
 [[gnu::always_inline]] inline double logarithm(double x) {
@@ -22,11 +41,9 @@ namespace kaya::joints {
     m = upper ? 0.5 * m : m;
     e = upper ? e + 1 : e;
     // ln m = 2 artanh f, f = (m - 1)/(m + 1), at most 0.172
-    const double f = (m - 1) / (m + 1), s = f * f;
-    const double series =
-        1 + s * (1.0 / 3 + s * (1.0 / 5 + s * (1.0 / 7 + s * (1.0 / 9 + s * (1.0 / 11 + s * (1.0 / 13 +
-        s * (1.0 / 15 + s * (1.0 / 17 + s * (1.0 / 19)))))))));
-    return e * std::numbers::ln2 + 2 * f * series;
+    constexpr auto artanh = series<10>([](std::size_t k) { return 1.0 / static_cast<double>(2 * k + 1); });
+    const double f = (m - 1) / (m + 1);
+    return e * std::numbers::ln2 + 2 * f * polynomial(artanh, f * f);
 }
 
 /// e to the power x; x from -700 to 700.
@@ -37,12 +54,9 @@ namespace kaya::joints {
     const double shifted = x * std::numbers::log2e + shift;
     const double k = shifted - shift;
     const double r = (x - k * ln2_high) - k * ln2_low;
-    const double series =
-        1 + r * (1 + r * (1.0 / 2) * (1 + r * (1.0 / 3) * (1 + r * (1.0 / 4) * (1 + r * (1.0 / 5) * (1 +
-        r * (1.0 / 6) * (1 + r * (1.0 / 7) * (1 + r * (1.0 / 8) * (1 + r * (1.0 / 9) * (1 + r * (1.0 / 10) * (1 +
-        r * (1.0 / 11) * (1 + r * (1.0 / 12) * (1 + r * (1.0 / 13)))))))))))));
-    const double power = std::bit_cast<double>((std::bit_cast<std::uint64_t>(shifted) + 1023) << 52);
-    return power * series;
+    constexpr auto taylor = series<14>([](std::size_t n) { return 1 / factorial(n); });
+    const double two_to_k = std::bit_cast<double>((std::bit_cast<std::uint64_t>(shifted) + 1023) << 52);
+    return two_to_k * polynomial(taylor, r);
 }
 
 /// x to the power y, x above 0.
@@ -50,14 +64,11 @@ namespace kaya::joints {
 
 /// Tangent of an angle in degrees, from -89 to 89.
 [[gnu::always_inline]] inline double tangent_of_degrees(double angle) {
-    // From sine s and cosine c of the half angle, at most 45 degrees: tan = 2 s c / (c^2 - s^2).
-    const double h = angle * (std::numbers::pi / 360), q = -h * h;
-    const double s =
-        h * (1 + q * (1.0 / 6) * (1 + q * (1.0 / 20) * (1 + q * (1.0 / 42) * (1 + q * (1.0 / 72) * (1 +
-        q * (1.0 / 110) * (1 + q * (1.0 / 156) * (1 + q * (1.0 / 210) * (1 + q * (1.0 / 272)))))))));
-    const double c =
-        1 + q * (1.0 / 2) * (1 + q * (1.0 / 12) * (1 + q * (1.0 / 30) * (1 + q * (1.0 / 56) * (1 +
-        q * (1.0 / 90) * (1 + q * (1.0 / 132) * (1 + q * (1.0 / 182) * (1 + q * (1.0 / 240))))))));
+    // From sine and cosine of the half angle, at most 45 degrees: tan = 2 s c / (c^2 - s^2).
+    constexpr auto sine = series<9>([](std::size_t k) { return (k % 2 ? -1 : 1) / factorial(2 * k + 1); });
+    constexpr auto cosine = series<9>([](std::size_t k) { return (k % 2 ? -1 : 1) / factorial(2 * k); });
+    const double h = angle * (std::numbers::pi / 360), q = h * h;
+    const double s = h * polynomial(sine, q), c = polynomial(cosine, q);
     return 2 * s * c / (c * c - s * s);
 }
 

@@ -26,13 +26,16 @@ enum Property {
 
 constexpr kaya_jproperty properties[] = {
     {"stiffness-normal", "jkn kn", "stress/length", "normal stress per closure", NAN, 0, INFINITY, 0},
-    {"stiffness-shear", "jks ks", "stress/length", "shear stress per shear displacement", NAN, 0, INFINITY, 0},
+    {"stiffness-shear", "jks ks", "stress/length", "shear stress per shear displacement", NAN, 0, INFINITY,
+     0},
     {"friction", "jfric fric", "angle", "angle of friction before failure", 0, 0, 90, 0},
-    {"cohesion", "jcoh coh", "stress", "shear strength at zero normal stress before failure", 0, 0, INFINITY, 0},
+    {"cohesion", "jcoh coh", "stress", "shear strength at zero normal stress before failure", 0, 0, INFINITY,
+     0},
     {"tension", "jten ten", "stress", "tensile strength before failure", 0, 0, INFINITY, 0},
     {"dilation", "jdil dil", "angle", "angle of dilation while it slips", 0, 0, 89, 0},
     {"dilation-zero", "zdil", "length", "slip at which dilation ends; 0: it does not end", 0, 0, INFINITY, 0},
-    {"friction-residual", "jrfric", "angle", "angle of friction after failure; not given: that before", NAN, 0, 90, 1},
+    {"friction-residual", "jrfric", "angle", "angle of friction after failure; not given: that before", NAN,
+     0, 90, 1},
     {"cohesion-residual", "jrcoh", "stress", "cohesion after failure", 0, 0, INFINITY, 0},
     {"tension-residual", "jrten", "stress", "tensile strength after failure", 0, 0, INFINITY, 0},
 };
@@ -59,7 +62,8 @@ ptrdiff_t initialise(kaya_jbatch* batch) {
     for (size_t i = 0; i < batch->n; ++i) {
         batch->normal_stiffness[i] = batch->properties[stiffness_normal];
         batch->shear_stiffness[i] = batch->properties[stiffness_shear];
-        const double apart = batch->normal_disp[i] > rounding * std::sqrt(batch->area[i]) ? batch->normal_disp[i] : 0;
+        const double apart =
+            batch->normal_disp[i] > rounding * std::sqrt(batch->area[i]) ? batch->normal_disp[i] : 0;
         const bool loaded = batch->normal_force[i] != 0;
         const double opened = batch->history[gap][i] > 0 ? batch->history[gap][i] : apart;
         batch->history[gap][i] = loaded ? 0 : opened;
@@ -75,7 +79,8 @@ ptrdiff_t run(kaya_jbatch* batch) {
     const double peak_tension = p[tension], residual_tension = p[tension_residual];
     const double peak_cohesion = p[cohesion], residual_cohesion = p[cohesion_residual];
     const double peak_friction = tan_degrees(p[friction]);
-    const double residual_friction = std::isnan(p[friction_residual]) ? peak_friction : tan_degrees(p[friction_residual]);
+    const double residual_friction =
+        std::isnan(p[friction_residual]) ? peak_friction : tan_degrees(p[friction_residual]);
     const double dilatancy = tan_degrees(p[dilation]);
     const double last_dilation = p[dilation_zero] > 0 ? p[dilation_zero] : INFINITY;
     // A failed joint without tension parts: beyond a gap of 0 its sides touch no more.
@@ -151,8 +156,8 @@ ptrdiff_t run(kaya_jbatch* batch) {
         force_z[i] = trial_z * scale;
         gaps[i] = new_gap;
         slips[i] += apart ? 0 : slipped;
-        states[i] = (old_state & ~now) | ((old_state & now) << from_now_to_past) | (excess > 0 ? slip_now : 0) |
-                    (breaks ? tension_now : 0);
+        states[i] = (old_state & ~now) | ((old_state & now) << from_now_to_past) |
+                    (excess > 0 ? slip_now : 0) | (breaks ? tension_now : 0);
     }
     return -1;
 }
@@ -161,9 +166,11 @@ const char* check(const double* p) {
     if (!(p[stiffness_normal] > 0)) return "stiffness-normal (jkn) is 0: give the joint a normal stiffness";
     if (!(p[stiffness_shear] > 0)) return "stiffness-shear (jks) is 0: give the joint a shear stiffness";
     if (p[tension_residual] > p[tension])
-        return "tension-residual is above tension: failure cannot make the joint stronger, give a tension of at least that";
+        return "tension-residual is above tension: failure cannot make the joint stronger, give a tension of "
+               "at least that";
     if (p[cohesion_residual] > p[cohesion])
-        return "cohesion-residual is above cohesion: failure cannot make the joint stronger, give a cohesion of at least that";
+        return "cohesion-residual is above cohesion: failure cannot make the joint stronger, give a cohesion "
+               "of at least that";
     return nullptr;
 }
 
@@ -173,9 +180,20 @@ void max_stiffness(const double* p, double* normal, double* shear) {
 }
 
 constexpr kaya_jmodel descriptor = {
-    KAYA_JMODEL_INTERFACE, sizeof(kaya_jmodel), "mohr", "Coulomb slip with tension cut-off, dilation and residual strength",
-    "1.0", properties, property_count, history, history_count, state_names,
-    initialise, run, check, max_stiffness,
+    KAYA_JMODEL_INTERFACE,
+    sizeof(kaya_jmodel),
+    "mohr",
+    "Coulomb slip with tension cut-off, dilation and residual strength",
+    "1.0",
+    properties,
+    property_count,
+    history,
+    history_count,
+    state_names,
+    initialise,
+    run,
+    check,
+    max_stiffness,
 };
 
 } // namespace

@@ -14,7 +14,8 @@ inline constexpr kaya_jproperty properties[] = {
 inline constexpr kaya_jhistory history[] = {{"steps", "-", "steps run"}};
 
 inline ptrdiff_t set_stiffness(kaya_jbatch* batch) {
-    for (size_t i = 0; i < batch->n; ++i) batch->normal_stiffness[i] = batch->shear_stiffness[i] = batch->properties[0];
+    for (size_t i = 0; i < batch->n; ++i)
+        batch->normal_stiffness[i] = batch->shear_stiffness[i] = batch->properties[0];
     return -1;
 }
 
@@ -26,11 +27,25 @@ inline ptrdiff_t push(kaya_jbatch* batch) {
     return -1;
 }
 
-inline void report_stiffness(const double* values, double* normal, double* shear) { *normal = *shear = values[0]; }
+inline void report_stiffness(const double* values, double* normal, double* shear) {
+    *normal = *shear = values[0];
+}
 
 inline constexpr kaya_jmodel working(const char* name) {
-    return {KAYA_JMODEL_INTERFACE, sizeof(kaya_jmodel), name, "for tests", "1.0", properties, 1, history, 1, "pushed",
-            set_stiffness, push, nullptr, report_stiffness};
+    return {KAYA_JMODEL_INTERFACE,
+            sizeof(kaya_jmodel),
+            name,
+            "for tests",
+            "1.0",
+            properties,
+            1,
+            history,
+            1,
+            "pushed",
+            set_stiffness,
+            push,
+            nullptr,
+            report_stiffness};
 }
 
 } // namespace plugin

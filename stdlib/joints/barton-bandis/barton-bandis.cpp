@@ -30,8 +30,10 @@ enum Property {
 };
 
 constexpr kaya_jproperty properties[] = {
-    {"stiffness-normal", "jkn kn kni", "stress/length", "normal stiffness at first touch, k_ni", NAN, 0, INFINITY, 0},
-    {"stiffness-shear", "jks ks kj", "stress/length", "shear stiffness at a normal stress of 1 MPa, K_j", NAN, 0, INFINITY, 0},
+    {"stiffness-normal", "jkn kn kni", "stress/length", "normal stiffness at first touch, k_ni", NAN, 0,
+     INFINITY, 0},
+    {"stiffness-shear", "jks ks kj", "stress/length", "shear stiffness at a normal stress of 1 MPa, K_j", NAN,
+     0, INFINITY, 0},
     {"friction-residual", "resfriction jrfric", "angle", "residual angle of friction, phi_r", NAN, 0, 69, 0},
     {"jrco", "jrc", "-", "roughness coefficient of the laboratory sample, JRC_o", NAN, 0, INFINITY, 0},
     {"jcso", "jcs", "stress", "wall strength of the laboratory sample, JCS_o", NAN, 0, INFINITY, 0},
@@ -39,7 +41,8 @@ constexpr kaya_jproperty properties[] = {
     {"nj", "", "-", "exponent of normal stress in the shear stiffness", 0.8, 0, 4, 0},
     {"rf", "", "-", "failure ratio R_f of the unloading curve", 1, 0, 1, 0},
     {"lo", "", "length", "length of the laboratory sample; not given: 100 mm", NAN, 0, INFINITY, 1},
-    {"ln", "", "length", "length of the joint in the field; not given: that of the sample", NAN, 0, INFINITY, 1},
+    {"ln", "", "length", "length of the joint in the field; not given: that of the sample", NAN, 0, INFINITY,
+     1},
     {"large", "", "-", "1: jrco and jcso are those of the joint itself, without scaling", 0, 0, 1, 0},
     {"mpa", "", "stress", "1 MPa in the deck's unit of stress", 1, 0, INFINITY, 0},
     {"mm", "", "length", "1 mm in the deck's unit of length", 1e-3, 0, INFINITY, 0},
@@ -63,8 +66,20 @@ constexpr uint32_t is_open = 1, is_slipping = 2, is_past_peak = 4, is_unloading 
 
 Given given(const double* p) {
     const double sample = std::isnan(p[lo]) ? 100 * p[mm] : p[lo];
-    return {p[stiffness_normal], p[stiffness_shear], p[nj], p[rf], p[friction_residual], p[jrco], p[jcso], p[sigmac],
-            sample, std::isnan(p[ln]) ? sample : p[ln], p[large] != 0, p[delta_peak_lo] != 0, p[mpa], p[mm]};
+    return {p[stiffness_normal],
+            p[stiffness_shear],
+            p[nj],
+            p[rf],
+            p[friction_residual],
+            p[jrco],
+            p[jcso],
+            p[sigmac],
+            sample,
+            std::isnan(p[ln]) ? sample : p[ln],
+            p[large] != 0,
+            p[delta_peak_lo] != 0,
+            p[mpa],
+            p[mm]};
 }
 
 /// What the normal stress decides.
@@ -77,7 +92,8 @@ struct Strength {
     const double log_stress = logarithm(std::max(stress, law.lowest_stress));
     const double ruff = roughness_angle(law, log_stress, log_jcs);
     // K_j sigma_n^n_j (2.28), sigma_n in MPa; 0 when open, where the logarithm was cut.
-    const double power_of_stress = exponential(law.stiffness_exponent * (log_stress + logarithm(law.per_mpa)));
+    const double power_of_stress =
+        exponential(law.stiffness_exponent * (log_stress + logarithm(law.per_mpa)));
     return {stress, ruff, stress > 0 ? law.shear_stiffness * power_of_stress : 0,
             stress * tangent_of_degrees(law.residual_friction + ruff)};
 }
@@ -90,7 +106,7 @@ struct Path {
     double swing;                        ///< stress since the last reversal
     double friction0, roughness0;        ///< mobilised before
     double friction1, roughness1;        ///< mobilised if all of the motion is spent on the curve
-    double on_curve;                     ///< 1: the motion follows the mobilised curve; 0: unloading or reloading
+    double on_curve; ///< 1: the motion follows the mobilised curve; 0: unloading or reloading
 };
 
 /// The elastic trial and what of the motion is spent on the mobilised curve.
@@ -99,20 +115,23 @@ struct Trial {
     double stiffness;
     double limit0, limit1; ///< mobilised strength before, and if all of the motion is spent
     double excess;
-    double spent;          ///< displacement
-    double dilation;       ///< tangent of the mean dilation angle
+    double spent;    ///< displacement
+    double dilation; ///< tangent of the mean dilation angle
 };
 
 [[gnu::always_inline]] inline Trial trial_at(const Law& law, const Strength& s, const Path& path) {
     constexpr double tiny = std::numeric_limits<double>::min();
     Trial t;
-    t.limit0 = s.stress * tangent_of_degrees(law.residual_friction * path.friction0 + s.ruff * path.roughness0);
-    t.limit1 = s.stress * tangent_of_degrees(law.residual_friction * path.friction1 + s.ruff * path.roughness1);
+    t.limit0 =
+        s.stress * tangent_of_degrees(law.residual_friction * path.friction0 + s.ruff * path.roughness0);
+    t.limit1 =
+        s.stress * tangent_of_degrees(law.residual_friction * path.friction1 + s.ruff * path.roughness1);
     // On the curve the trial is at least as steep as the curve, so that the strength is what limits it.
     const double slope = (t.limit1 - t.limit0) / std::max(path.motion, tiny);
     const double left = 1 - law.half_failure_ratio * path.swing / std::max(s.peak, tiny);
     const double hyperbola = std::max(0.0, left);
-    t.stiffness = path.on_curve > 0 ? std::max(s.stiffness, slope) : s.stiffness * hyperbola * hyperbola; // (2.28)
+    t.stiffness =
+        path.on_curve > 0 ? std::max(s.stiffness, slope) : s.stiffness * hyperbola * hyperbola; // (2.28)
     t.x = path.start_x - t.stiffness * path.motion_x;
     t.y = path.start_y - t.stiffness * path.motion_y;
     t.z = path.start_z - t.stiffness * path.motion_z;
@@ -148,7 +167,6 @@ ptrdiff_t run(kaya_jbatch* batch) {
     double* force_z = batch->shear_force[2];
     double* normal_stiffness = batch->normal_stiffness;
     double* shear_stiffness = batch->shear_stiffness;
-    batch->stiffness_changed = 1;
     double* work = batch->frictional_work;
     uint32_t* states = batch->state;
     double* closures = batch->history[closure];
@@ -171,7 +189,8 @@ ptrdiff_t run(kaya_jbatch* batch) {
         path.motion_x = shear_x[i];
         path.motion_y = shear_y[i];
         path.motion_z = shear_z[i];
-        path.motion = std::sqrt(path.motion_x * path.motion_x + path.motion_y * path.motion_y + path.motion_z * path.motion_z);
+        path.motion = std::sqrt(path.motion_x * path.motion_x + path.motion_y * path.motion_y +
+                                path.motion_z * path.motion_z);
 
         // The motion turns back when it works against the stress that it has built up since the last
         // turn; the stress is then counted from here (Masing).
@@ -206,17 +225,21 @@ ptrdiff_t run(kaya_jbatch* batch) {
 
         const double spent = new_closure > 0 ? last.spent : 0;
         const double after = before + spent;
-        const double limit = strength.stress * tangent_of_degrees(law.residual_friction * mobilised_friction(after * per_peak) +
-                                                                  strength.ruff * mobilised_roughness(after * per_peak));
+        const double limit = strength.stress *
+                             tangent_of_degrees(law.residual_friction * mobilised_friction(after * per_peak) +
+                                                strength.ruff * mobilised_roughness(after * per_peak));
         const double size = std::min(last.size, limit);
         const double scale = size / std::max(last.size, std::numeric_limits<double>::min());
 
         // Work of the plastic part of the slip, less what dilation lifts.
-        const double start = std::sqrt(path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z);
+        const double start = std::sqrt(path.start_x * path.start_x + path.start_y * path.start_y +
+                                       path.start_z * path.start_z);
         const double old_stress = normal_force[i] * per_area;
-        const double elastic = (limit - last.limit0) / std::max(std::max(strength.stiffness, last.stiffness), law.lowest_stress);
+        const double elastic =
+            (limit - last.limit0) / std::max(std::max(strength.stiffness, last.stiffness), law.lowest_stress);
         const double plastic = std::max(0.0, spent - elastic);
-        const double taken_up = 0.5 * (start + size) * plastic - 0.5 * (old_stress + strength.stress) * last.dilation * spent;
+        const double taken_up =
+            0.5 * (start + size) * plastic - 0.5 * (old_stress + strength.stress) * last.dilation * spent;
         work[i] += spent > 0 ? area * std::max(0.0, taken_up) : 0;
 
         normal_force[i] = strength.stress * area;
@@ -240,6 +263,7 @@ ptrdiff_t run(kaya_jbatch* batch) {
         states[i] = (touches > 0 ? 0 : is_open) | (spent > 0 ? is_slipping : 0) |
                     (after > law.peak_displacement ? is_past_peak : 0) | (continues > 0 ? 0 : is_unloading);
     }
+    batch->stiffness_changed = 1;
     return -1;
 }
 
@@ -262,8 +286,10 @@ ptrdiff_t initialise(kaya_jbatch* batch) {
         const double per_area = batch->area[i] > 0 ? 1 / batch->area[i] : 0;
         const double stress = batch->normal_force[i] * per_area;
         double& closed = batch->history[closure][i];
-        if (stress > 0) closed = closure_of_stress(law, stress);
-        else closed = std::min({0.0, closed, -batch->normal_disp[i]});
+        if (stress > 0)
+            closed = closure_of_stress(law, stress);
+        else
+            closed = std::min({0.0, closed, -batch->normal_disp[i]});
 
         const Strength strength = strength_at(law, log_jcs, closed);
         const double shear_stress = per_area * std::hypot(batch->shear_force[0][i], batch->shear_force[1][i],
@@ -282,7 +308,8 @@ const char* check(const double* p) {
         Property property;
         const char* message;
     } positive[] = {
-        {stiffness_normal, "stiffness-normal (jkn, k_ni) is 0: give the stiffness of the joint at first touch"},
+        {stiffness_normal,
+         "stiffness-normal (jkn, k_ni) is 0: give the stiffness of the joint at first touch"},
         {stiffness_shear, "stiffness-shear (jks, K_j) is 0: give the shear stiffness of the joint at 1 MPa"},
         {jrco, "jrco is 0: a joint without roughness has no closure curve, use jmodel mohr for it"},
         {jcso, "jcso is 0: give the wall strength of the joint"},
@@ -296,10 +323,12 @@ const char* check(const double* p) {
     if (!(g.length_lab > 0)) return "lo is 0: give the length of the laboratory sample";
     if (!(g.length_field > 0)) return "ln is 0: give the length of the joint in the field";
     if (!(aperture(g) > 0))
-        return "sigmac is not above half of jcso, which leaves no aperture (2.26): check both, and that they are in "
+        return "sigmac is not above half of jcso, which leaves no aperture (2.26): check both, and that they "
+               "are in "
                "the same unit";
     if (!(maximum_closure(g) > 0))
-        return "jrco, jcso and sigmac give a maximum closure that is not above 0 (2.25): check them, and that mpa is "
+        return "jrco, jcso and sigmac give a maximum closure that is not above 0 (2.25): check them, and "
+               "that mpa is "
                "1 MPa in the deck's unit of stress";
     return nullptr;
 }
@@ -310,9 +339,20 @@ void max_stiffness(const double* p, double* normal, double* shear) {
 }
 
 constexpr kaya_jmodel descriptor = {
-    KAYA_JMODEL_INTERFACE, sizeof(kaya_jmodel), "barton-bandis", "Barton-Bandis closure and mobilised roughness",
-    "1.0", properties, property_count, history, history_count, state_names,
-    initialise, run, check, max_stiffness,
+    KAYA_JMODEL_INTERFACE,
+    sizeof(kaya_jmodel),
+    "barton-bandis",
+    "Barton-Bandis closure and mobilised roughness",
+    "1.0",
+    properties,
+    property_count,
+    history,
+    history_count,
+    state_names,
+    initialise,
+    run,
+    check,
+    max_stiffness,
 };
 
 } // namespace

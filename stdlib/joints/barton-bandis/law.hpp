@@ -17,9 +17,9 @@ struct Given {
     double residual_friction;
     double jrc_lab, jcs_lab, sigma_c;
     double length_lab, length_field;
-    bool unscaled;         ///< JRC and JCS are those of the joint itself
-    bool peak_by_lab;      ///< L_o instead of L_n in the root of the peak displacement
-    double mpa, mm;        ///< 1 MPa in the deck's unit of stress, 1 mm in its unit of length
+    bool unscaled;    ///< JRC and JCS are those of the joint itself
+    bool peak_by_lab; ///< L_o instead of L_n in the root of the peak displacement
+    double mpa, mm;   ///< 1 MPa in the deck's unit of stress, 1 mm in its unit of length
 };
 
 /// Aperture a_j in mm (2.26).
@@ -39,7 +39,7 @@ struct Law {
     double peak_displacement, radians_per_degree_and_peak;
 
     explicit Law(const Given& g) {
-        constexpr double knee = 0.98;      // of V_m
+        constexpr double knee = 0.98;       // of V_m
         constexpr double largest_peak = 70; // degrees; Barton's limit of the peak friction angle
         initial_stiffness = g.stiffness_normal;
         maximum_closure = barton_bandis::maximum_closure(g) * g.mm;
@@ -94,10 +94,10 @@ struct Piece {
 /// 100 on nothing is left of the roughness. A sum of clamped pieces needs no search.
 [[gnu::always_inline]] inline double mobilised_roughness(double x) {
     constexpr Piece pieces[] = {
-        {0.30, 0.15, 0.50}, {0.45, 0.15, 0.25}, {0.60, 0.20, 0.15}, {0.80, 0.20, 0.10}, {1.00, 0.50, -0.10},
-        {1.50, 0.50, -0.05}, {2.00, 1.00, -0.10}, {3.00, 1.00, -0.05}, {4.00, 2.00, -0.10}, {6.00, 2.00, -0.05},
-        {8.00, 2.00, -0.05}, {10.0, 10.0, -0.10}, {20.0, 20.0, -0.10}, {40.0, 20.0, -0.10}, {60.0, 20.0, -0.10},
-        {80.0, 20.0, -0.10},
+        {0.30, 0.15, 0.50},  {0.45, 0.15, 0.25},  {0.60, 0.20, 0.15},  {0.80, 0.20, 0.10},
+        {1.00, 0.50, -0.10}, {1.50, 0.50, -0.05}, {2.00, 1.00, -0.10}, {3.00, 1.00, -0.05},
+        {4.00, 2.00, -0.10}, {6.00, 2.00, -0.05}, {8.00, 2.00, -0.05}, {10.0, 10.0, -0.10},
+        {20.0, 20.0, -0.10}, {40.0, 20.0, -0.10}, {60.0, 20.0, -0.10}, {80.0, 20.0, -0.10},
     };
     double sum = 0;
 #pragma GCC unroll 16

@@ -16,8 +16,8 @@ using test::work_of_step;
 using testing::HasSubstr;
 
 // The laboratory joint of the thesis, in MPa and m.
-const Values laboratory{{"jkn", 1e5}, {"jks", 1e4}, {"resfriction", 20}, {"jrco", 8}, {"jcso", 100}, {"sigmac", 150},
-                        {"nj", 0.8}, {"lo", 0.1}, {"ln", 0.2}};
+const Values laboratory{{"jkn", 1e5},    {"jks", 1e4}, {"resfriction", 20}, {"jrco", 8}, {"jcso", 100},
+                        {"sigmac", 150}, {"nj", 0.8},  {"lo", 0.1},         {"ln", 0.2}};
 constexpr double peak_displacement = 1.3023e-3; // (L_n/500)(JRC_n/L_n)^0.33 for these
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
@@ -36,12 +36,14 @@ struct Curve {
 };
 
 /// Direct shear at constant normal stress, in steps of `part` of the peak displacement.
-Curve shear(TestJoint& joint, double stress, double ratio, double part = 0.01, const Vector& direction = {1, 0, 0}) {
+Curve shear(TestJoint& joint, double stress, double ratio, double part = 0.01,
+            const Vector& direction = {1, 0, 0}) {
     Curve curve;
     const double increment = part * peak_displacement;
     double travelled = 0, before = joint.shear_stress();
     while (travelled < (ratio - 1e-9) * peak_displacement) {
-        joint.slip_at_stress(stress, {increment * direction[0], increment * direction[1], increment * direction[2]});
+        joint.slip_at_stress(stress,
+                             {increment * direction[0], increment * direction[1], increment * direction[2]});
         travelled += increment;
         const double now = joint.shear_stress();
         curve.largest_jump = std::max(curve.largest_jump, std::abs(now - before));
@@ -68,7 +70,8 @@ double maximum_closure_in_mm(const Values& changes) {
     return 1e3 / (1 / c - 1e5 / 2.0); // 1/c = k_ni/sigma + 1/V_m
 }
 
-// --- closure ---------------------------------------------------------------------------------------------------
+// --- closure
+// ---------------------------------------------------------------------------------------------------
 
 TEST(BartonBandis, ClosesOnTheHyperbolaOfBandis) {
     const double vm = 0.20773e-3;
@@ -76,7 +79,8 @@ TEST(BartonBandis, ClosesOnTheHyperbolaOfBandis) {
     for (const double stress : {1.0, 5.0, 10.0}) {
         joint.load(stress);
         EXPECT_NEAR(-joint.normal_disp[0] / (stress * vm / (1e5 * vm + stress)), 1, 1e-4) << stress;
-        EXPECT_NEAR(joint.normal_stiffness[0] / (1e5 * std::pow(1 + stress / (1e5 * vm), 2)), 1, 1e-4) << stress;
+        EXPECT_NEAR(joint.normal_stiffness[0] / (1e5 * std::pow(1 + stress / (1e5 * vm), 2)), 1, 1e-4)
+            << stress;
     }
 }
 
@@ -111,16 +115,21 @@ TEST(BartonBandis, MaximumClosuresAreThoseOfTheLaw) {
         double value, jcso, jrco, sigmac, closure;
     };
     const Row rows[] = {
-        {"jrco", 2, 100, 8, 150, 0.0834},    {"jrco", 4, 100, 8, 150, 0.1445},    {"jrco", 6, 100, 8, 150, 0.1816},
-        {"jrco", 8, 100, 8, 150, 0.2077},    {"jrco", 10, 100, 8, 150, 0.2274},   {"jrco", 12, 100, 8, 150, 0.2426},
-        {"jrco", 14, 100, 8, 150, 0.2547},   {"jrco", 16, 100, 8, 150, 0.2645},   {"jrco", 18, 100, 8, 150, 0.2723},
-        {"jrco", 20, 100, 8, 150, 0.2786},   {"jcso", 40, 100, 8, 150, 0.5757},   {"jcso", 50, 100, 8, 150, 0.4729},
-        {"jcso", 60, 100, 8, 150, 0.3959},   {"jcso", 70, 100, 8, 150, 0.3352},   {"jcso", 80, 100, 8, 150, 0.2856},
-        {"jcso", 90, 100, 8, 150, 0.2437},   {"jcso", 110, 100, 8, 150, 0.1762},  {"jcso", 120, 100, 8, 150, 0.1481},
-        {"jcso", 130, 100, 8, 150, 0.1227},  {"jcso", 140, 100, 8, 150, 0.0996},  {"sigmac", 60, 50, 8, 150, 0.2549},
-        {"sigmac", 70, 50, 8, 150, 0.2927},  {"sigmac", 80, 50, 8, 150, 0.3246},  {"sigmac", 90, 50, 8, 150, 0.3524},
-        {"sigmac", 100, 50, 8, 150, 0.3772}, {"sigmac", 110, 50, 8, 150, 0.3995}, {"sigmac", 120, 50, 8, 150, 0.4200},
-        {"sigmac", 130, 50, 8, 150, 0.4388}, {"sigmac", 140, 50, 8, 150, 0.4564}, {"sigmac", 160, 50, 8, 150, 0.4884},
+        {"jrco", 2, 100, 8, 150, 0.0834},    {"jrco", 4, 100, 8, 150, 0.1445},
+        {"jrco", 6, 100, 8, 150, 0.1816},    {"jrco", 8, 100, 8, 150, 0.2077},
+        {"jrco", 10, 100, 8, 150, 0.2274},   {"jrco", 12, 100, 8, 150, 0.2426},
+        {"jrco", 14, 100, 8, 150, 0.2547},   {"jrco", 16, 100, 8, 150, 0.2645},
+        {"jrco", 18, 100, 8, 150, 0.2723},   {"jrco", 20, 100, 8, 150, 0.2786},
+        {"jcso", 40, 100, 8, 150, 0.5757},   {"jcso", 50, 100, 8, 150, 0.4729},
+        {"jcso", 60, 100, 8, 150, 0.3959},   {"jcso", 70, 100, 8, 150, 0.3352},
+        {"jcso", 80, 100, 8, 150, 0.2856},   {"jcso", 90, 100, 8, 150, 0.2437},
+        {"jcso", 110, 100, 8, 150, 0.1762},  {"jcso", 120, 100, 8, 150, 0.1481},
+        {"jcso", 130, 100, 8, 150, 0.1227},  {"jcso", 140, 100, 8, 150, 0.0996},
+        {"sigmac", 60, 50, 8, 150, 0.2549},  {"sigmac", 70, 50, 8, 150, 0.2927},
+        {"sigmac", 80, 50, 8, 150, 0.3246},  {"sigmac", 90, 50, 8, 150, 0.3524},
+        {"sigmac", 100, 50, 8, 150, 0.3772}, {"sigmac", 110, 50, 8, 150, 0.3995},
+        {"sigmac", 120, 50, 8, 150, 0.4200}, {"sigmac", 130, 50, 8, 150, 0.4388},
+        {"sigmac", 140, 50, 8, 150, 0.4564}, {"sigmac", 160, 50, 8, 150, 0.4884},
     };
     for (const auto& row : rows) {
         Values changes{{"jcso", row.jcso}, {"jrco", row.jrco}, {"sigmac", row.sigmac}};
@@ -129,11 +138,13 @@ TEST(BartonBandis, MaximumClosuresAreThoseOfTheLaw) {
     }
 }
 
-// --- strength --------------------------------------------------------------------------------------------------
+// --- strength
+// --------------------------------------------------------------------------------------------------
 
 TEST(BartonBandis, PeakOverNormalStress) {
-    const std::pair<double, double> rows[] = {{0.5, 0.3627}, {2, 1.2327}, {3, 1.7592}, {4, 2.2624}, {5, 2.7486},
-                                              {6, 3.2214},   {7, 3.6832}, {8, 4.1356}, {9, 4.5799}, {10, 5.0170}};
+    const std::pair<double, double> rows[] = {{0.5, 0.3627}, {2, 1.2327}, {3, 1.7592}, {4, 2.2624},
+                                              {5, 2.7486},   {6, 3.2214}, {7, 3.6832}, {8, 4.1356},
+                                              {9, 4.5799},   {10, 5.0170}};
     for (const auto& [stress, peak] : rows) {
         auto joint = joint_of();
         joint.load(stress);
@@ -152,13 +163,15 @@ TEST(BartonBandis, PeakOverRoughnessWallStrengthAndResidualFriction) {
         double value, peak;
     };
     const Row rows[] = {
-        {"jrco", 2, 2.0706},      {"jrco", 4, 2.3089},      {"jrco", 6, 2.5349},      {"jrco", 10, 2.9499},
-        {"jrco", 12, 3.1387},     {"jrco", 14, 3.3149},     {"jrco", 16, 3.4781},     {"jrco", 18, 3.6283},
-        {"jrco", 20, 3.7653},     {"jcso", 40, 2.4332},     {"jcso", 50, 2.5085},     {"jcso", 60, 2.5707},
-        {"jcso", 70, 2.6239},     {"jcso", 80, 2.6702},     {"jcso", 90, 2.7115},     {"jcso", 110, 2.7824},
-        {"jcso", 120, 2.8134},    {"jcso", 130, 2.8420},    {"jcso", 140, 2.8687},    {"resfriction", 10, 1.7020},
-        {"resfriction", 15, 2.2051}, {"resfriction", 25, 3.3470}, {"resfriction", 30, 4.0199},
-        {"resfriction", 35, 4.7945}, {"resfriction", 40, 5.7111},
+        {"jrco", 2, 2.0706},         {"jrco", 4, 2.3089},         {"jrco", 6, 2.5349},
+        {"jrco", 10, 2.9499},        {"jrco", 12, 3.1387},        {"jrco", 14, 3.3149},
+        {"jrco", 16, 3.4781},        {"jrco", 18, 3.6283},        {"jrco", 20, 3.7653},
+        {"jcso", 40, 2.4332},        {"jcso", 50, 2.5085},        {"jcso", 60, 2.5707},
+        {"jcso", 70, 2.6239},        {"jcso", 80, 2.6702},        {"jcso", 90, 2.7115},
+        {"jcso", 110, 2.7824},       {"jcso", 120, 2.8134},       {"jcso", 130, 2.8420},
+        {"jcso", 140, 2.8687},       {"resfriction", 10, 1.7020}, {"resfriction", 15, 2.2051},
+        {"resfriction", 25, 3.3470}, {"resfriction", 30, 4.0199}, {"resfriction", 35, 4.7945},
+        {"resfriction", 40, 5.7111},
     };
     for (const auto& row : rows) {
         // Steps of a part of the peak displacement of 8/100 hit the peak of the others only nearly.
@@ -174,7 +187,7 @@ TEST(BartonBandis, LargeSwitchesTheScalingOff) {
 }
 
 TEST(BartonBandis, RoughnessIsMobilisedAndWornByTheTable) {
-    const std::pair<double, double> rows[] = {{1, 2.7486},  {2, 2.6005},  {4, 2.4558}, {10, 2.2680},
+    const std::pair<double, double> rows[] = {{1, 2.7486},  {2, 2.6005},  {4, 2.4558},  {10, 2.2680},
                                               {20, 2.1761}, {60, 1.9958}, {100, 1.8199}};
     auto joint = joint_of();
     joint.load(5);
@@ -212,8 +225,14 @@ TEST(BartonBandis, PeakDisplacementWithTheSampleInTheRoot) {
 
 TEST(BartonBandis, TheSameJointInPascalAndMillimetre) {
     auto joint = joint_of();
-    auto other = joint_of({{"jkn", 1e8}, {"jks", 1e7}, {"jcso", 100e6}, {"sigmac", 150e6}, {"lo", 100}, {"ln", 200},
-                           {"mpa", 1e6}, {"mm", 1}});
+    auto other = joint_of({{"jkn", 1e8},
+                           {"jks", 1e7},
+                           {"jcso", 100e6},
+                           {"sigmac", 150e6},
+                           {"lo", 100},
+                           {"ln", 200},
+                           {"mpa", 1e6},
+                           {"mm", 1}});
     joint.load(5);
     other.load(5e6);
     for (int k = 0; k < 200; ++k) {
@@ -255,13 +274,15 @@ TEST(BartonBandis, NothingIsLeftOfRoughnessAboveTheWallStrength) {
     EXPECT_NEAR(joint.shear_stress() / (stress * std::tan(radians(20))), 1, 1e-9);
 }
 
-// --- dilation --------------------------------------------------------------------------------------------------
+// --- dilation
+// --------------------------------------------------------------------------------------------------
 
 TEST(BartonBandis, DilatesByHalfTheMobilisedRoughness) {
     auto joint = joint_of({{"jrco", 12}});
     const double peak_at = 0.2 / 500 * std::pow(12 * std::pow(2, -0.24) / 0.2, 0.33);
     auto shear_to = [&, travelled = 0.0](double ratio) mutable {
-        for (; travelled < ratio * peak_at; travelled += 1e-3 * peak_at) joint.slip_at_stress(5, {1e-3 * peak_at, 0, 0});
+        for (; travelled < ratio * peak_at; travelled += 1e-3 * peak_at)
+            joint.slip_at_stress(5, {1e-3 * peak_at, 0, 0});
         return joint.normal_disp[0];
     };
     joint.load(5);
@@ -279,13 +300,15 @@ TEST(BartonBandis, DilationUnderConfinementRaisesStressAndStrengthTogether) {
         joint.step(0, {1e-6, 0, 0});
         const double stress = joint.normal_stress();
         const double jrc = 8 * std::pow(2, -0.16), jcs = 100 * std::pow(2, -0.24);
-        EXPECT_LE(joint.shear_stress(), stress * std::tan(radians(20 + jrc * std::log10(jcs / stress))) * (1 + 1e-9));
+        EXPECT_LE(joint.shear_stress(),
+                  stress * std::tan(radians(20 + jrc * std::log10(jcs / stress))) * (1 + 1e-9));
     }
     EXPECT_GT(joint.normal_stress(), 10);
     EXPECT_NEAR(joint.history_value("mobilised"), 1.5e-3, 1e-12);
 }
 
-// --- reversal, change of normal stress ---------------------------------------------------------------------------
+// --- reversal, change of normal stress
+// ---------------------------------------------------------------------------
 
 TEST(BartonBandis, UnloadsFromThePeakWithTheStiffnessOfTheLaw) {
     auto joint = joint_of();
@@ -397,7 +420,8 @@ TEST(BartonBandis, TheDirectionOfShearDoesNotMatter) {
     EXPECT_GT(across.shear_force[2][0], 0);
 }
 
-// --- start, stiffness, wrong values ------------------------------------------------------------------------------
+// --- start, stiffness, wrong values
+// ------------------------------------------------------------------------------
 
 TEST(BartonBandis, StartsFromForcesThatAreThere) {
     auto joint = joint_of();
@@ -434,7 +458,8 @@ TEST(BartonBandis, ReportsAStiffnessThatBoundsItsForces) {
     for (int k = 0; k < 1500; ++k) {
         auto trial = joint;
         trial.step(0, {1e-9, 0, 0});
-        EXPECT_LE((trial.shear_stress() - joint.shear_stress()) / 1e-9, trial.shear_stiffness[0] * (1 + 1e-3)) << k;
+        EXPECT_LE((trial.shear_stress() - joint.shear_stress()) / 1e-9, trial.shear_stiffness[0] * (1 + 1e-3))
+            << k;
         joint.slip_at_stress(5, {1e-6, 0, 0});
     }
 }
@@ -442,7 +467,8 @@ TEST(BartonBandis, ReportsAStiffnessThatBoundsItsForces) {
 TEST(BartonBandis, EveryRowOfABatchGivesTheSameBits) {
     TestJoint joint(shipped("barton-bandis"), laboratory, 0.04, 37);
     for (int k = 0; k < 500; ++k)
-        joint.step(-2e-7 + 1e-5 * std::sin(0.05 * k), {1e-5 * std::cos(0.011 * k), 7e-6 * std::sin(0.017 * k), 0});
+        joint.step(-2e-7 + 1e-5 * std::sin(0.05 * k),
+                   {1e-5 * std::cos(0.011 * k), 7e-6 * std::sin(0.017 * k), 0});
     EXPECT_GT(joint.history_value("mobilised"), 0);
     for (std::size_t i = 1; i < 37; ++i) {
         EXPECT_EQ(joint.normal_force[i], joint.normal_force[0]);
@@ -462,16 +488,20 @@ TEST(BartonBandis, AnAreaOfZeroCarriesNothing) {
 
 TEST(BartonBandis, RefusesValuesWithoutAClosureCurve) {
     const auto& model = shipped("barton-bandis");
-    const auto complaint = [&](const Values& changes) { return model.check(values_of(model, with(laboratory, changes))); };
+    const auto complaint = [&](const Values& changes) {
+        return model.check(values_of(model, with(laboratory, changes)));
+    };
     EXPECT_EQ(complaint({}), "");
     EXPECT_THAT(complaint({{"sigmac", 49}}), HasSubstr("sigmac is not above half of jcso"));
     EXPECT_THAT(complaint({{"sigmac", 51}, {"jrco", 1}}), HasSubstr("maximum closure that is not above 0"));
-    EXPECT_THAT(complaint({{"jcso", 100e6}, {"sigmac", 150e6}}), HasSubstr("mpa is 1 MPa in the deck's unit"));
+    EXPECT_THAT(complaint({{"jcso", 100e6}, {"sigmac", 150e6}}),
+                HasSubstr("mpa is 1 MPa in the deck's unit"));
     EXPECT_THAT(complaint({{"jrco", 0}}), HasSubstr("jrco is 0"));
     EXPECT_THAT(complaint({{"ln", 0}}), HasSubstr("ln is 0"));
     EXPECT_THAT(complaint({{"jkn", 0}}), HasSubstr("stiffness-normal"));
     EXPECT_THAT(model.missing(values_of(model, {})),
-                testing::ElementsAre("stiffness-normal", "stiffness-shear", "friction-residual", "jrco", "jcso", "sigmac"));
+                testing::ElementsAre("stiffness-normal", "stiffness-shear", "friction-residual", "jrco",
+                                     "jcso", "sigmac"));
 }
 
 } // namespace

@@ -11,7 +11,8 @@ TEST(Elementary, LogarithmAgreesWithTheLibrary) {
         const double x = std::pow(10, exponent);
         EXPECT_NEAR(logarithm(x), std::log(x), 1e-15 * std::abs(std::log(x)) + 1e-18) << x;
     }
-    for (double x = 0.5; x < 2; x += 1e-3) EXPECT_NEAR(logarithm(x), std::log(x), 1e-15 * std::abs(std::log(x))) << x;
+    for (double x = 0.5; x < 2; x += 1e-3)
+        EXPECT_NEAR(logarithm(x), std::log(x), 1e-15 * std::abs(std::log(x))) << x;
     EXPECT_EQ(logarithm(1), 0);
 }
 
@@ -22,13 +23,15 @@ TEST(Elementary, ExponentialAgreesWithTheLibrary) {
 
 TEST(Elementary, PowerAgreesWithTheLibrary) {
     for (double x = 1e-6; x < 1e6; x *= 1.7)
-        for (double y = -4; y <= 4; y += 0.4) EXPECT_NEAR(power(x, y) / std::pow(x, y), 1, 2e-14) << x << " " << y;
+        for (double y = -4; y <= 4; y += 0.4)
+            EXPECT_NEAR(power(x, y) / std::pow(x, y), 1, 2e-14) << x << " " << y;
 }
 
 TEST(Elementary, TangentAgreesWithTheLibrary) {
     const double degree = std::numbers::pi / 180;
     for (double angle = -70; angle <= 70; angle += 0.01)
-        EXPECT_NEAR(tangent_of_degrees(angle), std::tan(angle * degree), 1e-15 * std::abs(std::tan(angle * degree)) + 1e-18);
+        EXPECT_NEAR(tangent_of_degrees(angle), std::tan(angle * degree),
+                    1e-15 * std::abs(std::tan(angle * degree)) + 1e-18);
     EXPECT_NEAR(tangent_of_degrees(89) / std::tan(89 * degree), 1, 3e-14);
     EXPECT_NEAR(tangent_of_degrees(-89) / std::tan(-89 * degree), 1, 3e-14);
 }

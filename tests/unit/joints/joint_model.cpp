@@ -53,7 +53,8 @@ TEST(JointModel, SaysWhatMustBeGiven) {
 TEST(JointModel, PassesOnTheSentenceOfItsCheck) {
     const auto& mohr = shipped("mohr");
     EXPECT_EQ(mohr.check(values_of(mohr, {{"jkn", 1}, {"jks", 1}})), "");
-    EXPECT_THAT(mohr.check(values_of(mohr, {{"jkn", 0}, {"jks", 1}})), HasSubstr("stiffness-normal (jkn) is 0"));
+    EXPECT_THAT(mohr.check(values_of(mohr, {{"jkn", 0}, {"jks", 1}})),
+                HasSubstr("stiffness-normal (jkn) is 0"));
 }
 
 TEST(JointModel, AModelWithoutACheckAgreesToEverything) { EXPECT_EQ(plugin("works").check({-1}), ""); }

@@ -36,7 +36,9 @@ TEST(Mohr, IsElasticBelowItsStrength) {
 
 TEST(Mohr, PeaksAtCohesionPlusFrictionAndFallsToTheResidual) {
     for (const double stress : {0.0, 2e5, 1e6, 7e6}) {
-        auto joint = joint_of({{"friction", 30}, {"cohesion", 1e5}, {"friction-residual", 20}, {"cohesion-residual", 2e4}}, 0.04);
+        auto joint = joint_of(
+            {{"friction", 30}, {"cohesion", 1e5}, {"friction-residual", 20}, {"cohesion-residual", 2e4}},
+            0.04);
         joint.load(stress);
         const double peak = 1e5 + stress * tan_degrees(30);
         double highest = 0;
@@ -75,7 +77,9 @@ TEST(Mohr, TheStrengthIsThatOfThePlaneInEveryDirection) {
         EXPECT_NEAR(joint.shear_stress(i) / (1e6 * tan_degrees(25)), 1, 1e-12);
         EXPECT_NEAR(joint.shear_force[0][i] * joint.shear_disp_inc[1][i],
                     joint.shear_force[1][i] * joint.shear_disp_inc[0][i], 1e-6);
-        EXPECT_LT(joint.shear_force[0][i] * joint.shear_disp_inc[0][i] + joint.shear_force[1][i] * joint.shear_disp_inc[1][i], 0);
+        EXPECT_LT(joint.shear_force[0][i] * joint.shear_disp_inc[0][i] +
+                      joint.shear_force[1][i] * joint.shear_disp_inc[1][i],
+                  0);
     }
 }
 
@@ -252,8 +256,10 @@ TEST(Mohr, RefusesValuesThatCannotWorkTogether) {
     const auto& mohr = shipped("mohr");
     const auto complaint = [&](const Values& values) { return mohr.check(values_of(mohr, values)); };
     EXPECT_THAT(complaint({{"jkn", 1}, {"jks", 0}}), HasSubstr("stiffness-shear (jks) is 0"));
-    EXPECT_THAT(complaint({{"jkn", 1}, {"jks", 1}, {"jrten", 1}}), HasSubstr("tension-residual is above tension"));
-    EXPECT_THAT(complaint({{"jkn", 1}, {"jks", 1}, {"jrcoh", 1}}), HasSubstr("cohesion-residual is above cohesion"));
+    EXPECT_THAT(complaint({{"jkn", 1}, {"jks", 1}, {"jrten", 1}}),
+                HasSubstr("tension-residual is above tension"));
+    EXPECT_THAT(complaint({{"jkn", 1}, {"jks", 1}, {"jrcoh", 1}}),
+                HasSubstr("cohesion-residual is above cohesion"));
     EXPECT_EQ(complaint({{"jkn", 1}, {"jks", 1}, {"jcoh", 2}, {"jrcoh", 1}}), "");
 }
 

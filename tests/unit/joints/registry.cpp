@@ -81,7 +81,8 @@ TEST(JointRegistry, SaysThatNoModelsWereFoundAtAll) {
 
 TEST(JointRegistry, RefusesAFileThatIsNotThere) {
     JointRegistry registry;
-    EXPECT_THAT(refusal(registry, "models/none.so").message, HasSubstr("there is no joint model file models/none.so"));
+    EXPECT_THAT(refusal(registry, "models/none.so").message,
+                HasSubstr("there is no joint model file models/none.so"));
 }
 
 TEST(JointRegistry, RefusesATextFileAndAFolder) {
@@ -89,8 +90,10 @@ TEST(JointRegistry, RefusesATextFileAndAFolder) {
     fs::create_directories(folder / "folder.so");
     std::ofstream(folder / "text.so") << "jmodel mohr\n";
     JointRegistry registry;
-    EXPECT_THAT(refusal(registry, (folder / "text.so").string()).message, HasSubstr("text.so is not a shared library"));
-    EXPECT_THAT(refusal(registry, (folder / "folder.so").string()).message, HasSubstr("folder.so is not a shared library"));
+    EXPECT_THAT(refusal(registry, (folder / "text.so").string()).message,
+                HasSubstr("text.so is not a shared library"));
+    EXPECT_THAT(refusal(registry, (folder / "folder.so").string()).message,
+                HasSubstr("folder.so is not a shared library"));
     fs::remove_all(folder);
 }
 
@@ -181,13 +184,15 @@ TEST(JointRegistry, AFileElsewhereMayHaveAnyName) {
 TEST(JointRegistry, ANameThatIsLoadedIsTaken) {
     JointRegistry registry;
     registry.get((shipped_folder / "mohr.so").string());
-    EXPECT_THAT(refusal(registry, (plugin_folder / "twin.so").string()).message, HasSubstr("is named 'mohr', and that name belongs to"));
+    EXPECT_THAT(refusal(registry, (plugin_folder / "twin.so").string()).message,
+                HasSubstr("is named 'mohr', and that name belongs to"));
 }
 
 TEST(JointRegistry, ANameInTheFoldersIsTakenBeforeItIsLoaded) {
     JointRegistry registry;
     registry.set_path({shipped_folder});
-    EXPECT_THAT(refusal(registry, (plugin_folder / "twin.so").string()).message, HasSubstr("that name belongs to"));
+    EXPECT_THAT(refusal(registry, (plugin_folder / "twin.so").string()).message,
+                HasSubstr("that name belongs to"));
     EXPECT_EQ(registry.get("mohr").file, shipped_folder / "mohr.so");
 }
 
