@@ -38,7 +38,9 @@ std::string spellings(const std::vector<Spelling>& words) {
 }
 
 void add_line(std::string& text, const std::string& left, std::string_view right) {
-    text += fmt::format("    {:<34} {}\n", left, right);
+    constexpr std::size_t column = 34;
+    if (left.size() <= column) text += fmt::format("    {:<{}} {}\n", left, column, right);
+    else text += fmt::format("    {}\n    {:<{}} {}\n", left, "", column, right);
 }
 
 void add_keywords(std::string& text, const std::vector<KeywordSpec>& keywords) {
@@ -51,8 +53,25 @@ void add_keywords(std::string& text, const std::vector<KeywordSpec>& keywords) {
     }
 }
 
+/// Breaks a usage line between its parts.
+std::string wrapped(const std::string& line) {
+    std::string text;
+    std::size_t column = 0, depth = 0;
+    for (const char c : line) {
+        if (c == '[') ++depth;
+        if (c == ']') --depth;
+        ++column;
+        if (c == ' ' && depth == 0 && column > 70) {
+            text += "\n       ";
+            column = 7;
+        }
+        text += c;
+    }
+    return text;
+}
+
 std::string about_command(const CommandSpec& command) {
-    std::string text = fmt::format("{}\n    {}\n", usage(command), command.help);
+    std::string text = fmt::format("{}\n    {}\n", wrapped(usage(command)), command.help);
     if (command.words.size() > 1) text += fmt::format("    also spelled: {}\n", spellings(command.words));
     if (!command.arguments.empty()) {
         text += "\n  Arguments\n";
@@ -183,8 +202,8 @@ std::vector<std::string> completions(const Language& language, std::string_view 
     const std::string asked = fmt::format("{}?", line.substr(0, from));
     Lexer lexer(source_from_text("prompt", asked));
     Statement statement;
-    lexer.next(statement);
     std::vector<std::string> words;
+    if (!lexer.next(statement)) return words; // the line is a comment up to here
     try {
         (void)bind_statement(language, statement);
     } catch (const Choices& choices) {
