@@ -24,4 +24,17 @@ struct TetMesh {
 /// Nothing when the polyhedron is not of that kind.
 std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, double edge);
 
+/// A conforming mesh of any convex polyhedron with edges close to `edge`, or to the polyhedron's own where
+/// those are shorter. Bricks and the like are meshed by hexahedron_mesh where that gives good shapes; other
+/// shapes by Delaunay tetrahedra of well spread points, improved by moving points and by exchanging
+/// tetrahedra until no flat one is left. The polyhedron's vertices are points of the mesh, bit for bit.
+/// Throws Diagnostic when the edge is not above 0 or the mesh would be larger than memory.
+TetMesh make_mesh(const Polyhedron& polyhedron, double edge);
+
+/// Smallest and largest angle between two faces of a tetrahedron, degrees. 70.5 and 70.5 in a regular one.
+struct DihedralAngles {
+    double smallest = 180, largest = 0;
+};
+DihedralAngles dihedral_angles(const TetMesh& mesh);
+
 } // namespace kaya

@@ -1,0 +1,173 @@
+#include "geometry/mesh.hpp"
+
+#include "base/diagnostic.hpp"
+#include "geometry/cut.hpp"
+#include "geometry/joint_set.hpp"
+#include "geometry/random.hpp"
+#include "geometry/shapes.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <chrono>
+#include <gtest/gtest.h>
+#include <map>
+#include <set>
+
+using namespace kaya;
+
+namespace {
+
+/// All that a mesh must satisfy whatever its shape.
+void expect_sound(const Polyhedron& p, const TetMesh& m) {
+    double volume = 0;
+    std::map<std::array<int, 3>, int> uses;
+    for (const auto& t : m.tetrahedra) {
+        const Vec3& a = m.points[t[0]];
+        const double part = (m.points[t[1]] - a).dot((m.points[t[2]] - a).cross(m.points[t[3]] - a)) / 6;
+        EXPECT_GT(part, 0);
+        volume += part;
+        for (int skip = 0; skip < 4; ++skip) {
+            std::array<int, 3> key{};
+            for (int i = 0, k = 0; i < 4; ++i)
+                if (i != skip) key[k++] = t[i];
+            std::sort(key.begin(), key.end());
+            EXPECT_LE(++uses[key], 2);
+        }
+    }
+    const double wanted = mass_properties(p).volume;
+    EXPECT_NEAR(volume, wanted, 1e-11 * wanted);
+    for (const auto& triangle : m.boundary) {
+        std::array<int, 3> key = triangle.points;
+        std::sort(key.begin(), key.end());
+        EXPECT_EQ(uses[key], 1);
+        uses.erase(key);
+    }
+    for (const auto& [key, count] : uses) EXPECT_EQ(count, 2);
+    // The triangles of each face cover it: same area, same normal.
+    std::vector<Vec3> area(p.faces.size(), Vec3::Zero());
+    for (const auto& triangle : m.boundary) {
+        const auto& [a, b, c] = triangle.points;
+        const Vec3 half = (m.points[b] - m.points[a]).cross(m.points[c] - m.points[a]) / 2;
+        EXPECT_GT(half.dot(face_normal(p, p.faces[triangle.face])), 0);
+        area[triangle.face] += half;
+    }
+    for (std::size_t f = 0; f < p.faces.size(); ++f) {
+        Vec3 whole = Vec3::Zero();
+        const auto& loop = p.faces[f].vertices;
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+            whole += (p.vertices[loop[i]] - p.vertices[loop[0]]).cross(p.vertices[loop[i + 1]] - p.vertices[loop[0]]) / 2;
+        EXPECT_LT((whole - area[f]).norm(), 1e-11 * std::max(1.0, whole.norm()));
+    }
+    std::set<std::array<double, 3>> points;
+    for (const Vec3& v : m.points) EXPECT_TRUE(points.insert({v.x(), v.y(), v.z()}).second);
+    for (const Vec3& v : p.vertices) EXPECT_TRUE(points.contains({v.x(), v.y(), v.z()}));
+    std::set<int> used;
+    for (const auto& t : m.tetrahedra) used.insert(t.begin(), t.end());
+    EXPECT_EQ(used.size(), m.points.size());
+}
+
+double mean_edge(const TetMesh& m) {
+    std::set<std::pair<int, int>> edges;
+    for (const auto& t : m.tetrahedra)
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < i; ++j) edges.insert(std::minmax(t[i], t[j]));
+    double sum = 0;
+    for (const auto& [a, b] : edges) sum += (m.points[a] - m.points[b]).norm();
+    return sum / static_cast<double>(edges.size());
+}
+
+Polyhedron wedge() {
+    return make_prism({{0, 0, 0}, {2, 0, 0}, {0, 0, 1.5}}, {{0, 1, 0}, {2, 1, 0}, {0, 1, 1.5}}).parts.front();
+}
+
+} // namespace
+
+TEST(Mesh, BricksKeepTheirRegularCells) {
+    const Polyhedron brick = make_brick({0, 0, 0}, {1, 1, 1});
+    const TetMesh m = make_mesh(brick, 0.25);
+    expect_sound(brick, m);
+    EXPECT_EQ(m.tetrahedra.size(), 6u * 64);
+    EXPECT_NEAR(dihedral_angles(m).smallest, 45, 1e-9);
+}
+
+TEST(Mesh, AnglesOfARegularTetrahedron) {
+    const TetMesh m{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 3, 2}}, {}};
+    EXPECT_NEAR(dihedral_angles(m).smallest, 70.528779, 1e-6);
+    EXPECT_NEAR(dihedral_angles(m).largest, 70.528779, 1e-6);
+}
+
+TEST(Mesh, WedgesDrumsAndTetrahedraAtSeveralSizes) {
+    const std::vector<Polyhedron> shapes{
+        wedge(), make_drum({{0, 0, 0}, {0.3, 0.4, 2}, 1, 0.6, 10}),
+        make_tetrahedron({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}),
+        cut(make_brick({0, 0, 0}, {1, 1, 1}), {normal_from_dip(55, 30), {0.5, 0.5, 0.6}}, 1).below};
+    for (const Polyhedron& shape : shapes)
+        for (const double edge : {5.0, 0.5, 0.25, 0.12}) {
+            const TetMesh m = make_mesh(shape, edge);
+            expect_sound(shape, m);
+            const auto angles = dihedral_angles(m);
+            EXPECT_GT(angles.smallest, edge < 1 ? 20 : 10) << edge;
+            EXPECT_LT(angles.largest, edge < 1 ? 145 : 155) << edge;
+            if (edge < 0.2) {
+                EXPECT_NEAR(mean_edge(m), edge, 0.25 * edge);
+            }
+        }
+}
+
+TEST(Mesh, BlocksOfThreeJointSets) {
+    std::vector<Polyhedron> blocks{make_brick({0, 0, 0}, {4, 4, 4})};
+    for (const auto& [dip, direction, id] : {std::tuple{20., 80., 1}, {70., 170., 2}, {65., 275., 3}}) {
+        JointSet set;
+        set.dip = dip;
+        set.dip_direction = direction;
+        set.dip_deviation = 5;
+        set.spacing = 1;
+        set.number = 9;
+        set.origin = {2, 2, 2};
+        set.id = id;
+        const CutBlocks result = cut_blocks(blocks, set, 0.02);
+        std::vector<Polyhedron> next;
+        for (std::size_t i = 0; i < blocks.size(); ++i)
+            if (!std::binary_search(result.parents.begin(), result.parents.end(), static_cast<int>(i)))
+                next.push_back(blocks[i]);
+        for (const auto& piece : result.pieces) next.push_back(piece.polyhedron);
+        blocks = std::move(next);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<double> smallest;
+    std::size_t tetrahedra = 0;
+    for (const Polyhedron& block : blocks) {
+        const TetMesh m = make_mesh(block, 0.3);
+        expect_sound(block, m);
+        tetrahedra += m.tetrahedra.size();
+        smallest.push_back(dihedral_angles(m).smallest);
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    std::sort(smallest.begin(), smallest.end());
+    RecordProperty("tetrahedra", static_cast<int>(tetrahedra));
+    RecordProperty("seconds", std::to_string(seconds));
+    RecordProperty("smallest_angle_of_worst_tenth", std::to_string(smallest[smallest.size() / 10]));
+    EXPECT_GT(smallest[smallest.size() / 10], 10);
+    EXPECT_GT(smallest[smallest.size() / 2], 18);
+    EXPECT_GT(smallest[0], 0.1); // bounded by the sharpest wedge that the joints cut
+}
+
+TEST(Mesh, IsTheSameEveryTime) {
+    const TetMesh first = make_mesh(wedge(), 0.2), second = make_mesh(wedge(), 0.2);
+    EXPECT_EQ(first.points, second.points);
+    EXPECT_EQ(first.tetrahedra, second.tetrahedra);
+}
+
+TEST(Mesh, RefusesEdgesThatMakeNoSense) {
+    const auto message = [](double edge) -> std::string {
+        try {
+            make_mesh(wedge(), edge);
+        } catch (const Diagnostic& diagnostic) {
+            return diagnostic.message;
+        }
+        return "accepted";
+    };
+    EXPECT_EQ(message(0), "the edge length of zones is 0, and must be above 0");
+    EXPECT_EQ(message(-1), "the edge length of zones is -1, and must be above 0");
+    EXPECT_EQ(message(1e-5), "an edge length of 1e-05 makes some 1.5e+16 zones in one block");
+}
