@@ -15,8 +15,10 @@ Part reduce_chunks(std::size_t n, std::size_t grain, Part result, Body body, Com
         if (n > 0) combine(result, body(std::size_t{0}, n));
         return result;
     }
-    std::vector<Part> parts((n + grain - 1) / grain);
-    for_chunks(n, grain, [&](std::size_t first, std::size_t last) { parts[first / grain] = body(first, last); });
+    static thread_local std::vector<Part> parts; // kept, so that a steady cycle allocates nothing
+    parts.assign((n + grain - 1) / grain, Part{});
+    Part* const out = parts.data(); // of this thread, whichever thread writes to it
+    for_chunks(n, grain, [&](std::size_t first, std::size_t last) { out[first / grain] = body(first, last); });
     for (const Part& part : parts) combine(result, part);
     return result;
 }

@@ -1,10 +1,10 @@
 #include "base/diagnostic.hpp"
-#include "base/parallel.hpp"
+#include "base/reduce.hpp"
 #include "mechanics/phases.hpp"
 
 #include <Eigen/Geometry>
 #include <array>
-#include <atomic>
+#include <optional>
 
 namespace kaya {
 
@@ -43,23 +43,62 @@ void add_increments(SubContacts& subs, const Batch& batch) {
         add(subs.shear_displacement.component[k], subs.shear_displacement_increment.component[k]);
 }
 
+/// Rate of work of the joints on the blocks with the forces as they are, times the step.
+struct Work {
+    double joint = 0, fluid = 0, friction = 0;
+
+    Work(const SubContacts& subs, const Batch& batch) {
+        const auto column = [&](const Column<double>& c) { return c.data() + batch.first; };
+        const double *fn = column(subs.normal_force), *un = column(subs.normal_displacement_increment);
+        const double *pressure = column(subs.pore_pressure), *area = column(subs.area);
+        const double* lost = column(subs.frictional_work);
+        std::array<const double*, 3> fs, us;
+        for (int k = 0; k < 3; ++k) {
+            fs[k] = column(subs.shear_force.component[k]);
+            us[k] = column(subs.shear_displacement_increment.component[k]);
+        }
+        for (Row i = 0; i < batch.count; ++i) {
+            joint += fn[i] * un[i] + fs[0][i] * us[0][i] + fs[1][i] * us[1][i] + fs[2][i] * us[2][i];
+            fluid += pressure[i] * area[i] * un[i];
+            friction += lost[i];
+        }
+    }
+};
+
+void combine(JointSums& sum, const JointSums& part) {
+    sum.work += part.work;
+    sum.friction += part.friction;
+    sum.fluid += part.fluid;
+    sum.stiffness_changed = sum.stiffness_changed || part.stiffness_changed;
+}
+
+JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
+    JointSums sums;
+    std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
+    const bool energy = model.settings.energy;
+    for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) move_contact(model, c);
+    auto columns = columns_of(model, batch, model.clock.time_step, history.data());
+    std::optional<Work> before;
+    if (energy) before.emplace(model.sub_contacts, batch);
+    if (const auto failure = run_batch(*batch.model, columns)) throw joint_failure(model, batch, *failure);
+    if (energy) {
+        const Work after(model.sub_contacts, batch);
+        sums.work = -0.5 * (before->joint + after.joint);
+        sums.friction = after.friction - before->friction;
+        sums.fluid = after.fluid;
+    }
+    sums.stiffness_changed = columns.stiffness_changed;
+    add_increments(model.sub_contacts, batch);
+    for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) sum_contact(model, c, forces);
+    return sums;
+}
+
 } // namespace
 
-bool advance_joints(Model& model, const std::vector<Batch>& batches, JointForces& forces) {
-    std::atomic<bool> stiffness_changed = false;
-    for_chunks(batches.size(), 1, [&](std::size_t first, std::size_t last) {
-        std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
-        for (std::size_t i = first; i < last; ++i) {
-            const Batch& batch = batches[i];
-            for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) move_contact(model, c);
-            auto columns = columns_of(model, batch, model.clock.time_step, history.data());
-            if (const auto failure = run_batch(*batch.model, columns)) throw joint_failure(model, batch, *failure);
-            if (columns.stiffness_changed) stiffness_changed.store(true, std::memory_order_relaxed);
-            add_increments(model.sub_contacts, batch);
-            for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) sum_contact(model, c, forces);
-        }
-    });
-    return stiffness_changed;
+JointSums advance_joints(Model& model, const std::vector<Batch>& batches, JointForces& forces) {
+    return reduce_chunks(
+        batches.size(), 1, JointSums{},
+        [&](std::size_t first, std::size_t) { return advance_batch(model, batches[first], forces); }, combine);
 }
 
 void joint_forces(const Model& model, JointForces& forces) {

@@ -162,12 +162,25 @@ void Cycle::adapt_viscosity(const MotionSums& motion) {
     Clock& clock = model_.clock;
     if (model_.settings.damping == Damping::global) {
         if (clock.global_viscosity == 0) clock.global_viscosity = 0.01 / clock.time_step;
-        const double rate = std::abs(motion.kinetic - clock.last_kinetic) / clock.time_step;
-        const double ratio = rate > 0 ? motion.damping_power / rate : 0;
+        const double change = std::abs(motion.kinetic - motion.kinetic_before);
+        const double ratio = change > 0 ? motion.damped / change : 0;
         clock.global_viscosity *= ratio > model_.settings.global_ratio ? 0.95 : 1.05;
         clock.global_viscosity = std::min(clock.global_viscosity, 1 / clock.time_step);
     }
-    clock.last_kinetic = motion.kinetic;
+}
+
+void Cycle::keep_account(const MotionSums& motion, const JointSums& joint_sums, double zone_work) {
+    Energy& energy = model_.energy;
+    // Velocities that were set from outside since the last step open the account anew by their energy.
+    energy.start += motion.kinetic_before - energy.kinetic;
+    energy.kinetic = motion.kinetic;
+    if (!model_.settings.energy) return;
+    energy.gravity += motion.gravity;
+    energy.boundary += motion.boundary + joint_sums.fluid;
+    energy.damped += motion.damped;
+    energy.joint_work += joint_sums.work;
+    energy.joint_friction += joint_sums.friction;
+    energy.zone_work += zone_work;
 }
 
 bool Cycle::detect_contacts() {
@@ -189,14 +202,11 @@ void Cycle::advance() {
     run_hooks(hooks.before_cycle);
     const MotionSums motion = s.timed(move, [&] {
         MotionSums sums = move_blocks(model_);
-        const MotionSums of_gridpoints = move_gridpoints(model_);
-        sums.kinetic += of_gridpoints.kinetic;
-        sums.damping_power += of_gridpoints.damping_power;
-        sums.travel = std::max(sums.travel, of_gridpoints.travel);
+        sums.add(move_gridpoints(model_));
         return sums;
     });
-    const bool stiffness_changed = s.timed(joint, [&] { return advance_joints(model_, s.batches, s.joints); });
-    s.timed(zone, [&] { run_zone_models(model_, s.elastic, s.corner_forces); });
+    const JointSums joint_sums = s.timed(joint, [&] { return advance_joints(model_, s.batches, s.joints); });
+    const double zone_work = s.timed(zone, [&] { return run_zone_models(model_, s.elastic, s.corner_forces); });
     clock.travelled += motion.travel;
     clock.time += clock.time_step;
     ++clock.cycle;
@@ -211,8 +221,9 @@ void Cycle::advance() {
 
     if (!std::isfinite(motion.kinetic) || !std::isfinite(clock.unbalanced_force)) throw lost();
     adapt_viscosity(motion);
+    keep_account(motion, joint_sums, zone_work);
     const bool may_grow = clock.cycle % growth_interval == 0;
-    if (stiffness_changed || contacts_changed || may_grow)
+    if (joint_sums.stiffness_changed || contacts_changed || may_grow)
         s.timed(step, [&] {
             if (may_grow) zone_frequencies(model_, s.elastic);
             limit_step(may_grow);

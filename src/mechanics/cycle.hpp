@@ -14,6 +14,7 @@
 namespace kaya {
 
 struct MotionSums;
+struct JointSums;
 
 /// Where scripts and programs are called inside a cycle. They may read all and write fields; a change
 /// of structure from inside waits for the end of the cycle.
@@ -56,6 +57,7 @@ private:
     void make_lists();
     void limit_step(bool may_grow);
     void adapt_viscosity(const MotionSums& motion);
+    void keep_account(const MotionSums& motion, const JointSums& joint_sums, double zone_work);
     bool detect_contacts();
     void run_hooks(const std::vector<std::function<void()>>& list);
     Diagnostic lost() const;

@@ -12,11 +12,7 @@ namespace {
 
 constexpr std::size_t grain = 256;
 
-void combine(MotionSums& sum, const MotionSums& part) {
-    sum.kinetic += part.kinetic;
-    sum.damping_power += part.damping_power;
-    sum.travel = std::max(sum.travel, part.travel);
-}
+void combine(MotionSums& sum, const MotionSums& part) { sum.add(part); }
 
 Eigen::Quaterniond quaternion(const Quaternion& q) { return {q[0], q[1], q[2], q[3]}; }
 
@@ -95,14 +91,20 @@ MotionSums move_blocks(Model& model) {
                 if (fixed == fix_all && v.isZero(0) && w.isZero(0)) continue;
 
                 const double mass = blocks.mass[b];
-                const Vec3 force = blocks.force[b] + blocks.load[b] + mass * settings.gravity;
-                for (int k = 0; k < 3; ++k)
-                    if (!(fixed & (1 << k))) v[k] = damping.advance(v[k], force[k], mass, step);
+                const Vec3 weight = mass * settings.gravity;
+                const Vec3 force = blocks.force[b] + blocks.load[b] + weight;
+                for (int k = 0; k < 3; ++k) {
+                    const bool held = fixed & (1 << k);
+                    const double before = v[k];
+                    if (!held) v[k] = damping.advance(before, force[k], mass, step);
+                    sums.account(mass, before, v[k], weight[k], blocks.load[b][k], force[k] * step, held, step);
+                }
                 const Vec3 way = v * step;
 
                 // Moments act on the angular momentum; its viscous part decays like the velocity.
                 const Vec3 moment = blocks.moment[b] + blocks.torque[b];
                 Vec3& momentum = blocks.angular_momentum[b];
+                const Vec3 momentum_before = momentum, spin_before = w;
                 for (int k = 0; k < 3; ++k) momentum[k] = damping.advance(momentum[k], moment[k], 1.0, step);
                 const Mat3 inertia = blocks.inertia[b] * (mass / blocks.volume[b]);
                 if (fixed & (fix_rx | fix_ry | fix_rz)) {
@@ -129,9 +131,16 @@ MotionSums move_blocks(Model& model) {
                     blocks.centroid[b] += way;
                     sums.travel = std::max(sums.travel, place_vertices(model, b));
                 }
-                const double v2 = v.squaredNorm();
-                sums.kinetic += 0.5 * mass * v2 + 0.5 * w.dot(momentum);
-                sums.damping_power += damping.viscous * (mass * v2 + w.dot(momentum));
+                // The same account for rotation, component by component of the mean spin.
+                const Vec3 mean = 0.5 * (spin_before + w);
+                const Vec3 rest = momentum - momentum_before - moment * step;
+                for (int k = 0; k < 3; ++k) {
+                    sums.boundary += blocks.torque[b][k] * mean[k] * step;
+                    (fixed & (fix_rx << k) ? sums.boundary : sums.damped) +=
+                        (fixed & (fix_rx << k) ? 1 : -1) * rest[k] * mean[k];
+                }
+                sums.kinetic_before += 0.5 * spin_before.dot(momentum_before);
+                sums.kinetic += 0.5 * w.dot(momentum);
             }
             return sums;
         },

@@ -11,11 +11,7 @@ namespace {
 
 constexpr std::size_t grain = 1024;
 
-void combine(MotionSums& sum, const MotionSums& part) {
-    sum.kinetic += part.kinetic;
-    sum.damping_power += part.damping_power;
-    sum.travel = std::max(sum.travel, part.travel);
-}
+void combine(MotionSums& sum, const MotionSums& part) { sum.add(part); }
 
 } // namespace
 
@@ -31,18 +27,21 @@ MotionSums move_gridpoints(Model& model) {
             for (std::size_t row = first; row < last; ++row) {
                 if (!model.blocks.deformable[g.block[row]]) continue;
                 const double mass = g.mass[row];
-                const Vec3 force = g.force[row] + g.load[row] + mass * settings.gravity;
+                const Vec3 weight = mass * settings.gravity;
+                const Vec3 force = g.force[row] + g.load[row] + weight;
                 Vec3& v = g.velocity[row];
-                for (int k = 0; k < 3; ++k)
-                    if (!(g.fixed[row] & (1 << k))) v[k] = damping.advance(v[k], force[k], mass, step);
+                for (int k = 0; k < 3; ++k) {
+                    const bool held = g.fixed[row] & (1 << k);
+                    const double before = v[k];
+                    if (!held) v[k] = damping.advance(before, force[k], mass, step);
+                    sums.account(mass, before, v[k], weight[k], g.load[row][k], force[k] * step, held, step);
+                }
                 const Vec3 way = v * step;
                 g.displacement[row] += way;
                 if (settings.large_strain) g.position[row] += way;
-                const double v2 = v.squaredNorm();
-                sums.kinetic += 0.5 * mass * v2;
-                sums.damping_power += damping.viscous * mass * v2;
-                sums.travel = std::max(sums.travel, std::sqrt(v2) * step);
+                sums.travel = std::max(sums.travel, way.squaredNorm());
             }
+            sums.travel = std::sqrt(sums.travel);
             return sums;
         },
         combine);

@@ -12,10 +12,38 @@ namespace kaya {
 
 /// Sums over moving bodies that stopping and damping need.
 struct MotionSums {
-    double kinetic = 0;       ///< energy
-    double damping_power = 0; ///< of viscous damping
-    double travel = 0;        ///< longest way that a point of a body has gone in this step
+    double kinetic_before = 0, kinetic = 0; ///< energy before and after the step
+    double gravity = 0, boundary = 0;       ///< work on the bodies
+    double damped = 0;                      ///< energy taken out by damping
+    double travel = 0; ///< longest way that a point of a body has gone in this step
+
+    void add(const MotionSums& part);
+    /// Work of one component: `push` is force times step, `held` says that the velocity is prescribed.
+    void account(double mass, double before, double after, double weight, double load, double push, bool held,
+                 double step);
 };
+
+inline void MotionSums::add(const MotionSums& part) {
+    kinetic_before += part.kinetic_before;
+    kinetic += part.kinetic;
+    gravity += part.gravity;
+    boundary += part.boundary;
+    damped += part.damped;
+    travel = part.travel > travel ? part.travel : travel;
+}
+
+inline void MotionSums::account(double mass, double before, double after, double weight, double load, double push,
+                                bool held, double step) {
+    const double mean = 0.5 * (before + after);
+    gravity += weight * mean * step;
+    boundary += load * mean * step;
+    // What the step's forces do not explain of the change of momentum was done by the support, or by damping.
+    const double rest = (mass * (after - before) - push) * mean;
+    if (held) boundary += rest;
+    else damped -= rest;
+    kinetic_before += 0.5 * mass * before * before;
+    kinetic += 0.5 * mass * after * after;
+}
 
 /// Reads forces, loads, masses; writes velocities, positions, displacements, orientations of rigid blocks
 /// and the positions of their vertices.
@@ -31,11 +59,18 @@ struct JointForces {
     std::vector<Vec3> moment;         ///< of that sum about Contacts::position
 };
 
+/// What a step has done to the joints.
+struct JointSums {
+    double work = 0;     ///< put into them
+    double friction = 0; ///< of it, lost
+    double fluid = 0;    ///< done on the blocks by pore pressure
+    bool stiffness_changed = false;
+};
+
 /// Reads positions and velocities of blocks and gridpoints; turns the planes, computes displacement
 /// increments, calls the joint models, and writes contact forces, displacements, history, state and
-/// stiffnesses. One batch after another goes through all of it. Returns whether a tangent stiffness
-/// changed.
-bool advance_joints(Model& model, const std::vector<Batch>& batches, JointForces& forces);
+/// stiffnesses. One batch after another goes through all of it.
+JointSums advance_joints(Model& model, const std::vector<Batch>& batches, JointForces& forces);
 
 /// Forces of the contacts as they are, without a step.
 void joint_forces(const Model& model, JointForces& forces);
@@ -53,8 +88,9 @@ struct ElasticConstants {
 /// no moduli.
 std::vector<ElasticConstants> elastic_constants(const Model& model);
 
-/// Reads gridpoint motion; writes zone stresses and the four corner forces of every zone.
-void run_zone_models(Model& model, const std::vector<ElasticConstants>& elastic, std::vector<Vec3>& corner_forces);
+/// Reads gridpoint motion; writes zone stresses and the four corner forces of every zone. Returns the work
+/// put into the zones.
+double run_zone_models(Model& model, const std::vector<ElasticConstants>& elastic, std::vector<Vec3>& corner_forces);
 
 /// Corner forces of the stresses that are there, without a step.
 void zone_forces(const Model& model, std::vector<Vec3>& corner_forces);

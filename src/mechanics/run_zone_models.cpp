@@ -1,4 +1,4 @@
-#include "base/parallel.hpp"
+#include "base/reduce.hpp"
 #include "mechanics/phases.hpp"
 
 #include <Eigen/Geometry>
@@ -42,12 +42,13 @@ void put_forces(const Model& model, std::size_t z, std::vector<Vec3>& corner_for
 
 } // namespace
 
-void run_zone_models(Model& model, const std::vector<ElasticConstants>& elastic, std::vector<Vec3>& corner_forces) {
+double run_zone_models(Model& model, const std::vector<ElasticConstants>& elastic, std::vector<Vec3>& corner_forces) {
     auto& zones = model.zones;
     const auto& v = model.gridpoints.velocity;
     const double step = model.clock.time_step;
     const bool large = model.settings.large_strain;
-    for_chunks(zones.size(), grain, [&](std::size_t first, std::size_t last) {
+    return reduce_chunks(zones.size(), grain, 0.0, [&](std::size_t first, std::size_t last) {
+        double work = 0;
         for (std::size_t z = first; z < last; ++z) {
             std::array<Vec3, 4> way, middle = places(model, z);
             for (int a = 0; a < 4; ++a) {
@@ -66,13 +67,16 @@ void run_zone_models(Model& model, const std::vector<ElasticConstants>& elastic,
                 const Mat3 turn = (Mat3::Identity() - 0.5 * spin).inverse() * (Mat3::Identity() + 0.5 * spin);
                 stress = turn * stress * turn.transpose();
             }
+            const Mat3 before = stress;
             const auto& [lambda, two_shear] = elastic[zones.block[z]];
             stress += two_shear * strain;
             stress.diagonal().array() += lambda * strain.trace();
             zones.stress[z] = stress_of(stress);
+            work += 0.5 * mid.volume * (before + stress).cwiseProduct(strain).sum();
             put_forces(model, z, corner_forces);
         }
-    });
+        return work;
+    }, [](double& sum, double part) { sum += part; });
 }
 
 void zone_forces(const Model& model, std::vector<Vec3>& corner_forces) {

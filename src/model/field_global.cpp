@@ -8,6 +8,8 @@ namespace {
 constexpr auto table = FieldTable::global;
 
 template <auto member> FieldValue clock(const Model& model, Row) { return value_of(model.clock.*member); }
+template <auto member> FieldValue energy(const Model& model, Row) { return value_of(model.energy.*member); }
+FieldValue energy_error(const Model& model, Row) { return model.energy.error(); }
 template <auto member> FieldValue setting(const Model& model, Row) { return value_of(model.settings.*member); }
 template <int k> FieldValue gravity(const Model& model, Row) { return model.settings.gravity[k]; }
 template <int k> void set_gravity(Model& model, Row, const FieldValue& value) {
@@ -41,8 +43,18 @@ const Fields& global_fields() {
          clock<&Clock::local_ratio>, nullptr},
         {table, "global_viscosity", "", "damp", "1/time", "viscosity of adaptive global damping",
          clock<&Clock::global_viscosity>, nullptr},
-        {table, "kinetic_energy", "", "", "energy", "of all blocks, half a step ago",
-         clock<&Clock::last_kinetic>, nullptr},
+        {table, "kinetic_energy", "", "", "energy", "of all blocks, half a step ago", energy<&Energy::kinetic>, nullptr},
+        {table, "gravity_work", "", "", "energy", "done by gravity on the blocks", energy<&Energy::gravity>, nullptr},
+        {table, "boundary_work", "", "", "energy", "done by loads and prescribed velocities on the blocks",
+         energy<&Energy::boundary>, nullptr},
+        {table, "damped_energy", "", "", "energy", "taken out by damping", energy<&Energy::damped>, nullptr},
+        {table, "joint_work", "", "", "energy", "put into joints: stored or lost", energy<&Energy::joint_work>,
+         nullptr},
+        {table, "frictional_energy", "", "", "energy", "lost in slip and breaking", energy<&Energy::joint_friction>,
+         nullptr},
+        {table, "zone_work", "", "", "energy", "put into zones", energy<&Energy::zone_work>, nullptr},
+        {table, "energy_error", "", "", "energy", "what the account of energy does not explain", energy_error,
+         nullptr},
         {table, "gravity", "grav", "", "acceleration", "gravity", setting<&Settings::gravity>, set_gravity_vector},
         {table, "x_gravity", "xgrav", "", "acceleration", "x component of gravity", gravity<0>, set_gravity<0>},
         {table, "y_gravity", "ygrav", "", "acceleration", "y component of gravity", gravity<1>, set_gravity<1>},

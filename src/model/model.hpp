@@ -3,6 +3,7 @@
 
 #include "model/blocks.hpp"
 #include "model/contacts.hpp"
+#include "model/energy.hpp"
 #include "model/history.hpp"
 #include "model/materials.hpp"
 #include "model/settings.hpp"
@@ -29,6 +30,7 @@ struct Model {
 
     Settings settings;
     Clock clock;
+    Energy energy;
     Histories histories;
 
     std::int32_t next_block_number = 1;

@@ -22,6 +22,7 @@ struct Settings {
     double given_time_step = 0;      ///< 0: computed
     bool dynamic = false;
     bool large_strain = true;
+    bool energy = true; ///< keep the account of energy
     double mass_scale = 0;           ///< 0: real masses
     std::int32_t default_joint_material = 1;     ///< `set jmatdf`
     std::int32_t default_joint_constitutive = 1; ///< `set jcondf`
@@ -36,7 +37,6 @@ struct Clock {
     std::int64_t cycle = 0;
     double time_step = 0;      ///< 0: not computed yet
     double global_viscosity = 0; ///< of adaptive global damping, 1/time
-    double last_kinetic = 0;
     double travelled = 0; ///< longest way gone by a body since contacts were searched
     double unbalanced_force = 0; ///< largest of the last cycle
     double average_ratio = 0, maximum_ratio = 0, local_ratio = 0; ///< docs/theory/motion.md

@@ -23,7 +23,7 @@ namespace kaya {
 
 template <class Archive> void visit_state(Archive& archive, Settings& settings) {
     auto& [gravity, damping, local_factor, global_ratio, rayleigh_fraction, rayleigh_frequency, rayleigh_mass,
-           rayleigh_stiffness, time_step_fraction, given_time_step, dynamic, large_strain, mass_scale,
+           rayleigh_stiffness, time_step_fraction, given_time_step, dynamic, large_strain, energy, mass_scale,
            default_joint_material, default_joint_constitutive, default_properties] = settings;
     archive.value("gravity", gravity);
     archive.value("damping", damping);
@@ -37,6 +37,7 @@ template <class Archive> void visit_state(Archive& archive, Settings& settings) 
     archive.value("given_time_step", given_time_step);
     archive.value("dynamic", dynamic);
     archive.value("large_strain", large_strain);
+    archive.value("energy", energy);
     archive.value("mass_scale", mass_scale);
     archive.value("default_joint_material", default_joint_material);
     archive.value("default_joint_constitutive", default_joint_constitutive);
@@ -44,18 +45,29 @@ template <class Archive> void visit_state(Archive& archive, Settings& settings) 
 }
 
 template <class Archive> void visit_state(Archive& archive, Clock& clock) {
-    auto& [time, cycle, time_step, global_viscosity, last_kinetic, travelled, unbalanced_force, average_ratio,
+    auto& [time, cycle, time_step, global_viscosity, travelled, unbalanced_force, average_ratio,
            maximum_ratio, local_ratio] = clock;
     archive.value("time", time);
     archive.value("cycle", cycle);
     archive.value("time_step", time_step);
     archive.value("global_viscosity", global_viscosity);
-    archive.value("last_kinetic", last_kinetic);
     archive.value("travelled", travelled);
     archive.value("unbalanced_force", unbalanced_force);
     archive.value("average_ratio", average_ratio);
     archive.value("maximum_ratio", maximum_ratio);
     archive.value("local_ratio", local_ratio);
+}
+
+template <class Archive> void visit_state(Archive& archive, Energy& energy) {
+    auto& [kinetic, start, gravity, boundary, damped, joint_work, joint_friction, zone_work] = energy;
+    archive.value("kinetic", kinetic);
+    archive.value("start", start);
+    archive.value("gravity", gravity);
+    archive.value("boundary", boundary);
+    archive.value("damped", damped);
+    archive.value("joint_work", joint_work);
+    archive.value("joint_friction", joint_friction);
+    archive.value("zone_work", zone_work);
 }
 
 /// Maps go through the walk as records of key and value.
@@ -170,7 +182,7 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
 
 template <class Archive> void visit_state(Archive& archive, Model& model) {
     auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, materials, joint_properties,
-           joint_constitutive, group_names, settings, clock, histories, next_block_number, next_contact_number,
+           joint_constitutive, group_names, settings, clock, energy, histories, next_block_number, next_contact_number,
            next_sub_contact_number, structure_changed, properties_changed, lists_changed] = model;
     // The tables named above stand here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
@@ -188,6 +200,7 @@ template <class Archive> void visit_state(Archive& archive, Model& model) {
     archive.records("group_names", group_names, [&](std::string& name) { archive.text("name", name); });
     archive.section("settings", [&] { visit_state(archive, settings); });
     archive.section("clock", [&] { visit_state(archive, clock); });
+    archive.section("energy", [&] { visit_state(archive, energy); });
     archive.section("histories", [&] { visit_state(archive, histories); });
     archive.value("next_block_number", next_block_number);
     archive.value("next_contact_number", next_contact_number);

@@ -1,0 +1,26 @@
+// Where energy has come from and gone to since the last `reset energy`.
+#pragma once
+
+namespace kaya {
+
+/// Works are sums over steps of force times the mean of the velocities before and after it, which is
+/// exactly what changes kinetic energy in the leap-frog scheme; those of joints and zones take the mean
+/// of the old and the new force. All in force times length. docs/theory/energy.md
+struct Energy {
+    double kinetic = 0;       ///< now, half a step back
+    double start = 0;         ///< kinetic energy when the account was opened
+    double gravity = 0;       ///< work of gravity on the blocks
+    double boundary = 0;      ///< work of loads, prescribed velocities and pore pressure on the blocks
+    double damped = 0;        ///< taken out by damping
+    double joint_work = 0;    ///< put into joints: stored in them or lost in slip
+    double joint_friction = 0; ///< of it, lost in slip and breaking
+    double zone_work = 0;     ///< put into zones
+
+    double joint_stored() const { return joint_work - joint_friction; }
+    double supplied() const { return start + gravity + boundary; }
+    double accounted() const { return kinetic + joint_work + zone_work + damped; }
+    /// What is missing or too much.
+    double error() const { return supplied() - accounted(); }
+};
+
+} // namespace kaya
