@@ -11,17 +11,28 @@ namespace kaya::script {
 
 namespace {
 
-std::int32_t upvalue(lua_State* L, int number) {
-    return static_cast<std::int32_t>(lua_tointeger(L, lua_upvalueindex(number)));
+/// A field of a table as the one upvalue of its functions: these run millions of times, and every call into
+/// Lua counts.
+struct FieldKey {
+    std::int32_t table;
+    std::uint32_t field;
+};
+
+lua_Integer packed(FieldKey key) { return static_cast<lua_Integer>(key.table) << 32 | key.field; }
+
+FieldKey key_of(lua_State* L) {
+    const lua_Integer bits = lua_tointegerx(L, lua_upvalueindex(1), nullptr);
+    return {static_cast<std::int32_t>(bits >> 32), static_cast<std::uint32_t>(bits)};
 }
 
 const FieldInfo& field_of(lua_State* L) {
-    return machine_of(L).world.tables()[upvalue(L, 1)].fields[upvalue(L, 2)];
+    const FieldKey key = key_of(L);
+    return machine_of(L).world.tables()[key.table].fields[key.field];
 }
 
 [[noreturn]] void fail_pointer(lua_State* L) {
     const Machine& machine = machine_of(L);
-    const auto& table = machine.world.tables()[upvalue(L, 1)];
+    const auto& table = machine.world.tables()[key_of(L).table];
     const bool null = lua_type(L, 1) == LUA_TNUMBER && lua_tonumber(L, 1) == 0;
     if (null)
         throw Diagnostic(fmt::format("'{}' is given a null pointer", field_of(L).classic),
@@ -31,45 +42,45 @@ const FieldInfo& field_of(lua_State* L) {
                      {}, Fault::run);
 }
 
-/// Upvalues of both: number of the table, number of the field.
 int read_field(lua_State* L) {
     if (lua_type(L, 1) != LUA_TLIGHTUSERDATA) fail_pointer(L);
     const Handle handle = unpack_handle(lua_touserdata(L, 1));
-    if (handle.table != upvalue(L, 1)) fail_pointer(L);
-    push_fish_value(L, machine_of(L).world.get(handle, static_cast<std::size_t>(upvalue(L, 2))));
+    const FieldKey key = key_of(L);
+    if (handle.table != key.table) fail_pointer(L);
+    push_fish_value(L, machine_of(L).world.get(handle, key.field));
     return 1;
 }
 
 int write_field(lua_State* L) {
     if (lua_type(L, 1) != LUA_TLIGHTUSERDATA) fail_pointer(L);
     const Handle handle = unpack_handle(lua_touserdata(L, 1));
-    if (handle.table != upvalue(L, 1)) fail_pointer(L);
+    const FieldKey key = key_of(L);
+    if (handle.table != key.table) fail_pointer(L);
     Machine& machine = machine_of(L);
-    if (machine.restoring) return 0;
-    const auto& field = field_of(L);
-    machine.world.set(handle, static_cast<std::size_t>(upvalue(L, 2)),
-                      value_at(L, 2, fmt::format("the new '{}'", field.classic)));
+    if (!machine.restoring)
+        machine.world.set(handle, key.field, value_at(L, 2, fmt::format("the new '{}'", field_of(L).classic)));
     return 0;
 }
 
 /// Upvalue of both: number of the quantity.
+std::size_t global_of(lua_State* L) { return static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1))); }
+
 int read_global(lua_State* L) {
-    push_fish_value(L, machine_of(L).world.get_global(static_cast<std::size_t>(upvalue(L, 1))));
+    push_fish_value(L, machine_of(L).world.get_global(global_of(L)));
     return 1;
 }
 
 int write_global(lua_State* L) {
     Machine& machine = machine_of(L);
     if (machine.restoring) return 0;
-    const auto number = static_cast<std::size_t>(upvalue(L, 1));
+    const std::size_t number = global_of(L);
     machine.world.set_global(number, value_at(L, 1, fmt::format("the new '{}'", machine.world.globals()[number].name)));
     return 0;
 }
 
-void push_closure(lua_State* L, lua_CFunction function, std::size_t first, std::ptrdiff_t second = -1) {
-    lua_pushinteger(L, static_cast<lua_Integer>(first));
-    if (second >= 0) lua_pushinteger(L, static_cast<lua_Integer>(second));
-    lua_pushcclosure(L, function, second >= 0 ? 2 : 1);
+void push_closure(lua_State* L, lua_CFunction function, lua_Integer upvalue) {
+    lua_pushinteger(L, upvalue);
+    lua_pushcclosure(L, function, 1);
 }
 
 } // namespace
@@ -81,19 +92,20 @@ void add_accessors(Machine& machine) {
         for (std::size_t i = 0; i < tables[t].fields.size(); ++i) {
             const FieldInfo& field = tables[t].fields[i];
             if (field.classic.empty()) continue;
-            push_closure(L, guarded<read_field>, t, static_cast<std::ptrdiff_t>(i));
+            const lua_Integer key = packed({static_cast<std::int32_t>(t), static_cast<std::uint32_t>(i)});
+            push_closure(L, guarded<read_field>, key);
             add_reader(machine, field.classic, 1, 1);
             if (!field.writable) continue;
-            push_closure(L, guarded<write_field>, t, static_cast<std::ptrdiff_t>(i));
+            push_closure(L, guarded<write_field>, key);
             add_writer(machine, field.classic);
         }
     const auto& globals = machine.world.globals();
     for (std::size_t i = 0; i < globals.size(); ++i) {
         if (globals[i].classic.empty()) continue;
-        push_closure(L, guarded<read_global>, i);
+        push_closure(L, guarded<read_global>, static_cast<lua_Integer>(i));
         add_reader(machine, globals[i].classic, 0, 0);
         if (!globals[i].writable) continue;
-        push_closure(L, guarded<write_global>, i);
+        push_closure(L, guarded<write_global>, static_cast<lua_Integer>(i));
         add_writer(machine, globals[i].classic);
     }
 }

@@ -12,11 +12,11 @@
 namespace kaya::script {
 
 void push_lua_value(lua_State* L, const Value& value) {
+    if (const auto* number = std::get_if<double>(&value)) return lua_pushnumber(L, *number); // nearly always
     switch (value.index()) {
     case 0: lua_pushnil(L); break;
     case 1: lua_pushboolean(L, *std::get_if<bool>(&value)); break;
     case 2: lua_pushinteger(L, *std::get_if<std::int64_t>(&value)); break;
-    case 3: lua_pushnumber(L, *std::get_if<double>(&value)); break;
     case 4: {
         const auto& text = *std::get_if<std::string>(&value);
         lua_pushlstring(L, text.data(), text.size());
@@ -32,6 +32,7 @@ void push_lua_value(lua_State* L, const Value& value) {
 }
 
 void push_fish_value(lua_State* L, const Value& value) {
+    if (const auto* number = std::get_if<double>(&value)) return lua_pushnumber(L, *number); // nearly always
     push_lua_value(L, value);
     make_fish_value(L);
 }

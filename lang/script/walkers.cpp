@@ -55,9 +55,10 @@ std::int32_t table_of(lua_State* L) { return static_cast<std::int32_t>(lua_toint
 
 /// Upvalues of all: number of the walker, of its table, of its child table.
 Handle pointer_argument(lua_State* L) {
-    const bool pointer = lua_type(L, 1) == LUA_TLIGHTUSERDATA;
-    const Handle handle = pointer ? unpack_handle(lua_touserdata(L, 1)) : Handle{};
-    if (pointer && handle.table == table_of(L)) return handle;
+    if (lua_type(L, 1) == LUA_TLIGHTUSERDATA) {
+        const Handle handle = unpack_handle(lua_touserdata(L, 1));
+        if (handle.table == table_of(L)) return handle;
+    }
     const Walker& walker = walker_of(L);
     if (lua_type(L, 1) == LUA_TNUMBER && lua_tonumber(L, 1) == 0)
         throw Diagnostic(fmt::format("'{}' is given a null pointer", walker.name),
