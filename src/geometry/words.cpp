@@ -58,14 +58,19 @@ std::string_view Words::next_in_line() {
     return text_.substr(begin, at_ - begin);
 }
 
+void Words::skip_to_word() {
+    for (skip_blanks(); at_ < text_.size() && text_[at_] == '\n'; skip_blanks()) {
+        ++at_;
+        ++line_;
+    }
+}
+
 std::string_view Words::next() {
     for (;;) {
+        skip_to_word();
         const std::string_view word = next_in_line();
+        // Only an empty pair of quotes is empty before the end of the text.
         if (!word.empty() || at_ >= text_.size()) return word;
-        if (text_[at_] == '\n') {
-            ++at_;
-            ++line_;
-        }
     }
 }
 

@@ -22,6 +22,8 @@ public:
     /// The next word without taking it.
     std::string_view peek();
     void skip_line();
+    /// Goes on to the line of the next word without taking it.
+    void skip_to_word();
 
     double number(std::string_view what); ///< next word of the text as a finite number
     long long integer(std::string_view what);
