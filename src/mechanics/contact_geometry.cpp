@@ -1,5 +1,6 @@
 #include "mechanics/contact_geometry.hpp"
 
+#include "base/parallel.hpp"
 #include "geometry/overlay.hpp"
 
 #include <Eigen/Geometry>
@@ -62,32 +63,31 @@ std::vector<std::array<Row, 2>> edges_of(const Model& model, Row block) {
 /// Separating axes of two convex bodies: face normals, then cross products of edges (Gottschalk 1996).
 /// `enough`: a separation at which the search may stop. An axis of two edges must beat the faces clearly:
 /// faces of deformed blocks are a little warped, and their edges then seem to part what lies flat.
-Separation find_separation(const Model& model, Row block1, Row block2, double enough, double tie) {
+Separation find_separation(const Model& model, const Surfaces& surfaces, Row block1, Row block2, double enough,
+                           double tie) {
     Separation best;
-    const auto try_face = [&](Row face, bool of_first) {
-        const Vec3 outward = current_normal(model, face);
-        if (outward.isZero()) return;
-        const double mine = support(model, of_first ? block1 : block2, outward).high;
-        const double other = support(model, of_first ? block2 : block1, outward).low;
-        if (other - mine > best.distance + (best.normal.isZero() ? 0 : tie)) {
-            best = {other - mine, of_first ? outward : Vec3(-outward), of_first ? face : no_row,
-                    of_first ? no_row : face, {no_row, no_row}, {no_row, no_row}};
+    const auto try_faces = [&](bool of_first) {
+        const Row own = of_first ? block1 : block2, other = of_first ? block2 : block1;
+        for (Row f = model.blocks.faces[own].first; f < model.blocks.faces[own].end(); ++f) {
+            const Vec3& outward = surfaces.normal(f);
+            if (outward.isZero()) continue;
+            const double distance = support(model, other, outward).low - support(model, own, outward).high;
+            if (distance > best.distance + (best.normal.isZero() ? 0 : tie))
+                best = {distance, of_first ? outward : Vec3(-outward), of_first ? f : no_row,
+                        of_first ? no_row : f, {no_row, no_row}, {no_row, no_row}};
+            if (best.distance > enough) return;
         }
     };
     // The lower block (block 2) first: at a tie its face gives the normal.
-    for (Row f = model.blocks.faces[block2].first; f < model.blocks.faces[block2].end(); ++f) {
-        try_face(f, false);
-        if (best.distance > enough) return best;
-    }
-    for (Row f = model.blocks.faces[block1].first; f < model.blocks.faces[block1].end(); ++f) {
-        try_face(f, true);
-        if (best.distance > enough) return best;
-    }
+    try_faces(false);
+    if (best.distance <= enough) try_faces(true);
+    if (best.distance > enough) return best;
+
     // Two faces on each other: no pair of edges can separate the blocks better.
     const Row block_other = best.face1 == no_row ? block1 : block2;
     const double sense = best.face1 == no_row ? 1 : -1;
     for (Row f = model.blocks.faces[block_other].first; f < model.blocks.faces[block_other].end(); ++f)
-        if (sense * current_normal(model, f).dot(best.normal) > 1 - 1e-9) return best;
+        if (sense * surfaces.normal(f).dot(best.normal) > 1 - 1e-9) return best;
 
     const auto edges1 = edges_of(model, block1), edges2 = edges_of(model, block2);
     const Vec3 towards = model.blocks.centroid[block2] - model.blocks.centroid[block1];
@@ -113,11 +113,11 @@ Separation find_separation(const Model& model, Row block1, Row block2, double en
 }
 
 /// The face of a block that looks most against `direction`.
-Row facing(const Model& model, Row block, const Vec3& direction, double& cosine) {
+Row facing(const Model& model, const Surfaces& surfaces, Row block, const Vec3& direction, double& cosine) {
     Row best = no_row;
     cosine = -2;
     for (Row f = model.blocks.faces[block].first; f < model.blocks.faces[block].end(); ++f) {
-        const double c = current_normal(model, f).dot(direction);
+        const double c = surfaces.normal(f).dot(direction);
         if (c > cosine + 1e-12) {
             cosine = c;
             best = f;
@@ -313,7 +313,11 @@ Vec3 current_normal(const Model& model, Row face) {
     return length > 0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
-double contact_margin(const Model& model, Row block) { return 0.005 * std::cbrt(model.blocks.volume[block]); }
+Surfaces::Surfaces(const Model& model) : normals_(model.faces.size()) {
+    for_chunks(normals_.size(), 1024, [&](std::size_t first, std::size_t last) {
+        for (std::size_t f = first; f < last; ++f) normals_[f] = current_normal(model, static_cast<Row>(f));
+    });
+}
 
 Vec3 attached_position(const Model& model, const Attachment& side) {
     const auto& x = model.gridpoints.position;
@@ -322,9 +326,10 @@ Vec3 attached_position(const Model& model, const Attachment& side) {
            side.weights[2] * x[side.gridpoints[2]];
 }
 
-std::optional<TouchGeometry> find_touch(const Model& model, Row block1, Row block2, double margin) {
+std::optional<TouchGeometry> find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
+                                        double margin) {
     const double size = std::cbrt(std::min(model.blocks.volume[block1], model.blocks.volume[block2]));
-    const Separation separation = find_separation(model, block1, block2, margin, 1e-6 * size);
+    const Separation separation = find_separation(model, surfaces, block1, block2, margin, 1e-6 * size);
     if (separation.distance > margin || separation.normal.isZero()) return std::nullopt;
 
     TouchGeometry touch{};
@@ -338,7 +343,7 @@ std::optional<TouchGeometry> find_touch(const Model& model, Row block1, Row bloc
     }
     double cosine;
     const bool face_of_first = touch.reference == 1;
-    const Row opposite = facing(model, face_of_first ? block2 : block1,
+    const Row opposite = facing(model, surfaces, face_of_first ? block2 : block1,
                                 face_of_first ? Vec3(-touch.normal) : touch.normal, cosine);
     if (cosine >= cos_of_flat) {
         (face_of_first ? touch.face2 : touch.face1) = opposite;

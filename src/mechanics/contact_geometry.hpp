@@ -28,15 +28,24 @@ struct TouchGeometry {
     std::vector<TouchPoint> points;
 };
 
+/// Face normals and edges of all blocks as they are now; made once per search.
+class Surfaces {
+public:
+    explicit Surfaces(const Model& model);
+
+    const Vec3& normal(Row face) const { return normals_[face]; }
+
+private:
+    std::vector<Vec3> normals_;
+};
+
 /// The touch of two blocks whose surfaces are nearer than `margin`; nothing when they are farther apart
 /// or touch in an edge or corner of parallel faces without area.
-std::optional<TouchGeometry> find_touch(const Model& model, Row block1, Row block2, double margin);
+std::optional<TouchGeometry> find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
+                                        double margin);
 
 /// Area-weighted unit outward normal of a face where its gridpoints are now; zero for a lost face.
 Vec3 current_normal(const Model& model, Row face);
-
-/// How near surfaces must be to count as touching: a small fraction of the block's size.
-double contact_margin(const Model& model, Row block);
 
 /// Where a sub-contact's side is now.
 Vec3 attached_position(const Model& model, const Attachment& side);

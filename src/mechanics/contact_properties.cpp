@@ -1,6 +1,7 @@
 #include "mechanics/contact_properties.hpp"
 
 #include "base/diagnostic.hpp"
+#include "mechanics/contact_search.hpp"
 #include "mechanics/contact_table.hpp"
 #include "mechanics/property_sets.hpp"
 

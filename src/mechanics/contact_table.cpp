@@ -1,21 +1,15 @@
 #include "mechanics/contact_table.hpp"
 
-#include "geometry/box_pairs.hpp"
 #include "mechanics/batches.hpp"
 #include "mechanics/property_sets.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
-#include <map>
 
 namespace kaya {
 
 namespace {
-
-/// Sliding farther than this fraction of the contact's size makes its geometry anew.
-constexpr double slide_tolerance = 1e-3;
 
 /// The old sub-contact of a contact nearest to a place.
 Row nearest(const SubContacts& s, Span span, const Vec3& place) {
@@ -29,23 +23,6 @@ Row nearest(const SubContacts& s, Span span, const Vec3& place) {
         }
     }
     return best;
-}
-
-/// How far apart two blocks may be and still touch. A joint that has dilated carries force across a gap:
-/// a contact that exists is kept as long as one of its sub-contacts does.
-double reach(const Model& model, Row block1, Row block2, Row contact) {
-    const double margin = std::min(contact_margin(model, block1), contact_margin(model, block2));
-    double gap = 0;
-    if (contact != no_row) {
-        const auto& s = model.sub_contacts;
-        const Span span = model.contacts.sub_contacts[contact];
-        for (Row row = span.first; row < span.end(); ++row) {
-            if (s.normal_force[row] == 0) continue;
-            const Vec3 between = attached_position(model, s.side2[row]) - attached_position(model, s.side1[row]);
-            gap = std::max(gap, between.dot(model.contacts.normal[contact]));
-        }
-    }
-    return margin + 2 * gap;
 }
 
 /// Rows of histories of sub-contacts follow their sub-contact.
@@ -213,63 +190,6 @@ void replace_contacts(Model& model, JointRegistry& joints, std::vector<ContactDr
 
     start_sub_contacts(model, joints, fresh, moving);
     model.lists_changed = true;
-}
-
-void search_contacts(Model& model, JointRegistry& joints, bool moving) {
-    const auto& blocks = model.blocks;
-    std::vector<Box> boxes(blocks.size());
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-        const Vec3 margin = Vec3::Constant(contact_margin(model, static_cast<Row>(b)));
-        Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-        for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g) {
-            low = low.cwiseMin(model.gridpoints.position[g]);
-            high = high.cwiseMax(model.gridpoints.position[g]);
-        }
-        boxes[b] = {low - margin, high + margin};
-    }
-
-    std::map<std::array<Row, 2>, Row> known;
-    for (std::size_t c = 0; c < model.contacts.size(); ++c)
-        known[{model.contacts.block1[c], model.contacts.block2[c]}] = static_cast<Row>(c);
-
-    auto pairs = overlapping_boxes(boxes);
-    for (const auto& [pair, contact] : known) pairs.push_back(pair);
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-
-    std::vector<ContactDraft> drafts;
-    for (const auto& pair : pairs) {
-        const auto [b1, b2] = pair;
-        const auto found = known.find(pair);
-        const Row old = found == known.end() ? no_row : found->second;
-        auto touch = find_touch(model, b1, b2, reach(model, b1, b2, old));
-        if (touch) drafts.push_back({b1, b2, old, std::move(touch)});
-    }
-    replace_contacts(model, joints, std::move(drafts), moving);
-}
-
-bool refresh_slid_contacts(Model& model, JointRegistry& joints) {
-    auto& contacts = model.contacts;
-    std::vector<ContactDraft> drafts;
-    bool any = false;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        if (contacts.slid[c] > slide_tolerance * std::sqrt(contacts.area[c])) {
-            any = true;
-            break;
-        }
-    }
-    if (!any) return false;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        ContactDraft draft{contacts.block1[c], contacts.block2[c], static_cast<Row>(c), std::nullopt};
-        if (contacts.slid[c] > slide_tolerance * std::sqrt(contacts.area[c])) {
-            const double margin = reach(model, draft.block1, draft.block2, draft.old);
-            draft.geometry = find_touch(model, draft.block1, draft.block2, margin);
-            if (!draft.geometry) continue; // they have parted
-        }
-        drafts.push_back(std::move(draft));
-    }
-    replace_contacts(model, joints, std::move(drafts), true);
-    return true;
 }
 
 } // namespace kaya

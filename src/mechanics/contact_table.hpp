@@ -27,11 +27,4 @@ void replace_contacts(Model& model, JointRegistry& joints, std::vector<ContactDr
 /// that are there.
 void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vector<char>& marked);
 
-/// Searches the whole model for contacts.
-void search_contacts(Model& model, JointRegistry& joints, bool moving);
-
-/// Makes the geometry of contacts anew that have slid farther than their tolerance. Returns whether
-/// any was.
-bool refresh_slid_contacts(Model& model, JointRegistry& joints);
-
 } // namespace kaya

@@ -2,7 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "mechanics/contact_properties.hpp"
-#include "mechanics/contact_table.hpp"
+#include "mechanics/contact_search.hpp"
 #include "mechanics/phases.hpp"
 #include "model/sampling.hpp"
 
@@ -25,13 +25,6 @@ enum Phase { move, joint, zone, search, gather, step, script, phase_count };
 std::vector<PhaseTime> phase_names() {
     return {{"move bodies"},   {"contacts and joint models"}, {"zone models"},        {"search contacts"},
             {"gather forces"}, {"time step limit"},           {"hooks and histories"}};
-}
-
-double smallest_margin(const Model& model) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t b = 0; b < model.blocks.size(); ++b)
-        least = std::min(least, contact_margin(model, static_cast<Row>(b)));
-    return least;
 }
 
 /// Joint properties that must be given and are not, and values that do not go together.
@@ -69,7 +62,6 @@ struct Cycle::Scratch {
     std::vector<ElasticConstants> elastic;
     JointForces joints;
     std::vector<Vec3> corner_forces;
-    double margin = 0; ///< smallest contact margin of all blocks
     std::vector<PhaseTime> timing = phase_names();
 
     /// Calls a phase and adds its time.
@@ -111,7 +103,6 @@ void Cycle::prepare() {
         gather_forces(model_, s.adjacency, s.joints, s.corner_forces);
         model_.clock.time_step = 0;
         limit_step(true);
-        model_.clock.travelled = 0;
         model_.properties_changed = false;
     }
 }
@@ -123,7 +114,6 @@ void Cycle::make_lists() {
     s.elastic = elastic_constants(model_);
     joint_forces(model_, s.joints);
     zone_forces(model_, s.corner_forces);
-    s.margin = smallest_margin(model_);
 }
 
 void Cycle::limit_step(bool may_grow) {
@@ -183,16 +173,6 @@ void Cycle::keep_account(const MotionSums& motion, const JointSums& joint_sums, 
     energy.zone_work += zone_work;
 }
 
-bool Cycle::detect_contacts() {
-    // A body that has gone half the margin, towards another that has too, may be about to touch.
-    Clock& clock = model_.clock;
-    const bool changed = refresh_slid_contacts(model_, joints_);
-    if (2 * clock.travelled < scratch_->margin) return changed;
-    search_contacts(model_, joints_, true);
-    clock.travelled = 0;
-    return true;
-}
-
 // The order of one step, and the only place where it stands.
 void Cycle::advance() {
     prepare();
@@ -207,11 +187,16 @@ void Cycle::advance() {
     });
     const JointSums joint_sums = s.timed(joint, [&] { return advance_joints(model_, s.batches, s.joints); });
     const double zone_work = s.timed(zone, [&] { return run_zone_models(model_, s.elastic, s.corner_forces); });
-    clock.travelled += motion.travel;
     clock.time += clock.time_step;
     ++clock.cycle;
     const bool contacts_changed = s.timed(search, [&] {
-        if (!model_.settings.large_strain || !detect_contacts()) return false;
+        if (!model_.settings.large_strain) return false;
+        bool changed = refresh_slid_contacts(model_, joints_);
+        if (contacts_are_due(model_)) {
+            search_contacts(model_, joints_, true);
+            changed = true;
+        }
+        if (!changed) return false;
         make_lists();
         model_.lists_changed = false;
         return true;

@@ -58,7 +58,6 @@ private:
     void limit_step(bool may_grow);
     void adapt_viscosity(const MotionSums& motion);
     void keep_account(const MotionSums& motion, const JointSums& joint_sums, double zone_work);
-    bool detect_contacts();
     void run_hooks(const std::vector<std::function<void()>>& list);
     Diagnostic lost() const;
 

@@ -54,7 +54,7 @@ Vec3 turn(Quaternion& orientation, const Mat3& inertia, const Vec3& momentum, do
     return velocity;
 }
 
-/// Positions and velocities of the vertices follow the block.
+/// Positions and velocities of the vertices follow the block. Returns the longest way of one.
 double place_vertices(Model& model, std::size_t b) {
     const auto& blocks = model.blocks;
     auto& g = model.gridpoints;
@@ -67,9 +67,9 @@ double place_vertices(Model& model, std::size_t b) {
         g.velocity[row] = blocks.velocity[b] + blocks.rotational_velocity[b].cross(arm);
         g.displacement[row] += way;
         g.position[row] = place;
-        travel = std::max(travel, way.norm());
+        travel = std::max(travel, way.squaredNorm());
     }
-    return travel;
+    return std::sqrt(travel);
 }
 
 } // namespace
@@ -129,7 +129,7 @@ MotionSums move_blocks(Model& model) {
                 blocks.displacement[b] += way;
                 if (settings.large_strain) {
                     blocks.centroid[b] += way;
-                    sums.travel = std::max(sums.travel, place_vertices(model, b));
+                    blocks.travelled[b] += place_vertices(model, b);
                 }
                 // The same account for rotation, component by component of the mean spin.
                 const Vec3 mean = 0.5 * (spin_before + w);

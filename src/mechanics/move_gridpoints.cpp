@@ -13,6 +13,21 @@ constexpr std::size_t grain = 1024;
 
 void combine(MotionSums& sum, const MotionSums& part) { sum.add(part); }
 
+/// How far the fastest gridpoint of each deformable block has gone.
+void add_travel(Model& model) {
+    auto& blocks = model.blocks;
+    const double step = model.clock.time_step;
+    for_chunks(blocks.size(), 16, [&](std::size_t first, std::size_t last) {
+        for (std::size_t b = first; b < last; ++b) {
+            if (!blocks.deformable[b]) continue;
+            double fastest = 0;
+            for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g)
+                fastest = std::max(fastest, model.gridpoints.velocity[g].squaredNorm());
+            blocks.travelled[b] += std::sqrt(fastest) * step;
+        }
+    });
+}
+
 } // namespace
 
 MotionSums move_gridpoints(Model& model) {
@@ -20,7 +35,7 @@ MotionSums move_gridpoints(Model& model) {
     const Settings& settings = model.settings;
     const DampingFactors damping(settings, model.clock);
     const double step = model.clock.time_step;
-    return reduce_chunks(
+    const MotionSums whole = reduce_chunks(
         g.size(), grain, MotionSums{},
         [&](std::size_t first, std::size_t last) {
             MotionSums sums;
@@ -39,12 +54,12 @@ MotionSums move_gridpoints(Model& model) {
                 const Vec3 way = v * step;
                 g.displacement[row] += way;
                 if (settings.large_strain) g.position[row] += way;
-                sums.travel = std::max(sums.travel, way.squaredNorm());
             }
-            sums.travel = std::sqrt(sums.travel);
             return sums;
         },
         combine);
+    if (settings.large_strain) add_travel(model);
+    return whole;
 }
 
 } // namespace kaya

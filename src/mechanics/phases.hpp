@@ -15,7 +15,6 @@ struct MotionSums {
     double kinetic_before = 0, kinetic = 0; ///< energy before and after the step
     double gravity = 0, boundary = 0;       ///< work on the bodies
     double damped = 0;                      ///< energy taken out by damping
-    double travel = 0; ///< longest way that a point of a body has gone in this step
 
     void add(const MotionSums& part);
     /// Work of one component: `push` is force times step, `held` says that the velocity is prescribed.
@@ -29,7 +28,6 @@ inline void MotionSums::add(const MotionSums& part) {
     gravity += part.gravity;
     boundary += part.boundary;
     damped += part.damped;
-    travel = part.travel > travel ? part.travel : travel;
 }
 
 inline void MotionSums::account(double mass, double before, double after, double weight, double load, double push,

@@ -42,6 +42,8 @@ public:
     Column<Span> triangles;
     Column<Span> zones;
     Column<double> volume;        ///< length^3
+    Column<double> margin;        ///< how near another surface counts as touching: a small part of its size
+    Column<double> travelled;     ///< longest way of one of its points since its contacts were looked at
     Column<double> mass;          ///< 0 until the density is known (at the first cycle)
     Column<Mat3> inertia;         ///< of unit density, about the centroid, in the block's own axes
     Column<Vec3> centroid;
@@ -70,6 +72,8 @@ public:
         visit("triangles", triangles);
         visit("zones", zones);
         visit("volume", volume);
+        visit("margin", margin);
+        visit("travelled", travelled);
         visit("mass", mass);
         visit("inertia", inertia);
         visit("centroid", centroid);

@@ -12,6 +12,9 @@ namespace kaya {
 
 namespace {
 
+/// Margin of contact over the size of a block.
+constexpr double touching_part = 0.005;
+
 /// Rows of the dependent tables in block order, without those of blocks that are gone. New rows may
 /// have been appended anywhere; spans of `blocks` say which belong together.
 void put_in_block_order(Model& model) {
@@ -136,6 +139,7 @@ Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& option
     blocks.region[b] = options.region;
     blocks.group[b] = options.group;
     blocks.volume[b] = mass.volume;
+    blocks.margin[b] = touching_part * std::cbrt(mass.volume);
     blocks.inertia[b] = mass.inertia;
     blocks.centroid[b] = mass.centroid;
     blocks.orientation[b] = Quaternion(1, 0, 0, 0);

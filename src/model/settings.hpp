@@ -37,7 +37,6 @@ struct Clock {
     std::int64_t cycle = 0;
     double time_step = 0;      ///< 0: not computed yet
     double global_viscosity = 0; ///< of adaptive global damping, 1/time
-    double travelled = 0; ///< longest way gone by a body since contacts were searched
     double unbalanced_force = 0; ///< largest of the last cycle
     double average_ratio = 0, maximum_ratio = 0, local_ratio = 0; ///< docs/theory/motion.md
 };

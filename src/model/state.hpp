@@ -45,13 +45,12 @@ template <class Archive> void visit_state(Archive& archive, Settings& settings) 
 }
 
 template <class Archive> void visit_state(Archive& archive, Clock& clock) {
-    auto& [time, cycle, time_step, global_viscosity, travelled, unbalanced_force, average_ratio,
+    auto& [time, cycle, time_step, global_viscosity, unbalanced_force, average_ratio,
            maximum_ratio, local_ratio] = clock;
     archive.value("time", time);
     archive.value("cycle", cycle);
     archive.value("time_step", time_step);
     archive.value("global_viscosity", global_viscosity);
-    archive.value("travelled", travelled);
     archive.value("unbalanced_force", unbalanced_force);
     archive.value("average_ratio", average_ratio);
     archive.value("maximum_ratio", maximum_ratio);
