@@ -1,0 +1,17 @@
+// Ctrl-C: the run stops after its cycle; a second Ctrl-C ends the program at once.
+#pragma once
+
+#include "commands/session.hpp"
+
+namespace kaya {
+
+/// While it lives, an interrupt from the keyboard (or a request to end) goes to the session.
+class InterruptGuard {
+public:
+    explicit InterruptGuard(Session& session);
+    ~InterruptGuard();
+    InterruptGuard(const InterruptGuard&) = delete;
+    InterruptGuard& operator=(const InterruptGuard&) = delete;
+};
+
+} // namespace kaya

@@ -1,0 +1,160 @@
+// kaya: runs command files. Exit status 0 done, 1 the deck is wrong, 2 the run failed, 3 our own fault.
+#include "app/interrupt.hpp"
+#include "commands/session.hpp"
+
+#include "lang/commands/language.hpp"
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <new>
+
+namespace kaya {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CommandLine {
+    Options options;
+    std::vector<std::string> decks;
+    std::vector<std::string> checked;
+};
+
+/// The folder of the program itself: joint models that ship lie beside it.
+fs::path program_folder(const char* called_as) {
+    std::error_code failed;
+    const fs::path self = fs::read_symlink("/proc/self/exe", failed);
+    return failed ? fs::absolute(called_as).parent_path() : self.parent_path();
+}
+
+/// Where joint models are looked for, first match wins: folders of the command line, beside the program,
+/// KAYA_JOINTS (folders with ':' between), beside the deck.
+std::vector<fs::path> joint_folders(const CommandLine& line, const fs::path& program) {
+    std::vector<fs::path> folders = line.options.joint_folders;
+    folders.push_back(program / "joints");
+    if (const char* listed = std::getenv("KAYA_JOINTS")) {
+        std::string_view rest(listed);
+        while (!rest.empty()) {
+            const auto end = std::min(rest.find(':'), rest.size());
+            if (end > 0) folders.emplace_back(rest.substr(0, end));
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+        }
+    }
+    for (const auto& deck : line.decks) {
+        const fs::path folder = fs::path(deck).parent_path();
+        folders.push_back(folder.empty() ? fs::path(".") : folder);
+    }
+    return folders;
+}
+
+/// Binds decks without running them.
+int check(const std::vector<std::string>& decks, Output& output) {
+    const lang::Checks checks = deck_checks();
+    int status = 0;
+    for (const auto& deck : decks) {
+        try {
+            const auto bound = lang::bind_deck(lang::classic(), deck, {"."}, &checks);
+            output.print(fmt::format("{}: {} commands, all understood", deck, bound->steps.size()));
+        } catch (const lang::DeckErrors& errors) {
+            for (const auto& error : errors.all) output.message(error);
+            status = static_cast<int>(Fault::deck);
+        } catch (const Diagnostic& error) {
+            output.message(error);
+            status = static_cast<int>(error.fault);
+        }
+    }
+    return status;
+}
+
+void run_decks(Session& session, const std::vector<std::string>& decks) {
+    const InterruptGuard guard(session);
+    for (const auto& deck : decks)
+        if (session.run_deck(deck) == lang::Ended::quit) break;
+    const auto& clock = session.model.clock;
+    if (clock.cycle > 0)
+        session.output.say(fmt::format("done: {} cycles, time {}, hash {:016x}{}", clock.cycle, number_text(clock.time),
+                                       state_hash(session.model),
+                                       session.warnings == 0 ? "" : fmt::format(", {} warnings", session.warnings)));
+    session.output.stop_log();
+    session.output.flush();
+}
+
+int run(const CommandLine& line) {
+    Session session(line.options);
+    try {
+        run_decks(session, line.decks);
+        return 0;
+    } catch (const lang::DeckErrors& errors) {
+        for (const auto& error : errors.all) session.output.message(error);
+        return static_cast<int>(errors.fault);
+    } catch (const Diagnostic& error) {
+        session.output.message(error);
+        return static_cast<int>(error.fault);
+    } catch (const std::bad_alloc&) {
+        session.output.message(Diagnostic("there is not enough memory for this model",
+                                          "use fewer blocks or longer zone edges", Fault::run)
+                                   .at(session.last_place));
+        return static_cast<int>(Fault::run);
+    } catch (const std::exception& error) {
+        session.output.message(Diagnostic(fmt::format("kaya itself failed: {}", error.what()),
+                                          "please report this, with the deck", Fault::own)
+                                   .at(session.last_place));
+        return static_cast<int>(Fault::own);
+    }
+}
+
+int start(int argc, char** argv) {
+    CommandLine line;
+    CLI::App app{"kaya runs command files of the distinct element method in three dimensions.\n"
+                 "Files that a deck writes are put into the current folder.",
+                 "kaya"};
+    app.set_version_flag("--version", std::string("kaya ") + program_version());
+    app.add_option("deck", line.decks, "command files, run one after the other in one session");
+    app.add_option("--threads", line.options.threads, "threads to use; 0 is one for each core; results do not depend on it")
+        ->check(CLI::Range(0, 4096));
+    app.add_option("--joints", line.options.joint_folders, "a folder with joint models; may be given several times")
+        ->allow_extra_args(false);
+    app.add_flag("--strict", line.options.strict, "warnings are errors");
+    app.add_flag("--batch,--quiet,-q", line.options.quiet, "results, warnings and errors only");
+    app.add_flag("--echo", line.options.echo, "show each command before it runs");
+    app.add_flag("--trust", line.options.trust, "scripts of the deck may use files and start programs");
+    auto* checking = app.add_subcommand("check", "read decks and say what is wrong with them, without running them");
+    checking->add_option("deck", line.checked, "command files")->required();
+    app.require_subcommand(0, 1);
+    try {
+        app.parse(argc, argv);
+        if (!*checking && line.decks.empty()) throw CLI::RequiredError("a deck");
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : static_cast<int>(Fault::deck);
+    }
+    if (*checking) {
+        Output output(stdout, stderr);
+        const int status = check(line.checked, output);
+        output.flush();
+        return status;
+    }
+    line.options.joint_folders = joint_folders(line, program_folder(argv[0]));
+    return run(line);
+}
+
+} // namespace
+
+} // namespace kaya
+
+int main(int argc, char** argv) {
+    // A file that grows beyond the limit, or a reader that went away, is an error of the write that met
+    // it, not the end of the program.
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+    try {
+        return kaya::start(argc, argv);
+    } catch (const kaya::Diagnostic& error) {
+        std::fputs((kaya::render(error) + "\n").c_str(), stderr);
+        return static_cast<int>(error.fault);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "error: kaya itself failed: %s\n", error.what());
+        return static_cast<int>(kaya::Fault::own);
+    }
+}

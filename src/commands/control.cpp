@@ -1,0 +1,103 @@
+// new, config, title, pause, set, range name.
+#include "commands/handlers.hpp"
+
+#include "base/parallel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fmt/format.h>
+#include <iostream>
+#include <unistd.h>
+
+namespace kaya {
+
+namespace {
+
+/// What `config` may ask for, and whether it changes anything here.
+struct ConfigEntry {
+    std::string_view word;
+    enum class Effect { none, dynamic, missing } effect;
+};
+constexpr std::array<ConfigEntry, 10> config_words{{
+    {"cppudm", ConfigEntry::Effect::none},
+    {"dynamic", ConfigEntry::Effect::dynamic},
+    {"lhs", ConfigEntry::Effect::missing},
+    {"rhs", ConfigEntry::Effect::none},
+    {"thermal", ConfigEntry::Effect::missing},
+    {"gw", ConfigEntry::Effect::missing},
+    {"fluid", ConfigEntry::Effect::missing},
+    {"feblock", ConfigEntry::Effect::missing},
+    {"highorder", ConfigEntry::Effect::missing},
+    {"creep", ConfigEntry::Effect::missing},
+}};
+
+} // namespace
+
+void run(Session& session, const lang::New&) { session.clear(); }
+
+void run(Session& session, const lang::Config& command) {
+    for (const auto& option : command.options) {
+        const auto found = std::ranges::find_if(config_words, [&](const auto& e) { return e.word.starts_with(option); });
+        if (found == config_words.end()) {
+            std::vector<std::string_view> known;
+            for (const auto& entry : config_words) known.push_back(entry.word);
+            const auto near = did_you_mean(option, known);
+            throw Diagnostic(fmt::format("'{}' is nothing that can be configured", option),
+                             near.empty() ? fmt::format("options are: {}", fmt::join(known, ", "))
+                                          : fmt::format("did you mean '{}'?", near));
+        }
+        if (found->effect == ConfigEntry::Effect::dynamic) session.model.settings.dynamic = true;
+        if (found->effect == ConfigEntry::Effect::missing)
+            session.warn(Diagnostic(fmt::format("'config {}' asks for something that kaya does not have", found->word),
+                                    "the run goes on without it"));
+    }
+}
+
+void run(Session& session, const lang::Title& command) { session.title = command.text; }
+
+void run(Session& session, const lang::Pause&) {
+    // Nobody is there to go on with a run that reads its commands from a file in the background.
+    if (session.output.quiet || !session.output.on_terminal() || isatty(STDIN_FILENO) == 0) return;
+    session.output.say("pause: press Enter to go on");
+    std::string line;
+    std::getline(std::cin, line);
+}
+
+void run(Session& session, const lang::Set& command) {
+    auto& settings = session.model.settings;
+    if (command.default_joint_constitutive) {
+        const auto number = static_cast<std::int32_t>(*command.default_joint_constitutive);
+        if (number != 1 && !session.model.joint_constitutive.contains(number))
+            throw Diagnostic(fmt::format("no joint model has the number jcons {}", number),
+                             "assign one by name: jmodel model NAME");
+        settings.default_joint_constitutive = number;
+    }
+    if (command.default_joint_material)
+        settings.default_joint_material = static_cast<std::int32_t>(*command.default_joint_material);
+    if (command.dynamic) settings.dynamic = *command.dynamic;
+    if (command.time_step_fraction) {
+        settings.time_step_fraction = *command.time_step_fraction;
+        session.model.properties_changed = true;
+    }
+    if (command.threads) set_threads(static_cast<int>(std::max<std::int64_t>(1, *command.threads)));
+    if (command.echo) session.options.echo = *command.echo;
+    if (command.log_file) {
+        session.log_file = *command.log_file;
+        if (session.output.logging()) session.output.start_log(session.log_file);
+    }
+    if (command.log) {
+        if (*command.log) session.output.start_log(session.log_file);
+        else session.output.stop_log();
+    }
+    for (const auto& [name, value] : command.fish)
+        session.scripts->set(name, value, session.interpreter.current_place());
+}
+
+void run(Session& session, const lang::NameRange& command) {
+    std::string name = command.name;
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    session.ranges[name] = command.range;
+}
+
+} // namespace kaya

@@ -1,0 +1,66 @@
+// poly, gen, hide, seek, delete, group.
+#include "commands/handlers.hpp"
+
+#include "model/build.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace kaya {
+
+void run(Session& session, const lang::PolyBrick& command) {
+    try {
+        const Vec3 low(command.x[0], command.y[0], command.z[0]), high(command.x[1], command.y[1], command.z[1]);
+        NewBlock options;
+        options.material = static_cast<std::int32_t>(command.options.material);
+        options.constitutive = static_cast<std::int32_t>(command.options.constitutive);
+        options.region = static_cast<std::int32_t>(command.options.region);
+        add_block(session.model, make_brick(low, high), options);
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+void run(Session& session, const lang::Hide& command) {
+    for (const Row block : session.pick(ObjectKind::block, command.range)) session.model.blocks.hidden[block] = 1;
+}
+
+void run(Session& session, const lang::Seek& command) {
+    for (const Row block : session.pick_hidden_too(ObjectKind::block, command.range))
+        session.model.blocks.hidden[block] = 0;
+}
+
+void run(Session& session, const lang::Delete& command) {
+    const auto blocks = session.pick(ObjectKind::block, command.range);
+    if (blocks.empty()) return;
+    delete_blocks(session.model, blocks);
+    session.world.rows_moved();
+}
+
+void run(Session& session, const lang::Group& command) {
+    const auto blocks = session.pick(ObjectKind::block, command.range);
+    if (blocks.empty()) return;
+    auto& names = session.model.group_names;
+    auto found = std::find(names.begin() + 1, names.end(), command.name);
+    if (found == names.end()) found = names.insert(names.end(), command.name);
+    for (const Row block : blocks) session.model.blocks.group[block] = static_cast<std::int32_t>(found - names.begin());
+}
+
+void run(Session& session, const lang::GenerateEdge& command) {
+    const auto blocks = session.pick(ObjectKind::block, command.range);
+    if (blocks.empty()) return;
+    try {
+        const std::size_t zoned = generate_zones(session.model, blocks, command.edge);
+        if (zoned > 0) session.world.rows_moved();
+        else
+            session.warn(Diagnostic(fmt::format("all {} blocks that this acts on have zones already", blocks.size()),
+                                    "the command has no effect")
+                             .at(command.place));
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+} // namespace kaya

@@ -1,0 +1,77 @@
+#include "commands/handlers.hpp"
+
+#include <fmt/format.h>
+#include <utility>
+
+namespace kaya {
+
+namespace {
+
+/// What becomes of a command that a script gives inside a cycle (command ... endcommand in a
+/// whilestepping function).
+enum class InCycle {
+    runs,   ///< reads, or writes what may be written at any time
+    waits,  ///< changes the structure: runs at the end of the cycle
+    refused ///< would cycle inside a cycle, or take away the model that is cycling
+};
+
+template <class Command> void add(Session& session, lang::Handlers& handlers, InCycle in_cycle) {
+    handlers.on<Command>([&session, in_cycle](const Command& command) {
+        if (!session.inside_cycle || in_cycle == InCycle::runs) return run(session, command);
+        if (in_cycle == InCycle::refused)
+            throw Diagnostic("this command cannot be used by a function that runs inside a cycle", {}, Fault::run);
+        session.deferred.emplace_back(session.interpreter.current_place(), [&session, command] { run(session, command); });
+    });
+}
+
+} // namespace
+
+void register_handlers(Session& session, lang::Handlers& handlers) {
+    add<lang::New>(session, handlers, InCycle::refused);
+    add<lang::Config>(session, handlers, InCycle::waits);
+    add<lang::Title>(session, handlers, InCycle::runs);
+    add<lang::Save>(session, handlers, InCycle::waits);
+    add<lang::Restore>(session, handlers, InCycle::refused);
+    add<lang::Pause>(session, handlers, InCycle::runs);
+    add<lang::Set>(session, handlers, InCycle::waits);
+    add<lang::NameRange>(session, handlers, InCycle::runs);
+
+    add<lang::PolyBrick>(session, handlers, InCycle::waits);
+    add<lang::Hide>(session, handlers, InCycle::runs);
+    add<lang::Seek>(session, handlers, InCycle::runs);
+    add<lang::Delete>(session, handlers, InCycle::waits);
+    add<lang::Group>(session, handlers, InCycle::runs);
+    add<lang::GenerateEdge>(session, handlers, InCycle::waits);
+
+    add<lang::Property>(session, handlers, InCycle::waits);
+    add<lang::Change>(session, handlers, InCycle::waits);
+    add<lang::JointModelCommand>(session, handlers, InCycle::waits);
+
+    add<lang::Fix>(session, handlers, InCycle::waits);
+    add<lang::Free>(session, handlers, InCycle::waits);
+    add<lang::Gravity>(session, handlers, InCycle::runs);
+    add<lang::Boundary>(session, handlers, InCycle::waits);
+    add<lang::Initialize>(session, handlers, InCycle::runs);
+    add<lang::Reset>(session, handlers, InCycle::waits);
+
+    add<lang::HistoryAdd>(session, handlers, InCycle::waits);
+    add<lang::HistoryLabel>(session, handlers, InCycle::runs);
+    add<lang::HistoryWrite>(session, handlers, InCycle::runs);
+
+    add<lang::VtkWrite>(session, handlers, InCycle::waits);
+    add<lang::List>(session, handlers, InCycle::runs);
+    add<lang::Ignored>(session, handlers, InCycle::runs);
+
+    add<lang::CycleCommand>(session, handlers, InCycle::refused);
+    add<lang::Solve>(session, handlers, InCycle::refused);
+    add<lang::Damp>(session, handlers, InCycle::waits);
+    add<lang::MassScale>(session, handlers, InCycle::waits);
+    add<lang::Fraction>(session, handlers, InCycle::waits);
+
+    add<lang::FishDefinition>(session, handlers, InCycle::runs);
+    add<lang::FishCall>(session, handlers, InCycle::runs);
+    add<lang::LuaChunk>(session, handlers, InCycle::runs);
+    add<lang::LuaFile>(session, handlers, InCycle::runs);
+}
+
+} // namespace kaya

@@ -1,0 +1,70 @@
+// What each command does: one function for one struct of lang/commands/commands.hpp.
+// The functions stand in one file per family; all of them throw Diagnostic for a user's mistake and
+// leave the model as it was then.
+#pragma once
+
+#include "commands/session.hpp"
+#include "lang/commands/commands.hpp"
+
+namespace kaya {
+
+// control.cpp
+void run(Session&, const lang::New&);
+void run(Session&, const lang::Config&);
+void run(Session&, const lang::Title&);
+void run(Session&, const lang::Save&);
+void run(Session&, const lang::Restore&);
+void run(Session&, const lang::Pause&);
+void run(Session&, const lang::Set&);
+void run(Session&, const lang::NameRange&);
+
+// geometry.cpp
+void run(Session&, const lang::PolyBrick&);
+void run(Session&, const lang::Hide&);
+void run(Session&, const lang::Seek&);
+void run(Session&, const lang::Delete&);
+void run(Session&, const lang::Group&);
+void run(Session&, const lang::GenerateEdge&);
+
+// materials.cpp
+void run(Session&, const lang::Property&);
+void run(Session&, const lang::Change&);
+void run(Session&, const lang::JointModelCommand&);
+
+// boundary.cpp
+void run(Session&, const lang::Fix&);
+void run(Session&, const lang::Free&);
+void run(Session&, const lang::Gravity&);
+void run(Session&, const lang::Boundary&);
+void run(Session&, const lang::Initialize&);
+void run(Session&, const lang::Reset&);
+
+// histories.cpp
+void run(Session&, const lang::HistoryAdd&);
+void run(Session&, const lang::HistoryLabel&);
+void run(Session&, const lang::HistoryWrite&);
+
+// listing.cpp
+void run(Session&, const lang::List&);
+
+// files.cpp
+void run(Session&, const lang::VtkWrite&);
+void run(Session&, const lang::Ignored&);
+
+// solution.cpp
+void run(Session&, const lang::CycleCommand&);
+void run(Session&, const lang::Solve&);
+void run(Session&, const lang::Damp&);
+void run(Session&, const lang::MassScale&);
+void run(Session&, const lang::Fraction&);
+
+// scripts.cpp
+void run(Session&, const lang::FishDefinition&);
+void run(Session&, const lang::FishCall&);
+void run(Session&, const lang::LuaChunk&);
+void run(Session&, const lang::LuaFile&);
+
+/// Tells the interpreter which function runs which command: the explicit list.
+void register_handlers(Session& session, lang::Handlers& handlers);
+
+} // namespace kaya

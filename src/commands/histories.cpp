@@ -1,0 +1,81 @@
+// hist: adding, labelling, writing.
+#include "commands/handlers.hpp"
+
+#include "mechanics/contact_properties.hpp"
+#include "model/field.hpp"
+#include "model/sampling.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+using Kind = HistorySource::Kind;
+
+Kind kind_of(const Field& field) {
+    switch (field.table) {
+    case FieldTable::global: return Kind::global;
+    case FieldTable::block: return Kind::block;
+    case FieldTable::gridpoint: return Kind::gridpoint;
+    case FieldTable::zone: return Kind::zone;
+    case FieldTable::sub_contact: return Kind::sub_contact;
+    case FieldTable::face:
+    case FieldTable::contact: break;
+    }
+    throw Diagnostic(fmt::format("'{}' cannot be recorded", field.name),
+                     "record a quantity of blocks, gridpoints, zones or sub-contacts");
+}
+
+HistorySource source_of(Session& session, const lang::HistoryItem& item) {
+    HistorySource source;
+    source.place = item.place;
+    if (item.word.starts_with('@')) {
+        source.kind = Kind::function;
+        source.quantity = item.word.substr(1);
+        if (!session.scripts->knows(source.quantity)) {
+            const auto symbols = session.scripts->symbols();
+            const auto near = did_you_mean(source.quantity, {symbols.begin(), symbols.end()});
+            throw Diagnostic(fmt::format("there is no FISH variable or function '{}'", source.quantity),
+                             near.empty() ? "define it before it is recorded" : fmt::format("did you mean '@{}'?", near));
+        }
+        return source;
+    }
+    const Field* field = find_history_field(item.word);
+    if (field == nullptr) throw Diagnostic(fmt::format("'{}' is not a quantity that can be recorded", item.word));
+    source.kind = kind_of(*field);
+    source.quantity = field->name;
+    // Contacts are found late, at the first cycle; a history of one wants them now.
+    if (source.kind == Kind::sub_contact) find_contacts(session.model, session.joints);
+    return source;
+}
+
+History& history_of(Session& session, std::int64_t number, const Place& place) {
+    auto& all = session.model.histories.all;
+    const auto found = std::ranges::find(all, number, &History::number);
+    if (found != all.end()) return *found;
+    throw Diagnostic(fmt::format("there is no history {}", number),
+                     all.empty() ? "none has been made" : fmt::format("the last one is {}", all.back().number))
+        .at(place);
+}
+
+} // namespace
+
+void run(Session& session, const lang::HistoryAdd& command) {
+    for (const auto& item : command.items) {
+        try {
+            add_history(session.model, source_of(session, item));
+        } catch (Diagnostic& mistake) {
+            mistake.at(item.text);
+            throw;
+        }
+    }
+    if (command.interval) session.model.histories.interval = static_cast<std::int32_t>(*command.interval);
+}
+
+void run(Session& session, const lang::HistoryLabel& command) {
+    history_of(session, command.number, command.place).label = command.text;
+}
+
+} // namespace kaya

@@ -1,0 +1,180 @@
+// list, print: what concerns the whole model.
+#include "commands/listing.hpp"
+
+#include "commands/handlers.hpp"
+#include "model/measure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+std::string given(double value) { return std::isnan(value) ? "-" : number_text(value); }
+
+/// Largest of a quantity and where it is.
+struct Extreme {
+    std::string_view name;
+    double value = 0;
+    Vec3 place = Vec3::Zero();
+
+    void look(double candidate, const Vec3& where) {
+        if (std::abs(candidate) <= std::abs(value)) return;
+        value = candidate;
+        place = where;
+    }
+};
+
+struct ListEntry {
+    std::string_view word;
+    std::string (*text)(Session&, const lang::List&);
+};
+constexpr std::array<ListEntry, 16> lists{{
+    {"blocks", list_blocks},       {"contacts", list_contacts},  {"subcontacts", list_sub_contacts},
+    {"gridpoints", list_gridpoints}, {"zones", list_zones},      {"prop", list_properties},
+    {"jmodel", list_joint_models}, {"hist", list_histories},     {"time", list_time},
+    {"timestep", list_time_step},  {"max", list_extremes},       {"energy", list_energy},
+    {"timing", list_timing},       {"hash", list_hash},          {"ranges", list_ranges},
+    {"fish", list_symbols},
+}};
+
+} // namespace
+
+std::string list_properties(Session& session, const lang::List&) {
+    const auto& materials = session.model.materials;
+    if (materials.empty()) return "no materials";
+    TextTable table({"mat", "density", "bulk", "shear", "bcoh", "bfric", "bten", "bdil", "joint"});
+    for (const auto& [number, m] : materials) {
+        std::vector<std::string> joint;
+        for (const auto& [word, value] : m.joint) joint.push_back(fmt::format("{} {}", word, number_text(value)));
+        table.add({std::to_string(number), given(m.density), given(m.bulk), given(m.shear), number_text(m.cohesion),
+                   number_text(m.friction), number_text(m.tension), number_text(m.dilation),
+                   joint.empty() ? "-" : fmt::format("{}", fmt::join(joint, ", "))});
+    }
+    return table.text();
+}
+
+std::string list_joint_models(Session& session, const lang::List&) {
+    std::string text;
+    for (const auto& model : session.joints.loaded()) {
+        text += fmt::format("{} {}: {}\n", model->name, model->version, model->title);
+        TextTable table({"  property", "also", "unit", "meaning"});
+        for (const auto& p : model->properties)
+            table.add({"  " + p.name, p.aliases.empty() ? "-" : fmt::format("{}", fmt::join(p.aliases, " ")), p.unit, p.help});
+        text += table.text() + "\n";
+    }
+    for (const auto& set : session.model.joint_properties) {
+        const JointModel* model = session.joints.find(set.model);
+        text += fmt::format("in use, jmat {}: {}", set.material, set.model);
+        for (std::size_t i = 0; model != nullptr && i < set.values.size(); ++i)
+            text += fmt::format(" {} {}", model->properties[i].name, given(set.values[i]));
+        text += '\n';
+    }
+    return text.empty() ? "no joint model is loaded" : text;
+}
+
+std::string list_histories(Session& session, const lang::List&) {
+    const auto& histories = session.model.histories;
+    if (histories.all.empty()) return "no histories";
+    TextTable table({"hist", "label", "quantity", "samples", "minimum", "maximum", "last"});
+    for (const auto& h : histories.all) {
+        const bool none = h.values.empty();
+        const auto range = none ? std::pair<double, double>{} : std::pair{std::ranges::min(h.values), std::ranges::max(h.values)};
+        const bool function = h.source.kind == HistorySource::Kind::function;
+        table.add({std::to_string(h.number), h.label, (function ? "@" : "") + h.source.quantity, std::to_string(h.values.size()),
+                   none ? "-" : number_text(range.first), none ? "-" : number_text(range.second),
+                   none ? "-" : number_text(h.values.back())});
+    }
+    return table.text() + fmt::format("\na sample every {} cycles", histories.interval);
+}
+
+std::string list_time(Session& session, const lang::List&) {
+    return fmt::format("time = {}\ncycle = {}", number_text(session.model.clock.time), session.model.clock.cycle);
+}
+
+std::string list_time_step(Session& session, const lang::List&) {
+    session.cycle->prepare();
+    return session.cycle->time_step_report();
+}
+
+std::string list_extremes(Session& session, const lang::List&) {
+    const auto& model = session.model;
+    Extreme displacement{"displacement"}, velocity{"velocity"}, most_compressive{"most compressive stress"},
+        most_tensile{"most tensile stress"}, shear{"joint shear displacement"}, closure{"joint closure"},
+        opening{"joint opening"};
+    for (std::size_t row = 0; row < model.gridpoints.size(); ++row) {
+        const auto& points = model.gridpoints;
+        displacement.look(points.displacement[row].norm(), points.position[row]);
+        velocity.look(points.velocity[row].norm(), points.position[row]);
+    }
+    for (Row row = 0; row < static_cast<Row>(model.zones.size()); ++row) {
+        const Vec3 principal = principal_stresses(model, row), centroid = zone_centroid(model, row);
+        most_compressive.look(std::min(principal[0], 0.0), centroid);
+        most_tensile.look(std::max(principal[2], 0.0), centroid);
+    }
+    for (std::size_t row = 0; row < model.sub_contacts.size(); ++row) {
+        const auto& points = model.sub_contacts;
+        shear.look(points.shear_displacement[row].norm(), points.position[row]);
+        closure.look(std::min(points.normal_displacement[row], 0.0), points.position[row]);
+        opening.look(std::max(points.normal_displacement[row], 0.0), points.position[row]);
+    }
+    TextTable table({"largest", "value", "x", "y", "z"});
+    for (const Extreme* e : {&displacement, &velocity, &most_compressive, &most_tensile, &shear, &closure, &opening})
+        table.add({std::string(e->name), number_text(e->value), number_text(e->place[0]), number_text(e->place[1]),
+                   number_text(e->place[2])});
+    return table.text() + fmt::format("\nunbalanced force = {}", number_text(model.clock.unbalanced_force));
+}
+
+std::string list_energy(Session& session, const lang::List&) {
+    const auto& c = session.model.clock;
+    TextTable table({"energy", "value"});
+    const std::array<std::pair<const char*, double>, 7> rows{{{"kinetic", c.kinetic},
+                                                              {"gravity work", c.gravity_work},
+                                                              {"boundary work", c.boundary_work},
+                                                              {"damped", c.damped},
+                                                              {"frictional", c.frictional},
+                                                              {"joints, elastic", c.joint_elastic},
+                                                              {"zones, elastic", c.zone_elastic}}};
+    for (const auto& [name, value] : rows) table.add({name, number_text(value)});
+    return table.text();
+}
+
+std::string list_timing(Session& session, const lang::List&) {
+    double total = 0;
+    for (const auto& phase : session.cycle->timing()) total += phase.seconds;
+    TextTable table({"phase", "calls", "seconds", "share %"});
+    for (const auto& phase : session.cycle->timing())
+        table.add({phase.phase, std::to_string(phase.calls), fmt::format("{:.3f}", phase.seconds),
+                   fmt::format("{:.1f}", total > 0 ? 100 * phase.seconds / total : 0.0)});
+    return table.text();
+}
+
+std::string list_hash(Session& session, const lang::List&) {
+    return fmt::format("hash = {:016x}", state_hash(session.model));
+}
+
+std::string list_ranges(Session& session, const lang::List&) {
+    if (session.ranges.empty()) return "no named ranges";
+    TextTable table({"range", "elements"});
+    for (const auto& [name, phrase] : session.ranges) table.add({name, std::to_string(phrase.elements.size())});
+    return table.text();
+}
+
+std::string list_symbols(Session& session, const lang::List&) {
+    const auto symbols = session.scripts->symbols();
+    return symbols.empty() ? "no FISH variables or functions" : fmt::format("{}", fmt::join(symbols, "\n"));
+}
+
+void run(Session& session, const lang::List& command) {
+    for (const auto& symbol : command.symbols)
+        session.output.print(fmt::format("{} = {}", symbol, session.symbol_text(symbol)));
+    if (command.what.empty()) return;
+    const auto found = std::ranges::find(lists, std::string_view(command.what), &ListEntry::word);
+    if (found == lists.end()) throw std::logic_error("list: no entry for '" + command.what + "'");
+    session.output.print(found->text(session, command));
+}
+
+} // namespace kaya

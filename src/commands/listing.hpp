@@ -1,0 +1,32 @@
+// Tables that `list` shows, each made by one function.
+#pragma once
+
+#include "commands/session.hpp"
+#include "lang/commands/commands.hpp"
+
+#include <string>
+
+namespace kaya {
+
+/// What `list blocks`, ..., shows. A long table ends after `longest_table` rows and says so.
+inline constexpr std::size_t longest_table = 100;
+
+std::string list_blocks(Session&, const lang::List&);
+std::string list_gridpoints(Session&, const lang::List&);
+std::string list_zones(Session&, const lang::List&);
+std::string list_contacts(Session&, const lang::List&);
+std::string list_sub_contacts(Session&, const lang::List&);
+
+std::string list_properties(Session&, const lang::List&);
+std::string list_joint_models(Session&, const lang::List&);
+std::string list_histories(Session&, const lang::List&);
+std::string list_time(Session&, const lang::List&);
+std::string list_time_step(Session&, const lang::List&);
+std::string list_extremes(Session&, const lang::List&);
+std::string list_energy(Session&, const lang::List&);
+std::string list_timing(Session&, const lang::List&);
+std::string list_hash(Session&, const lang::List&);
+std::string list_ranges(Session&, const lang::List&);
+std::string list_symbols(Session&, const lang::List&);
+
+} // namespace kaya

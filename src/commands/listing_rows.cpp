@@ -1,0 +1,157 @@
+// Lists of objects: one line for each row of a table that the range picks.
+#include "commands/listing.hpp"
+
+#include "mechanics/contact_properties.hpp"
+#include "model/measure.hpp"
+
+#include <array>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+std::string numbers(const Vec3& v) {
+    return fmt::format("{}, {}, {}", number_text(v[0]), number_text(v[1]), number_text(v[2]));
+}
+
+std::string fixity_text(std::uint8_t fixed) {
+    static constexpr std::array names{"x", "y", "z", "rx", "ry", "rz"};
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if ((fixed & (1u << i)) != 0) text += (text.empty() ? "" : " ") + std::string(names[i]);
+    return text.empty() ? "-" : text;
+}
+
+/// A line for each row, up to the longest table; the rest is counted.
+template <class Line>
+std::string rows_text(Session& session, const lang::List& command, ObjectKind kind, std::vector<std::string> headings,
+                      Line line) {
+    const auto rows = session.pick(kind, command.range);
+    if (rows.empty()) return fmt::format("no {}", plural_of(kind));
+    TextTable table(std::move(headings));
+    for (const Row row : rows) {
+        if (table.size() == longest_table) break;
+        table.add(line(row));
+    }
+    std::string text = table.text();
+    if (rows.size() > longest_table)
+        text += fmt::format("\n... and {} more {}; a range picks which are shown", rows.size() - longest_table,
+                            plural_of(kind));
+    return text;
+}
+
+const char* touch_text(Touch touch) {
+    static constexpr std::array names{"-",         "face-face",   "face-edge",    "face-vertex",
+                                      "edge-edge", "edge-vertex", "vertex-vertex"};
+    return names[static_cast<std::size_t>(touch)];
+}
+
+const JointProperties* properties_of(const Model& model, Row contact) {
+    const Row row = model.contacts.properties[contact];
+    return row == no_row ? nullptr : &model.joint_properties[row];
+}
+
+/// The names of the bits that are set.
+std::string state_text(const Session& session, Row contact, std::uint32_t state) {
+    const JointProperties* properties = properties_of(session.model, contact);
+    const JointModel* joint = properties == nullptr ? nullptr : session.joints.find(properties->model);
+    if (joint == nullptr || state == 0) return "-";
+    std::string text;
+    for (std::size_t i = 0; i < joint->states.size(); ++i)
+        if ((state & (1u << i)) != 0) text += (text.empty() ? "" : " ") + joint->states[i];
+    return text.empty() ? "-" : text;
+}
+
+} // namespace
+
+std::string list_blocks(Session& session, const lang::List& command) {
+    const auto& model = session.model;
+    const auto& blocks = model.blocks;
+    return rows_text(session, command, ObjectKind::block,
+                     {"block", "kind", "region", "mat", "cons", "group", "centroid", "volume", "points", "zones", "fixed"},
+                     [&](Row row) -> std::vector<std::string> {
+                         return {std::to_string(blocks.number[row]),
+                                 blocks.deformable[row] ? "deformable" : "rigid",
+                                 std::to_string(blocks.region[row]),
+                                 std::to_string(blocks.material[row]),
+                                 std::to_string(blocks.constitutive[row]),
+                                 blocks.group[row] == 0 ? "-" : model.group_names[blocks.group[row]],
+                                 numbers(blocks.centroid[row]),
+                                 number_text(blocks.volume[row]),
+                                 std::to_string(blocks.gridpoints[row].count),
+                                 std::to_string(blocks.zones[row].count),
+                                 blocks.deformable[row] ? "-" : fixity_text(blocks.fixed[row])};
+                     });
+}
+
+std::string list_gridpoints(Session& session, const lang::List& command) {
+    const auto& points = session.model.gridpoints;
+    return rows_text(session, command, ObjectKind::gridpoint,
+                     {"gridpoint", "block", "position", "displacement", "velocity", "force", "fixed"},
+                     [&](Row row) -> std::vector<std::string> {
+                         return {std::to_string(row + 1),
+                                 std::to_string(session.model.blocks.number[points.block[row]]),
+                                 numbers(points.position[row]),
+                                 numbers(points.displacement[row]),
+                                 numbers(points.velocity[row]),
+                                 numbers(points.force[row]),
+                                 fixity_text(points.fixed[row])};
+                     });
+}
+
+std::string list_zones(Session& session, const lang::List& command) {
+    const auto& zones = session.model.zones;
+    return rows_text(session, command, ObjectKind::zone,
+                     {"zone", "block", "centroid", "volume", "sxx", "syy", "szz", "sxy", "sxz", "syz"},
+                     [&](Row row) -> std::vector<std::string> {
+                         std::vector<std::string> words{std::to_string(row + 1),
+                                                        std::to_string(session.model.blocks.number[zones.block[row]]),
+                                                        numbers(zone_centroid(session.model, row)),
+                                                        number_text(zones.volume[row])};
+                         for (int k = 0; k < 6; ++k) words.push_back(number_text(zones.stress[row][k]));
+                         return words;
+                     });
+}
+
+std::string list_contacts(Session& session, const lang::List& command) {
+    find_contacts(session.model, session.joints);
+    const auto& model = session.model;
+    const auto& contacts = model.contacts;
+    return rows_text(session, command, ObjectKind::contact,
+                     {"contact", "block1", "block2", "touch", "position", "normal", "area", "points", "jmat", "jmodel"},
+                     [&](Row row) -> std::vector<std::string> {
+                         const JointProperties* properties = properties_of(model, row);
+                         return {std::to_string(contacts.number[row]),
+                                 std::to_string(model.blocks.number[contacts.block1[row]]),
+                                 std::to_string(model.blocks.number[contacts.block2[row]]),
+                                 touch_text(contacts.touch[row]),
+                                 numbers(contacts.position[row]),
+                                 numbers(contacts.normal[row]),
+                                 number_text(contacts.area[row]),
+                                 std::to_string(contacts.sub_contacts[row].count),
+                                 std::to_string(contacts.material[row]),
+                                 properties == nullptr ? "-" : properties->model};
+                     });
+}
+
+std::string list_sub_contacts(Session& session, const lang::List& command) {
+    find_contacts(session.model, session.joints);
+    const auto& model = session.model;
+    const auto& points = model.sub_contacts;
+    return rows_text(session, command, ObjectKind::sub_contact,
+                     {"sub-contact", "contact", "position", "area", "nforce", "sforce", "ndis", "sdis", "state"},
+                     [&](Row row) -> std::vector<std::string> {
+                         return {std::to_string(points.number[row]),
+                                 std::to_string(model.contacts.number[points.contact[row]]),
+                                 numbers(points.position[row]),
+                                 number_text(points.area[row]),
+                                 number_text(points.normal_force[row]),
+                                 number_text(points.shear_force[row].norm()),
+                                 number_text(points.normal_displacement[row]),
+                                 number_text(points.shear_displacement[row].norm()),
+                                 state_text(session, points.contact[row], points.state[row])};
+                     });
+}
+
+} // namespace kaya

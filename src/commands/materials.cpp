@@ -1,0 +1,230 @@
+// prop, change, jmodel.
+#include "commands/materials.hpp"
+
+#include "commands/handlers.hpp"
+#include "mechanics/contact_properties.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace kaya {
+
+namespace {
+
+using Items = std::vector<lang::Property::Item>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A property of blocks: the words that name it, in the order in which abbreviations are resolved.
+struct BlockProperty {
+    std::string_view word;
+    double Material::*value;
+    double above, below; ///< limits, exclusive
+    const char* limits;  ///< the same in words
+};
+constexpr std::array<BlockProperty, 12> block_properties{{
+    {"density", &Material::density, 0, infinity, "above 0"},
+    {"bulk", &Material::bulk, 0, infinity, "above 0"},
+    {"k", &Material::bulk, 0, infinity, "above 0"},
+    {"shear", &Material::shear, 0, infinity, "above 0"},
+    {"g", &Material::shear, 0, infinity, "above 0"},
+    {"ymodulus", &Material::young, 0, infinity, "above 0"},
+    {"pratio", &Material::poisson, -1, 0.5, "between -1 and 0.5"},
+    {"poisson", &Material::poisson, -1, 0.5, "between -1 and 0.5"},
+    {"bcohesion", &Material::cohesion, -1e-300, infinity, "0 or more"},
+    {"bfriction", &Material::friction, -1e-300, 90, "from 0 to below 90 degrees"},
+    {"btension", &Material::tension, -1e-300, infinity, "0 or more"},
+    {"bdilation", &Material::dilation, -90, 90, "between -90 and 90 degrees"},
+}};
+
+/// Words of joints that every deck may use with `prop`, whatever joint model is loaded.
+constexpr std::array<std::string_view, 12> joint_words{"jkn",       "jks",       "jfriction",  "jcohesion",
+                                                       "jtension",  "jdilation", "zdilation",  "jrfriction",
+                                                       "jrcohesion", "jrtension", "jphi",      "jrdilation"};
+
+const BlockProperty* find_block_property(std::string_view word) {
+    const auto exact = std::ranges::find(block_properties, word, &BlockProperty::word);
+    if (exact != block_properties.end()) return &*exact;
+    const auto longer =
+        std::ranges::find_if(block_properties, [&](const auto& p) { return p.word.starts_with(word); });
+    return longer != block_properties.end() ? &*longer : nullptr;
+}
+
+bool is_joint_word(const JointRegistry& joints, std::string_view word) {
+    return std::ranges::any_of(joint_words, [&](auto known) { return known.starts_with(word); }) ||
+           std::ranges::any_of(joints.loaded(), [&](const auto& model) { return model->find_property(word).has_value(); });
+}
+
+[[noreturn]] void refuse_word(const Session& session, const lang::Property::Item& item, bool joint_only) {
+    std::vector<std::string_view> known(joint_words.begin(), joint_words.end());
+    if (!joint_only)
+        for (const auto& property : block_properties) known.push_back(property.word);
+    for (const auto& model : session.joints.loaded())
+        for (const auto& property : model->properties) {
+            known.push_back(property.name);
+            known.insert(known.end(), property.aliases.begin(), property.aliases.end());
+        }
+    const auto near = did_you_mean(item.word, known);
+    throw Diagnostic(fmt::format("'{}' is not a property of {}", item.word,
+                                 joint_only ? "joints" : "blocks, nor of joints"),
+                     near.empty() ? "if it belongs to a joint model, load that first: jmodel load NAME"
+                                  : fmt::format("did you mean '{}'?", near))
+        .at(item.place);
+}
+
+void set_block_property(Material& material, const BlockProperty& property, const lang::Property::Item& item) {
+    if (!(item.value > property.above && item.value < property.below))
+        throw Diagnostic(fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value), property.limits))
+            .at(item.place);
+    material.*property.value = item.value;
+    // The pair that was given last counts.
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    if (property.value == &Material::bulk || property.value == &Material::shear) material.young = material.poisson = nan;
+    if (property.value != &Material::young && property.value != &Material::poisson) return;
+    const bool both = !std::isnan(material.young) && !std::isnan(material.poisson);
+    material.bulk = both ? material.young / (3 * (1 - 2 * material.poisson)) : nan;
+    material.shear = both ? material.young / (2 * (1 + material.poisson)) : nan;
+}
+
+std::vector<std::pair<std::string, double>> names_and_values(const Items& items) {
+    std::vector<std::pair<std::string, double>> pairs;
+    for (const auto& item : items) pairs.emplace_back(item.word, item.value);
+    return pairs;
+}
+
+/// Calls `give(failed)`; a mistake in item number `failed` is reported at its word.
+template <class Give> void pointing_at(const Items& items, Give give) {
+    std::size_t failed = items.size();
+    try {
+        give(&failed);
+    } catch (Diagnostic& mistake) {
+        if (failed < items.size()) mistake.at(items[failed].place);
+        throw;
+    }
+}
+
+void check_elastic_pair(std::int32_t number, const Material& material) {
+    const bool young = !std::isnan(material.young), poisson = !std::isnan(material.poisson);
+    if (young == poisson) return;
+    throw Diagnostic(fmt::format("material {} has {} but no {}", number, young ? "ymod" : "prat", young ? "prat" : "ymod"),
+                     "the stiffness of a block needs both, or bulk and shear");
+}
+
+/// Joint models that contacts with this joint material use.
+std::set<std::string> models_in_use(const Model& model, std::int32_t material) {
+    std::set<std::string> names;
+    for (std::size_t row = 0; row < model.contacts.size(); ++row)
+        if (model.contacts.material[row] == material && model.contacts.properties[row] != no_row)
+            names.insert(model.joint_properties[model.contacts.properties[row]].model);
+    return names;
+}
+
+void warn_unused(Session& session, std::int32_t number, const Material& material) {
+    const auto models = models_in_use(session.model, number);
+    if (models.empty()) return;
+    for (const auto& [word, value] : material.joint) {
+        const bool known = std::ranges::any_of(models, [&, &name = word](const std::string& model) {
+            const JointModel* found = session.joints.find(model);
+            return found == nullptr || found->find_property(name).has_value();
+        });
+        if (known) continue;
+        if (!session.said_once.insert(fmt::format("prop {} {} {}", number, word, *models.begin())).second) continue;
+        const auto place = session.property_places.find({number, word});
+        Diagnostic warning(fmt::format("'{}' of joint material {} has no effect", word, number),
+                           fmt::format("joint model {} has no such property", fmt::join(models, ", ")));
+        if (place != session.property_places.end()) warning.at(place->second);
+        session.warn(std::move(warning));
+    }
+}
+
+} // namespace
+
+void run(Session& session, const lang::Property& command) {
+    const auto number = static_cast<std::int32_t>(command.number);
+    const auto existing = session.model.materials.find(number);
+    Material material = existing == session.model.materials.end() ? Material{} : existing->second;
+    Items of_joints;
+    for (const auto& item : command.items) {
+        const BlockProperty* property = command.joint ? nullptr : find_block_property(item.word);
+        if (property != nullptr) set_block_property(material, *property, item);
+        else if (is_joint_word(session.joints, item.word)) of_joints.push_back(item);
+        else refuse_word(session, item, command.joint);
+    }
+    if (!of_joints.empty()) {
+        pointing_at(of_joints, [&](std::size_t* failed) {
+            set_joint_material(session.model, session.joints, number, names_and_values(of_joints), session.here(), failed);
+        });
+        for (const auto& item : of_joints) session.property_places[{number, item.word}] = item.place;
+    }
+    material.joint = session.model.materials[number].joint;
+    session.model.materials[number] = std::move(material);
+    session.model.properties_changed = true;
+}
+
+void run(Session& session, const lang::Change& command) {
+    auto& model = session.model;
+    if (command.material || command.constitutive)
+        for (const Row block : session.pick(ObjectKind::block, command.range)) {
+            if (command.material) model.blocks.material[block] = static_cast<std::int32_t>(*command.material);
+            if (command.constitutive) model.blocks.constitutive[block] = static_cast<std::int32_t>(*command.constitutive);
+            model.properties_changed = true;
+        }
+    if (!command.joint_material && !command.joint_constitutive) return;
+
+    find_contacts(model, session.joints);
+    const auto contacts = session.pick(ObjectKind::contact, command.range);
+    if (contacts.empty()) return;
+    if (command.joint_constitutive) {
+        const auto number = static_cast<std::int32_t>(*command.joint_constitutive);
+        const auto found = model.joint_constitutive.find(number);
+        if (found == model.joint_constitutive.end())
+            throw Diagnostic(fmt::format("no joint model has the number jcons {}", number),
+                             "assign one by name: jmodel model NAME");
+        assign_joint_model(model, session.joints, contacts, found->second, session.here());
+    }
+    if (command.joint_material)
+        change_joint_material(model, session.joints, contacts, static_cast<std::int32_t>(*command.joint_material),
+                              session.here());
+}
+
+void run(Session& session, const lang::JointModelCommand& command) {
+    using Action = lang::JointModelCommand::Action;
+    if (command.action != Action::properties) {
+        try {
+            session.joints.get(command.model);
+        } catch (Diagnostic& mistake) {
+            mistake.at(command.model_place);
+            throw;
+        }
+        if (command.action == Action::load) return;
+    }
+    find_contacts(session.model, session.joints);
+    const auto contacts = session.pick(ObjectKind::contact, command.range);
+    if (contacts.empty()) return;
+    if (command.action == Action::assign) {
+        try {
+            assign_joint_model(session.model, session.joints, contacts, command.model, session.here());
+        } catch (Diagnostic& mistake) {
+            mistake.at(command.model_place);
+            throw;
+        }
+    }
+    if (command.items.empty()) return;
+    pointing_at(command.items, [&](std::size_t* failed) {
+        set_joint_properties(session.model, session.joints, contacts, names_and_values(command.items), session.here(),
+                             failed);
+    });
+}
+
+void check_materials(Session& session) {
+    std::set<std::int32_t> in_use(session.model.blocks.material.begin(), session.model.blocks.material.end());
+    for (const auto& [number, material] : session.model.materials) {
+        if (in_use.contains(number)) check_elastic_pair(number, material);
+        warn_unused(session, number, material);
+    }
+}
+
+} // namespace kaya

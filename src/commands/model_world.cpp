@@ -1,0 +1,237 @@
+#include "commands/model_world.hpp"
+
+#include "base/diagnostic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <limits>
+
+namespace kaya {
+
+namespace {
+
+using script::Handle;
+using script::Value;
+
+/// What belongs to each script table, in the order of ScriptTable.
+struct TableEntry {
+    std::string_view name;
+    FieldTable fields;
+    ObjectKind kind;
+};
+constexpr std::array<TableEntry, 6> entries{{
+    {"block", FieldTable::block, ObjectKind::block},
+    {"gridpoint", FieldTable::gridpoint, ObjectKind::gridpoint},
+    {"zone", FieldTable::zone, ObjectKind::zone},
+    {"face", FieldTable::face, ObjectKind::face},
+    {"contact", FieldTable::contact, ObjectKind::contact},
+    {"sub_contact", FieldTable::sub_contact, ObjectKind::sub_contact},
+}};
+
+std::string_view name_of(std::int32_t table) { return entries[static_cast<std::size_t>(table)].name; }
+
+ScriptTable script_table(FieldTable table) {
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (entries[i].fields == table) return static_cast<ScriptTable>(i);
+    throw std::logic_error("a link to a table that scripts do not see");
+}
+
+script::FieldInfo info_of(const Field& field) {
+    return {field.name, field.classic, field.unit, field.help, field.set != nullptr};
+}
+
+std::size_t size_of(const Model& model, ScriptTable table) {
+    switch (table) {
+    case ScriptTable::block: return model.blocks.size();
+    case ScriptTable::gridpoint: return model.gridpoints.size();
+    case ScriptTable::zone: return model.zones.size();
+    case ScriptTable::face: return model.faces.size();
+    case ScriptTable::contact: return model.contacts.size();
+    case ScriptTable::sub_contact: return model.sub_contacts.size();
+    }
+    return 0;
+}
+
+FieldValue field_value(const Value& value, const Field& field) {
+    if (const auto* truth = std::get_if<bool>(&value)) return std::int64_t{*truth};
+    if (const auto* number = std::get_if<std::int64_t>(&value)) return *number;
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* vector = std::get_if<Vec3>(&value)) return *vector;
+    throw Diagnostic(fmt::format("'{}' cannot take a value of this kind", field.name),
+                     "give a number, a vector or a text", Fault::run);
+}
+
+void write(Model& model, const Field& field, Row row, const Value& value) {
+    if (field.set == nullptr)
+        throw Diagnostic(fmt::format("'{}' can be read but not written", field.name), {}, Fault::run);
+    field.set(model, row, field_value(value, field));
+}
+
+/// The rows that `row` is listed with: a list of FISH ends with the block or contact it belongs to.
+Span siblings(const Model& model, ScriptTable table, Row row) {
+    switch (table) {
+    case ScriptTable::gridpoint: return model.blocks.gridpoints[model.gridpoints.block[row]];
+    case ScriptTable::zone: return model.blocks.zones[model.zones.block[row]];
+    case ScriptTable::face: return model.blocks.faces[model.faces.block[row]];
+    case ScriptTable::sub_contact: return model.contacts.sub_contacts[model.sub_contacts.contact[row]];
+    case ScriptTable::block:
+    case ScriptTable::contact: break;
+    }
+    return {0, static_cast<Row>(size_of(model, table))};
+}
+
+} // namespace
+
+ModelWorld::ModelWorld(Model& model) : model_(model), fields_(entries.size()) {
+    for (const auto& entry : entries) infos_.push_back({entry.name, {}});
+    for (const Field& field : fields()) {
+        if (field.table == FieldTable::global) {
+            global_infos_.push_back(info_of(field));
+            global_fields_.push_back(&field);
+            continue;
+        }
+        const auto table = static_cast<std::size_t>(script_table(field.table));
+        infos_[table].fields.push_back(info_of(field));
+        fields_[table].push_back(&field);
+    }
+}
+
+Row ModelWorld::row_of(Handle object) const {
+    if (object.generation == 0) return no_row;
+    const auto table = static_cast<ScriptTable>(object.table);
+    switch (table) {
+    case ScriptTable::block: return model_.blocks.ids.row({object.slot, object.generation});
+    case ScriptTable::contact: return model_.contacts.ids.row({object.slot, object.generation});
+    case ScriptTable::sub_contact: return model_.sub_contacts.ids.row({object.slot, object.generation});
+    case ScriptTable::gridpoint:
+    case ScriptTable::zone:
+    case ScriptTable::face:
+        if (object.generation != generation_ || object.slot >= size_of(model_, table)) return no_row;
+        return static_cast<Row>(object.slot);
+    }
+    return no_row;
+}
+
+Row ModelWorld::living_row(Handle object) const {
+    const Row row = row_of(object);
+    if (row != no_row) return row;
+    if (object.generation == 0)
+        throw Diagnostic(fmt::format("this {} is null", name_of(object.table)),
+                         "test it against 0 (FISH) or nil (Lua) before use", Fault::run);
+    throw Diagnostic(fmt::format("this {} no longer exists", name_of(object.table)),
+                     "it was deleted, or its block was zoned anew; find it again", Fault::run);
+}
+
+Handle ModelWorld::handle(ScriptTable table, Row row) const {
+    if (row == no_row) return {static_cast<std::int32_t>(table), 0, 0};
+    const auto from = [&](auto id) { return Handle{static_cast<std::int32_t>(table), id.slot, id.generation}; };
+    switch (table) {
+    case ScriptTable::block: return from(model_.blocks.id[row]);
+    case ScriptTable::contact: return from(model_.contacts.id[row]);
+    case ScriptTable::sub_contact: return from(model_.sub_contacts.id[row]);
+    case ScriptTable::gridpoint:
+    case ScriptTable::zone:
+    case ScriptTable::face: break;
+    }
+    return {static_cast<std::int32_t>(table), static_cast<std::uint32_t>(row), generation_};
+}
+
+Value ModelWorld::script_value(const FieldValue& value) const {
+    switch (value.index()) {
+    case 0: return *std::get_if<double>(&value);
+    case 1: return *std::get_if<std::int64_t>(&value);
+    case 2: return *std::get_if<Vec3>(&value);
+    case 3: return *std::get_if<std::string>(&value);
+    default: break;
+    }
+    const Link& link = *std::get_if<Link>(&value);
+    return handle(script_table(link.table), link.row);
+}
+
+Value ModelWorld::get(Handle object, std::size_t field) {
+    const Row row = living_row(object);
+    return script_value(fields_[static_cast<std::size_t>(object.table)][field]->get(model_, row));
+}
+
+void ModelWorld::set(Handle object, std::size_t field, const Value& value) {
+    const Row row = living_row(object);
+    write(model_, *fields_[static_cast<std::size_t>(object.table)][field], row, value);
+}
+
+std::size_t ModelWorld::count(std::int32_t table) { return size_of(model_, static_cast<ScriptTable>(table)); }
+
+Handle ModelWorld::at(std::int32_t table, std::size_t index) {
+    return handle(static_cast<ScriptTable>(table), index < count(table) ? static_cast<Row>(index) : no_row);
+}
+
+bool ModelWorld::alive(Handle object) { return row_of(object) != no_row; }
+
+Handle ModelWorld::next(Handle object) {
+    const auto table = static_cast<ScriptTable>(object.table);
+    const Row row = living_row(object);
+    return handle(table, row + 1 < siblings(model_, table, row).end() ? row + 1 : no_row);
+}
+
+Handle ModelWorld::first_child(Handle parent, std::int32_t child_table) {
+    const Row row = living_row(parent);
+    const auto child = static_cast<ScriptTable>(child_table);
+    const auto from = static_cast<ScriptTable>(parent.table);
+    const auto first = [&](const Span& span) { return handle(child, span.count > 0 ? span.first : no_row); };
+    if (from == ScriptTable::block && child == ScriptTable::gridpoint) return first(model_.blocks.gridpoints[row]);
+    if (from == ScriptTable::block && child == ScriptTable::zone) return first(model_.blocks.zones[row]);
+    if (from == ScriptTable::block && child == ScriptTable::face) return first(model_.blocks.faces[row]);
+    if (from == ScriptTable::contact && child == ScriptTable::sub_contact)
+        return first(model_.contacts.sub_contacts[row]);
+    throw Diagnostic(fmt::format("a {} has no list of {}s", name_of(parent.table), name_of(child_table)), {}, Fault::run);
+}
+
+Handle ModelWorld::nearest(std::int32_t table, const Vec3& place) {
+    const ObjectKind kind = entries[static_cast<std::size_t>(table)].kind;
+    const auto rows = static_cast<Row>(count(table));
+    Row best = no_row;
+    double best_distance = std::numeric_limits<double>::infinity();
+    for (Row row = 0; row < rows; ++row) {
+        const double distance = (reference_point(model_, kind, row) - place).squaredNorm();
+        if (distance < best_distance) {
+            best_distance = distance;
+            best = row;
+        }
+    }
+    return handle(static_cast<ScriptTable>(table), best);
+}
+
+Value ModelWorld::get_global(std::size_t index) { return script_value(global_fields_[index]->get(model_, 0)); }
+
+void ModelWorld::set_global(std::size_t index, const Value& value) { write(model_, *global_fields_[index], 0, value); }
+
+double ModelWorld::reduce(std::int32_t table, std::size_t field, std::string_view how) {
+    const Field& quantity = *fields_[static_cast<std::size_t>(table)][field];
+    const auto rows = static_cast<Row>(count(table));
+    const auto number = [&](Row row) {
+        const FieldValue value = quantity.get(model_, row);
+        if (const auto* real = std::get_if<double>(&value)) return *real;
+        if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
+        throw Diagnostic(fmt::format("'{}' is not a number that can be added up or compared", quantity.name),
+                         "name one component", Fault::run);
+    };
+    double sum = 0, low = std::numeric_limits<double>::infinity(), high = -low;
+    for (Row row = 0; row < rows; ++row) {
+        const double value = number(row);
+        sum += value;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    if (how == "sum") return sum;
+    if (rows == 0)
+        throw Diagnostic(fmt::format("there is no {} to take the {} of", name_of(table), how), {}, Fault::run);
+    if (how == "min" || how == "minimum") return low;
+    if (how == "max" || how == "maximum") return high;
+    if (how == "mean" || how == "average") return sum / rows;
+    throw Diagnostic(fmt::format("'{}' is not a way to reduce a field", how), "use sum, mean, minimum or maximum", Fault::run);
+}
+
+void ModelWorld::command(const std::string& text, const std::string& chunk, int line) { run_command(text, chunk, line); }
+
+} // namespace kaya

@@ -1,0 +1,61 @@
+// The model as scripts see it: tables of named fields, and handles that say when an object is gone.
+#pragma once
+
+#include "lang/script/world.hpp"
+#include "model/field.hpp"
+#include "model/selection.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// Numbers of the script tables, in the order of ModelWorld::tables().
+enum class ScriptTable : std::int32_t { block, gridpoint, zone, face, contact, sub_contact };
+
+class ModelWorld : public script::World {
+public:
+    explicit ModelWorld(Model& model);
+
+    const std::vector<script::TableInfo>& tables() const override { return infos_; }
+    script::Value get(script::Handle object, std::size_t field) override;
+    void set(script::Handle object, std::size_t field, const script::Value& value) override;
+    std::size_t count(std::int32_t table) override;
+    script::Handle at(std::int32_t table, std::size_t index) override;
+    bool alive(script::Handle object) override;
+    script::Handle next(script::Handle object) override;
+    script::Handle first_child(script::Handle parent, std::int32_t child_table) override;
+    script::Handle nearest(std::int32_t table, const Vec3& place) override;
+    const std::vector<script::FieldInfo>& globals() const override { return global_infos_; }
+    script::Value get_global(std::size_t index) override;
+    void set_global(std::size_t index, const script::Value& value) override;
+    double reduce(std::int32_t table, std::size_t field, std::string_view how) override;
+    void command(const std::string& text, const std::string& chunk, int line) override;
+
+    /// Rows of gridpoints, zones and faces have moved: handles to them are dead from now on. Blocks,
+    /// contacts and sub-contacts have ids of their own that outlive a move.
+    void rows_moved() { ++generation_; }
+
+    /// Saved with the scripts that hold handles.
+    std::uint32_t generation() const { return generation_; }
+    void set_generation(std::uint32_t generation) { generation_ = generation; }
+
+    /// What `command` does; given by the session.
+    std::function<void(const std::string& text, const std::string& chunk, int line)> run_command;
+
+private:
+    Row row_of(script::Handle object) const; ///< no_row when it is gone
+    Row living_row(script::Handle object) const;
+    script::Handle handle(ScriptTable table, Row row) const;
+    script::Value script_value(const FieldValue& value) const;
+
+    Model& model_;
+    std::uint32_t generation_ = 1;
+    std::vector<script::TableInfo> infos_;
+    std::vector<std::vector<const Field*>> fields_; ///< of each table, in the order of its FieldInfo
+    std::vector<script::FieldInfo> global_infos_;
+    std::vector<const Field*> global_fields_;
+};
+
+} // namespace kaya

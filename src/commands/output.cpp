@@ -1,0 +1,99 @@
+#include "commands/output.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace kaya {
+
+Output::Output(std::FILE* results, std::FILE* messages)
+    : results_(results), messages_(messages), terminal_(isatty(fileno(messages)) == 1) {
+    colour_ = terminal_ && std::getenv("NO_COLOR") == nullptr;
+}
+
+Output::~Output() {
+    if (log_ != nullptr) std::fclose(log_);
+}
+
+void Output::write(std::FILE* stream, std::string_view text, const std::string& name) {
+    errno = 0;
+    const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
+    if (written && std::fputc('\n', stream) != EOF) return;
+    throw Diagnostic(fmt::format("cannot write to {}: {}", name, std::strerror(errno)),
+                     "is the disk full?", Fault::run);
+}
+
+void Output::print(std::string_view text) {
+    end_refresh();
+    while (text.ends_with('\n')) text.remove_suffix(1);
+    write(results_, text, "the standard output");
+    if (log_ != nullptr) write(log_, text, "the log file " + log_name_);
+}
+
+void Output::message(const Diagnostic& diagnostic) {
+    end_refresh();
+    // What was printed before the message must stand before it when both go to one terminal or file.
+    std::fflush(results_);
+    fmt::print(messages_, "{}\n", render(diagnostic, colour_));
+    std::fflush(messages_);
+    if (log_ != nullptr) fmt::print(log_, "{}\n", render(diagnostic));
+}
+
+void Output::say(std::string_view text) {
+    if (log_ != nullptr) fmt::print(log_, "{}\n", text);
+    if (quiet) return;
+    end_refresh();
+    std::fflush(results_);
+    fmt::print(messages_, "{}\n", text);
+    std::fflush(messages_);
+}
+
+void Output::log_only(std::string_view text) {
+    if (log_ != nullptr) fmt::print(log_, "{}\n", text);
+}
+
+void Output::refresh(std::string_view text) {
+    if (quiet || !terminal_) return;
+    fmt::print(messages_, "\r{:<{}}", text, refreshed_);
+    refreshed_ = text.size();
+    std::fflush(messages_);
+}
+
+void Output::end_refresh() {
+    if (refreshed_ == 0) return;
+    fmt::print(messages_, "\r{:<{}}\r", "", refreshed_);
+    refreshed_ = 0;
+}
+
+void Output::start_log(const std::string& file) {
+    stop_log();
+    log_ = std::fopen(file.c_str(), "a");
+    if (log_ == nullptr)
+        throw Diagnostic(fmt::format("cannot open the log file '{}': {}", file, std::strerror(errno)), {}, Fault::run);
+    log_name_ = file;
+}
+
+void Output::stop_log() {
+    if (log_ == nullptr) return;
+    errno = 0;
+    const bool failed = std::ferror(log_) != 0;
+    const bool closed = std::fclose(log_) == 0;
+    log_ = nullptr;
+    if (failed || !closed)
+        throw Diagnostic(fmt::format("the log file '{}' is not complete: {}", log_name_, std::strerror(errno)),
+                         "is the disk full?", Fault::run);
+}
+
+void Output::flush() {
+    std::fflush(messages_);
+    errno = 0;
+    if (std::fflush(results_) != 0 || std::ferror(results_) != 0)
+        throw Diagnostic(fmt::format("cannot write to the standard output: {}", std::strerror(errno)),
+                         "is the disk full?", Fault::run);
+    if (log_ != nullptr && std::fflush(log_) != 0)
+        throw Diagnostic(fmt::format("cannot write to the log file {}: {}", log_name_, std::strerror(errno)),
+                         "is the disk full?", Fault::run);
+}
+
+} // namespace kaya

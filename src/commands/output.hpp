@@ -1,0 +1,61 @@
+// Where a session's words go: results to one stream, messages to another, both to the log.
+#pragma once
+
+#include "base/diagnostic.hpp"
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace kaya {
+
+/// Results (`list`, `print`) go to `results`, messages (errors, warnings, progress) to `messages`; the
+/// log file gets both. Writing throws Diagnostic with Fault::run when a disk is full.
+class Output {
+public:
+    Output(std::FILE* results, std::FILE* messages);
+    ~Output();
+    Output(const Output&) = delete;
+    Output& operator=(const Output&) = delete;
+
+    /// One or more lines of results; the last line end is added.
+    void print(std::string_view text);
+
+    /// A message in the form of base/diagnostic. Never throws: a message must not hide what it reports.
+    void message(const Diagnostic& diagnostic);
+
+    /// A line about what the program is doing; left out when the session is quiet.
+    void say(std::string_view text);
+
+    /// For the log only: the commands.
+    void log_only(std::string_view text);
+
+    /// Shows `text` in place of the last progress line. Only on a terminal.
+    void refresh(std::string_view text);
+    /// Takes the progress line away, so that the next line starts at the left.
+    void end_refresh();
+    bool on_terminal() const { return terminal_; }
+
+    /// Copies all that follows to a file, which is appended to. Throws Diagnostic when it cannot.
+    void start_log(const std::string& file);
+    void stop_log();
+    bool logging() const { return log_ != nullptr; }
+
+    /// Hands everything to the system; throws Diagnostic when the results did not reach their place.
+    void flush();
+
+    bool quiet = false;
+
+private:
+    void write(std::FILE* stream, std::string_view text, const std::string& name);
+
+    std::FILE* results_;
+    std::FILE* messages_;
+    std::FILE* log_ = nullptr;
+    std::string log_name_;
+    bool terminal_ = false;
+    bool colour_ = false;
+    std::size_t refreshed_ = 0; ///< width of the progress line that stands there
+};
+
+} // namespace kaya

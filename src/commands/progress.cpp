@@ -1,0 +1,75 @@
+#include "commands/progress.hpp"
+
+#include "commands/text_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace kaya {
+
+std::string duration_text(double seconds) {
+    const auto whole = static_cast<std::int64_t>(std::llround(seconds));
+    if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+Progress::Progress(Output& output, const Model& model, const Target& target)
+    : output_(output), model_(model), target_(target), start_(std::chrono::steady_clock::now()),
+      first_cycle_(model.clock.cycle), first_time_(model.clock.time) {}
+
+void Progress::advanced() {
+    if (--until_look_ > 0) return;
+    look();
+    until_look_ = stride_;
+}
+
+void Progress::look() {
+    const double now = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    // About fifty looks a second, whatever a cycle costs.
+    const double since = now - seconds_;
+    if (since < 0.01) stride_ = std::min<std::int64_t>(2 * stride_, 1 << 20);
+    else if (since > 0.04) stride_ = std::max<std::int64_t>(stride_ / 2, 1);
+    seconds_ = now;
+
+    const double pause = output_.on_terminal() ? 0.2 : 10.0;
+    if (now - shown_ < pause) return;
+    shown_ = now;
+    if (output_.on_terminal()) output_.refresh(line());
+    else output_.say(line());
+}
+
+double Progress::left() const {
+    const double cycles = static_cast<double>(model_.clock.cycle - first_cycle_);
+    if (cycles <= 0) return -1;
+    double left = -1;
+    if (target_.cycle) left = seconds_ / cycles * static_cast<double>(*target_.cycle - model_.clock.cycle);
+    const double passed = model_.clock.time - first_time_;
+    if (target_.time && passed > 0) {
+        const double by_time = seconds_ / passed * (*target_.time - model_.clock.time);
+        left = left < 0 ? by_time : std::min(left, by_time);
+    }
+    return left;
+}
+
+std::string Progress::line() const {
+    const auto& clock = model_.clock;
+    const double rate = static_cast<double>(clock.cycle - first_cycle_) / std::max(seconds_, 1e-9);
+    std::string text = fmt::format("cycle {}", clock.cycle);
+    if (target_.cycle) text += fmt::format(" of {}", *target_.cycle);
+    text += fmt::format("  time {}  ratio {:.2e}  {:.0f} cycles/s", number_text(clock.time), clock.average_ratio, rate);
+    if (const double seconds = left(); seconds >= 0) text += fmt::format("  {} left", duration_text(seconds));
+    return text;
+}
+
+void Progress::finish() {
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    output_.end_refresh();
+    const auto& clock = model_.clock;
+    const std::int64_t cycles = clock.cycle - first_cycle_;
+    output_.say(fmt::format("cycle {}  time {}  ratio {:.2e}  ({} cycles in {:.2f} s, {:.0f} cycles/s)", clock.cycle,
+                            number_text(clock.time), clock.average_ratio, cycles, seconds_,
+                            static_cast<double>(cycles) / std::max(seconds_, 1e-9)));
+}
+
+} // namespace kaya

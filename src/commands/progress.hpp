@@ -1,0 +1,52 @@
+// How far a run is, for the person who waits.
+#pragma once
+
+#include "commands/output.hpp"
+#include "model/model.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+namespace kaya {
+
+/// At what a run is going to stop, as far as it can be told beforehand.
+struct Target {
+    std::optional<std::int64_t> cycle; ///< number of the last cycle
+    std::optional<double> time;        ///< model time
+};
+
+/// Shows cycle, time, ratio, cycles per second and time left: in place, five times a second, on a
+/// terminal; as a line every ten seconds elsewhere.
+class Progress {
+public:
+    Progress(Output& output, const Model& model, const Target& target);
+
+    /// To be called after each cycle. Looks at the clock seldom enough to cost nothing.
+    void advanced();
+
+    /// Seconds since the start, at the last look at the clock.
+    double seconds() const { return seconds_; }
+
+    /// Takes the line away and says what was done.
+    void finish();
+
+private:
+    void look();
+    std::string line() const;
+    double left() const; ///< seconds, negative when it cannot be told
+
+    Output& output_;
+    const Model& model_;
+    Target target_;
+    std::chrono::steady_clock::time_point start_;
+    std::int64_t first_cycle_;
+    double first_time_;
+    std::int64_t until_look_ = 1, stride_ = 1; ///< cycles
+    double seconds_ = 0, shown_ = 0;
+};
+
+/// 75 -> "1:15", 4000 -> "1:06:40".
+std::string duration_text(double seconds);
+
+} // namespace kaya

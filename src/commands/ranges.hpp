@@ -1,0 +1,26 @@
+// Range phrases of the language become tests of the engine.
+#pragma once
+
+#include "lang/commands/range.hpp"
+#include "model/selection.hpp"
+
+#include <map>
+#include <string>
+
+namespace kaya {
+
+/// Phrases that `range name NAME ...` keeps; names are lower case.
+using NamedRanges = std::map<std::string, lang::RangePhrase>;
+
+/// The test that a phrase asks for, of objects of that kind. Limits are inclusive, with a tolerance of
+/// 1e-6 of the model's size; one value means a plane. Properties of blocks (group, material, region)
+/// match a contact when one of its two blocks has them. An empty phrase gives an empty test.
+/// Throws Diagnostic at the element: no such group or named range, an element that cannot pick objects
+/// of that kind.
+RangeTest range_test(const Model& model, const NamedRanges& named, const lang::RangePhrase& phrase,
+                     ObjectKind kind);
+
+/// "blocks", "gridpoints": for messages.
+const char* plural_of(ObjectKind kind);
+
+} // namespace kaya

@@ -1,0 +1,174 @@
+#include "commands/session.hpp"
+
+#include "base/parallel.hpp"
+#include "commands/handlers.hpp"
+#include "lang/commands/language.hpp"
+#include "lang/fish/compiler.hpp"
+#include "lang/script/value_text.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <thread>
+
+namespace kaya {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Commands take numbers, texts and vectors of scripts; a pointer means nothing to them.
+lang::Value command_value(const script::Value& value, const std::string& expression, const Place& place) {
+    if (const auto* truth = std::get_if<bool>(&value)) return *truth;
+    if (const auto* number = std::get_if<std::int64_t>(&value)) return *number;
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* vector = std::get_if<Vec3>(&value)) return *vector;
+    if (std::holds_alternative<std::monostate>(value)) return std::monostate{};
+    throw Diagnostic(fmt::format("'{}' is a pointer, which a command cannot use", expression),
+                     "give a number, a text or a vector")
+        .at(place);
+}
+
+} // namespace
+
+Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
+    : options(given), output(results, messages), world(model), interpreter(lang::classic(), handlers) {
+    output.quiet = options.quiet;
+    set_threads(options.threads > 0 ? options.threads
+                                    : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+    joints.set_path(options.joint_folders);
+
+    script::Options script_options;
+    script_options.trusted = options.trust;
+    scripts = std::make_unique<script::Scripts>(world, script_options);
+    scripts->on_print([this](const std::string& line) { output.print(line); });
+    world.run_command = [this](const std::string& text, const std::string& chunk, int line) {
+        interpreter.run_text(text, chunk, line);
+    };
+
+    register_handlers(*this, handlers);
+    interpreter.values = [this](const std::string& expression, const Place& place) {
+        return command_value(scripts->value(expression, place), expression, place);
+    };
+    interpreter.on_warning = [this](const Diagnostic& warning) { warn(warning); };
+    interpreter.before_command = [this](const lang::BoundCommand& command) { show_command(command); };
+    interpreter.checks = deck_checks();
+    make_cycle();
+}
+
+void Session::make_cycle() {
+    cycle = std::make_unique<Cycle>(model, joints);
+    const auto hook = [this](script::Moment moment) {
+        return [this, moment] {
+            if (scripts->has_hooks(moment)) scripts->run_hooks(moment, model.clock.cycle);
+        };
+    };
+    cycle->hooks.before_cycle.push_back(hook(script::Moment::before_cycle));
+    cycle->hooks.after_forces.push_back(hook(script::Moment::after_forces));
+    cycle->hooks.after_cycle.push_back(hook(script::Moment::after_cycle));
+    cycle->hooks.script_value = [this](const std::string& expression) { return scripts->number(expression); };
+}
+
+lang::Ended Session::run_deck(const std::string& file) {
+    deck = file;
+    const lang::Ended ended = interpreter.run_file(file);
+    output.flush();
+    return ended;
+}
+
+void Session::show_command(const lang::BoundCommand& command) {
+    stop_if_interrupted();
+    last_place = command.place;
+    if (!options.echo && !output.logging()) return;
+    const std::string text = command.text();
+    const std::string line = fmt::format("{}> {}", here(), text.substr(0, text.find('\n')));
+    if (options.echo) output.print(line);
+    else output.log_only(line);
+}
+
+void Session::interrupt() noexcept {
+    interrupted_ = true;
+    scripts->interrupt();
+}
+
+void Session::stop_if_interrupted() {
+    if (!interrupted_.exchange(false)) return;
+    throw Diagnostic(fmt::format("stopped by the user after cycle {}", model.clock.cycle), {}, Fault::run);
+}
+
+void Session::warn(Diagnostic warning) {
+    warning.at(interpreter.current_place());
+    if (options.strict) {
+        warning.severity = Severity::error;
+        throw warning;
+    }
+    warning.severity = Severity::warning;
+    ++warnings;
+    output.message(warning);
+}
+
+void Session::note_once(const std::string& message, const std::string& hint) {
+    if (!said_once.insert(message).second) return;
+    Diagnostic note(message, hint);
+    note.severity = Severity::note;
+    output.message(note.at(interpreter.current_place()));
+}
+
+std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& range, bool hidden_too) {
+    auto rows = select(model, kind, range_test(model, ranges, range, kind), hidden_too);
+    if (!rows.empty()) return rows;
+    const std::size_t tested = select(model, kind, {}, hidden_too).size();
+    const std::size_t hidden = hidden_too ? 0 : select(model, kind, {}, true).size() - tested;
+    const char* things = plural_of(kind);
+    std::string text = tested > 0 ? fmt::format("0 of {} {} matched", tested, things)
+                       : hidden > 0 ? fmt::format("all {} {} are hidden", hidden, things)
+                                    : fmt::format("there are no {}", things);
+    std::string hint = "the command has no effect";
+    if (tested > 0 && hidden > 0) hint += fmt::format("; {} hidden {} were not looked at", hidden, things);
+    warn(Diagnostic(std::move(text), std::move(hint)).at(range.place));
+    return rows;
+}
+
+std::vector<Row> Session::pick(ObjectKind kind, const lang::RangePhrase& range) { return pick_rows(kind, range, false); }
+
+std::vector<Row> Session::pick_hidden_too(ObjectKind kind, const lang::RangePhrase& range) {
+    return pick_rows(kind, range, true);
+}
+
+std::string Session::here() const {
+    const Place place = interpreter.current_place();
+    return place ? fmt::format("{}:{}", place.source->name, place.line) : std::string{};
+}
+
+fs::path Session::input_file(const std::string& name) const {
+    const fs::path beside = fs::path(deck).parent_path() / name;
+    std::error_code ignored;
+    return fs::exists(beside, ignored) ? beside : fs::path(name);
+}
+
+std::string Session::symbol_text(const std::string& expression) {
+    return script::to_text(scripts->value(expression, interpreter.current_place()), &world);
+}
+
+void Session::clear() {
+    model = Model{};
+    ranges.clear();
+    scripts->clear();
+    world.rows_moved();
+    title.clear();
+    property_places.clear();
+    said_once.clear();
+    make_cycle();
+}
+
+lang::Checks deck_checks() {
+    lang::Checks checks;
+    // A function that does not compile is found before the first command runs, not hours later.
+    checks.on<lang::FishDefinition>(
+        [](const lang::FishDefinition& command) { fish::read_function(command.text, command.place); });
+    return checks;
+}
+
+const char* program_version() { return KAYA_VERSION; }
+
+} // namespace kaya

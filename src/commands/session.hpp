@@ -1,0 +1,111 @@
+// One run of the program: the model, what acts on it, and where its words go.
+#pragma once
+
+#include "commands/model_world.hpp"
+#include "commands/output.hpp"
+#include "commands/ranges.hpp"
+#include "commands/text_table.hpp"
+#include "joints/joint_model.hpp"
+#include "mechanics/cycle.hpp"
+#include "model/model.hpp"
+
+#include "lang/interp/interpreter.hpp"
+#include "lang/script/scripts.hpp"
+
+#include <any>
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// What the command line says.
+struct Options {
+    int threads = 0;     ///< 0: one for each core
+    bool strict = false; ///< warnings are errors
+    bool quiet = false;  ///< results and messages only
+    bool echo = false;   ///< each command is shown before it runs
+    bool trust = false;  ///< scripts may use the whole of Lua: files, other programs
+    std::vector<std::filesystem::path> joint_folders; ///< in which joint models are looked for
+};
+
+class Session {
+public:
+    explicit Session(const Options& options, std::FILE* results = stdout, std::FILE* messages = stderr);
+
+    /// Runs a deck from its first line to its last. Throws lang::DeckErrors before the first command
+    /// when the deck does not bind, else the Diagnostic of the first command that fails.
+    lang::Ended run_deck(const std::string& file);
+
+    /// Shows a warning; under `--strict` throws it as an error. The place of the running command is
+    /// added when it has none.
+    void warn(Diagnostic warning);
+
+    /// Visible rows in a range, ascending. Warns when the range picks none.
+    std::vector<Row> pick(ObjectKind kind, const lang::RangePhrase& range);
+    /// The same, hidden blocks and their parts included.
+    std::vector<Row> pick_hidden_too(ObjectKind kind, const lang::RangePhrase& range);
+
+    /// "tunnel.3dd:12" of the running command, "" outside a deck.
+    std::string here() const;
+
+    /// A file that a deck reads: beside the deck when it is there, else in the current folder.
+    std::filesystem::path input_file(const std::string& name) const;
+
+    /// `print @x`: the value as FISH shows it.
+    std::string symbol_text(const std::string& expression);
+
+    /// Shows a note at the running command, the first time that it is said.
+    void note_once(const std::string& message, const std::string& hint = {});
+
+    /// Back to the state of a new session; settings of the program (threads, log) stay.
+    void clear();
+
+    Options options;
+    Output output;
+    Model model;
+    JointRegistry joints;
+    NamedRanges ranges;
+    ModelWorld world;
+    std::unique_ptr<script::Scripts> scripts;
+    std::unique_ptr<Cycle> cycle;
+    lang::Handlers handlers;
+    lang::Interpreter interpreter;
+
+    std::string title;
+    std::string log_file = "kaya.log"; ///< of the next `set log on`
+    std::string deck;          ///< file name of the deck that runs, for default names of output files
+    std::size_t warnings = 0;  ///< shown so far
+    bool inside_cycle = false; ///< a hook is running: structure must not change
+    std::vector<std::pair<Place, std::function<void()>>> deferred; ///< changes that wait for the end of the cycle
+    std::set<std::string> said_once; ///< notes that are not repeated
+    std::map<std::pair<std::int32_t, std::string>, Place> property_places; ///< of `prop` words, for late messages
+
+    Place last_place; ///< of the command that ran last, for failures that have no place of their own
+
+    /// Asks the run to stop after the present cycle, and scripts to stop at once. For signal handlers.
+    void interrupt() noexcept;
+    /// Throws Diagnostic when somebody asked for it.
+    void stop_if_interrupted();
+
+    /// The cycle of the present model; to be made anew when the model was replaced.
+    void make_cycle();
+
+private:
+    void show_command(const lang::BoundCommand& command);
+    std::vector<Row> pick_rows(ObjectKind kind, const lang::RangePhrase& range, bool hidden_too);
+
+    std::atomic<bool> interrupted_ = false;
+};
+
+/// What is looked at when a deck is bound, before its first command runs: whether FISH compiles.
+lang::Checks deck_checks();
+
+/// "0.1.0"
+const char* program_version();
+
+} // namespace kaya

@@ -1,0 +1,188 @@
+// cycle, solve, damp, mscale, fraction.
+#include "commands/handlers.hpp"
+#include "commands/materials.hpp"
+#include "commands/progress.hpp"
+
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+/// Where a run stops: at the first of these that is reached.
+struct Limits {
+    std::optional<std::int64_t> cycles; ///< from now on
+    std::optional<double> time;         ///< from now on
+    std::optional<double> ratio, force;
+    std::optional<double> clock;        ///< seconds
+};
+
+void run_deferred(Session& session) {
+    while (!session.deferred.empty()) {
+        auto changes = std::move(session.deferred);
+        session.deferred.clear();
+        for (auto& [place, change] : changes) {
+            try {
+                change();
+            } catch (Diagnostic& mistake) {
+                mistake.at(place);
+                throw;
+            }
+        }
+    }
+}
+
+/// One cycle and what its hooks put off. Errors get the cycle, and the command that runs it.
+void advance(Session& session) {
+    struct Inside {
+        bool& flag;
+        explicit Inside(bool& f) : flag(f) { flag = true; }
+        ~Inside() { flag = false; }
+    };
+    try {
+        {
+            const Inside inside(session.inside_cycle);
+            session.cycle->advance();
+        }
+        run_deferred(session);
+    } catch (Diagnostic& failure) {
+        session.deferred.clear();
+        const auto& clock = session.model.clock;
+        const std::string here = session.here();
+        failure.add(fmt::format("in cycle {}, at time {}{}", clock.cycle + 1, number_text(clock.time),
+                                here.empty() ? "" : ", run by the command at " + here));
+        if (failure.fault == Fault::deck) failure.fault = Fault::run;
+        throw;
+    }
+}
+
+/// Why the run stops here; empty when it goes on.
+std::string reached(const Limits& limits, const Clock& start, const Clock& now, double seconds) {
+    if (limits.ratio && now.cycle > start.cycle && now.average_ratio <= *limits.ratio)
+        return fmt::format("the ratio {:.3e} is not above {}", now.average_ratio, number_text(*limits.ratio));
+    if (limits.force && now.cycle > start.cycle && now.unbalanced_force <= *limits.force)
+        return fmt::format("the unbalanced force {} is not above {}", number_text(now.unbalanced_force),
+                           number_text(*limits.force));
+    if (limits.cycles && now.cycle - start.cycle >= *limits.cycles) return fmt::format("{} cycles", *limits.cycles);
+    // Half a step of slack: a sum of steps misses the limit by rounding.
+    if (limits.time && now.time - start.time >= *limits.time - 0.5 * now.time_step && now.cycle > start.cycle)
+        return fmt::format("time {}", number_text(now.time));
+    if (limits.clock && seconds >= *limits.clock) return fmt::format("{} minutes", number_text(*limits.clock / 60));
+    return {};
+}
+
+/// Runs until a limit is reached; returns which, in words.
+std::string advance_until(Session& session, const Limits& limits) {
+    check_materials(session);
+    session.cycle->prepare();
+    const Clock start = session.model.clock;
+    Target target;
+    if (limits.cycles) target.cycle = start.cycle + *limits.cycles;
+    if (limits.time) target.time = start.time + *limits.time;
+
+    Progress progress(session.output, session.model, target);
+    std::string why = reached(limits, start, session.model.clock, 0);
+    while (why.empty()) {
+        try {
+            advance(session);
+            session.stop_if_interrupted();
+        } catch (...) {
+            progress.finish();
+            throw;
+        }
+        progress.advanced();
+        why = reached(limits, start, session.model.clock, progress.seconds());
+    }
+    progress.finish();
+    return why;
+}
+
+/// Gives joints a cohesion and a tensile strength that nothing reaches, for as long as it lives.
+class ElasticJoints {
+public:
+    explicit ElasticJoints(Session& session) : session_(session) {
+        for (const auto& set : session.model.joint_properties) true_values_.push_back(set.values);
+        constexpr double strong = 1e30;
+        for (auto& set : session.model.joint_properties) {
+            const JointModel& model = session.joints.get(set.model);
+            for (const char* word : {"jcohesion", "jtension"})
+                if (const auto index = model.find_property(word)) set.values[*index] = strong;
+        }
+    }
+    ~ElasticJoints() {
+        for (std::size_t i = 0; i < true_values_.size(); ++i)
+            session_.model.joint_properties[i].values = true_values_[i];
+    }
+    ElasticJoints(const ElasticJoints&) = delete;
+    ElasticJoints& operator=(const ElasticJoints&) = delete;
+
+private:
+    Session& session_;
+    std::vector<std::vector<double>> true_values_;
+};
+
+struct DampingEntry {
+    std::string_view word;
+    Damping damping;
+};
+constexpr std::array<DampingEntry, 6> dampings{{
+    {"auto", Damping::global},
+    {"global", Damping::global},
+    {"local", Damping::local},
+    {"combined", Damping::combined},
+    {"rayleigh", Damping::rayleigh},
+    {"none", Damping::none},
+}};
+
+} // namespace
+
+void run(Session& session, const lang::CycleCommand& command) {
+    Limits limits;
+    limits.cycles = command.cycles;
+    limits.time = command.time;
+    advance_until(session, limits);
+}
+
+void run(Session& session, const lang::Solve& command) {
+    Limits limits{command.cycles, command.time, command.ratio, command.force, {}};
+    if (command.clock) limits.clock = *command.clock * 60;
+    // Equilibrium is what `solve` looks for unless a limit says what else to wait for.
+    if (!command.ratio && !command.force && !command.time) limits.ratio = 1e-5;
+    if (command.elastic) {
+        session.cycle->prepare(); // contacts must have their properties before these can be made strong
+        const ElasticJoints strong(session);
+        session.output.say("solve elastic: stopped by " + advance_until(session, limits));
+    }
+    session.output.say("solve: stopped by " + advance_until(session, limits));
+}
+
+void run(Session& session, const lang::Damp& command) {
+    const auto found = std::ranges::find(dampings, std::string_view(command.kind), &DampingEntry::word);
+    if (found == dampings.end()) throw std::logic_error("damp: no entry for '" + command.kind + "'");
+    auto& settings = session.model.settings;
+    settings.damping = found->damping;
+    if (found->damping == Damping::local || found->damping == Damping::combined)
+        settings.local_factor = command.value.value_or(0.8);
+    if (found->damping == Damping::global && command.value) settings.global_ratio = *command.value;
+    if (found->damping == Damping::rayleigh) {
+        settings.rayleigh_fraction = command.fraction;
+        settings.rayleigh_frequency = command.frequency;
+        settings.rayleigh_mass = command.mass;
+        settings.rayleigh_stiffness = command.stiffness;
+    }
+    session.model.properties_changed = true; // stiffness-proportional damping shortens the time step
+}
+
+void run(Session& session, const lang::MassScale& command) {
+    session.model.settings.mass_scale = command.on ? command.value.value_or(1.0) : 0.0;
+    session.model.properties_changed = true;
+}
+
+void run(Session& session, const lang::Fraction& command) {
+    session.model.settings.time_step_fraction = command.value;
+    session.model.properties_changed = true;
+}
+
+} // namespace kaya

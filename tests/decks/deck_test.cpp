@@ -1,0 +1,318 @@
+// deck_test PROGRAM DECK [--bless]: runs a deck in an empty folder and compares what it does with what its
+// comments say.
+//
+//   ;> text       the command above prints this line; ... in it stands for anything
+//   ;! error: x   the only messages are those listed; this one points at the command above
+//   ;! text       the message above also says this (hint, call stack)
+//   ;status N     exit status, 0 when it is not given
+//   ;options ...  given to the program
+//   ;limit N      no file may grow beyond N kilobytes
+//   ;makes FILE   the file is there afterwards
+//   ;holds FILE text   the file is there and has a line with this text
+//   ;lacks FILE   the file is not there afterwards
+//   ;needs FILE   a file beside the deck that is copied into the folder first
+//   ;first DECK   a deck beside this one that is run in the folder first
+//   ;cut FILE N   only the first N bytes of the file are left, after that and before this deck runs
+//
+// With --bless the lines `;>` are written anew from what the program prints.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Lines = std::vector<std::string>;
+
+Lines read_lines(const fs::path& file) {
+    std::ifstream stream(file);
+    if (!stream) throw std::runtime_error("cannot read " + file.string());
+    Lines lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+/// Text behind a mark at the start of a line, blanks before the mark allowed.
+std::optional<std::string> behind(std::string_view line, std::string_view mark) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    if (!line.starts_with(mark)) return std::nullopt;
+    line.remove_prefix(mark.size());
+    if (!line.empty() && line.front() == ' ') line.remove_prefix(1);
+    return std::string(line);
+}
+
+/// "..." in the pattern stands for any text.
+bool matches(std::string_view pattern, std::string_view text) {
+    const auto gap = pattern.find("...");
+    if (gap == std::string_view::npos) return pattern == text;
+    if (!text.starts_with(pattern.substr(0, gap))) return false;
+    const auto rest = pattern.substr(gap + 3);
+    for (std::size_t from = gap; from <= text.size(); ++from)
+        if (matches(rest, text.substr(from))) return true;
+    return false;
+}
+
+bool is_message(std::string_view text) {
+    return text.starts_with("error:") || text.starts_with("warning:") || text.starts_with("note:");
+}
+
+struct Message {
+    int line; ///< of the command it points at
+    std::string text;
+};
+
+/// What the comments of a deck say.
+struct Expected {
+    int status = 0;
+    int limit = 0;
+    std::string options;
+    Lines needs, first, cuts, makes, lacks, holds, hints;
+    std::vector<Message> messages;
+    std::map<int, Lines> printed; ///< by line of the comment
+};
+
+Expected read_expected(const Lines& deck) {
+    Expected expected;
+    int code_line = 0;
+    for (std::size_t i = 0; i < deck.size(); ++i) {
+        const std::string& line = deck[i];
+        const int number = static_cast<int>(i) + 1;
+        if (auto text = behind(line, ";>")) expected.printed[number].push_back(*text);
+        else if (auto message = behind(line, ";!")) {
+            if (is_message(*message)) expected.messages.push_back({code_line, *message});
+            else expected.hints.push_back(*message);
+        } else if (auto status = behind(line, ";status")) expected.status = std::stoi(*status);
+        else if (auto limit = behind(line, ";limit")) expected.limit = std::stoi(*limit);
+        else if (auto options = behind(line, ";options")) expected.options = *options;
+        else if (auto needs = behind(line, ";needs")) expected.needs.push_back(*needs);
+        else if (auto first_deck = behind(line, ";first")) expected.first.push_back(*first_deck);
+        else if (auto cut = behind(line, ";cut")) expected.cuts.push_back(*cut);
+        else if (auto makes = behind(line, ";makes")) expected.makes.push_back(*makes);
+        else if (auto lacks = behind(line, ";lacks")) expected.lacks.push_back(*lacks);
+        else if (auto holds = behind(line, ";holds")) expected.holds.push_back(*holds);
+        else if (const auto first = line.find_first_not_of(" \t"); first != std::string::npos && line[first] != ';')
+            code_line = number;
+    }
+    return expected;
+}
+
+/// An empty folder that goes away with the object.
+struct Folder {
+    fs::path path;
+    Folder() {
+        std::string name = (fs::temp_directory_path() / "kaya-deck-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
+        path = name;
+    }
+    ~Folder() {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+};
+
+struct Outcome {
+    int status;
+    Lines printed, messages;
+};
+
+/// Runs the program on a deck that lies in the folder; `limit` in kilobytes, 0 for none.
+Outcome run_program(const fs::path& program, const std::string& deck, const std::string& options, int limit,
+                    const Folder& folder) {
+    // What the program prints goes elsewhere, so that a limit on file sizes meets only what the deck writes.
+    const Folder streams;
+    const std::string command = "cd '" + folder.path.string() + "' && " +
+                                (limit > 0 ? "ulimit -f " + std::to_string(limit) + " && " : "") + "'" +
+                                program.string() + "' --echo " + options + " '" + deck + "' > '" +
+                                (streams.path / "printed").string() + "' 2> '" + (streams.path / "messages").string() +
+                                "' < /dev/null";
+    const int ended = std::system(("bash -c \"" + command + "\"").c_str());
+    return {WIFEXITED(ended) ? WEXITSTATUS(ended) : 128, read_lines(streams.path / "printed"),
+            read_lines(streams.path / "messages")};
+}
+
+Outcome run(const fs::path& program, const fs::path& deck, const Expected& expected, const Folder& folder) {
+    const fs::path beside = deck.parent_path();
+    fs::copy(deck, folder.path);
+    for (const auto& name : expected.needs) fs::copy(beside / name, folder.path);
+    for (const auto& name : expected.first) {
+        fs::copy(beside / name, folder.path / fs::path(name).filename());
+        const Outcome before = run_program(program, fs::path(name).filename().string(), "", 0, folder);
+        if (before.status != 0)
+            throw std::runtime_error(name + ", which runs first, ended with status " + std::to_string(before.status));
+    }
+    for (const auto& cut : expected.cuts) {
+        const auto blank = cut.find(' ');
+        fs::resize_file(folder.path / cut.substr(0, blank), std::stoul(cut.substr(blank + 1)));
+    }
+    return run_program(program, deck.filename().string(), expected.options, expected.limit, folder);
+}
+
+/// Lines of output by the line of the command that printed them, from the echo "name.3dd:12> ...".
+/// What a called file or a script prints belongs to the command of this deck that runs it.
+struct Printed {
+    int line;
+    Lines text;
+};
+
+std::vector<Printed> split(const Lines& output, const std::string& name) {
+    std::vector<Printed> printed{{0, {}}};
+    for (const auto& line : output) {
+        const auto mark = line.find("> ");
+        const auto colon = line.find(':');
+        const bool echo = mark != std::string::npos && colon != std::string::npos && colon < mark &&
+                          line.find_first_not_of("0123456789", colon + 1) == mark;
+        if (!echo) printed.back().text.push_back(line);
+        else if (line.compare(0, colon, name) == 0) printed.push_back({std::stoi(line.substr(colon + 1)), {}});
+    }
+    return printed;
+}
+
+class Comparison {
+public:
+    void fail(const std::string& text) {
+        std::cout << text << '\n';
+        failed_ = true;
+    }
+    bool failed() const { return failed_; }
+
+private:
+    bool failed_ = false;
+};
+
+void compare_printed(Comparison& comparison, const Expected& expected, const std::vector<Printed>& printed) {
+    std::vector<std::pair<int, std::string>> wanted;
+    for (const auto& [line, texts] : expected.printed)
+        for (const auto& text : texts) wanted.emplace_back(line, text);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < printed.size(); ++i) {
+        const int until = i + 1 < printed.size() ? printed[i + 1].line : 1 << 30;
+        for (const auto& text : printed[i].text) {
+            const bool here = next < wanted.size() && wanted[next].first > printed[i].line &&
+                              (wanted[next].first < until || until < printed[i].line);
+            if (here && matches(wanted[next].second, text)) {
+                ++next;
+                continue;
+            }
+            comparison.fail("line " + std::to_string(printed[i].line) + " prints\n    " + text +
+                            "\n  but expected is\n    " + (here ? wanted[next].second : "nothing"));
+            if (here) ++next;
+        }
+    }
+    for (; next < wanted.size(); ++next)
+        comparison.fail("line " + std::to_string(wanted[next].first) + ": not printed\n    " + wanted[next].second);
+}
+
+void compare_messages(Comparison& comparison, const Expected& expected, const Lines& messages, const std::string& name) {
+    std::size_t found = 0;
+    for (const auto& line : messages) {
+        std::size_t at = std::string::npos;
+        for (const char* kind : {"error: ", "warning: ", "note: "}) at = std::min(at, line.find(kind));
+        const bool starts_message = at != std::string::npos && (at == 0 || line.compare(at - 2, 2, ": ") == 0) &&
+                                    line.find('|') == std::string::npos && !line.starts_with(' ');
+        if (!starts_message) continue;
+        if (found >= expected.messages.size()) {
+            comparison.fail("not expected: " + line);
+            continue;
+        }
+        const auto& wanted = expected.messages[found++];
+        const std::string place = name + ":" + std::to_string(wanted.line) + ":";
+        if (!line.starts_with(place)) comparison.fail("expected at " + place + " but found " + line);
+        if (!matches(wanted.text, line.substr(at)))
+            comparison.fail("message\n    " + line.substr(at) + "\n  but expected is\n    " + wanted.text);
+    }
+    for (; found < expected.messages.size(); ++found)
+        comparison.fail("no message at line " + std::to_string(expected.messages[found].line) + ": " +
+                        expected.messages[found].text);
+    for (const auto& hint : expected.hints)
+        if (std::ranges::none_of(messages, [&](const auto& line) { return line.find(hint) != std::string::npos; }))
+            comparison.fail("the messages do not say: " + hint);
+}
+
+void compare_files(Comparison& comparison, const Expected& expected, const fs::path& folder) {
+    for (const auto& file : expected.makes)
+        if (!fs::exists(folder / file)) comparison.fail("not made: " + file);
+    for (const auto& file : expected.lacks)
+        if (fs::exists(folder / file)) comparison.fail("should not be there: " + file);
+    for (const auto& entry : expected.holds) {
+        const auto blank = entry.find(' ');
+        const std::string file = entry.substr(0, blank), text = entry.substr(blank + 1);
+        if (!fs::exists(folder / file)) {
+            comparison.fail("not made: " + file);
+            continue;
+        }
+        const auto lines = read_lines(folder / file);
+        if (std::ranges::none_of(lines, [&](const auto& line) { return line.find(text) != std::string::npos; }))
+            comparison.fail(file + " does not hold: " + text);
+    }
+}
+
+/// The deck with its `;>` lines written anew behind the commands that print.
+void bless(const fs::path& file, const Lines& deck, const std::vector<Printed>& printed) {
+    std::map<int, Lines> behind_line;
+    for (std::size_t i = 0; i < printed.size(); ++i) {
+        const int until = i + 1 < printed.size() && printed[i + 1].line > printed[i].line ? printed[i + 1].line
+                                                                                          : static_cast<int>(deck.size()) + 1;
+        int last = printed[i].line;
+        for (int line = printed[i].line + 1; line < until; ++line) {
+            const auto first = deck[line - 1].find_first_not_of(" \t");
+            if (first != std::string::npos && deck[line - 1][first] != ';') last = line;
+        }
+        auto& lines = behind_line[last];
+        lines.insert(lines.end(), printed[i].text.begin(), printed[i].text.end());
+    }
+    std::ofstream stream(file);
+    for (std::size_t i = 0; i < deck.size(); ++i) {
+        if (!behind(deck[i], ";>")) stream << deck[i] << '\n';
+        for (const auto& text : behind_line[static_cast<int>(i) + 1]) stream << ";> " << text << '\n';
+    }
+}
+
+int test(const fs::path& program, const fs::path& deck_file, bool blessing) {
+    const Lines deck = read_lines(deck_file);
+    const Expected expected = read_expected(deck);
+    const Folder folder;
+    const Outcome outcome = run(fs::absolute(program), fs::absolute(deck_file), expected, folder);
+    const std::string name = deck_file.filename().string();
+    const auto printed = split(outcome.printed, name);
+    if (blessing) bless(deck_file, deck, printed);
+
+    Comparison comparison;
+    if (outcome.status != expected.status)
+        comparison.fail("exit status " + std::to_string(outcome.status) + ", but expected is " +
+                        std::to_string(expected.status));
+    if (!blessing) compare_printed(comparison, expected, printed);
+    compare_messages(comparison, expected, outcome.messages, name);
+    compare_files(comparison, expected, folder.path);
+    if (!comparison.failed()) return 0;
+    std::cout << "--- all messages of " << name << '\n';
+    for (const auto& line : outcome.messages) std::cout << line << '\n';
+    return 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const bool blessing = argc == 4 && std::string_view(argv[3]) == "--bless";
+    if (argc != 3 && !blessing) {
+        std::cerr << "usage: deck_test PROGRAM DECK [--bless]\n";
+        return 2;
+    }
+    try {
+        return test(argv[1], argv[2], blessing);
+    } catch (const std::exception& error) {
+        std::cerr << "deck_test: " << error.what() << '\n';
+        return 2;
+    }
+}

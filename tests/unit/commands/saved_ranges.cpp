@@ -1,0 +1,57 @@
+#include "commands/saved_ranges.hpp"
+
+#include "base/diagnostic.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kaya {
+namespace {
+
+using Kind = lang::RangeElement::Kind;
+
+NamedRanges sample() {
+    lang::RangeElement slab;
+    slab.kind = Kind::z;
+    slab.low = 0.1;
+    slab.high = 1.0 / 3.0;
+    lang::RangeElement stones;
+    stones.kind = Kind::group;
+    stones.name = "two words\nand a line";
+    stones.negated = true;
+    lang::RangeElement ball;
+    ball.kind = Kind::sphere;
+    ball.centre = Vec3(1, -2e-300, 3);
+    ball.radius2 = 5;
+    ball.side = -1;
+    return {{"slab", {{slab}, false, {}}}, {"empty", {}}, {"any of two", {{stones, ball}, true, {}}}};
+}
+
+TEST(SavedRanges, ComeBackWithEveryBit) {
+    const NamedRanges back = ranges_from_text(ranges_text(sample()));
+    ASSERT_EQ(back.size(), 3u);
+    EXPECT_EQ(back.at("slab").elements[0].kind, Kind::z);
+    EXPECT_EQ(back.at("slab").elements[0].high, 1.0 / 3.0);
+    EXPECT_TRUE(back.at("empty").elements.empty());
+    const auto& both = back.at("any of two");
+    EXPECT_TRUE(both.any);
+    EXPECT_EQ(both.elements[0].name, "two words\nand a line");
+    EXPECT_TRUE(both.elements[0].negated);
+    EXPECT_EQ(both.elements[1].centre, Vec3(1, -2e-300, 3));
+    EXPECT_EQ(both.elements[1].side, -1);
+    EXPECT_EQ(ranges_text(back), ranges_text(sample()));
+}
+
+TEST(SavedRanges, ATextThatIsCutOffIsRefused) {
+    const std::string text = ranges_text(sample());
+    // The last character is a line end, which nothing needs.
+    for (std::size_t length = 0; length + 1 < text.size(); ++length)
+        EXPECT_THROW(ranges_from_text(text.substr(0, length)), Diagnostic) << length;
+}
+
+TEST(SavedRanges, OtherTextIsRefused) {
+    EXPECT_THROW(ranges_from_text("not a number"), Diagnostic);
+    EXPECT_THROW(ranges_from_text("1\n1 0 1 a\n99 0 0 0x0p+0\n"), Diagnostic);
+}
+
+} // namespace
+} // namespace kaya
