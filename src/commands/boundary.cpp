@@ -51,8 +51,6 @@ void reset_joint_displacements(Session& session) {
 }
 
 void reset_energy(Session& session) {
-    auto& clock = session.model.clock;
-    clock.gravity_work = clock.boundary_work = clock.damped = clock.frictional = 0;
     std::ranges::fill(session.model.sub_contacts.frictional_work, 0.0);
 }
 

@@ -12,8 +12,6 @@ namespace kaya {
 void run(Session&, const lang::New&);
 void run(Session&, const lang::Config&);
 void run(Session&, const lang::Title&);
-void run(Session&, const lang::Save&);
-void run(Session&, const lang::Restore&);
 void run(Session&, const lang::Pause&);
 void run(Session&, const lang::Set&);
 void run(Session&, const lang::NameRange&);
@@ -42,12 +40,14 @@ void run(Session&, const lang::Reset&);
 // histories.cpp
 void run(Session&, const lang::HistoryAdd&);
 void run(Session&, const lang::HistoryLabel&);
-void run(Session&, const lang::HistoryWrite&);
 
 // listing.cpp
 void run(Session&, const lang::List&);
 
 // files.cpp
+void run(Session&, const lang::Save&);
+void run(Session&, const lang::Restore&);
+void run(Session&, const lang::HistoryWrite&);
 void run(Session&, const lang::VtkWrite&);
 void run(Session&, const lang::Ignored&);
 

@@ -1,9 +1,11 @@
 // list, print: what concerns the whole model.
 #include "commands/listing.hpp"
 
+#include "base/parallel.hpp"
 #include "commands/handlers.hpp"
 #include "model/measure.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,17 +30,28 @@ struct Extreme {
     }
 };
 
+/// m v^2 / 2 + w I w / 2, with I turned from the block's own axes.
+double kinetic_of_rigid(const Blocks& blocks, std::size_t row) {
+    const auto& q = blocks.orientation[row];
+    const Mat3 turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+    const Vec3 spin = turn.transpose() * blocks.rotational_velocity[row]; // in own axes
+    const double density = blocks.mass[row] / blocks.volume[row]; // the inertia is that of unit density
+    return 0.5 * blocks.mass[row] * blocks.velocity[row].squaredNorm() +
+           0.5 * density * spin.dot(blocks.inertia[row] * spin);
+}
+
 struct ListEntry {
     std::string_view word;
     std::string (*text)(Session&, const lang::List&);
 };
-constexpr std::array<ListEntry, 16> lists{{
+constexpr std::array<ListEntry, 19> lists{{
     {"blocks", list_blocks},       {"contacts", list_contacts},  {"subcontacts", list_sub_contacts},
     {"gridpoints", list_gridpoints}, {"zones", list_zones},      {"prop", list_properties},
     {"jmodel", list_joint_models}, {"hist", list_histories},     {"time", list_time},
     {"timestep", list_time_step},  {"max", list_extremes},       {"energy", list_energy},
     {"timing", list_timing},       {"hash", list_hash},          {"ranges", list_ranges},
-    {"fish", list_symbols},
+    {"fish", list_symbols},        {"groups", list_groups},      {"settings", list_settings},
+    {"boundary", list_boundary},
 }};
 
 } // namespace
@@ -129,16 +142,17 @@ std::string list_extremes(Session& session, const lang::List&) {
 }
 
 std::string list_energy(Session& session, const lang::List&) {
-    const auto& c = session.model.clock;
+    const auto& model = session.model;
+    double kinetic = 0, frictional = 0;
+    for (std::size_t row = 0; row < model.gridpoints.size(); ++row)
+        if (model.blocks.deformable[model.gridpoints.block[row]])
+            kinetic += 0.5 * model.gridpoints.mass[row] * model.gridpoints.velocity[row].squaredNorm();
+    for (std::size_t row = 0; row < model.blocks.size(); ++row)
+        if (!model.blocks.deformable[row]) kinetic += kinetic_of_rigid(model.blocks, row);
+    for (const double work : model.sub_contacts.frictional_work) frictional += work;
     TextTable table({"energy", "value"});
-    const std::array<std::pair<const char*, double>, 7> rows{{{"kinetic", c.kinetic},
-                                                              {"gravity work", c.gravity_work},
-                                                              {"boundary work", c.boundary_work},
-                                                              {"damped", c.damped},
-                                                              {"frictional", c.frictional},
-                                                              {"joints, elastic", c.joint_elastic},
-                                                              {"zones, elastic", c.zone_elastic}}};
-    for (const auto& [name, value] : rows) table.add({name, number_text(value)});
+    table.add({"kinetic", number_text(kinetic)});
+    table.add({"frictional", number_text(frictional)});
     return table.text();
 }
 
@@ -166,6 +180,36 @@ std::string list_ranges(Session& session, const lang::List&) {
 std::string list_symbols(Session& session, const lang::List&) {
     const auto symbols = session.scripts->symbols();
     return symbols.empty() ? "no FISH variables or functions" : fmt::format("{}", fmt::join(symbols, "\n"));
+}
+
+std::string list_groups(Session& session, const lang::List&) {
+    const auto& model = session.model;
+    if (model.group_names.size() < 2) return "no groups";
+    TextTable table({"group", "blocks"});
+    for (std::size_t i = 1; i < model.group_names.size(); ++i)
+        table.add({model.group_names[i],
+                   std::to_string(std::ranges::count(model.blocks.group, static_cast<std::int32_t>(i)))});
+    return table.text();
+}
+
+std::string list_settings(Session& session, const lang::List&) {
+    static constexpr std::array dampings{"none", "local", "global", "combined", "rayleigh"};
+    const auto& s = session.model.settings;
+    const auto yes = [](bool value) { return value ? "on" : "off"; };
+    TextTable table({"setting", "value"});
+    table.add({"gravity", fmt::format("{} {} {}", number_text(s.gravity[0]), number_text(s.gravity[1]), number_text(s.gravity[2]))});
+    table.add({"damping", dampings[static_cast<std::size_t>(s.damping)]});
+    table.add({"local factor", number_text(s.local_factor)});
+    table.add({"rayleigh fraction", number_text(s.rayleigh_fraction)});
+    table.add({"rayleigh frequency", number_text(s.rayleigh_frequency)});
+    table.add({"time step fraction", number_text(s.time_step_fraction)});
+    table.add({"dynamic", yes(s.dynamic)});
+    table.add({"large strain", yes(s.large_strain)});
+    table.add({"mass scaling", yes(s.mass_scale > 0)});
+    table.add({"jmat of new contacts", std::to_string(s.default_joint_material)});
+    table.add({"jcons of new contacts", std::to_string(s.default_joint_constitutive)});
+    table.add({"threads", std::to_string(threads())});
+    return table.text();
 }
 
 void run(Session& session, const lang::List& command) {

@@ -28,5 +28,8 @@ std::string list_timing(Session&, const lang::List&);
 std::string list_hash(Session&, const lang::List&);
 std::string list_ranges(Session&, const lang::List&);
 std::string list_symbols(Session&, const lang::List&);
+std::string list_groups(Session&, const lang::List&);
+std::string list_settings(Session&, const lang::List&);
+std::string list_boundary(Session&, const lang::List&);
 
 } // namespace kaya

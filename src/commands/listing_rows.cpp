@@ -100,6 +100,27 @@ std::string list_gridpoints(Session& session, const lang::List& command) {
                      });
 }
 
+std::string list_boundary(Session& session, const lang::List& command) {
+    const auto& points = session.model.gridpoints;
+    TextTable table({"gridpoint", "block", "position", "held", "velocity", "load"});
+    std::size_t more = 0;
+    for (const Row row : session.pick(ObjectKind::gridpoint, command.range)) {
+        const Row block = points.block[row];
+        const bool rigid = !session.model.blocks.deformable[block];
+        const std::uint8_t held = rigid ? session.model.blocks.fixed[block] : points.fixed[row];
+        if (held == 0 && points.load[row].isZero()) continue;
+        if (table.size() == longest_table) {
+            ++more;
+            continue;
+        }
+        table.add({std::to_string(row + 1), std::to_string(session.model.blocks.number[block]),
+                   numbers(points.position[row]), fixity_text(held), numbers(points.velocity[row]),
+                   numbers(points.load[row])});
+    }
+    if (table.size() == 0) return "no boundary conditions";
+    return table.text() + (more == 0 ? "" : fmt::format("\n... and {} more gridpoints; a range picks which are shown", more));
+}
+
 std::string list_zones(Session& session, const lang::List& command) {
     const auto& zones = session.model.zones;
     return rows_text(session, command, ObjectKind::zone,

@@ -5,6 +5,7 @@
 #include "commands/output.hpp"
 #include "commands/ranges.hpp"
 #include "commands/text_table.hpp"
+#include "io/vtk.hpp"
 #include "joints/joint_model.hpp"
 #include "mechanics/cycle.hpp"
 #include "model/model.hpp"
@@ -79,6 +80,8 @@ public:
     std::string title;
     std::string log_file = "kaya.log"; ///< of the next `set log on`
     std::string deck;          ///< file name of the deck that runs, for default names of output files
+    VtkSeries vtk;             ///< the picture series of this run
+    std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files
     std::size_t warnings = 0;  ///< shown so far
     bool inside_cycle = false; ///< a hook is running: structure must not change
     std::vector<std::pair<Place, std::function<void()>>> deferred; ///< changes that wait for the end of the cycle

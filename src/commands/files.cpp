@@ -1,0 +1,126 @@
+// save, restore, hist write, vtk write; files are written into the current folder unless they name another.
+#include "commands/handlers.hpp"
+#include "commands/saved_ranges.hpp"
+
+#include "io/history_csv.hpp"
+#include "io/save.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view save_ending = ".kaya.h5";
+
+// Parts of a save file that belong to the session.
+constexpr std::string_view part_scripts = "scripts", part_generation = "row generation", part_ranges = "named ranges";
+
+std::string save_name(const std::string& name) {
+    return fs::path(name).has_extension() ? name : name + std::string(save_ending);
+}
+
+/// The file as named, else with the ending that `save` adds; beside the deck or in the current folder.
+std::string saved_file(const Session& session, const std::string& name) {
+    std::error_code ignored;
+    for (const auto& candidate : {fs::path(name), fs::path(save_name(name)), session.input_file(save_name(name))})
+        if (fs::is_regular_file(candidate, ignored)) return candidate.string();
+    return save_name(name);
+}
+
+SaveExtras extras_of(Session& session) {
+    SaveExtras extras;
+    extras.program_version = program_version();
+    extras.title = session.title;
+    extras.scripts.push_back({std::string(part_scripts), script::to_bytes(session.scripts->state())});
+    extras.scripts.push_back({std::string(part_generation), std::to_string(session.world.generation())});
+    extras.scripts.push_back({std::string(part_ranges), ranges_text(session.ranges)});
+    for (const auto& source : session.sources)
+        extras.decks.push_back({source->name, fmt::format("{}\n", fmt::join(source->lines, "\n"))});
+    return extras;
+}
+
+const std::string& part(const SaveExtras& extras, std::string_view name) {
+    const auto found = std::ranges::find(extras.scripts, name, &SaveExtras::Item::name);
+    if (found == extras.scripts.end())
+        throw Diagnostic(fmt::format("the save file has no part '{}'", name), "it was not written by this program",
+                         Fault::run);
+    return found->content;
+}
+
+std::uint32_t number_of(const std::string& text) {
+    std::uint32_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size())
+        throw Diagnostic("the save file holds a text where a number must be", {}, Fault::run);
+    return number;
+}
+
+/// A saved model runs on with the joint models that it had: they must be here, with the same properties.
+void load_joint_models(Session& session, const Model& model) {
+    for (const auto& set : model.joint_properties)
+        if (session.joints.get(set.model).properties.size() != set.values.size())
+            throw Diagnostic(fmt::format("joint model '{}' has other properties now than when the model was saved",
+                                         set.model),
+                             "use the library that was used then", Fault::run);
+}
+
+} // namespace
+
+void run(Session& session, const lang::Save& command) {
+    save_state(session.model, save_name(command.file), extras_of(session));
+}
+
+void run(Session& session, const lang::Restore& command) {
+    // All that can fail comes first; the session is as it was then.
+    Model model;
+    const SaveExtras extras = restore_state(model, saved_file(session, command.file));
+    load_joint_models(session, model);
+    const std::uint32_t generation = number_of(part(extras, part_generation));
+    NamedRanges ranges = ranges_from_text(part(extras, part_ranges));
+    const script::ScriptState scripts = script::from_bytes(part(extras, part_scripts));
+
+    const script::ScriptState scripts_before = session.scripts->state();
+    const std::uint32_t generation_before = session.world.generation();
+    std::swap(session.model, model);
+    session.world.set_generation(generation);
+    try {
+        session.scripts->restore(scripts);
+    } catch (...) {
+        std::swap(session.model, model);
+        session.world.set_generation(generation_before);
+        session.scripts->restore(scripts_before);
+        throw;
+    }
+    session.ranges = std::move(ranges);
+    session.title = extras.title;
+    session.property_places.clear();
+    session.make_cycle();
+}
+
+void run(Session& session, const lang::HistoryWrite& command) {
+    const auto& histories = session.model.histories;
+    try {
+        if (histories.all.empty())
+            throw Diagnostic("there are no histories to write", "hist records one: hist unbal");
+        const std::string file =
+            command.file.empty() ? fs::path(session.deck).stem().string() + ".csv" : command.file;
+        write_history_csv(histories, file, command.numbers, command.versus);
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+void run(Session& session, const lang::VtkWrite& command) { session.vtk.write(session.model, command.file); }
+
+void run(Session& session, const lang::Ignored& command) {
+    session.note_once(fmt::format("'{}' is read and left out", command.word),
+                      "pictures are made from the files of 'vtk write'");
+}
+
+} // namespace kaya
