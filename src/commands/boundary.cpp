@@ -51,13 +51,14 @@ void reset_joint_displacements(Session& session) {
 }
 
 void reset_energy(Session& session) {
-    std::ranges::fill(session.model.sub_contacts.frictional_work, 0.0);
+    // The account is opened anew: what moves now is what it starts with.
+    auto& energy = session.model.energy;
+    const double kinetic = energy.kinetic;
+    energy = Energy{};
+    energy.kinetic = energy.start = kinetic;
 }
 
-void reset_damping(Session& session) {
-    session.model.clock.global_viscosity = 0;
-    session.model.clock.last_kinetic = 0;
-}
+void reset_damping(Session& session) { session.model.clock.global_viscosity = 0; }
 
 struct ResetEntry {
     std::string_view word;

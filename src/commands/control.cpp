@@ -90,8 +90,10 @@ void run(Session& session, const lang::Set& command) {
         if (*command.log) session.output.start_log(session.log_file);
         else session.output.stop_log();
     }
-    for (const auto& [name, value] : command.fish)
-        session.scripts->set(name, value, session.interpreter.current_place());
+    for (const auto& [name, value] : command.fish) {
+        const auto scripted = std::visit([](const auto& v) { return script::Value(v); }, value);
+        session.scripts->set(name, scripted, session.interpreter.current_place());
+    }
 }
 
 void run(Session& session, const lang::NameRange& command) {

@@ -5,7 +5,6 @@
 #include "commands/handlers.hpp"
 #include "model/measure.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,16 +28,6 @@ struct Extreme {
         place = where;
     }
 };
-
-/// m v^2 / 2 + w I w / 2, with I turned from the block's own axes.
-double kinetic_of_rigid(const Blocks& blocks, std::size_t row) {
-    const auto& q = blocks.orientation[row];
-    const Mat3 turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-    const Vec3 spin = turn.transpose() * blocks.rotational_velocity[row]; // in own axes
-    const double density = blocks.mass[row] / blocks.volume[row]; // the inertia is that of unit density
-    return 0.5 * blocks.mass[row] * blocks.velocity[row].squaredNorm() +
-           0.5 * density * spin.dot(blocks.inertia[row] * spin);
-}
 
 struct ListEntry {
     std::string_view word;
@@ -142,17 +131,18 @@ std::string list_extremes(Session& session, const lang::List&) {
 }
 
 std::string list_energy(Session& session, const lang::List&) {
-    const auto& model = session.model;
-    double kinetic = 0, frictional = 0;
-    for (std::size_t row = 0; row < model.gridpoints.size(); ++row)
-        if (model.blocks.deformable[model.gridpoints.block[row]])
-            kinetic += 0.5 * model.gridpoints.mass[row] * model.gridpoints.velocity[row].squaredNorm();
-    for (std::size_t row = 0; row < model.blocks.size(); ++row)
-        if (!model.blocks.deformable[row]) kinetic += kinetic_of_rigid(model.blocks, row);
-    for (const double work : model.sub_contacts.frictional_work) frictional += work;
+    const auto& e = session.model.energy;
     TextTable table({"energy", "value"});
-    table.add({"kinetic", number_text(kinetic)});
-    table.add({"frictional", number_text(frictional)});
+    const std::array<std::pair<const char*, double>, 9> rows{{{"kinetic", e.kinetic},
+                                                              {"kinetic at the start", e.start},
+                                                              {"work of gravity", e.gravity},
+                                                              {"work of the boundary", e.boundary},
+                                                              {"damped", e.damped},
+                                                              {"stored in joints", e.joint_stored()},
+                                                              {"lost in joints", e.joint_friction},
+                                                              {"put into zones", e.zone_work},
+                                                              {"not accounted for", e.error()}}};
+    for (const auto& [name, value] : rows) table.add({name, number_text(value)});
     return table.text();
 }
 
