@@ -11,14 +11,15 @@ std::vector<std::array<int, 2>> overlapping_boxes(const std::vector<Box>& boxes)
     std::vector<Numbered> numbered;
     numbered.reserve(boxes.size());
     for (const auto& box : boxes) {
-        numbered.emplace_back(CGAL::Bbox_3(box.low.x(), box.low.y(), box.low.z(), box.high.x(), box.high.y(),
-                                           box.high.z()),
-                              static_cast<int>(numbered.size()));
+        numbered.emplace_back(
+            CGAL::Bbox_3(box.low.x(), box.low.y(), box.low.z(), box.high.x(), box.high.y(), box.high.z()),
+            static_cast<int>(numbered.size()));
     }
     std::vector<std::array<int, 2>> pairs;
-    CGAL::box_self_intersection_d(numbered.begin(), numbered.end(), [&](const Numbered& a, const Numbered& b) {
-        pairs.push_back({std::max(a.info(), b.info()), std::min(a.info(), b.info())});
-    });
+    CGAL::box_self_intersection_d(
+        numbered.begin(), numbered.end(), [&](const Numbered& a, const Numbered& b) {
+            pairs.push_back({std::max(a.info(), b.info()), std::min(a.info(), b.info())});
+        });
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }

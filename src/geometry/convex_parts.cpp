@@ -124,7 +124,8 @@ std::vector<Fragment> fragments_of(const Surface& surface) {
     for (const auto& face : surface.faces) {
         const Plane plane{mean_normal(surface, face), mean_point(surface, face)};
         for (const auto& t : triangles_of(surface.vertices, face))
-            fragments.push_back({{surface.vertices[t[0]], surface.vertices[t[1]], surface.vertices[t[2]]}, plane});
+            fragments.push_back(
+                {{surface.vertices[t[0]], surface.vertices[t[1]], surface.vertices[t[2]]}, plane});
     }
     return fragments;
 }
@@ -195,7 +196,8 @@ std::vector<Polyhedron> convex_parts(const Surface& surface) {
     Polyhedron whole;
     whole.vertices = surface.vertices;
     for (const auto& face : surface.faces)
-        for (const auto& t : triangles_of(surface.vertices, face)) whole.faces.push_back({{t[0], t[1], t[2]}, 0});
+        for (const auto& t : triangles_of(surface.vertices, face))
+            whole.faces.push_back({{t[0], t[1], t[2]}, 0});
     const double wanted = mass_properties(whole).volume;
     if (parts.empty() || std::abs(volume - wanted) > 1e-6 * wanted)
         throw Diagnostic("the concave surface could not be split in convex parts",

@@ -27,8 +27,8 @@ struct Side {
 Side side_of(const Vec3& vertex, const Plane& plane) {
     Side side;
     side.distance = plane.distance(vertex);
-    const double band = band_units * std::numeric_limits<double>::epsilon() *
-                        (vertex.lpNorm<1>() + plane.origin.lpNorm<1>());
+    const double band =
+        band_units * std::numeric_limits<double>::epsilon() * (vertex.lpNorm<1>() + plane.origin.lpNorm<1>());
     if (side.distance > band) side.sign = 1;
     if (side.distance < -band) side.sign = -1;
     return side;
@@ -166,8 +166,7 @@ double thickness(const Polyhedron& polyhedron) {
         if (length == 0) continue;
         const Vec3& base = polyhedron.vertices[face.vertices[0]];
         double deepest = 0;
-        for (const Vec3& vertex : polyhedron.vertices)
-            deepest = std::max(deepest, -area.dot(vertex - base));
+        for (const Vec3& vertex : polyhedron.vertices) deepest = std::max(deepest, -area.dot(vertex - base));
         least = std::min(least, deepest / length);
     }
     return std::isfinite(least) ? least : 0;

@@ -25,7 +25,7 @@ struct Grid3d {
     };
     double tolerance = 0; ///< gridpoints nearer than this are one; 0 when the file says nothing
     std::map<int, Vec3> gridpoints;
-    std::map<int, std::vector<int>> faces;    ///< gridpoint numbers around each face
+    std::map<int, std::vector<int>> faces; ///< gridpoint numbers around each face
     std::map<int, std::array<int, 4>> zones;
     std::vector<Block> blocks;
     std::vector<JointSet> joint_sets;

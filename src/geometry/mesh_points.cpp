@@ -28,8 +28,7 @@ void add_edge_points(const Polyhedron& polyhedron, double edge, MeshPoints& resu
     for (const auto& [ends, faces] : faces_beside_edges(polyhedron)) {
         const Vec3 &a = polyhedron.vertices[ends[0]], &b = polyhedron.vertices[ends[1]];
         const int steps = std::max(1, static_cast<int>(std::lround((b - a).norm() / edge)));
-        for (int i = 1; i < steps; ++i)
-            result.add(a + (static_cast<double>(i) / steps) * (b - a), faces);
+        for (int i = 1; i < steps; ++i) result.add(a + (static_cast<double>(i) / steps) * (b - a), faces);
     }
 }
 
@@ -63,7 +62,8 @@ void add_face_points(const Polyhedron& polyhedron, int number, double edge, doub
 }
 
 /// A body-centred cubic lattice around the centroid.
-void add_inner_points(const Polyhedron& polyhedron, const Vec3& centroid, double edge, double gap, MeshPoints& result) {
+void add_inner_points(const Polyhedron& polyhedron, const Vec3& centroid, double edge, double gap,
+                      MeshPoints& result) {
     // Edges of the lattice's tetrahedra are 1 and sqrt(3)/2 cells long, in the ratio 3 to 4.
     const double cell = edge / ((3 + 4 * std::sqrt(0.75)) / 7);
     std::vector<Plane> walls;

@@ -8,7 +8,7 @@
 namespace kaya {
 
 struct MeshPoints {
-    std::vector<Vec3> points;           ///< the polyhedron's vertices come first, unchanged
+    std::vector<Vec3> points;            ///< the polyhedron's vertices come first, unchanged
     std::vector<std::vector<int>> faces; ///< of the polyhedron that each point lies on, rising
 
     void add(const Vec3& point, std::vector<int> on_faces) {

@@ -18,12 +18,12 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
 }
 
 /// The outline seen against its normal: anticlockwise, as in a drawing.
-std::vector<Vec2> drawing_of(const std::vector<Vec3>& vertices, const std::vector<int>& loop, const Vec3& normal) {
+std::vector<Vec2> drawing_of(const std::vector<Vec3>& vertices, const std::vector<int>& loop,
+                             const Vec3& normal) {
     const Vec3 across = normal.unitOrthogonal(), up = normal.cross(across);
     std::vector<Vec2> drawing;
     const Vec3& base = vertices[loop.front()];
-    for (const int v : loop)
-        drawing.emplace_back(across.dot(vertices[v] - base), up.dot(vertices[v] - base));
+    for (const int v : loop) drawing.emplace_back(across.dot(vertices[v] - base), up.dot(vertices[v] - base));
     return drawing;
 }
 
@@ -67,7 +67,8 @@ void check_outlines(const Surface& surface) {
 }
 
 std::vector<std::array<int, 3>> triangles_of(const std::vector<Vec3>& vertices, const Surface::Face& face) {
-    const std::vector<Vec2> drawing = drawing_of(vertices, face.vertices, mean_normal(vertices, face.vertices));
+    const std::vector<Vec2> drawing =
+        drawing_of(vertices, face.vertices, mean_normal(vertices, face.vertices));
     std::vector<int> left(face.vertices.size());
     for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<int>(i);
     std::vector<std::array<int, 3>> triangles;

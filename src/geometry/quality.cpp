@@ -20,18 +20,24 @@ struct Description {
     std::string_view name, remedy;
 };
 constexpr std::array descriptions{
-    Description{Ailment::open, "open", "its faces do not close: delete it and make it again from whole faces"},
+    Description{Ailment::open, "open",
+                "its faces do not close: delete it and make it again from whole faces"},
     Description{Ailment::inverted, "inverted", "its faces look inward: delete it and make it again"},
-    Description{Ailment::concave, "concave", "contacts need convex blocks: make it of convex parts and join them"},
+    Description{Ailment::concave, "concave",
+                "contacts need convex blocks: make it of convex parts and join them"},
     Description{Ailment::warped, "warped", "a face is not flat: correct its corners or make triangles of it"},
-    Description{Ailment::tiny, "tiny", "its small mass shortens the time step: delete it or leave out the joint "
-                                       "that cut it off"},
-    Description{Ailment::needle, "needle", "long and slender blocks spin and shorten the time step: delete it or "
-                                           "join it to a neighbour"},
-    Description{Ailment::thin, "thin", "a plate is easily overlapped through its whole thickness: delete it, join it to "
-                                       "a neighbour, or leave out one of two joints that lie close together"},
-    Description{Ailment::short_edge, "short edge", "zones along it will be small and shorten the time step: move a joint "
-                                                   "so that corners meet or keep apart"},
+    Description{Ailment::tiny, "tiny",
+                "its small mass shortens the time step: delete it or leave out the joint "
+                "that cut it off"},
+    Description{Ailment::needle, "needle",
+                "long and slender blocks spin and shorten the time step: delete it or "
+                "join it to a neighbour"},
+    Description{Ailment::thin, "thin",
+                "a plate is easily overlapped through its whole thickness: delete it, join it to "
+                "a neighbour, or leave out one of two joints that lie close together"},
+    Description{Ailment::short_edge, "short edge",
+                "zones along it will be small and shorten the time step: move a joint "
+                "so that corners meet or keep apart"},
 };
 
 const Description& description_of(Ailment ailment) {
@@ -82,7 +88,8 @@ void measure_faces(const Polyhedron& polyhedron, BlockQuality& quality) {
         quality.smallest_face = std::min(quality.smallest_face, twice_area.norm() / 2);
         const Vec3 normal = face_normal(polyhedron, face);
         for (const int v : face.vertices)
-            quality.worst_warp = std::max(quality.worst_warp, std::abs(normal.dot(polyhedron.vertices[v] - centre)));
+            quality.worst_warp =
+                std::max(quality.worst_warp, std::abs(normal.dot(polyhedron.vertices[v] - centre)));
         for (const Vec3& v : polyhedron.vertices)
             quality.worst_bulge = std::max(quality.worst_bulge, normal.dot(v - centre));
     }
@@ -118,7 +125,8 @@ std::string_view name_of(Ailment ailment) { return description_of(ailment).name;
 
 std::string_view remedy_for(Ailment ailment) { return description_of(ailment).remedy; }
 
-std::vector<Ailment> ailments_of(const BlockQuality& quality, double mean_volume, const QualityLimits& limits) {
+std::vector<Ailment> ailments_of(const BlockQuality& quality, double mean_volume,
+                                 const QualityLimits& limits) {
     // The other numbers of a surface without an inside mean nothing.
     if (quality.open_edges > 0) return {Ailment::open};
     if (quality.volume <= 0) return {Ailment::inverted};

@@ -11,10 +11,10 @@ namespace kaya {
 
 /// What a block's shape is like. Lengths in the model's unit.
 struct BlockQuality {
-    double volume = 0;        ///< below 0 when the faces look inward
-    double extent = 0;        ///< greatest distance between two vertices
-    double thickness = 0;     ///< least distance between a face and the vertex farthest from it
-    double width = 0;         ///< middle edge of the brick with the same second moments
+    double volume = 0;    ///< below 0 when the faces look inward
+    double extent = 0;    ///< greatest distance between two vertices
+    double thickness = 0; ///< least distance between a face and the vertex farthest from it
+    double width = 0;     ///< middle edge of the brick with the same second moments
     double shortest_edge = 0;
     double smallest_face = 0; ///< area
     double worst_warp = 0;    ///< greatest distance of a vertex from the plane of its face
@@ -36,11 +36,12 @@ struct QualityLimits {
 
 enum class Ailment { open, inverted, concave, warped, tiny, needle, thin, short_edge };
 
-std::string_view name_of(Ailment ailment);   ///< one word for a table
+std::string_view name_of(Ailment ailment);    ///< one word for a table
 std::string_view remedy_for(Ailment ailment); ///< one sentence: what it does and what helps
 
 /// What ails a block, the gravest first; nothing for a healthy one.
-std::vector<Ailment> ailments_of(const BlockQuality& quality, double mean_volume, const QualityLimits& limits = {});
+std::vector<Ailment> ailments_of(const BlockQuality& quality, double mean_volume,
+                                 const QualityLimits& limits = {});
 
 /// Pairs of blocks that lie in one another: boxes overlap and more than `share` of the smaller volume is
 /// common. Equal blocks have a share of 1.

@@ -35,10 +35,10 @@ struct TunnelBlocks {
     double dip = 0, dip_direction = 0; ///< of the axis, degrees; 0 0 is a level axis to the north
     Vec3 origin = Vec3::Zero();
     double radius = 1;
-    double begin = -10, end = 10; ///< along the axis, from the origin
+    double begin = -10, end = 10;              ///< along the axis, from the origin
     int radial = 1, tangential = 1, axial = 1; ///< blocks; tangential within each 45 degrees
-    double boundary = 4; ///< from the wall to the outline, in radii
-    double ratio = 1;    ///< thickness of each ring over that of the ring inside it
+    double boundary = 4;                       ///< from the wall to the outline, in radii
+    double ratio = 1;                          ///< thickness of each ring over that of the ring inside it
 };
 std::vector<Polyhedron> make_tunnel(const TunnelBlocks& tunnel);
 

@@ -151,8 +151,8 @@ Surface surface_from_loops(const std::vector<std::vector<Vec3>>& loops, double n
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Cell home = cell_of(corners[i]);
         for (int offset = 0; offset < 27; ++offset) {
-            const auto found =
-                cells.find({home[0] + offset % 3 - 1, home[1] + offset / 3 % 3 - 1, home[2] + offset / 9 - 1});
+            const auto found = cells.find(
+                {home[0] + offset % 3 - 1, home[1] + offset / 3 % 3 - 1, home[2] + offset / 9 - 1});
             if (found == cells.end()) continue;
             for (const int other : found->second) {
                 if ((corners[other] - corners[i]).norm() > near) continue;
@@ -211,8 +211,9 @@ void check_faces(Surface& surface) {
         std::sort(sorted.begin(), sorted.end());
         const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
         if (twice != sorted.end())
-            throw Diagnostic(fmt::format("{} passes twice through {}", face.name, text_of(surface.vertices[*twice])),
-                             "give its corners once each, in order around the face");
+            throw Diagnostic(
+                fmt::format("{} passes twice through {}", face.name, text_of(surface.vertices[*twice])),
+                "give its corners once each, in order around the face");
         const auto [other, fresh] = known.emplace(std::move(sorted), &face);
         if (!fresh)
             throw Diagnostic(fmt::format("{} has the same corners as {}", face.name, other->second->name),

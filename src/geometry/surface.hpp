@@ -21,15 +21,15 @@ struct Surface {
 /// What to do with faces that are not flat. Lengths are shares of the surface's size (the diagonal of
 /// its box).
 struct Flatness {
-    double mended = 1e-3;           ///< warp up to this is taken out by moving vertices
-    bool triangulate_rest = false;  ///< faces warped more become triangles; otherwise they are refused
+    double mended = 1e-3;          ///< warp up to this is taken out by moving vertices
+    bool triangulate_rest = false; ///< faces warped more become triangles; otherwise they are refused
 };
 
 /// A solid as convex parts: one for a convex body, several that belong together for a concave one.
 struct Solid {
     std::vector<Polyhedron> parts;
-    int turned_faces = 0;  ///< faces that were given the other way round than the first
-    double mended_by = 0;  ///< longest way that a vertex was moved to make faces flat, a length
+    int turned_faces = 0; ///< faces that were given the other way round than the first
+    double mended_by = 0; ///< longest way that a vertex was moved to make faces flat, a length
 };
 
 /// Joins corners nearer to each other than `near` (a length) and names the faces "face 1", ...

@@ -31,8 +31,8 @@ void check_crossings(const Surface& surface) {
         if (face_of[a] != face_of[b]) faces.emplace_back(std::minmax(face_of[a], face_of[b]));
     if (faces.empty()) return;
     const auto first = *std::min_element(faces.begin(), faces.end());
-    throw Diagnostic(fmt::format("the surface crosses itself: {} cuts through {}", surface.faces[first.first].name,
-                                 surface.faces[first.second].name));
+    throw Diagnostic(fmt::format("the surface crosses itself: {} cuts through {}",
+                                 surface.faces[first.first].name, surface.faces[first.second].name));
 }
 
 } // namespace kaya

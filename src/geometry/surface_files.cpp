@@ -24,7 +24,7 @@ struct Format {
     std::vector<NamedSurface> (*read)(std::string_view, const std::string&);
 };
 constexpr std::array formats{
-    Format{".stl", read_stl}, Format{".obj", read_obj},  Format{".ply", read_ply},
+    Format{".stl", read_stl},  Format{".obj", read_obj},   Format{".ply", read_ply},
     Format{".wrl", read_vrml}, Format{".vrml", read_vrml},
 };
 
@@ -49,7 +49,8 @@ void need_surfaces(const std::vector<NamedSurface>& surfaces, const std::string&
 
 std::vector<NamedSurface> read_surfaces(const std::string& path) {
     std::string suffix = std::filesystem::path(path).extension().string();
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
+    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
     const auto format =
         std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.suffix == suffix; });
     if (format == formats.end())

@@ -34,9 +34,8 @@ std::vector<int> plane_mates(const Surface& surface, const std::map<HalfEdge, in
         const auto& face = surface.faces[f];
         if (face.joint_set != surface.faces[seed].joint_set) return false;
         if (mean_normal(surface, face).dot(normal) < 0.9) return false;
-        return std::all_of(face.vertices.begin(), face.vertices.end(), [&](int v) {
-            return std::abs(normal.dot(surface.vertices[v] - centre)) <= near;
-        });
+        return std::all_of(face.vertices.begin(), face.vertices.end(),
+                           [&](int v) { return std::abs(normal.dot(surface.vertices[v] - centre)) <= near; });
     };
     std::vector<int> group{seed};
     for (std::size_t next = 0; next < group.size(); ++next) {

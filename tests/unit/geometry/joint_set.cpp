@@ -26,8 +26,10 @@ void cut_in_place(std::vector<Polyhedron>& blocks, const JointSet& set) {
     std::vector<Polyhedron> next;
     std::size_t parent = 0;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-        if (parent < result.parents.size() && result.parents[parent] == static_cast<int>(i)) ++parent;
-        else next.push_back(std::move(blocks[i]));
+        if (parent < result.parents.size() && result.parents[parent] == static_cast<int>(i))
+            ++parent;
+        else
+            next.push_back(std::move(blocks[i]));
     }
     for (auto& piece : result.pieces) next.push_back(std::move(piece.polyhedron));
     blocks = std::move(next);

@@ -55,7 +55,9 @@ void expect_sound(const Polyhedron& p, const TetMesh& m) {
         Vec3 whole = Vec3::Zero();
         const auto& loop = p.faces[f].vertices;
         for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-            whole += (p.vertices[loop[i]] - p.vertices[loop[0]]).cross(p.vertices[loop[i + 1]] - p.vertices[loop[0]]) / 2;
+            whole += (p.vertices[loop[i]] - p.vertices[loop[0]])
+                         .cross(p.vertices[loop[i + 1]] - p.vertices[loop[0]]) /
+                     2;
         EXPECT_LT((whole - area[f]).norm(), 1e-11 * std::max(1.0, whole.norm()));
     }
     std::set<std::array<double, 3>> points;

@@ -67,8 +67,8 @@ TEST(BlockQuality, FindsEachAilment) {
 }
 
 TEST(BlockQuality, EveryAilmentHasANameAndARemedy) {
-    for (const Ailment a : {Ailment::open, Ailment::inverted, Ailment::concave, Ailment::warped, Ailment::tiny,
-                            Ailment::needle, Ailment::thin, Ailment::short_edge}) {
+    for (const Ailment a : {Ailment::open, Ailment::inverted, Ailment::concave, Ailment::warped,
+                            Ailment::tiny, Ailment::needle, Ailment::thin, Ailment::short_edge}) {
         EXPECT_FALSE(name_of(a).empty());
         EXPECT_GT(remedy_for(a).size(), 20u);
     }

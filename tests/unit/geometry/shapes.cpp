@@ -41,12 +41,13 @@ TEST(Shapes, PrismOverATriangle) {
     EXPECT_DOUBLE_EQ(volume_of(prism.parts), 1.5);
     // Either polygon may come first and run either way.
     EXPECT_DOUBLE_EQ(
-        volume_of(make_prism({{0, 0, 3}, {0, 1, 3}, {1, 0, 3}}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}).parts), 1.5);
+        volume_of(make_prism({{0, 0, 3}, {0, 1, 3}, {1, 0, 3}}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}).parts),
+        1.5);
 }
 
 TEST(Shapes, PrismMayBeAWedge) {
-    const Solid wedge =
-        make_prism({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}, {{0, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 0, 1}});
+    const Solid wedge = make_prism({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}},
+                                   {{0, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 0, 1}});
     ASSERT_EQ(wedge.parts.size(), 1u);
     EXPECT_DOUBLE_EQ(volume_of(wedge.parts), 0.5);
 }
@@ -62,14 +63,19 @@ TEST(Shapes, WarpedSidesBecomeTrianglesThatNeighboursShare) {
     // The slab of 8 x 4 x 4 without the corner at its west side, which is 0.2*4*4/6 or twice that, as the
     // diagonal there runs. Whichever way it runs in the side between, the two must fill the rest exactly.
     const double missing = 128 - volume_of(left.parts) - volume_of(right.parts);
-    EXPECT_TRUE(std::abs(missing - 0.2 * 16 / 6) < 1e-12 || std::abs(missing - 0.2 * 16 / 3) < 1e-12) << missing;
+    EXPECT_TRUE(std::abs(missing - 0.2 * 16 / 6) < 1e-12 || std::abs(missing - 0.2 * 16 / 3) < 1e-12)
+        << missing;
     EXPECT_GT(left.parts.size() + right.parts.size(), 2u); // one of them is concave along that diagonal
 }
 
 TEST(Shapes, PrismRefusesPolygonsThatDoNotMatch) {
-    EXPECT_EQ(message_of([] { make_prism({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {1, 0, 1}}); }),
+    EXPECT_EQ(message_of([] {
+                  make_prism({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {1, 0, 1}});
+              }),
               "the prism's first polygon has 3 corners and the second 2");
-    EXPECT_EQ(message_of([] { make_prism({{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {1, 0, 1}}); }),
+    EXPECT_EQ(message_of([] {
+                  make_prism({{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {1, 0, 1}});
+              }),
               "the prism's polygons have 2 corners");
     EXPECT_EQ(message_of([] {
                   make_prism({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.4}, {0, 1, 0}},
@@ -81,7 +87,8 @@ TEST(Shapes, PrismRefusesPolygonsThatDoNotMatch) {
 TEST(Shapes, PrismWithATwistIsRefused) {
     // The second polygon runs on from the opposite corner: the sides cross in the middle.
     const std::string message = message_of([] {
-        make_prism({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{1, 1, 1}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}});
+        make_prism({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                   {{1, 1, 1}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}});
     });
     EXPECT_NE(message, "accepted");
     EXPECT_NE(message.find("prism's"), std::string::npos) << message;
@@ -107,9 +114,13 @@ TEST(Shapes, Drums) {
     EXPECT_NEAR(volume_of({cone}), sector * 4 * 5 / 3, 1e-11);
     drum.sides = 2;
     EXPECT_EQ(message_of([&] { make_drum(drum); }), "the number of sides of the drum is 2, less than 3");
-    EXPECT_EQ(message_of([] { make_drum({{1, 1, 1}, {1, 1, 1}, 1, 1, 8}); }),
+    EXPECT_EQ(message_of([] {
+                  make_drum({{1, 1, 1}, {1, 1, 1}, 1, 1, 8});
+              }),
               "the length of the drum is 0, and must be above 0");
-    EXPECT_EQ(message_of([] { make_drum({{0, 0, 0}, {0, 0, 1}, 0, 0, 8}); }),
+    EXPECT_EQ(message_of([] {
+                  make_drum({{0, 0, 0}, {0, 0, 1}, 0, 0, 8});
+              }),
               "the larger radius of the drum is 0, and must be above 0");
 }
 
@@ -133,5 +144,6 @@ TEST(Shapes, TunnelFillsTheSquareAroundTheHole) {
     const double hole = 0.5 * 16 * 4 * std::sin(2 * std::numbers::pi / 16);
     EXPECT_NEAR(volume_of(blocks), 20 * (20 * 20 - hole), 1e-9);
     tunnel.axial = 0;
-    EXPECT_EQ(message_of([&] { make_tunnel(tunnel); }), "the number of blocks along the axis is 0, less than 1");
+    EXPECT_EQ(message_of([&] { make_tunnel(tunnel); }),
+              "the number of blocks along the axis is 0, less than 1");
 }

@@ -96,7 +96,8 @@ TEST(Surface, InsideOutAndMixedFacesAreTurnedOutward) {
 TEST(Surface, NamesTheFaceThatIsWrong) {
     Loops open = cube();
     open.erase(open.begin() + 5);
-    EXPECT_EQ(message_of(open), "the surface is open: the edge from (1, 1, 0) to (1, 0, 0) belongs to face 1 alone");
+    EXPECT_EQ(message_of(open),
+              "the surface is open: the edge from (1, 1, 0) to (1, 0, 0) belongs to face 1 alone");
     Loops twice = cube();
     twice.push_back(twice[3]);
     EXPECT_EQ(message_of(twice), "face 7 has the same corners as face 4");
@@ -135,7 +136,8 @@ TEST(Surface, AnOutlineThatCrossesItselfIsRefused) {
 TEST(Surface, FacesThatCrossEachOtherAreRefused) {
     // A pyramid whose tip is pushed through its floor from above, with a dent that reaches outside.
     const Vec3 a(0, 0, 0), b(2, 0, 0), c(2, 2, 0), d(0, 2, 0), top(1, 1, 1), dent(1, 0.8, -1);
-    const Loops loops{{a, d, c, b}, {b, c, top}, {c, d, top}, {d, a, top}, {a, b, dent}, {b, top, dent}, {top, a, dent}};
+    const Loops loops{{a, d, c, b}, {b, c, top},    {c, d, top},   {d, a, top},
+                      {a, b, dent}, {b, top, dent}, {top, a, dent}};
     EXPECT_EQ(message_of(loops), "the surface crosses itself: face 1 cuts through face 6");
 }
 

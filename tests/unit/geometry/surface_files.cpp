@@ -101,10 +101,10 @@ const std::string obj_text = "# two blocks\no left\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv
                              "g right side\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\n"
                              "f -4 -2 -3\nf -4 -3 -1\nf -3 -2 -1\nf -2 -4 -1\n";
 
-const std::string vrml_text =
-    "#VRML V2.0 utf8\nTransform { translation 0 0 0 children [\n Shape { geometry DEF brick IndexedFaceSet {\n"
-    "  coord Coordinate { point [ 0 0 0, 1 0 0, 0 1 0, 0 0 1 ] } # corners\n"
-    "  coordIndex [ 0,2,1,-1, 0,1,3,-1, 1,2,3,-1, 2,0,3 ] } } ] }\n";
+const std::string vrml_text = "#VRML V2.0 utf8\nTransform { translation 0 0 0 children [\n Shape { geometry "
+                              "DEF brick IndexedFaceSet {\n"
+                              "  coord Coordinate { point [ 0 0 0, 1 0 0, 0 1 0, 0 0 1 ] } # corners\n"
+                              "  coordIndex [ 0,2,1,-1, 0,1,3,-1, 1,2,3,-1, 2,0,3 ] } } ] }\n";
 
 double volume_of(const NamedSurface& named) {
     const Solid solid = solid_from_surface(named.surface);
@@ -161,41 +161,49 @@ TEST(SurfaceFiles, SayWhatIsWrongAndWhere) {
     EXPECT_EQ(message_of(read_stl, "solid a\nfacet\nouter loop\nvertex 0 0\n"),
               "file, line 5: a coordinate is missing");
     EXPECT_EQ(message_of(read_stl, "solid a\nendsolid a\n"), "file holds no faces");
-    EXPECT_EQ(message_of(read_stl, stl_binary({0, 0, 0}, {1, 1, 1}).substr(0, 300)),
-              "file is not a whole STL file: it does not begin with 'solid', and its length is not that of its "
-              "number of triangles");
+    EXPECT_EQ(
+        message_of(read_stl, stl_binary({0, 0, 0}, {1, 1, 1}).substr(0, 300)),
+        "file is not a whole STL file: it does not begin with 'solid', and its length is not that of its "
+        "number of triangles");
     EXPECT_EQ(message_of(read_obj, "v 0 0 0\nv 1 0 0\nf 1 2 3\n"),
               "file, line 3: vertex 3 is asked for, and 2 have been given so far");
     EXPECT_EQ(message_of(read_obj, "v 0 0 0\nf 1 -2 1\n"),
               "file, line 2: vertex -2 is asked for, and 1 have been given so far");
     EXPECT_EQ(message_of(read_obj, "v 0 0\nv 0 0 0\n"), "file, line 1: z is missing");
-    EXPECT_EQ(message_of(read_obj, "v 0 0 inf\n"), "file, line 1: 'inf' is not a number, where z should stand");
+    EXPECT_EQ(message_of(read_obj, "v 0 0 inf\n"),
+              "file, line 1: 'inf' is not a number, where z should stand");
     EXPECT_EQ(message_of(read_obj, ""), "file holds no faces");
     EXPECT_EQ(message_of(read_ply, "ply\nformat ascii 1.0\nelement vertex 99999999999\nend_header\n"),
               "file, line 3: 99999999999 elements 'vertex' are more than the file can hold");
-    EXPECT_EQ(message_of(read_ply, ply_binary(false).substr(0, 260)), "file ends before all its elements are read");
+    EXPECT_EQ(message_of(read_ply, ply_binary(false).substr(0, 260)),
+              "file ends before all its elements are read");
     EXPECT_EQ(message_of(read_ply, "nothing"),
               "file is not a PLY file: it has no header from 'ply' to 'end_header'");
     EXPECT_EQ(message_of(read_vrml, "#VRML V2.0\nTransform { translation 1 0 0 }"),
               "file, line 2: the translation of a transform is not applied by this reader");
     EXPECT_EQ(message_of(read_vrml, "#VRML V2.0\ncoordIndex [ 0 1 2 ]"),
               "file, line 2: point 0 is asked for, and the points are 0 to -1");
-    EXPECT_EQ(message_of(read_vrml, "#VRML V2.0\npoint [ 0 0 0"), "file, line 2: the file ends within brackets");
+    EXPECT_EQ(message_of(read_vrml, "#VRML V2.0\npoint [ 0 0 0"),
+              "file, line 2: the file ends within brackets");
     EXPECT_EQ(message_of(read_vrml, "hello"), "file, line 1: a VRML file begins with '#VRML'");
 }
 
 TEST(SurfaceFiles, DamagedFilesEndInAMessageNeverInACrash) {
-    const std::vector<std::pair<Reader, std::string>> files{
-        {read_stl, stl_text("a", {0, 0, 0}, {1, 1, 1})}, {read_stl, stl_binary({0, 0, 0}, {1, 1, 1})},
-        {read_obj, obj_text},         {read_ply, ply_text()},
-        {read_ply, ply_binary(false)}, {read_ply, ply_binary(true)},
-        {read_vrml, vrml_text}};
+    const std::vector<std::pair<Reader, std::string>> files{{read_stl, stl_text("a", {0, 0, 0}, {1, 1, 1})},
+                                                            {read_stl, stl_binary({0, 0, 0}, {1, 1, 1})},
+                                                            {read_obj, obj_text},
+                                                            {read_ply, ply_text()},
+                                                            {read_ply, ply_binary(false)},
+                                                            {read_ply, ply_binary(true)},
+                                                            {read_vrml, vrml_text}};
     Random random(77);
     int refused = 0;
     for (const auto& [read, whole] : files)
         for (int trial = 0; trial < 400; ++trial) {
             std::string damaged = whole;
-            if (trial % 2) damaged.resize(static_cast<std::size_t>(random.uniform() * static_cast<double>(whole.size())));
+            if (trial % 2)
+                damaged.resize(
+                    static_cast<std::size_t>(random.uniform() * static_cast<double>(whole.size())));
             for (int i = 0; i < 3 && !damaged.empty(); ++i)
                 damaged[static_cast<std::size_t>(random.uniform() * static_cast<double>(damaged.size()))] =
                     static_cast<char>(random.bits() & 255);

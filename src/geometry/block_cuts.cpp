@@ -1,0 +1,147 @@
+#include "geometry/block_cuts.hpp"
+
+#include "base/diagnostic.hpp"
+#include "geometry/shapes.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace kaya {
+namespace {
+
+std::vector<Plane> outer_planes(const Polyhedron& polyhedron) {
+    std::vector<Plane> planes;
+    for (const auto& face : polyhedron.faces)
+        planes.push_back({face_normal(polyhedron, face), polyhedron.vertices[face.vertices[0]]});
+    return planes;
+}
+
+/// Planes through the axis of the outline and each of its corners.
+std::vector<Plane> radial_planes(const TunnelOutline& outline) {
+    const auto mean = [](const std::vector<Vec3>& corners) {
+        Vec3 sum = Vec3::Zero();
+        for (const Vec3& c : corners) sum += c;
+        return Vec3(sum / static_cast<double>(corners.size()));
+    };
+    const Vec3 centre = mean(outline.first), axis = mean(outline.second) - centre;
+    std::vector<Plane> planes;
+    for (const Vec3& corner : outline.first) {
+        const Vec3 normal = axis.cross(corner - centre);
+        if (normal.norm() > 1e-12 * axis.norm() * (corner - centre).norm())
+            planes.push_back({normal.normalized(), centre});
+    }
+    return planes;
+}
+
+struct Piece {
+    Polyhedron polyhedron;
+    bool inside = false;
+};
+
+/// Parts of one piece of rock in and around a convex part of the tunnel; only the rock itself when the two
+/// do not meet.
+std::vector<Piece> carve(const Polyhedron& rock, const std::vector<Plane>& planes, int id, double thinnest,
+                         int& slivers) {
+    std::vector<Piece> pieces;
+    Polyhedron left = rock;
+    for (const Plane& plane : planes) {
+        Cut parts = cut(left, plane, id, thinnest);
+        if (parts.outcome == CutOutcome::sliver) {
+            // Too thin to cut: the piece belongs where its greater part is.
+            ++slivers;
+            if (plane.distance(mass_properties(left).centroid) > 0) parts.outcome = CutOutcome::above;
+        }
+        if (parts.outcome == CutOutcome::above) return {{rock, false}};
+        if (parts.outcome != CutOutcome::cut) continue;
+        pieces.push_back({std::move(parts.above), false});
+        left = std::move(parts.below);
+    }
+    pieces.push_back({std::move(left), true});
+    return pieces;
+}
+
+/// Cuts the pieces outside by the planes; those inside stay.
+void cut_outside(std::vector<Piece>& pieces, const std::vector<Plane>& planes, int id, double thinnest,
+                 int& slivers) {
+    for (const Plane& plane : planes) {
+        const std::size_t count = pieces.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            if (pieces[i].inside) continue;
+            Cut parts = cut(pieces[i].polyhedron, plane, id, thinnest);
+            if (parts.outcome == CutOutcome::sliver) ++slivers;
+            if (parts.outcome != CutOutcome::cut) continue;
+            pieces[i].polyhedron = std::move(parts.below);
+            pieces.push_back({std::move(parts.above), false});
+        }
+    }
+}
+
+} // namespace
+
+TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest) {
+    const Solid tunnel = make_prism(outline.first, outline.second);
+    std::vector<std::vector<Plane>> parts;
+    for (const Polyhedron& part : tunnel.parts) parts.push_back(outer_planes(part));
+    const std::vector<Plane> radial = outline.radial ? radial_planes(outline) : std::vector<Plane>{};
+
+    TunnelCut result;
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        std::vector<Piece> pieces{{blocks[block], false}};
+        for (const auto& planes : parts) {
+            std::vector<Piece> next;
+            for (Piece& piece : pieces) {
+                if (piece.inside) {
+                    next.push_back(std::move(piece));
+                    continue;
+                }
+                for (Piece& part :
+                     carve(piece.polyhedron, planes, outline.id, thinnest, result.blocks.slivers))
+                    next.push_back(std::move(part));
+            }
+            pieces = std::move(next);
+        }
+        const bool touched = pieces.size() > 1;
+        // Radial joints are for the rock around the hole only.
+        if (touched) cut_outside(pieces, radial, outline.id, thinnest, result.blocks.slivers);
+        if (!touched) {
+            if (pieces.front().inside) result.swallowed.push_back(static_cast<int>(block));
+            continue;
+        }
+        result.blocks.parents.push_back(static_cast<int>(block));
+        for (Piece& piece : pieces) {
+            result.blocks.pieces.push_back({std::move(piece.polyhedron), static_cast<int>(block)});
+            result.inside.push_back(piece.inside);
+        }
+    }
+    return result;
+}
+
+CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3>& parts, int id) {
+    for (const int n : parts)
+        if (n < 1) throw Diagnostic(fmt::format("a block cannot be cut into {} parts", n), "give 1 or more");
+    CutBlocks result;
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        Vec3 low = blocks[block].vertices.front(), high = low;
+        for (const Vec3& v : blocks[block].vertices) {
+            low = low.cwiseMin(v);
+            high = high.cwiseMax(v);
+        }
+        std::vector<Piece> pieces{{blocks[block], false}};
+        std::vector<Plane> planes;
+        for (int k = 0; k < 3; ++k)
+            for (int i = 1; i < parts[k]; ++i) {
+                Plane plane{Vec3::Unit(k), low};
+                plane.origin[k] += (high[k] - low[k]) * i / parts[k];
+                planes.push_back(plane);
+            }
+        cut_outside(pieces, planes, id, 0, result.slivers);
+        if (pieces.size() == 1) continue;
+        result.parents.push_back(static_cast<int>(block));
+        for (Piece& piece : pieces)
+            result.pieces.push_back({std::move(piece.polyhedron), static_cast<int>(block)});
+    }
+    return result;
+}
+
+} // namespace kaya

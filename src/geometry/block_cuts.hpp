@@ -1,0 +1,34 @@
+// Cutting many blocks at once by something else than a joint set: a tunnel outline, or into even parts.
+#pragma once
+
+#include "geometry/joint_set.hpp"
+
+#include <array>
+#include <vector>
+
+namespace kaya {
+
+/// The outline of a tunnel: two polygons with matching corners and the straight sides between them.
+struct TunnelOutline {
+    std::vector<Vec3> first, second;
+    bool radial = false; ///< also cuts the rock around along the planes through the axis and each corner
+    int id = 0;          ///< kept on the faces that are cut
+};
+
+struct TunnelCut {
+    CutBlocks blocks;
+    std::vector<bool> inside;   ///< for each piece: within the outline
+    std::vector<int> swallowed; ///< blocks that lie within the outline as a whole and were not cut
+};
+
+/// Cuts the outline out of the blocks. Blocks are cut no farther than needed: a piece of rock is
+/// cut by a side of the tunnel only where that side parts it from the inside.
+/// Throws Diagnostic when the outline is no solid (see make_prism).
+TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline,
+                     double thinnest = 0);
+
+/// Cuts each block into n[0] x n[1] x n[2] parts of equal width along x, y and z of its own box.
+/// Throws Diagnostic when a number is below 1.
+CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3>& parts, int id = 0);
+
+} // namespace kaya
