@@ -7,7 +7,8 @@ namespace kaya::lang {
 
 namespace {
 
-constexpr const char* velocity_words[3][2] = {{"xvel", "xvelocity"}, {"yvel", "yvelocity"}, {"zvel", "zvelocity"}};
+constexpr const char* velocity_words[3][2] = {
+    {"xvel", "xvelocity"}, {"yvel", "yvelocity"}, {"zvel", "zvelocity"}};
 
 CommandSpec bound() {
     Entry<Boundary> entry({"boundary"});
@@ -95,7 +96,7 @@ Family boundary() {
                     .range(&Free::range)
                     .right("free")
                     .right("free range id 3 5")
-                    .wrong("free range id 1.5", "low takes a whole number, not 1.5"),
+                    .wrong("free range id 1.5", "id takes a whole number, not 1.5"),
                 Entry<Gravity>({"gravity"})
                     .help("acceleration of gravity, the same everywhere")
                     .argument(vector("gx gy gz").unit("acceleration"), &Gravity::value)

@@ -52,8 +52,8 @@ CommandSpec set() {
     entry.right("set pagination off").right("set atol 1e-4 echo off");
     entry.wrong("set", "set does not say what to set");
     entry.wrong("set dyn maybe", "'maybe' stands where on or off must be");
-    entry.wrong("set jmatdf 1.5", "n takes a whole number, not 1.5");
-    entry.wrong("set fraction 0", "f must be greater than 0, not 0");
+    entry.wrong("set jmatdf 1.5", "jmatdf takes a whole number, not 1.5");
+    entry.wrong("set fraction 0", "fraction must be greater than 0, not 0");
     entry.wrong("set thraeds 2", "'thraeds' is not a keyword of set");
     return entry;
 }

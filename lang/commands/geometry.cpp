@@ -79,7 +79,7 @@ Family geometry() {
                 .wrong("hide rnge z 0 1", "'rnge' is not a keyword of hide")
                 .wrong("hide range z 1 0", "the lower limit 1 is greater than the upper limit 0")
                 .wrong("hide range z", "a number is missing after 'z'")
-                .wrong("hide range grup a", "'grup' is not a range element (the range ends the line)"),
+                .wrong("hide range grup a", "'grup' is not a range element"),
             Entry<Seek>({"seek", "show"})
                 .help("makes hidden blocks visible again")
                 .range(&Seek::range)

@@ -75,7 +75,7 @@ CommandSpec history_add() {
     entry.wrong("hist", "history does not say what to record");
     entry.wrong("hist xdis 0 0", "a number is missing after '0'");
     entry.wrong("hist xids 0 0 0", "'xids' is not a keyword of history");
-    entry.wrong("hist ncyc 0", "n must be at least 1, not 0");
+    entry.wrong("hist ncyc 0", "ncyc must be at least 1, not 0");
     entry.wrong("hist unbal 5", "'5' stands where a keyword of history must be");
     return entry;
 }
@@ -98,7 +98,7 @@ CommandSpec history_write() {
         return true;
     });
     entry.right("hist write").right("hist write 2 3 4 vs 5 curves.csv").right("hist write 'all curves.csv'");
-    entry.wrong("hist write 0", "n must be at least 1, not 0");
+    entry.wrong("hist write 0", "write must be at least 1, not 0");
     entry.wrong("hist write 1 vs", "a number is missing after 'vs'");
     entry.wrong("hist write 1 a.csv b.csv", "'b.csv' is not a keyword of history write");
     return entry;
@@ -114,7 +114,7 @@ CommandSpec history_label() {
         .right("hist label 2 'Shear Stress'")
         .wrong("hist label", "a number is missing after 'label'")
         .wrong("hist label 2", "a word is missing after '2'")
-        .wrong("hist label 'Shear Stress' 2", "''Shear Stress'' stands where a whole number must be")
+        .wrong("hist label 'Shear Stress' 2", "the text 'Shear Stress' stands where a whole number must be")
         .wrong("hist label 2 'Shear Stress", "the quote is not closed on this line");
 }
 

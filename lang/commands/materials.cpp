@@ -97,8 +97,8 @@ CommandSpec prop() {
     entry.wrong("prop mat 1", "no property is given");
     entry.wrong("prop mat 1 dens", "a number is missing after 'dens'");
     entry.wrong("prop mat 1 dens heavy", "'heavy' stands where a number must be");
-    entry.wrong("prop mat 1.5 dens 1", "n takes a whole number, not 1.5");
-    entry.wrong("prop mat 0 dens 1", "n must be at least 1, not 0");
+    entry.wrong("prop mat 1.5 dens 1", "mat takes a whole number, not 1.5");
+    entry.wrong("prop mat 0 dens 1", "mat must be at least 1, not 0");
     entry.wrong("prop mat 1 dens 2600 1", "'1' stands where a keyword of property must be");
     return entry;
 }
@@ -159,14 +159,21 @@ CommandSpec jmodel_assign() {
     entry.right("jmodel model barton-bandis").right("jmodel model mohr jkn 1e5 jks 1e4 jfric 30 range z 0 1");
     entry.wrong("jmodel model", "a word is missing after 'model'");
     entry.wrong("jmodel model mohr jkn", "a number is missing after 'jkn'");
-    entry.wrong("jmodel model mohr rang z 0 one", "'one' is not a range element (the range ends the line)");
+    entry.wrong("jmodel model mohr rang z 0 one", "'one' is not a range element");
     return entry;
 }
 
 CommandSpec jmodel_properties() {
     Entry<JointModelCommand> entry({"jmodel"});
     entry.help("sets properties of the joint model that contacts have");
-    model_properties(entry, &JointModelCommand::items);
+    entry.otherwise({real("property value").optional().spec}, [](Reader& reader, JointModelCommand& c) {
+        if (reader.statement().words.size() == 2 && reader.peek()->kind == WordKind::word &&
+            did_you_mean(reader.peek()->folded, {"model", "load"}).empty())
+            throw Diagnostic("jmodel needs a property and its value, or the word model",
+                             "write for example: jmodel model " + reader.peek()->text)
+                .at(reader.peek()->place);
+        return read_unknown_property(reader, c.items);
+    });
     entry.range(&JointModelCommand::range, true);
     entry.finish([](const Reader& reader, JointModelCommand& c) {
         if (c.items.empty())
@@ -176,6 +183,7 @@ CommandSpec jmodel_properties() {
     entry.right("jmodel jkn=1e5 jks=1e4 resfriction=20.0 jcso=100 nj = 0.8 lo = 0.1 ln=0.2");
     entry.right("jmodel jkn 1e5 range z 0");
     entry.wrong("jmodel", "jmodel does not say what to do");
+    entry.wrong("jmodel mohr", "jmodel needs a property and its value, or the word model");
     entry.wrong("jmodel modle mohr", "'modle' is not a keyword of jmodel");
     entry.wrong("jmodel jkn 1e5 rnage z 0", "'rnage' is not a keyword of jmodel");
     return entry;

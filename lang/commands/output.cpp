@@ -57,7 +57,7 @@ CommandSpec list() {
         command.symbols.push_back(reader.symbol(text("@name").spec));
         return true;
     });
-    entry.range(&List::range);
+    entry.range(&List::range, true); // print x is more likely meant as print @x
     entry.finish([](const Reader& reader, List& command) {
         if (command.what.empty() && command.symbols.empty())
             incomplete_line(reader, "list does not say what to show", "write for example: list blocks");
@@ -70,6 +70,7 @@ CommandSpec list() {
     entry.wrong("list", "list does not say what to show");
     entry.wrong("print blokcs", "'blokcs' is not a keyword of list");
     entry.wrong("list blocks zones", "one list command shows one thing");
+    entry.wrong("print x", "'x' is not a keyword of list");
     entry.wrong("list 5", "'5' stands where a keyword of list must be");
     return entry;
 }

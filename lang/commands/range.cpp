@@ -48,8 +48,8 @@ void coordinate(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind 
 }
 
 void numbers(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
-    const auto low = integer("low").spec;
-    const auto high = integer("high").optional().spec;
+    const auto low = integer("n").spec;
+    const auto high = integer("m").optional().spec;
     table.special(std::move(words), {low, high},
                   [=](Reader& reader, RangePhrase& phrase) {
                       read_limits(reader, add(reader, phrase, kind), low, high);
@@ -69,7 +69,7 @@ void named(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind,
 
 /// Number, or a name that stands for one (a joint set, a region by name).
 void numbered(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
-    const auto number = integer("number").spec;
+    const auto number = integer("n").spec;
     table.special(std::move(words), {number},
                   [=](Reader& reader, RangePhrase& phrase) {
                       RangeElement& element = add(reader, phrase, kind);
@@ -79,7 +79,7 @@ void numbered(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind ki
 }
 
 void both_sides(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
-    const auto first = integer("first").spec, second = integer("second").spec;
+    const auto first = integer("n").spec, second = integer("m").spec;
     table.special(std::move(words), {first, second},
                   [=](Reader& reader, RangePhrase& phrase) {
                       RangeElement& element = add(reader, phrase, kind);
@@ -87,6 +87,19 @@ void both_sides(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind 
                       element.high = static_cast<double>(reader.integer(second));
                   },
                   help);
+}
+
+/// An element that lacks a part: a misspelt word in its place is what the message is about.
+[[noreturn]] void lacks_part(const Reader& reader, std::string_view element, const std::vector<KeywordSpec>& words,
+                             std::string message, std::string hint) {
+    const Word* next = reader.peek();
+    std::vector<std::string_view> candidates;
+    for (const auto& keyword : words)
+        for (const Spelling& s : keyword.words) candidates.push_back(s.word);
+    if (next && next->kind == WordKind::word && !find_keyword(range_elements(), next->folded) &&
+        !did_you_mean(next->folded, candidates).empty())
+        reader.unknown(fmt::format("a word of {}", element), candidates);
+    incomplete_line(reader, std::move(message), std::move(hint));
 }
 
 /// What is said about a plane while its words are read.
@@ -120,8 +133,8 @@ void plane(Keywords<RangePhrase>& table) {
         PlaneText plane;
         read_keywords(reader, words, &plane);
         if (plane.side == 0 && !plane.distance)
-            incomplete_line(reader, "the plane does not say which part is meant",
-                            "add above, below, or distance d");
+            lacks_part(reader, "plane", words, "the plane does not say which part is meant",
+                       "add above, below, or distance d");
         const double dip = plane.dip * degree, dd = plane.dip_direction * degree;
         Vec3 normal = {std::sin(dip) * std::sin(dd), std::sin(dip) * std::cos(dd), std::cos(dip)};
         if (plane.normal) {
@@ -187,8 +200,8 @@ void round_elements(Keywords<RangePhrase>& table) {
                       RoundText round;
                       read_keywords(reader, of_sphere, &round);
                       if (!round.centre || !round.outer)
-                          incomplete_line(reader, "the sphere needs center and radius",
-                                          "write: sphere center x y z radius r");
+                          lacks_part(reader, "sphere", of_sphere, "the sphere needs center and radius",
+                                     "write: sphere center x y z radius r");
                       fill(phrase.elements.back(), round);
                   },
                   "inside a sphere", of_sphere);
@@ -198,8 +211,8 @@ void round_elements(Keywords<RangePhrase>& table) {
                       RoundText round;
                       read_keywords(reader, of_cylinder, &round);
                       if (!round.centre || !round.end || !round.outer)
-                          incomplete_line(reader, "the cylinder needs end1, end2 and radius",
-                                          "write: cylinder end1 x y z end2 x y z radius r");
+                          lacks_part(reader, "cylinder", of_cylinder, "the cylinder needs end1, end2 and radius",
+                                     "write: cylinder end1 x y z end2 x y z radius r");
                       fill(phrase.elements.back(), round);
                       phrase.elements.back().end2 = *round.end;
                   },
@@ -220,7 +233,7 @@ void box(Keywords<RangePhrase>& table) {
 
 /// `block id 5`: the old long form of `bid 5`.
 void block_id(Keywords<RangePhrase>& table) {
-    const auto low = integer("low").spec, high = integer("high").optional().spec;
+    const auto low = integer("n").spec, high = integer("m").optional().spec;
     table.special({Spelling{"block", 3}}, {low, high},
                   [=](Reader& reader, RangePhrase& phrase) {
                       RangeElement& element = add(reader, phrase, Kind::block_id);
@@ -287,11 +300,13 @@ std::vector<KeywordSpec> all_elements() {
     return std::move(table).list();
 }
 
-std::vector<std::string_view> words_of(const std::vector<KeywordSpec>& elements) {
-    std::vector<std::string_view> words;
-    for (const auto& element : elements)
-        for (const Spelling& s : element.words) words.push_back(s.word);
-    return words;
+[[noreturn]] void unknown_element(const Reader& reader) {
+    std::vector<std::string_view> candidates, listed;
+    for (const auto& element : range_elements()) {
+        listed.push_back(element.words.front().word);
+        for (const Spelling& s : element.words) candidates.push_back(s.word);
+    }
+    reader.unknown("a range element", candidates, listed);
 }
 
 } // namespace
@@ -310,7 +325,7 @@ void read_range(Reader& reader, RangePhrase& phrase) {
     while (!reader.at_end()) {
         read_keywords(reader, range_elements(), &phrase);
         if (!reader.at_end())
-            reader.unknown("a range element (the range ends the line)", words_of(range_elements()));
+            unknown_element(reader);
     }
     if (phrase.elements.empty())
         incomplete_line(reader, "the range has no element", "write for example: range z 0 1");

@@ -72,8 +72,8 @@ CommandSpec cycle() {
     });
     entry.right("cycle 1000").right("step 10").right("cyc 20000").right("cycle time 0.5").right("cycle @n");
     entry.wrong("cycle", "cycle does not say how many cycles");
-    entry.wrong("step 10.5", "n takes a whole number, not 10.5");
-    entry.wrong("cycle -5", "n must be at least 0, not -5");
+    entry.wrong("step 10.5", "step takes a whole number, not 10.5");
+    entry.wrong("cycle -5", "cycle must be at least 0, not -5");
     entry.wrong("cycle many", "'many' is not a keyword of cycle");
     entry.wrong("cycle 10 20", "'20' stands where a keyword of cycle must be");
     return entry;
@@ -96,7 +96,7 @@ CommandSpec solve() {
         .right("solve elastic force 1e3")
         .wrong("solve raito 1e-5", "'raito' is not a keyword of solve")
         .wrong("solve ratio", "a number is missing after 'ratio'")
-        .wrong("solve ratio 0", "r must be greater than 0, not 0")
+        .wrong("solve ratio 0", "ratio must be greater than 0, not 0")
         .wrong("solve 100", "'100' stands where a keyword of solve must be");
 }
 
@@ -131,7 +131,7 @@ Family solution() {
                     .argument(real("f").above(0).at_most(1), &Fraction::value)
                     .right("fraction 0.3")
                     .wrong("fraction", "a number is missing after 'fraction'")
-                    .wrong("fraction 2", "f must be at most 1, not 2"),
+                    .wrong("fraction 2", "fraction must be at most 1, not 2"),
             }};
 }
 

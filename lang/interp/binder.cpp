@@ -35,20 +35,24 @@ void add_words(std::vector<std::string_view>& to, const std::vector<KeywordSpec>
     for (const auto& k : keywords) add_words(to, k.words);
 }
 
+/// The canonical spellings: enough for a list of what may be typed.
+std::vector<std::string_view> first_words(const std::vector<KeywordSpec>& keywords) {
+    std::vector<std::string_view> words;
+    for (const auto& k : keywords) words.push_back(k.words.front().word);
+    return words;
+}
+
 [[noreturn]] void unknown_command(const Language& language, const Statement& statement) {
     std::vector<std::string_view> candidates;
     for (const auto* c : all_commands(language)) add_words(candidates, c->words);
     const Word& word = statement.words.front();
-    Reader reader(statement, 0, 1, nullptr);
-    if (word.kind == WordKind::word && word.text != "?") {
-        const auto near = did_you_mean(word.folded, candidates);
-        Diagnostic d(fmt::format("'{}' is not a command", word.text),
-                     near.empty() ? "'kaya help' lists the commands"
-                                  : fmt::format("did you mean '{}'?", near));
-        d.code = "unknown-command";
-        throw d.at(word.place);
-    }
-    reader.unknown("a command", candidates);
+    if (word.text == "?" || word.kind == WordKind::open)
+        Reader(statement, 0, 1, nullptr).unknown("a command", candidates);
+    const auto near = word.kind == WordKind::word ? did_you_mean(word.folded, candidates) : "";
+    Diagnostic d(fmt::format("{} is not a command", word.shown()),
+                 near.empty() ? "'kaya help' lists the commands" : fmt::format("did you mean '{}'?", near));
+    d.code = "unknown-command";
+    throw d.at(word.place);
 }
 
 bool is_form(const CommandSpec& spec, const Word& word) {
@@ -69,24 +73,34 @@ std::size_t find_form(const CommandSpec& spec, const Statement& statement) {
     return 0;
 }
 
+/// Index of the word that stands where the form should: behind options and their values.
+std::size_t wrong_word(const CommandSpec& spec, const Statement& statement) {
+    const auto& words = statement.words;
+    std::size_t i = 1;
+    while (spec.options_before_form && i < words.size() && words[i].kind == WordKind::word &&
+           find_keyword(spec.keywords, words[i].folded)) {
+        for (++i; i < words.size() && words[i].kind != WordKind::word;) ++i;
+    }
+    return i;
+}
+
 /// The next word is no keyword: says so, with everything that might have stood there.
 [[noreturn]] void unknown_keyword(const Language& language, const CommandSpec& spec, const Reader& reader) {
-    std::vector<std::string_view> candidates;
+    std::vector<std::string_view> candidates, listed = first_words(spec.keywords);
+    for (const auto& argument : spec.otherwise_arguments) listed.push_back(argument.name);
     add_words(candidates, spec.keywords);
     if (reader.statement().words.size() > 1 && reader.peek() == &reader.statement().words[1])
-        for (const auto* other : commands_called(language, spec.words.front().word))
+        for (const auto* other : commands_called(language, spec.words.front().word)) {
             add_words(candidates, other->form);
-    if (spec.range_elements) candidates.push_back("range");
-    if (spec.range_without_word) {
-        // Suggested when near, not listed: the list of keywords is long enough.
-        std::vector<std::string_view> more = candidates;
-        add_words(more, *spec.range_elements);
-        if (reader.peek()->kind == WordKind::word &&
-            did_you_mean(reader.peek()->folded, candidates).empty() &&
-            !did_you_mean(reader.peek()->folded, more).empty())
-            candidates = more;
+            if (!other->form.empty()) listed.push_back(other->form.front().word);
+        }
+    if (spec.range_elements) {
+        candidates.push_back("range");
+        listed.push_back("range");
     }
-    reader.unknown(fmt::format("a keyword of {}", spec.name()), candidates);
+    // Suggested when near, not listed: the list of keywords is long enough.
+    if (spec.range_without_word) add_words(candidates, *spec.range_elements);
+    reader.unknown(fmt::format("a keyword of {}", spec.name()), candidates, listed);
 }
 
 /// True when the next word opens the range phrase; the word `range` itself is taken.
@@ -107,7 +121,14 @@ void read_rest(const Language& language, const CommandSpec& spec, Reader& reader
             reader.take();
             keyword->read(reader, target);
         } else if (range_allowed && at_range(spec, reader)) {
-            spec.read_range(reader, target);
+            try {
+                spec.read_range(reader, target);
+            } catch (Diagnostic& problem) {
+                const Word* wrong = reader.peek();
+                if (problem.code == "unknown-word" && wrong && find_keyword(spec.keywords, wrong->folded))
+                    problem.hint = "the range phrase must stand last on the line";
+                throw;
+            }
         } else if (!(spec.otherwise && spec.otherwise(reader, target))) {
             unknown_keyword(language, spec, reader);
         }
@@ -139,16 +160,11 @@ FoundCommand find_command(const Language& language, const Statement& statement) 
     std::vector<std::string_view> forms;
     for (const auto* spec : commands) add_words(forms, spec->form);
     const std::string_view name = commands.front()->words.front().word;
-    std::size_t wrong = 1;
-    if (commands.front()->options_before_form)
-        while (wrong < statement.words.size() &&
-               (statement.words[wrong].kind != WordKind::word ||
-                find_keyword(commands.front()->keywords, statement.words[wrong].folded)))
-            ++wrong;
-    Reader reader(statement, wrong, statement.words.size(), nullptr);
+    Reader reader(statement, wrong_word(*commands.front(), statement), statement.words.size(), nullptr);
     if (!reader.at_end()) {
-        if (commands.front()->options_before_form) add_words(forms, commands.front()->keywords);
-        reader.unknown(fmt::format("a kind of {}", name), forms);
+        std::vector<std::string_view> candidates = forms;
+        if (commands.front()->options_before_form) add_words(candidates, commands.front()->keywords);
+        reader.unknown(fmt::format("a kind of {}", name), candidates, forms);
     }
     std::string list;
     for (const auto form : forms) list += (list.empty() ? "" : ", ") + std::string(form);

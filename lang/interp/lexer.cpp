@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 
 namespace kaya::lang {
@@ -165,6 +166,10 @@ std::vector<Word> Lexer::words_of_line(int line) const {
     std::vector<Word> words;
     read_line(line, words);
     return words;
+}
+
+std::string Word::shown() const {
+    return kind == WordKind::text ? fmt::format("the text {}", raw_text()) : fmt::format("'{}'", raw_text());
 }
 
 bool Lexer::continued(int line) const {

@@ -31,6 +31,8 @@ struct Word {
     bool late() const { return kind == WordKind::symbol || kind == WordKind::expression; }
     /// As it stands in the line, quotes and all.
     std::string raw_text() const;
+    /// As messages call it: 'brick', or the text 'left wall'.
+    std::string shown() const;
 };
 
 struct Statement {

@@ -28,17 +28,6 @@ void refuse_open(const Word& word) {
 
 bool is_question(const Word& word) { return word.kind == WordKind::word && word.text == "?"; }
 
-void check_limits(const ArgumentSpec& argument, double value, const Place& place) {
-    const Limits& l = argument.limits;
-    if (l.hold(value)) return;
-    const bool low = l.low_excluded ? value <= l.low : value < l.low;
-    const char* relation = low ? (l.low_excluded ? "greater than" : "at least")
-                               : (l.high_excluded ? "less than" : "at most");
-    throw wrong(
-        "out-of-limits", place,
-        fmt::format("{} must be {} {:g}, not {:g}", argument.name, relation, low ? l.low : l.high, value));
-}
-
 const char* name_of(const Value& value) {
     static constexpr const char* names[] = {"nothing yet", "a truth value", "a whole number",
                                             "a number",    "a text",        "a vector"};
@@ -48,7 +37,7 @@ const char* name_of(const Value& value) {
 Diagnostic wrong_value(const Word& word, const Value& value, const ArgumentSpec& argument,
                        const char* needed) {
     return wrong("wrong-type", word.place,
-                 fmt::format("'{}' is {}, where {} must be", word.raw_text(), name_of(value), needed),
+                 fmt::format("{} is {}, where {} must be", word.shown(), name_of(value), needed),
                  expected(argument));
 }
 
@@ -59,9 +48,8 @@ double as_real(const Word& word, const Value& got, const ArgumentSpec& argument)
     else throw wrong_value(word, got, argument, "a number");
     if (!std::isfinite(value))
         throw wrong("wrong-type", word.place,
-                    fmt::format("'{}' is {}, not a usable number", word.raw_text(), value),
+                    fmt::format("{} is {}, not a usable number", word.shown(), value),
                     expected(argument));
-    check_limits(argument, value, word.place);
     return value;
 }
 
@@ -85,6 +73,23 @@ std::string Reader::take_raw() {
     return text;
 }
 
+std::string Reader::name_of_value(const ArgumentSpec& argument) const {
+    if (argument.name.size() == 1 && next_ >= 2 && statement_.words[next_ - 2].kind == WordKind::word)
+        return statement_.words[next_ - 2].text;
+    return std::string(argument.name);
+}
+
+void Reader::check_limits(const ArgumentSpec& argument, double value) const {
+    const Limits& l = argument.limits;
+    if (l.hold(value)) return;
+    const bool low = l.low_excluded ? value <= l.low : value < l.low;
+    const char* relation = low ? (l.low_excluded ? "greater than" : "at least")
+                               : (l.high_excluded ? "less than" : "at most");
+    throw wrong("out-of-limits", previous().place,
+                fmt::format("{} must be {} {:g}, not {:g}", name_of_value(argument), relation,
+                            low ? l.low : l.high, value));
+}
+
 bool Reader::at_number() const {
     const Word* word = peek();
     return word && (word->kind == WordKind::number || word->late());
@@ -101,24 +106,26 @@ void Reader::missing(const ArgumentSpec& argument) const {
                 expected(argument));
 }
 
-void Reader::unknown(std::string_view what, const std::vector<std::string_view>& candidates) const {
+void Reader::unknown(std::string_view what, const std::vector<std::string_view>& candidates,
+                     const std::vector<std::string_view>& listed) const {
     const Word& word = *peek();
     refuse_open(word);
+    const std::string list = fmt::format("{}", fmt::join(listed.empty() ? candidates : listed, ", "));
     if (is_question(word))
-        throw Choices(candidates.empty() ? "nothing more may stand here"
-                                         : fmt::format("{} may be: {}", what, fmt::join(candidates, ", ")),
+        throw Choices(candidates.empty() ? "nothing more may stand here" : fmt::format("{} may be: {}", what, list),
                       {candidates.begin(), candidates.end()}, word.place);
     if (candidates.empty())
-        throw wrong("left-over", word.place,
-                    fmt::format("'{}' is left over at the end of the line", word.raw_text()),
-                    fmt::format("nothing more is expected here"));
-    const std::string list = fmt::format("expected: {}", fmt::join(candidates, ", "));
+        throw wrong("left-over", word.place, fmt::format("{} is left over at the end of the line", word.shown()),
+                    "nothing more is expected here");
     if (word.kind != WordKind::word)
-        throw wrong("not-a-word", word.place,
-                    fmt::format("'{}' stands where {} must be", word.raw_text(), what), list);
+        throw wrong("not-a-word", word.place, fmt::format("{} stands where {} must be", word.shown(), what),
+                    "expected: " + list);
+    if (word.text == "&" || word.text == "...")
+        throw wrong("unknown-word", word.place, fmt::format("'{}' stands in the middle of the line", word.text),
+                    "a line is continued by a mark at its very end");
     const auto near = did_you_mean(word.folded, candidates);
     throw wrong("unknown-word", word.place, fmt::format("'{}' is not {}", word.text, what),
-                near.empty() ? list : fmt::format("did you mean '{}'?", near));
+                near.empty() ? "expected: " + list : fmt::format("did you mean '{}'?", near));
 }
 
 Value Reader::value_of(const Word& word) {
@@ -143,14 +150,17 @@ double Reader::real(const ArgumentSpec& argument) {
     const Word& word = take_value(argument);
     if (word.late()) {
         late_ = true;
-        return has_values() ? as_real(word, value_of(word), argument) : 1;
+        if (!has_values()) return 1;
+        const double value = as_real(word, value_of(word), argument);
+        check_limits(argument, value);
+        return value;
     }
     if (word.kind != WordKind::number)
         throw wrong("not-a-number", word.place,
-                    fmt::format("'{}' stands where a number must be", word.raw_text()), expected(argument));
+                    fmt::format("{} stands where a number must be", word.shown()), expected(argument));
     if (std::isinf(word.number))
         throw wrong("out-of-limits", word.place, fmt::format("{} is too large for a number", word.text));
-    check_limits(argument, word.number, word.place);
+    check_limits(argument, word.number);
     return word.number;
 }
 
@@ -167,14 +177,14 @@ std::int64_t Reader::integer(const ArgumentSpec& argument) {
         else throw wrong_value(word, got, argument, "a whole number");
     } else if (word.kind != WordKind::number) {
         throw wrong("not-a-number", word.place,
-                    fmt::format("'{}' stands where a whole number must be", word.raw_text()),
+                    fmt::format("{} stands where a whole number must be", word.shown()),
                     expected(argument));
     } else if (!word.whole) {
         throw wrong("not-whole", word.place,
-                    fmt::format("{} takes a whole number, not {}", argument.name, word.text),
+                    fmt::format("{} takes a whole number, not {}", name_of_value(argument), word.text),
                     "write it without a point or an exponent");
     }
-    check_limits(argument, static_cast<double>(value), word.place);
+    check_limits(argument, static_cast<double>(value));
     return value;
 }
 
@@ -209,7 +219,7 @@ bool Reader::on_off(const ArgumentSpec& argument) {
         if (word.folded == yes) return true;
     for (const auto no : {"off", "false", "no"})
         if (word.folded == no) return false;
-    throw wrong("not-on-off", word.place, fmt::format("'{}' stands where on or off must be", word.raw_text()),
+    throw wrong("not-on-off", word.place, fmt::format("{} stands where on or off must be", word.shown()),
                 expected(argument));
 }
 
@@ -246,7 +256,7 @@ std::string Reader::symbol(const ArgumentSpec& argument) {
     const Word& word = take_value(argument);
     if (word.kind != WordKind::symbol)
         throw wrong("not-a-symbol", word.place,
-                    fmt::format("'{}' stands where a name with @ must be", word.raw_text()),
+                    fmt::format("{} stands where a name with @ must be", word.shown()),
                     fmt::format("write @{}", word.text));
     return word.text;
 }
@@ -255,7 +265,8 @@ void read_keywords(Reader& reader, const std::vector<KeywordSpec>& keywords, voi
     while (const Word* word = reader.peek()) {
         if (is_question(*word)) {
             std::vector<std::string_view> words;
-            for (const auto& keyword : keywords) words.push_back(keyword.words.front().word);
+            for (const auto& keyword : keywords)
+                for (const Spelling& s : keyword.words) words.push_back(s.word);
             reader.unknown("the next word", words);
         }
         const KeywordSpec* found =

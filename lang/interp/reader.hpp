@@ -56,11 +56,17 @@ public:
     /// Throws: a value is missing at the place behind the last word.
     [[noreturn]] void missing(const ArgumentSpec& argument) const;
     /// Throws: the next word is none of the candidates. `what` names what they are: "a keyword of bound".
-    [[noreturn]] void unknown(std::string_view what, const std::vector<std::string_view>& candidates) const;
+    /// When none is near, the message lists `listed`, or all of them.
+    [[noreturn]] void unknown(std::string_view what, const std::vector<std::string_view>& candidates,
+                              const std::vector<std::string_view>& listed = {}) const;
 
 private:
     bool has_values() const { return values_ && *values_; }
     Value value_of(const Word& word);
+    void check_limits(const ArgumentSpec& argument, double value) const; ///< of the word just taken
+    /// What the word just taken is called in a message: the name of the argument, or, when that is only
+    /// a letter, the keyword before it.
+    std::string name_of_value(const ArgumentSpec& argument) const;
     const Word& take_value(const ArgumentSpec& argument);
 
     const Statement& statement_;

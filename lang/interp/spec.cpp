@@ -16,14 +16,17 @@ const KeywordSpec* find_keyword(const std::vector<KeywordSpec>& keywords, std::s
 }
 
 std::string describe(const ArgumentSpec& argument) {
-    static constexpr const char* one[] = {"a number", "a whole number", "a word", "on or off"};
-    std::string text = fmt::format("{}, {}", argument.name, one[static_cast<int>(argument.kind)]);
+    static constexpr const char* kinds[] = {"a number", "a whole number", "a word or a text in quotes",
+                                            "on or off"};
+    const char* kind = kinds[static_cast<int>(argument.kind)];
+    // A letter tells nothing that the keyword in front of it does not.
+    const bool named = argument.name.size() > 1 && argument.kind != ArgumentKind::on_off;
+    std::string text = named ? fmt::format("{}, {}", argument.name, kind) : kind;
     if (argument.count > 1) text = fmt::format("{} numbers {}", argument.count, argument.name);
     const Limits& l = argument.limits;
-    if (std::isfinite(l.low))
-        text += fmt::format(", {} {:g}", l.low_excluded ? "greater than" : "at least", l.low);
-    if (std::isfinite(l.high))
-        text += fmt::format(", {} {:g}", l.high_excluded ? "less than" : "at most", l.high);
+    const bool low = std::isfinite(l.low), high = std::isfinite(l.high);
+    if (low) text += fmt::format(", {} {:g}", l.low_excluded ? "greater than" : "at least", l.low);
+    if (high) text += fmt::format("{} {} {:g}", low ? " and" : ",", l.high_excluded ? "less than" : "at most", l.high);
     if (!argument.unit.empty()) text += fmt::format(" [{}]", argument.unit);
     return text;
 }

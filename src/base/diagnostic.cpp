@@ -109,7 +109,8 @@ std::string render(const Diagnostic& d, bool colour) {
 std::string_view did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
     if (word.empty()) return {};
     // One mistake in a short word, two in a longer one: beyond that a guess hurts more than it helps.
-    // In halves, so that a shortened word loses against a whole one with as many mistakes.
+    // In halves, so that a shortened word loses against a whole one with as many mistakes, and that the same
+    // letters in another order, the commonest slip, win.
     const int limit = 2 * (word.size() <= 2 ? 1 : word.size() <= 5 ? 2 : 3);
     std::string_view best;
     int best_halves = limit + 1;
@@ -117,6 +118,7 @@ std::string_view did_you_mean(std::string_view word, const std::vector<std::stri
         if (candidate.empty()) continue;
         const auto [whole, beginning] = mistakes(word, candidate);
         int halves = 2 * whole;
+        if (std::is_permutation(word.begin(), word.end(), candidate.begin(), candidate.end())) --halves;
         if (whole >= static_cast<int>(std::max(word.size(), candidate.size()))) halves = limit + 1;
         if (word.size() >= 3 && beginning <= 1) halves = std::min(halves, 2 * beginning + 1);
         // Between equals the one that starts like the word is the likelier.

@@ -168,7 +168,7 @@ TEST(Binder, MessagesPointAtTheWord) {
     EXPECT_EQ(continued.place.line, 2);
     EXPECT_EQ(continued.place.column, 3);
     EXPECT_EQ(mistake("genn edge 1").hint, "did you mean 'generate'?");
-    EXPECT_EQ(mistake("5 6").message, "'5' stands where a command must be");
+    EXPECT_EQ(mistake("5 6").message, "'5' is not a command");
     EXPECT_EQ(mistake("gravity 1e999 0 0").message, "1e999 is too large for a number");
     EXPECT_EQ(mistake("group block 'a b").message, "the quote is not closed on this line");
     EXPECT_EQ(mistake("gen edge [1+2").message, "the bracket '[' is not closed on this line");

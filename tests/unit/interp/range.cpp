@@ -126,7 +126,7 @@ TEST(Range, Mistakes) {
     EXPECT_EQ(mistake("hide range grup a").hint, "did you mean 'group'?");
     EXPECT_EQ(mistake("hide range block 5").message, "'5' stands where the word 'id' of block id must be");
     const Diagnostic after = mistake("bound range z 0 1 xvel 0");
-    EXPECT_EQ(after.message, "'xvel' is not a range element (the range ends the line)");
+    EXPECT_EQ(after.message, "'xvel' is not a range element");
 }
 
 } // namespace
