@@ -31,7 +31,7 @@ const std::vector<Listed>& listed() {
         {{"boundary"}, "loads and held velocities"},
         {{"groups"}, "names of groups and how many blocks each has"},
         {{"settings"}, "settings of the model"},
-        {{"ranges"}, "named ranges"},
+        {{Spelling{"ranges", 6}}, "named ranges"},
         {{"fish"}, "variables and functions of FISH"},
     };
     return words;

@@ -90,8 +90,8 @@ void both_sides(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind 
 }
 
 /// An element that lacks a part: a misspelt word in its place is what the message is about.
-[[noreturn]] void lacks_part(const Reader& reader, std::string_view element, const std::vector<KeywordSpec>& words,
-                             std::string message, std::string hint) {
+[[noreturn]] void lacks_part(const Reader& reader, std::string_view element,
+                             const std::vector<KeywordSpec>& words, std::string message, std::string hint) {
     const Word* next = reader.peek();
     std::vector<std::string_view> candidates;
     for (const auto& keyword : words)
@@ -211,7 +211,8 @@ void round_elements(Keywords<RangePhrase>& table) {
                       RoundText round;
                       read_keywords(reader, of_cylinder, &round);
                       if (!round.centre || !round.end || !round.outer)
-                          lacks_part(reader, "cylinder", of_cylinder, "the cylinder needs end1, end2 and radius",
+                          lacks_part(reader, "cylinder", of_cylinder,
+                                     "the cylinder needs end1, end2 and radius",
                                      "write: cylinder end1 x y z end2 x y z radius r");
                       fill(phrase.elements.back(), round);
                       phrase.elements.back().end2 = *round.end;

@@ -112,16 +112,19 @@ void Reader::unknown(std::string_view what, const std::vector<std::string_view>&
     refuse_open(word);
     const std::string list = fmt::format("{}", fmt::join(listed.empty() ? candidates : listed, ", "));
     if (is_question(word))
-        throw Choices(candidates.empty() ? "nothing more may stand here" : fmt::format("{} may be: {}", what, list),
+        throw Choices(candidates.empty() ? "nothing more may stand here"
+                                         : fmt::format("{} may be: {}", what, list),
                       {candidates.begin(), candidates.end()}, word.place);
     if (candidates.empty())
-        throw wrong("left-over", word.place, fmt::format("{} is left over at the end of the line", word.shown()),
+        throw wrong("left-over", word.place,
+                    fmt::format("{} is left over at the end of the line", word.shown()),
                     "nothing more is expected here");
     if (word.kind != WordKind::word)
         throw wrong("not-a-word", word.place, fmt::format("{} stands where {} must be", word.shown(), what),
                     "expected: " + list);
     if (word.text == "&" || word.text == "...")
-        throw wrong("unknown-word", word.place, fmt::format("'{}' stands in the middle of the line", word.text),
+        throw wrong("unknown-word", word.place,
+                    fmt::format("'{}' stands in the middle of the line", word.text),
                     "a line is continued by a mark at its very end");
     const auto near = did_you_mean(word.folded, candidates);
     throw wrong("unknown-word", word.place, fmt::format("'{}' is not {}", word.text, what),

@@ -26,7 +26,9 @@ std::string describe(const ArgumentSpec& argument) {
     const Limits& l = argument.limits;
     const bool low = std::isfinite(l.low), high = std::isfinite(l.high);
     if (low) text += fmt::format(", {} {:g}", l.low_excluded ? "greater than" : "at least", l.low);
-    if (high) text += fmt::format("{} {} {:g}", low ? " and" : ",", l.high_excluded ? "less than" : "at most", l.high);
+    if (high)
+        text +=
+            fmt::format("{} {} {:g}", low ? " and" : ",", l.high_excluded ? "less than" : "at most", l.high);
     if (!argument.unit.empty()) text += fmt::format(" [{}]", argument.unit);
     return text;
 }

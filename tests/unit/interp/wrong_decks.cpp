@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path folder = fs::path(__FILE__).parent_path() / "../../wrong";
+const fs::path folder = KAYA_WRONG_DECKS;
 
 using Lines = std::vector<std::string>;
 
