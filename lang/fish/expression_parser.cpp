@@ -1,5 +1,6 @@
 #include "lang/fish/expression_parser.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
@@ -30,6 +31,12 @@ const Comparison* comparison_of(const Token& token) {
         if (token.text == comparison.fish) return &comparison;
     return nullptr;
 }
+
+/// Words that close or continue a block: as a value they would only hide that a value is missing.
+constexpr std::array<std::string_view, 8> reserved{"then",  "else",    "elseif",     "end",
+                                                   "endif", "endloop", "endsection", "endcase"};
+
+bool is_reserved(std::string_view word) { return std::find(reserved.begin(), reserved.end(), word) != reserved.end(); }
 
 Node binary(std::string_view sign, Place place, Node left, Node right) {
     Node node;
@@ -180,7 +187,9 @@ private:
             node.kind = NodeKind::text;
             node.text = line_.take().text;
             return node;
-        case TokenKind::name: return name();
+        case TokenKind::name:
+            if (is_reserved(token.text)) break;
+            return name();
         default: break;
         }
         if (line_.take_sign("(")) {

@@ -338,7 +338,7 @@ private:
             while (line_.take_sign(","));
             line_.expect_sign(")", "the limits of the loop");
             if (made.expressions.size() < 2 || made.expressions.size() > 3)
-                throw Diagnostic(fmt::format("the loop has {} limits; it needs two, and a step if wanted",
+                throw Diagnostic(fmt::format("a loop needs two limits, and a step if wanted; this one has {}",
                                              made.expressions.size()),
                                  "write: loop i (1, 10) or loop i (10, 1, -1)")
                     .at(made.target.place);

@@ -17,7 +17,7 @@ struct Operation {
     const char* event; ///< name in a metatable
     const char* phrase;
 };
-constexpr std::array<Operation, 9> operations{{{"__add", "{} and {} cannot be added"},
+constexpr std::array<Operation, 10> operations{{{"__add", "{} and {} cannot be added"},
                                                {"__sub", "{} and {} cannot be subtracted"},
                                                {"__mul", "{} and {} cannot be multiplied"},
                                                {"__div", "{} cannot be divided by {}"},
@@ -25,18 +25,15 @@ constexpr std::array<Operation, 9> operations{{{"__add", "{} and {} cannot be ad
                                                {"__mod", "{} cannot be divided by {}"},
                                                {"__idiv", "{} cannot be divided by {}"},
                                                {"__lt", "{} and {} cannot be compared by size"},
-                                               {"__le", "{} and {} cannot be compared by size"}}};
+                                               {"__le", "{} and {} cannot be compared by size"},
+                                               {"__unm", "{0} has no negative"}}};
 
 [[noreturn]] void fail_operands(lua_State* L, std::size_t operation) {
     const std::string left = describe_value(L, 1), right = describe_value(L, 2);
-    throw Diagnostic(fmt::format(fmt::runtime(operations[operation].phrase), left, right), {}, Fault::run);
+    throw Diagnostic(fmt::vformat(operations[operation].phrase, fmt::make_format_args(left, right)), {}, Fault::run);
 }
 
 int refuse(lua_State* L) { fail_operands(L, static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)))); }
-
-int refuse_minus(lua_State* L) {
-    throw Diagnostic(fmt::format("{} has no negative", describe_value(L, 1)), {}, Fault::run);
-}
 
 [[noreturn]] void fail_division() { throw Diagnostic("division by zero", {}, Fault::run); }
 
@@ -241,8 +238,6 @@ void add_refusing_arithmetic(lua_State* L) {
         lua_pushcclosure(L, guarded<refuse>, 1);
         lua_setfield(L, -2, operations[i].event);
     }
-    lua_pushcfunction(L, guarded<refuse_minus>);
-    lua_setfield(L, -2, "__unm");
 }
 
 void open_text_arithmetic(lua_State* L) {
@@ -257,6 +252,8 @@ void open_text_arithmetic(lua_State* L) {
         lua_pushcclosure(L, guarded<text_operation>, 2);
         lua_setfield(L, -2, operations[i].event);
     }
+    lua_pushboolean(L, 0); // getmetatable("") gives this: a chunk must not change what FISH stands on
+    lua_setfield(L, -2, "__metatable");
     lua_pop(L, 2);
 }
 

@@ -25,11 +25,20 @@ int show(lua_State* L) {
     return 1;
 }
 
+/// By halving: Lua walks the whole stack to find one level, and there may be 200,000 of them.
 int count_levels(lua_State* L) {
     lua_Debug record;
-    int levels = 0;
-    while (lua_getstack(L, levels, &record)) ++levels;
-    return levels;
+    int below = 0, above = 1; // level `below` exists or is 0, level `above` does not
+    while (lua_getstack(L, above, &record)) {
+        below = above;
+        above *= 2;
+    }
+    while (below < above) {
+        const int middle = (below + above) / 2;
+        if (lua_getstack(L, middle, &record)) below = middle + 1;
+        else above = middle;
+    }
+    return below;
 }
 
 std::string describe(const Source& source, const lua_Debug& record) {
@@ -48,15 +57,14 @@ void add_stack(lua_State* L, Diagnostic& diagnostic) {
     lua_Debug record;
     const int levels = count_levels(L) - machine.levels_before;
     int shown = 0;
-    for (int level = 0; level < levels && lua_getstack(L, level, &record); ++level) {
+    for (int level = 0; level < levels && shown <= most_stack_lines && lua_getstack(L, level, &record); ++level) {
         lua_getinfo(L, "Sln", &record);
         const Source* source = machine.sources.find(record.source);
         if (!source) continue;
         if (!diagnostic.place) diagnostic.at(line_place(*source, record.currentline));
         if (source->is_fish && source->title.empty()) continue;
-        if (++shown <= most_stack_lines) diagnostic.add(describe(*source, record));
+        diagnostic.add(++shown > most_stack_lines ? "... and more" : describe(*source, record));
     }
-    if (shown > most_stack_lines) diagnostic.add(fmt::format("... and {} more", shown - most_stack_lines));
 }
 
 /// Lua's own words, where they would not be understood by somebody who wrote FISH.
@@ -134,6 +142,8 @@ void call_protected(lua_State* L, int arguments, int results) {
         throw Diagnostic(fmt::format("commands and functions call each other more than {} levels deep", deepest_call),
                          "a function that runs commands which call it needs a way to end", Fault::run);
     const int outer_levels = machine.levels_before;
+    // A wish to stop that came while no script ran was not meant for this one.
+    if (machine.depth == 0) lua_sethook(L, nullptr, 0, 0);
     if (machine.depth > 0) machine.levels_before = count_levels(L);
     ++machine.depth;
 
@@ -144,6 +154,7 @@ void call_protected(lua_State* L, int arguments, int results) {
     --machine.depth;
     machine.levels_before = outer_levels;
     lua_remove(L, handler);
+    if (machine.depth == 0) lua_sethook(L, nullptr, 0, 0);
     if (status == LUA_OK) return;
     const Diagnostic diagnostic = from_error_value(L, -1);
     lua_pop(L, 1);

@@ -272,7 +272,11 @@ int new_global(lua_State* L) {
     return 0;
 }
 
-constexpr std::array<luaL_Reg, 25> natives{{
+/// (message, hint)
+int fail(lua_State* L) { throw Diagnostic(text_argument(L, 1, "fail"), text_argument(L, 2, "fail"), Fault::run); }
+
+constexpr std::array<luaL_Reg, 26> natives{{
+    {"fail", guarded<fail>},
     {"tables", guarded<tables>},
     {"list", guarded<list>},
     {"count", guarded<count>},

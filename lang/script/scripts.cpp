@@ -35,10 +35,8 @@ public:
 
 namespace {
 
-int stop(lua_State* L) {
-    lua_sethook(L, nullptr, 0, 0);
-    throw Diagnostic("the script was stopped", {}, Fault::run);
-}
+/// The hook stays until the outermost call has ended, so that no pcall of a script can hold it up.
+int stop(lua_State*) { throw Diagnostic("the script was stopped", {}, Fault::run); }
 
 /// Runs before the next instruction of Lua.
 void stop_hook(lua_State* L, lua_Debug*) { guarded<stop>(L); }

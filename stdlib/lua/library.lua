@@ -25,12 +25,24 @@ library.string = copy(string, { "dump" })
 library.table = copy(table, {})
 library.utf8 = copy(utf8, {})
 library.math = copy(math, {})
-library.os = { clock = os.clock, date = os.date, difftime = os.difftime, time = os.time }
+
+-- What is missing says so, instead of being nil.
+local function refusing(values, name)
+    return setmetatable(values, {
+        __index = function(_, key)
+            native.fail(name .. "." .. tostring(key) .. " cannot be used in a deck", "run with --trust to allow it")
+        end,
+    })
+end
+
+library.os = refusing({ clock = os.clock, date = os.date, difftime = os.difftime, time = os.time }, "os")
+library.debug = refusing({ traceback = debug.traceback }, "debug")
+library.package = refusing({}, "package")
 
 -- Finalizers would run at a moment that nobody can foretell.
 function library.setmetatable(value, metatable)
     if type(metatable) == "table" and rawget(metatable, "__gc") ~= nil then
-        error("a metatable with __gc cannot be used here", 2)
+        native.fail("a metatable with __gc cannot be used in a deck", "leave __gc out")
     end
     return setmetatable(value, metatable)
 end
@@ -85,18 +97,18 @@ function library.math.random(low, high)
         low, high = 1, low
     end
     if low > high then
-        error("math.random: the range is empty", 2)
+        native.fail("the range of math.random is empty", "the first number must not be above the second")
     end
     return low + math.floor(native.uniform() * (high - low + 1))
 end
 
 function library.math.randomseed(seed)
-    native.seed(math.tointeger(seed) or error("math.randomseed needs a whole number", 2))
+    native.seed(math.tointeger(seed) or native.fail("math.randomseed needs a whole number", "give it one, such as 42"))
 end
 
 function library.load(text, name, _, environment)
     if type(text) ~= "string" then
-        error("load needs a text", 2)
+        native.fail("load needs a text", "give it the Lua text to be run")
     end
     return load(text, name, "t", environment or native.environment())
 end
@@ -109,11 +121,11 @@ library.print = function(...)
     native.print(table.concat(words, "\t"))
 end
 
-library.io = {
+library.io = refusing({
     open = function(name, mode) return io.open(native.allowed_path(name), mode) end,
     lines = function(name, ...) return io.lines(native.allowed_path(name), ...) end,
     write = function(...) native.write(table.concat { ... }) end,
-}
+}, "io")
 
 library.require = native.require
 library.vector = native.vector
@@ -163,7 +175,7 @@ library.history = {
             native.environment()[name] = what
             what = name
         elseif type(what) ~= "string" then
-            error("history.add needs a function or the name of a FISH variable", 2)
+            native.fail("history.add needs a function", "or the name of a FISH variable as a text")
         end
         native.command("history @" .. what)
     end,
