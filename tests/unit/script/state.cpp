@@ -1,0 +1,139 @@
+// Saving and restoring everything that scripts remember.
+#include "fake_world.hpp"
+
+#include <gmock/gmock.h>
+
+namespace kaya::script::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// A stage with a bit of everything in it.
+void fill(Stage& s) {
+    s.fish("def setup\n array grid(2,3) row(2)\n grid(2,1) = 'wall'\n row(1) = grid\n n = 5\n x = 0.1\n name = 'a ''b'''\n"
+           " v = vector(1,2,3)\n c = contact_head\n c_extra(c) = 77\n table(2, 1.5) = 4\n other = row\nend");
+    s.fish("def watch\n whilestepping\n n = n + urand\nend");
+    s.lua("function double(a) return 2 * a end\nsettings = { depth = 3, names = { 'a', 'b' }, deep = { flag = true } }\n"
+          "settings.self = settings\nfunction settings.describe() return settings.depth end\n"
+          "hook.after_forces(function() settings.depth = settings.depth + 1 end)");
+    s.lua("command 'poly brick'\nfor b in blocks() do b.velocity = vector(9, 9, 9) end\nhistory.add(double)\nprint('made')");
+    s.lua("only_a_calculation = 12");
+    s.scripts.call("@setup");
+    s.lua("settings.depth = 10\nsettings.names[3] = 'c'");
+}
+
+TEST(ScriptState, a_copy_goes_on_as_the_original_would) {
+    Stage first;
+    fill(first);
+    for (int i = 1; i <= 3; ++i) first.scripts.run_hooks(Moment::after_cycle, i);
+
+    Stage second;
+    second.scripts.restore(from_bytes(to_bytes(first.scripts.state())));
+    EXPECT_EQ(to_bytes(second.scripts.state()), to_bytes(first.scripts.state()));
+    for (Stage* s : {&first, &second}) {
+        for (int i = 4; i <= 6; ++i) {
+            s->scripts.run_hooks(Moment::after_forces, i);
+            s->scripts.run_hooks(Moment::after_cycle, i);
+        }
+        EXPECT_EQ(s->text("[grid(2,1)]"), "wall");
+        EXPECT_EQ(s->value("v"), Value(Vec3(1, 2, 3)));
+        EXPECT_EQ(s->value("[c_extra(c)]"), Value(std::int64_t{77}));
+        EXPECT_EQ(s->number("table(2, 1.5)"), 4);
+        EXPECT_EQ(s->text("name"), "a 'b'");
+        EXPECT_EQ(s->number("@double(4)"), 8);
+        s->lua("assert(settings.depth == 13 and settings.describe() == 13 and settings.self == settings)\n"
+               "assert(settings.names[3] == 'c' and settings.deep.flag and only_a_calculation == 12)");
+    }
+    EXPECT_EQ(first.number("n"), second.number("n"));
+    EXPECT_EQ(to_bytes(first.scripts.state()), to_bytes(second.scripts.state()));
+}
+
+TEST(ScriptState, restoring_changes_neither_the_model_nor_the_screen) {
+    Stage first;
+    fill(first);
+    EXPECT_EQ(first.world.commands.size(), 2);
+    Stage second;
+    second.scripts.restore(first.scripts.state());
+    EXPECT_TRUE(second.world.commands.empty());
+    EXPECT_TRUE(second.printed.empty());
+    EXPECT_EQ(second.world.velocity, Vec3::Zero());
+    second.lua("command 'go'\nprint('here')"); // afterwards all works again
+    EXPECT_EQ(second.world.commands.size(), 1);
+    EXPECT_THAT(second.printed, ElementsAre("here"));
+}
+
+TEST(ScriptState, two_names_of_one_array_stay_one_array) {
+    Stage first;
+    first.fish("def f\n array a(2)\n b = a\nend");
+    first.scripts.call("f");
+    Stage second;
+    second.scripts.restore(first.scripts.state());
+    second.value("[a(1) = 6]");
+    EXPECT_EQ(second.value("[b(1)]"), Value(std::int64_t{6}));
+}
+
+TEST(ScriptState, the_same_work_gives_the_same_bytes) {
+    Stage a, b;
+    fill(a);
+    fill(b);
+    EXPECT_EQ(to_bytes(a.scripts.state()), to_bytes(b.scripts.state()));
+    a.scripts.set("n", Value(std::int64_t{6}));
+    EXPECT_NE(to_bytes(a.scripts.state()), to_bytes(b.scripts.state()));
+}
+
+TEST(ScriptState, lines_of_restored_functions_are_those_of_the_deck) {
+    Stage first;
+    const std::string text = "def f\n f = 1 / zero\nend\n";
+    first.scripts.define_fish(text, deck("\n\n\n\n" + text, 5));
+    Stage second;
+    second.scripts.restore(first.scripts.state());
+    EXPECT_EQ(message_of([&] { second.scripts.call("f"); }), message_of([&] { first.scripts.call("f"); }));
+    EXPECT_THAT(message_of([&] { second.scripts.call("f"); }), HasSubstr("test.3ddat:6:2: error: division by zero"));
+}
+
+TEST(ScriptState, clear_forgets_everything) {
+    Stage s;
+    fill(s);
+    s.scripts.clear();
+    EXPECT_FALSE(s.scripts.knows("n"));
+    EXPECT_FALSE(s.scripts.knows("watch"));
+    EXPECT_FALSE(s.scripts.has_hooks(Moment::after_cycle));
+    EXPECT_TRUE(s.scripts.tables().empty());
+    EXPECT_TRUE(s.scripts.symbols().empty());
+    s.lua("assert(settings == nil)\nprint('still here')");
+    EXPECT_EQ(s.printed.back(), "still here");
+}
+
+TEST(ScriptState, a_function_cannot_remove_itself) {
+    Stage s;
+    s.fish("def f\n command\n new\n endcommand\nend");
+    s.world.on_command = [&](const std::string&) { s.scripts.clear(); };
+    EXPECT_THAT(message_of([&] { s.scripts.call("f"); }), HasSubstr("'new' would remove the function that runs it"));
+}
+
+TEST(ScriptState, damaged_bytes_are_refused_wherever_they_end) {
+    Stage s;
+    fill(s);
+    const std::string bytes = to_bytes(s.scripts.state());
+    for (std::size_t size = 0; size < bytes.size(); ++size) EXPECT_THROW(from_bytes(bytes.substr(0, size)), Diagnostic) << size;
+    EXPECT_THAT(message_of([&] { from_bytes(bytes + "x"); }), HasSubstr("left over"));
+    EXPECT_THAT(message_of([&] { from_bytes("something else"); }), HasSubstr("these are no saved scripts"));
+    std::string newer = bytes;
+    newer[10] = 9;
+    EXPECT_THAT(message_of([&] { from_bytes(newer); }), HasSubstr("saved in version 9; this program reads version 1"));
+}
+
+TEST(ScriptState, a_chunk_that_fails_when_it_runs_again_says_so) {
+    ScriptState state;
+    state.sources.push_back({StoredSource::Kind::lua, "", "old.3ddat", 3, "error('gone')"});
+    Stage s;
+    EXPECT_EQ(message_of([&] { s.scripts.restore(state); }),
+              "old.3ddat:3:1: error: gone\n     3 | error('gone')\n       | ^^^^^^^^^^^^^\n  in a Lua chunk, old.3ddat:3\n"
+              "  while the scripts of the saved model were defined again");
+    s.lua("command 'go'");
+    EXPECT_EQ(s.world.commands.size(), 1);
+}
+
+} // namespace
+} // namespace kaya::script::test
