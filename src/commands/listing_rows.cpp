@@ -19,7 +19,7 @@ std::string fixity_text(std::uint8_t fixed) {
     static constexpr std::array names{"x", "y", "z", "rx", "ry", "rz"};
     std::string text;
     for (std::size_t i = 0; i < names.size(); ++i)
-        if ((fixed & (1u << i)) != 0) text += (text.empty() ? "" : " ") + std::string(names[i]);
+        if ((fixed & (1u << i)) != 0) text += fmt::format("{}{}", text.empty() ? "" : " ", names[i]);
     return text.empty() ? "-" : text;
 }
 
@@ -59,7 +59,7 @@ std::string state_text(const Session& session, Row contact, std::uint32_t state)
     if (joint == nullptr || state == 0) return "-";
     std::string text;
     for (std::size_t i = 0; i < joint->states.size(); ++i)
-        if ((state & (1u << i)) != 0) text += (text.empty() ? "" : " ") + joint->states[i];
+        if ((state & (1u << i)) != 0) text += fmt::format("{}{}", text.empty() ? "" : " ", joint->states[i]);
     return text.empty() ? "-" : text;
 }
 
