@@ -9,7 +9,7 @@ namespace kaya::fish {
 namespace {
 
 constexpr std::array<std::string_view, 22> lua_words{
-    "and", "break", "do",  "else", "elseif", "end",    "false", "for",  "function", "goto",  "if",
+    "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
     "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
 
 /// How tightly Lua binds: an operand that binds less needs parentheses.
@@ -52,7 +52,9 @@ std::string real_text(double value) {
     return text;
 }
 
-std::string in_parentheses(const std::string& text, bool wanted) { return wanted ? fmt::format("({})", text) : text; }
+std::string in_parentheses(const std::string& text, bool wanted) {
+    return wanted ? fmt::format("({})", text) : text;
+}
 
 } // namespace
 
@@ -64,9 +66,12 @@ std::string quoted(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') result += '\\';
-        if (c == '\n') result += "\\n";
-        else if (static_cast<unsigned char>(c) < 0x20) result += fmt::format("\\{:03}", static_cast<int>(c));
-        else result += c;
+        if (c == '\n')
+            result += "\\n";
+        else if (static_cast<unsigned char>(c) < 0x20)
+            result += fmt::format("\\{:03}", static_cast<int>(c));
+        else
+            result += c;
     }
     result += '"';
     return result;
@@ -74,8 +79,7 @@ std::string quoted(std::string_view text) {
 
 std::string ExpressionGenerator::variable(const Node& name) const {
     if (name.text == scope_.function) return "v_return";
-    if (scope_.locals.contains(name.text))
-        return fmt::format("v_{}", name.text);
+    if (scope_.locals.contains(name.text)) return fmt::format("v_{}", name.text);
     return fmt::format("{}{}", scope_.spilled.contains(name.text) ? "S" : "G", member(name.text));
 }
 
@@ -100,15 +104,21 @@ std::string ExpressionGenerator::condition(const Node& node) const {
 
 std::string ExpressionGenerator::generated(const Node& node, int strength) const {
     switch (node.kind) {
-    case NodeKind::integer: return fmt::format("{}", node.integer);
-    case NodeKind::real: return real_text(node.real);
-    case NodeKind::text: return quoted(node.text);
-    case NodeKind::name: return name(node);
+    case NodeKind::integer:
+        return fmt::format("{}", node.integer);
+    case NodeKind::real:
+        return real_text(node.real);
+    case NodeKind::text:
+        return quoted(node.text);
+    case NodeKind::name:
+        return name(node);
     case NodeKind::minus:
         // The blank keeps two signs from becoming a Lua comment.
         return in_parentheses(fmt::format("- {}", generated(node.children[0], sign)), strength > sign);
-    case NodeKind::logical_not: return fmt::format("(({}) and 1 or 0)", condition(node));
-    case NodeKind::binary: return binary(node, strength);
+    case NodeKind::logical_not:
+        return fmt::format("(({}) and 1 or 0)", condition(node));
+    case NodeKind::binary:
+        return binary(node, strength);
     }
     return "0";
 }
@@ -123,7 +133,8 @@ std::string ExpressionGenerator::binary(const Node& node, int strength) const {
         return strength == truth ? text : fmt::format("({} and 1 or 0)", text);
     }
     if (node.text == "^") return fmt::format("R.power({}, {})", value(left), value(right));
-    // A whole number divided by a whole number is cut to a whole number; a divisor with a point cannot be one.
+    // A whole number divided by a whole number is cut to a whole number; a divisor with a point cannot be
+    // one.
     if (node.text == "/" && !(right.kind == NodeKind::real && right.real != 0))
         return fmt::format("R.divide({}, {})", value(left), value(right));
     const int own = node.text == "+" || node.text == "-" ? sum : product;
@@ -186,15 +197,17 @@ std::string ExpressionGenerator::assignment(const Node& target, const std::strin
         check_arguments(target, meaning);
         const bool component = target.text == "xcomp" || target.text == "ycomp" || target.text == "zcomp";
         if (component) { // vectors are values: a new one takes the place of the old one
-            const std::string whole = fmt::format("W{}({}, {})", member(target.text),
-                                                  this->value(target.children[0]), value);
+            const std::string whole =
+                fmt::format("W{}({}, {})", member(target.text), this->value(target.children[0]), value);
             return assignment(target.children[0], whole);
         }
         const std::string arguments = list(target.children);
-        return fmt::format("W{}({}{}{})", member(target.text), arguments, arguments.empty() ? "" : ", ", value);
+        return fmt::format("W{}({}{}{})", member(target.text), arguments, arguments.empty() ? "" : ", ",
+                           value);
     }
     if (target.parentheses && target.text == scope_.function)
-        throw Diagnostic(fmt::format("'{}' is this function: a value cannot be given to a call of it", target.text))
+        throw Diagnostic(
+            fmt::format("'{}' is this function: a value cannot be given to a call of it", target.text))
             .at(target.place);
     if (!target.parentheses) return fmt::format("{} = {}", variable(target), value);
     const std::string array = variable(target);

@@ -36,7 +36,9 @@ const Comparison* comparison_of(const Token& token) {
 constexpr std::array<std::string_view, 8> reserved{"then",  "else",    "elseif",     "end",
                                                    "endif", "endloop", "endsection", "endcase"};
 
-bool is_reserved(std::string_view word) { return std::find(reserved.begin(), reserved.end(), word) != reserved.end(); }
+bool is_reserved(std::string_view word) {
+    return std::find(reserved.begin(), reserved.end(), word) != reserved.end();
+}
 
 Node binary(std::string_view sign, Place place, Node left, Node right) {
     Node node;
@@ -58,9 +60,12 @@ Node unary(NodeKind kind, Place place, Node child) {
 
 std::string shown(const Token& token) {
     switch (token.kind) {
-    case TokenKind::end_of_line: return "the end of the line";
-    case TokenKind::text: return fmt::format("the text '{}'", token.text);
-    default: return fmt::format("'{}'", token.text);
+    case TokenKind::end_of_line:
+        return "the end of the line";
+    case TokenKind::text:
+        return fmt::format("the text '{}'", token.text);
+    default:
+        return fmt::format("'{}'", token.text);
     }
 }
 
@@ -90,7 +95,8 @@ public:
         do {
             node.children.push_back(disjunction());
             if (node.children.size() > most_arguments)
-                throw Diagnostic(fmt::format("'{}' is given more than {} arguments", node.text, most_arguments))
+                throw Diagnostic(
+                    fmt::format("'{}' is given more than {} arguments", node.text, most_arguments))
                     .at(node.place);
         } while (line_.take_sign(","));
         line_.expect_sign(")", fmt::format("the arguments of '{}'", node.text));
@@ -190,7 +196,8 @@ private:
         case TokenKind::name:
             if (is_reserved(token.text)) break;
             return name();
-        default: break;
+        default:
+            break;
         }
         if (line_.take_sign("(")) {
             Node inner = disjunction();
@@ -235,7 +242,8 @@ void Line::expect_end(std::string_view after) {
 }
 
 void fail_expected(const Line& line, std::string_view expected) {
-    throw Diagnostic(fmt::format("expected {}, found {}", expected, shown(line.peek()))).at(line.peek().place);
+    throw Diagnostic(fmt::format("expected {}, found {}", expected, shown(line.peek())))
+        .at(line.peek().place);
 }
 
 Node parse_expression(Line& line) { return ExpressionParser(line).disjunction(); }

@@ -29,8 +29,8 @@ constexpr std::array<std::string_view, 5> section_closers{"endsection", "end_sec
 constexpr std::array<std::string_view, 5> function_closers{"end"};
 
 constexpr std::array<std::string_view, 14> all_closers{
-    "endloop", "end_loop", "endif",      "end_if",      "else",       "elseif",      "endcase",
-    "end_case", "case",    "endsection", "end_section", "endcommand", "end_command", "end"};
+    "endloop",  "end_loop", "endif",      "end_if",      "else",       "elseif",      "endcase",
+    "end_case", "case",     "endsection", "end_section", "endcommand", "end_command", "end"};
 
 template <class Words> bool is_one_of(std::string_view word, const Words& words) {
     return !word.empty() && std::find(words.begin(), words.end(), word) != words.end();
@@ -64,8 +64,9 @@ public:
         if (next_line())
             throw Diagnostic("there is more text after the 'end' of the function").at(line_.peek().place);
         if (result_.whilestepping && !tree.arguments.empty())
-            throw Diagnostic(fmt::format("'{}' runs in every cycle, so nobody gives it its arguments", tree.name),
-                             "take the arguments away, or 'whilestepping'")
+            throw Diagnostic(
+                fmt::format("'{}' runs in every cycle, so nobody gives it its arguments", tree.name),
+                "take the arguments away, or 'whilestepping'")
                 .at(tree.place);
         return std::move(result_);
     }
@@ -78,8 +79,8 @@ public:
             if (line_.peek().is_name(word) && line_.peek(1).kind == TokenKind::name) line_.take();
         Node value = parse_expression(line_);
         // `a = 3` reads as a comparison; only a name on the left makes it an assignment.
-        if (value.kind == NodeKind::binary && value.text == "==" && value.children[0].kind == NodeKind::name &&
-            line_.done() && has_single_equal()) {
+        if (value.kind == NodeKind::binary && value.text == "==" &&
+            value.children[0].kind == NodeKind::name && line_.done() && has_single_equal()) {
             Statement statement;
             statement.kind = StatementKind::assign;
             statement.place = value.children[0].place;
@@ -140,12 +141,14 @@ private:
             throw Diagnostic(fmt::format("the function '{}' has no 'end'", result_.tree.name),
                              "write 'end' on a line of its own behind its last statement")
                 .at(opened.place);
-        throw Diagnostic(fmt::format("this '{}' has no '{}'", opened.opening, opened.closing)).at(opened.place);
+        throw Diagnostic(fmt::format("this '{}' has no '{}'", opened.opening, opened.closing))
+            .at(opened.place);
     }
 
     [[noreturn]] void fail_wrong_closer(const Block& opened, const Token& word) {
         if (opened.opening == "def")
-            throw Diagnostic(fmt::format("'{}' closes nothing: no block is open here", word.text)).at(word.place);
+            throw Diagnostic(fmt::format("'{}' closes nothing: no block is open here", word.text))
+                .at(word.place);
         throw Diagnostic(fmt::format("'{}' stands where '{}' must close the '{}' of line {}", word.text,
                                      opened.closing, opened.opening, opened.place.line))
             .at(word.place);
@@ -231,7 +234,8 @@ private:
             if (std::find(arguments.begin(), arguments.end(), name.text) != arguments.end())
                 throw Diagnostic(fmt::format("the argument '{}' is named twice", name.text)).at(name.place);
             if (name.text == result_.tree.name)
-                throw Diagnostic("an argument has the name of its function", "give it another name").at(name.place);
+                throw Diagnostic("an argument has the name of its function", "give it another name")
+                    .at(name.place);
             if (arguments.size() == most_arguments)
                 throw Diagnostic(fmt::format("a function takes at most {} arguments", most_arguments))
                     .at(name.place);
@@ -241,9 +245,10 @@ private:
 
     void add_local(const std::string& name) {
         auto& tree = result_.tree;
-        const bool known = name == tree.name ||
-                           std::find(tree.arguments.begin(), tree.arguments.end(), name) != tree.arguments.end() ||
-                           std::find(tree.locals.begin(), tree.locals.end(), name) != tree.locals.end();
+        const bool known =
+            name == tree.name ||
+            std::find(tree.arguments.begin(), tree.arguments.end(), name) != tree.arguments.end() ||
+            std::find(tree.locals.begin(), tree.locals.end(), name) != tree.locals.end();
         if (!known) tree.locals.push_back(name);
     }
 
@@ -442,7 +447,8 @@ private:
             if (!inside("loop")) throw Diagnostic("'exit loop' stands outside of any loop").at(made.place);
         } else if (line_.take_name("section")) {
             made.kind = StatementKind::exit_section;
-            if (!inside("section")) throw Diagnostic("'exit section' stands outside of any section").at(made.place);
+            if (!inside("section"))
+                throw Diagnostic("'exit section' stands outside of any section").at(made.place);
         }
         line_.expect_end("'exit'");
     }
@@ -467,7 +473,8 @@ private:
         close("'command'");
         RawLine raw;
         for (;;) {
-            if (!lexer_.next_raw_line(raw)) throw Diagnostic("this 'command' has no 'endcommand'").at(made.place);
+            if (!lexer_.next_raw_line(raw))
+                throw Diagnostic("this 'command' has no 'endcommand'").at(made.place);
             const std::string word = first_word(raw.text);
             if (word == "endcommand" || word == "end_command") break;
             if (!word.empty()) made.commands.push_back(read_command_line(raw));

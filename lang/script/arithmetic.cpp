@@ -18,22 +18,25 @@ struct Operation {
     const char* phrase;
 };
 constexpr std::array<Operation, 10> operations{{{"__add", "{} and {} cannot be added"},
-                                               {"__sub", "{} and {} cannot be subtracted"},
-                                               {"__mul", "{} and {} cannot be multiplied"},
-                                               {"__div", "{} cannot be divided by {}"},
-                                               {"__pow", "{} cannot be raised to {}"},
-                                               {"__mod", "{} cannot be divided by {}"},
-                                               {"__idiv", "{} cannot be divided by {}"},
-                                               {"__lt", "{} and {} cannot be compared by size"},
-                                               {"__le", "{} and {} cannot be compared by size"},
-                                               {"__unm", "{0} has no negative"}}};
+                                                {"__sub", "{} and {} cannot be subtracted"},
+                                                {"__mul", "{} and {} cannot be multiplied"},
+                                                {"__div", "{} cannot be divided by {}"},
+                                                {"__pow", "{} cannot be raised to {}"},
+                                                {"__mod", "{} cannot be divided by {}"},
+                                                {"__idiv", "{} cannot be divided by {}"},
+                                                {"__lt", "{} and {} cannot be compared by size"},
+                                                {"__le", "{} and {} cannot be compared by size"},
+                                                {"__unm", "{0} has no negative"}}};
 
 [[noreturn]] void fail_operands(lua_State* L, std::size_t operation) {
     const std::string left = describe_value(L, 1), right = describe_value(L, 2);
-    throw Diagnostic(fmt::vformat(operations[operation].phrase, fmt::make_format_args(left, right)), {}, Fault::run);
+    throw Diagnostic(fmt::vformat(operations[operation].phrase, fmt::make_format_args(left, right)), {},
+                     Fault::run);
 }
 
-int refuse(lua_State* L) { fail_operands(L, static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)))); }
+int refuse(lua_State* L) {
+    fail_operands(L, static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1))));
+}
 
 [[noreturn]] void fail_division() { throw Diagnostic("division by zero", {}, Fault::run); }
 
@@ -44,7 +47,9 @@ int text_operation(lua_State* L) {
     const auto operation = static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)));
     if (called_by_fish(L)) {
         const bool add = operation == 0;
-        const auto joins = [&](int i) { return lua_type(L, i) == LUA_TSTRING || lua_type(L, i) == LUA_TNUMBER; };
+        const auto joins = [&](int i) {
+            return lua_type(L, i) == LUA_TSTRING || lua_type(L, i) == LUA_TNUMBER;
+        };
         if (!add || !joins(1) || !joins(2)) fail_operands(L, operation);
         const std::string joined = text_at(L, 1) + text_at(L, 2);
         lua_pushlstring(L, joined.data(), joined.size());
@@ -72,10 +77,14 @@ template <VectorOperation operation> int vector_operation(lua_State* L) {
         const Vec3 a = vector_at(L, 1), b = vector_at(L, 2);
         push_vector(L, operation == VectorOperation::add ? Vec3(a + b) : Vec3(a - b));
     } else if constexpr (operation == VectorOperation::multiply) {
-        if (left && right) push_vector(L, vector_at(L, 1).cwiseProduct(vector_at(L, 2)));
-        else if (left && is_number(L, 2)) push_vector(L, vector_at(L, 1) * lua_tonumber(L, 2));
-        else if (right && is_number(L, 1)) push_vector(L, vector_at(L, 2) * lua_tonumber(L, 1));
-        else fail_operands(L, number);
+        if (left && right)
+            push_vector(L, vector_at(L, 1).cwiseProduct(vector_at(L, 2)));
+        else if (left && is_number(L, 2))
+            push_vector(L, vector_at(L, 1) * lua_tonumber(L, 2));
+        else if (right && is_number(L, 1))
+            push_vector(L, vector_at(L, 2) * lua_tonumber(L, 1));
+        else
+            fail_operands(L, number);
     } else {
         if (!left || !is_number(L, 2)) fail_operands(L, number);
         if (lua_tonumber(L, 2) == 0) fail_division();
@@ -185,7 +194,8 @@ int power(lua_State* L) {
     const double base = lua_tonumber(L, 1), exponent = lua_tonumber(L, 2);
     if (base == 0 && exponent < 0) fail_division();
     if (base < 0 && exponent != std::floor(exponent))
-        throw Diagnostic(fmt::format("the negative number {:g} has no power {:g}", base, exponent), {}, Fault::run);
+        throw Diagnostic(fmt::format("the negative number {:g} has no power {:g}", base, exponent), {},
+                         Fault::run);
     lua_pushnumber(L, exponent == 2 ? base * base : std::pow(base, exponent)); // as Lua does it
     return 1;
 }
@@ -202,8 +212,10 @@ int step(lua_State* L) {
 int whole(lua_State* L) {
     int is_whole = 0;
     const lua_Integer number = is_number(L, 1) ? lua_tointegerx(L, 1, &is_whole) : 0;
-    if (is_whole) lua_pushinteger(L, number);
-    else lua_pushnil(L);
+    if (is_whole)
+        lua_pushinteger(L, number);
+    else
+        lua_pushnil(L);
     return 1;
 }
 

@@ -13,9 +13,9 @@ struct Machine;
 /// One row of a table of built-ins. Both functions are wrapped by `guarded`.
 struct BuiltInFunction {
     const char* name;
-    int least, most;                 ///< arguments when it is read
+    int least, most; ///< arguments when it is read
     lua_CFunction read;
-    lua_CFunction write = nullptr;   ///< arguments, then the value; null: read only
+    lua_CFunction write = nullptr; ///< arguments, then the value; null: read only
 };
 
 void add_built_ins(Machine& machine, std::span<const BuiltInFunction> functions);

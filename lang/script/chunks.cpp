@@ -53,8 +53,10 @@ void collect_functions(lua_State* L, const std::string& prefix, int depth, Defin
     for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
         if (lua_type(L, -2) != LUA_TSTRING) continue;
         const std::string name = prefix + lua_tostring(L, -2);
-        if (lua_isfunction(L, -1)) found[name] = lua_topointer(L, -1);
-        else if (lua_istable(L, -1) && depth > 0) collect_functions(L, name + ".", depth - 1, found);
+        if (lua_isfunction(L, -1))
+            found[name] = lua_topointer(L, -1);
+        else if (lua_istable(L, -1) && depth > 0)
+            collect_functions(L, name + ".", depth - 1, found);
     }
 }
 
@@ -94,7 +96,8 @@ bool is_module_name(const std::string& name) {
 }
 
 /// Runs the text of a module; its value, or true, is left on the stack and remembered.
-void run_module(Machine& machine, const std::string& name, const std::string& shown, const std::string& text) {
+void run_module(Machine& machine, const std::string& name, const std::string& shown,
+                const std::string& text) {
     lua_State* L = machine.lua;
     load_chunk(machine, text, beginning_of(shown, text));
     lua_pushstring(L, name.c_str());
@@ -141,7 +144,8 @@ void push_module(Machine& machine, const std::string& name, const Place& place) 
     for (const auto& path : candidates(machine, name))
         if (read_file(path, text)) return run_module(machine, name, path.string(), text);
     for (const auto& module : built_in_modules())
-        if (module.name == name && module.is_public) return run_module(machine, name, name + ".lua", std::string(module.text));
+        if (module.name == name && module.is_public)
+            return run_module(machine, name, name + ".lua", std::string(module.text));
     throw Diagnostic(fmt::format("there is no module '{}'", name),
                      fmt::format("it would be the file {}.lua beside the deck", name), Fault::run)
         .at(place);

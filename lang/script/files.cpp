@@ -21,7 +21,8 @@ std::filesystem::path allowed_path(const Machine& machine, const std::string& na
     const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), wanted.begin(), wanted.end());
     if (problem || end != folder.end())
         throw Diagnostic(fmt::format("the file '{}' lies outside of the working folder", name),
-                         "a script may open files beside and below it; run with --trust to allow more", Fault::run);
+                         "a script may open files beside and below it; run with --trust to allow more",
+                         Fault::run);
     return wanted;
 }
 
@@ -36,17 +37,20 @@ int open(lua_State* L) {
     const std::int64_t mode = integer_argument(L, 2, "open");
     const std::int64_t format = integer_argument(L, 3, "open");
     if (mode < reading || mode > appending)
-        throw Diagnostic(fmt::format("'open' is given the mode {}", mode), "0 reads, 1 writes, 2 appends", Fault::run);
-    if (format != 1)
-        throw Diagnostic("FISH's own binary files cannot be read or written", "use 1 as third argument: plain text",
+        throw Diagnostic(fmt::format("'open' is given the mode {}", mode), "0 reads, 1 writes, 2 appends",
                          Fault::run);
+    if (format != 1)
+        throw Diagnostic("FISH's own binary files cannot be read or written",
+                         "use 1 as third argument: plain text", Fault::run);
     if (machine.file.reading.is_open() || machine.file.writing.is_open())
         throw Diagnostic("a file is open already", "call 'close' before the next 'open'", Fault::run);
     const auto path = allowed_path(machine, name);
     bool done = true;
     if (!machine.restoring) {
-        if (mode == reading) machine.file.reading.open(path);
-        else machine.file.writing.open(path, mode == writing ? std::ios::trunc : std::ios::app);
+        if (mode == reading)
+            machine.file.reading.open(path);
+        else
+            machine.file.writing.open(path, mode == writing ? std::ios::trunc : std::ios::app);
         done = machine.file.reading.is_open() || machine.file.writing.is_open();
     }
     lua_pushinteger(L, done ? 0 : 1);
@@ -75,8 +79,9 @@ lua_Integer element_count(lua_State* L, const char* function) {
     const auto size = static_cast<lua_Integer>(lua_rawlen(L, 1));
     const std::int64_t wanted = integer_argument(L, 2, function);
     if (wanted < 0 || wanted > size)
-        throw Diagnostic(fmt::format("'{}' is to use {} lines, but the array has {} elements", function, wanted, size),
-                         {}, Fault::run);
+        throw Diagnostic(
+            fmt::format("'{}' is to use {} lines, but the array has {} elements", function, wanted, size), {},
+            Fault::run);
     return wanted;
 }
 

@@ -8,7 +8,8 @@ namespace kaya::script {
 
 struct Machine;
 
-/// The path, when the script may open it: inside of the working folder, or anywhere when trusted. Else throws.
+/// The path, when the script may open it: inside of the working folder, or anywhere when trusted. Else
+/// throws.
 std::filesystem::path allowed_path(const Machine& machine, const std::string& name);
 
 } // namespace kaya::script

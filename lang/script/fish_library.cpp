@@ -32,8 +32,10 @@ fish::Dictionary dictionary_of(const Machine& machine, const fish::Function* com
         if (const auto found = fish.functions.find(name); found != fish.functions.end())
             return function_meaning(found->second.function);
         if (const auto found = fish.built_ins.find(name); found != fish.built_ins.end())
-            return {fish::NameKind::built_in, found->second.least, found->second.most, found->second.writable};
-        if (fish.lua_functions.contains(name)) return {fish::NameKind::function, 0, most_lua_arguments, false};
+            return {fish::NameKind::built_in, found->second.least, found->second.most,
+                    found->second.writable};
+        if (fish.lua_functions.contains(name))
+            return {fish::NameKind::function, 0, most_lua_arguments, false};
         return {};
     };
 }
@@ -48,7 +50,8 @@ bool variable_exists(const Machine& machine, const std::string& name) {
 }
 
 /// A variable is the integer 0 from its first mention on.
-void create_variables(Machine& machine, const std::vector<std::string>& mentions, const fish::Dictionary& dictionary) {
+void create_variables(Machine& machine, const std::vector<std::string>& mentions,
+                      const fish::Dictionary& dictionary) {
     lua_State* L = machine.lua;
     for (const auto& name : mentions) {
         if (dictionary(name).kind != fish::NameKind::variable || is_constant(name)) continue;
@@ -69,20 +72,25 @@ void push_generated(Machine& machine, const std::string& text, const std::string
     call_protected(L, 5, 1);
 }
 
-/// Stands in F for a function that has to be translated before it runs. Upvalue: its name.
-int translate_and_call(lua_State* L) {
-    Machine& machine = machine_of(L);
-    const std::string name = lua_tostring(L, lua_upvalueindex(1));
+/// Translates the function with the current meaning of its names, puts it into F and on the stack.
+void push_translated(Machine& machine, const std::string& name) {
     const auto found = machine.fish.functions.find(name);
     if (found == machine.fish.functions.end())
         throw Diagnostic(fmt::format("the function '{}' is gone", name), {}, Fault::run);
     const auto dictionary = dictionary_of(machine);
     create_variables(machine, found->second.function.mentions, dictionary);
     push_generated(machine, fish::generate(found->second.function, dictionary), found->second.chunk_name);
+    lua_State* L = machine.lua;
     push_anchor(L, machine.anchors.functions);
     lua_pushvalue(L, -2);
     lua_setfield(L, -2, name.c_str());
     lua_pop(L, 1);
+}
+
+/// Stands in F for a function that has to be translated before it runs. Upvalue: its name.
+/// No object may live here during the call, because an error jumps over this function.
+int translate_and_call(lua_State* L) {
+    push_translated(machine_of(L), lua_tostring(L, lua_upvalueindex(1)));
     lua_insert(L, 1);
     lua_call(L, lua_gettop(L) - 1, 1);
     return 1;
@@ -98,7 +106,8 @@ void set_translator(Machine& machine, const std::string& name) {
 }
 
 void forget_expressions(Machine& machine) {
-    for (const auto& [text, kept] : machine.fish.expressions) luaL_unref(machine.lua, LUA_REGISTRYINDEX, kept);
+    for (const auto& [text, kept] : machine.fish.expressions)
+        luaL_unref(machine.lua, LUA_REGISTRYINDEX, kept);
     machine.fish.expressions.clear();
 }
 
@@ -113,21 +122,23 @@ void forget_expressions(Machine& machine) {
     throw diagnostic.at(place);
 }
 
-/// Called from Lua as fish.name(...). Upvalue: the name.
-int call_from_lua(lua_State* L) {
-    Machine& machine = machine_of(L);
-    const std::string name = lua_tostring(L, lua_upvalueindex(1));
+void check_argument_count(const Machine& machine, const std::string& name, int given) {
     const auto found = machine.fish.functions.find(name);
+    if (found == machine.fish.functions.end()) return;
+    const int wanted = static_cast<int>(found->second.function.arguments.size());
+    if (given != wanted)
+        throw Diagnostic(fmt::format("the FISH function '{}' takes {} argument{}, here it is given {}", name,
+                                     wanted, wanted == 1 ? "" : "s",
+                                     given == 0 ? "none" : std::to_string(given)),
+                         {}, Fault::run);
+}
+
+/// Called from Lua as fish.name(...). Upvalue: the name. No object may live here during the call.
+int call_from_lua(lua_State* L) {
     const int given = lua_gettop(L);
-    if (found != machine.fish.functions.end()) {
-        const int wanted = static_cast<int>(found->second.function.arguments.size());
-        if (given != wanted)
-            throw Diagnostic(fmt::format("the FISH function '{}' takes {} argument{}, here it is given {}", name, wanted,
-                                         wanted == 1 ? "" : "s", given == 0 ? "none" : std::to_string(given)),
-                             {}, Fault::run);
-    }
-    push_anchor(L, machine.anchors.functions);
-    lua_getfield(L, -1, name.c_str());
+    check_argument_count(machine_of(L), lua_tostring(L, lua_upvalueindex(1)), given);
+    push_anchor(L, machine_of(L).anchors.functions);
+    lua_getfield(L, -1, lua_tostring(L, lua_upvalueindex(1)));
     lua_remove(L, -2);
     for (int i = 1; i <= given; ++i) {
         lua_pushvalue(L, i);
@@ -144,8 +155,8 @@ int call_lua_function(lua_State* L) {
     lua_getfield(L, -1, lua_tostring(L, lua_upvalueindex(1)));
     lua_remove(L, -2);
     if (!lua_isfunction(L, -1))
-        throw Diagnostic(fmt::format("the Lua function '{}' is gone", lua_tostring(L, lua_upvalueindex(1))), {},
-                         Fault::run);
+        throw Diagnostic(fmt::format("the Lua function '{}' is gone", lua_tostring(L, lua_upvalueindex(1))),
+                         {}, Fault::run);
     lua_insert(L, 1);
     lua_call(L, lua_gettop(L) - 1, 1);
     make_fish_value(L);
@@ -184,12 +195,14 @@ void define_fish_function(Machine& machine, const std::string& text, const Place
     std::erase_if(fish.stored, [&](const StoredSource& stored) {
         return stored.kind == StoredSource::Kind::fish && stored.title == name;
     });
-    fish.stored.push_back({StoredSource::Kind::fish, name, place.source ? place.source->name : "", place.line, text});
+    fish.stored.push_back(
+        {StoredSource::Kind::fish, name, place.source ? place.source->name : "", place.line, text});
     fish.lua_functions.erase(name);
     fish.functions[name] = {std::move(function), chunk_name};
     for (auto& [other, defined] : fish.functions) {
         const auto& mentions = defined.function.mentions;
-        if (other != name && std::binary_search(mentions.begin(), mentions.end(), name)) set_translator(machine, other);
+        if (other != name && std::binary_search(mentions.begin(), mentions.end(), name))
+            set_translator(machine, other);
     }
     forget_expressions(machine);
 }
@@ -291,8 +304,8 @@ std::vector<std::string> fish_symbols(const Machine& machine) {
 bool knows_fish_name(const Machine& machine, const std::string& given) {
     const std::string name = fish::lower(given);
     const FishLibrary& fish = machine.fish;
-    return fish.functions.contains(name) || fish.lua_functions.contains(name) || fish.built_ins.contains(name) ||
-           variable_exists(machine, name);
+    return fish.functions.contains(name) || fish.lua_functions.contains(name) ||
+           fish.built_ins.contains(name) || variable_exists(machine, name);
 }
 
 } // namespace kaya::script

@@ -82,7 +82,8 @@ int reduce(lua_State* L) {
 int nearest(lua_State* L) {
     const std::int32_t table = table_argument(L, "nearest");
     Vec3 place;
-    if (lua_gettop(L) == 2) place = vector_argument(L, 2, "nearest");
+    if (lua_gettop(L) == 2)
+        place = vector_argument(L, 2, "nearest");
     else
         for (int i = 0; i < 3; ++i) place[i] = number_argument(L, i + 2, "nearest");
     push_lua_value(L, machine_of(L).world.nearest(table, place));
@@ -168,8 +169,10 @@ int print(lua_State* L) {
 int write(lua_State* L) {
     Machine& machine = machine_of(L);
     for (const char c : text_argument(L, 1, "io.write")) {
-        if (c == '\n') print_line(machine, std::exchange(machine.unfinished_line, {}));
-        else machine.unfinished_line += c;
+        if (c == '\n')
+            print_line(machine, std::exchange(machine.unfinished_line, {}));
+        else
+            machine.unfinished_line += c;
     }
     return 0;
 }
@@ -222,13 +225,14 @@ int add_hook(lua_State* L) {
     for (std::size_t i = 0; i < moments.size(); ++i)
         if (moments[i] == name) made.moment = static_cast<Moment>(i);
     if (lua_type(L, 2) != LUA_TFUNCTION)
-        throw Diagnostic(fmt::format("hook.{} needs a function, here it is given {}", name, describe_value(L, 2)), {},
-                         Fault::run);
+        throw Diagnostic(
+            fmt::format("hook.{} needs a function, here it is given {}", name, describe_value(L, 2)), {},
+            Fault::run);
     if (!lua_isnoneornil(L, 3)) {
         made.interval = integer_argument(L, 3, "hook");
         if (made.interval < 1)
-            throw Diagnostic(fmt::format("the interval of a hook is {}", made.interval), "it counts cycles from 1 up",
-                             Fault::run);
+            throw Diagnostic(fmt::format("the interval of a hook is {}", made.interval),
+                             "it counts cycles from 1 up", Fault::run);
     }
     lua_pushvalue(L, 2);
     made.function = luaL_ref(L, LUA_REGISTRYINDEX);
@@ -273,7 +277,9 @@ int new_global(lua_State* L) {
 }
 
 /// (message, hint)
-int fail(lua_State* L) { throw Diagnostic(text_argument(L, 1, "fail"), text_argument(L, 2, "fail"), Fault::run); }
+int fail(lua_State* L) {
+    throw Diagnostic(text_argument(L, 1, "fail"), text_argument(L, 2, "fail"), Fault::run);
+}
 
 constexpr std::array<luaL_Reg, 26> natives{{
     {"fail", guarded<fail>},

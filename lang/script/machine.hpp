@@ -58,8 +58,8 @@ struct Machine {
     Options options;
     Anchors anchors;
     const void* vector_type = nullptr; ///< address of the metatable, for a quick test
-    const void* array_type = nullptr; ///< of arrays with one dimension
-    const void* grid_type = nullptr;  ///< of arrays with more
+    const void* array_type = nullptr;  ///< of arrays with one dimension
+    const void* grid_type = nullptr;   ///< of arrays with more
     FieldIndex fields;
     FishLibrary fish;
     SourceList sources;
@@ -74,9 +74,9 @@ struct Machine {
 
     /// While a state is restored, Lua chunks run for their definitions only.
     bool restoring = false;
-    int depth = 0;               ///< calls into Lua that are open
-    int levels_before = 0;       ///< stack levels of Lua that belong to outer calls
-    bool registered = false;     ///< a chunk made a hook or a history: it must be kept
+    int depth = 0;           ///< calls into Lua that are open
+    int levels_before = 0;   ///< stack levels of Lua that belong to outer calls
+    bool registered = false; ///< a chunk made a hook or a history: it must be kept
 };
 
 /// The machine that a Lua state belongs to.

@@ -47,14 +47,16 @@ std::string joined(lua_State* L, int table) {
 int fail_outside(lua_State* L) {
     const std::string name = lua_tostring(L, 2);
     lua_getfield(L, 1, "dimensions");
-    throw Diagnostic(fmt::format("{}({}) is outside of the array {}({})", name, joined(L, 3), name, joined(L, 4)),
-                     "indices are whole numbers and count from 1", Fault::run);
+    throw Diagnostic(
+        fmt::format("{}({}) is outside of the array {}({})", name, joined(L, 3), name, joined(L, 4)),
+        "indices are whole numbers and count from 1", Fault::run);
 }
 
 /// (name, size)
 int fail_size(lua_State* L) {
-    throw Diagnostic(fmt::format("the size of the array '{}' is {}", lua_tostring(L, 1), describe_value(L, 2)),
-                     "a size is a whole number above 0", Fault::run);
+    throw Diagnostic(
+        fmt::format("the size of the array '{}' is {}", lua_tostring(L, 1), describe_value(L, 2)),
+        "a size is a whole number above 0", Fault::run);
 }
 
 /// (name)
@@ -65,8 +67,8 @@ int fail_too_large(lua_State* L) {
 
 /// (value)
 int fail_not_list(lua_State* L) {
-    throw Diagnostic(fmt::format("'loop foreach' needs a list, here it is given {}", describe_value(L, 1)), {},
-                     Fault::run);
+    throw Diagnostic(fmt::format("'loop foreach' needs a list, here it is given {}", describe_value(L, 1)),
+                     {}, Fault::run);
 }
 
 // --- elements of arrays with one dimension ------------------------------------------------------------
@@ -90,8 +92,10 @@ bool is_list(lua_State* L) {
         array = kind == machine_of(L).array_type || kind == machine_of(L).grid_type;
         lua_pop(L, 1);
     }
-    if (array) fail_outside(L);
-    else fail_not_array(L);
+    if (array)
+        fail_outside(L);
+    else
+        fail_not_array(L);
     throw std::logic_error("an array is and is not one");
 }
 
@@ -115,7 +119,8 @@ int set_element(lua_State* L) {
 
 /// name(), where the name is that of a variable
 int not_function(lua_State* L) {
-    throw Diagnostic(fmt::format("'{}' is no function but {}", lua_tostring(L, 2), describe_value(L, 1)), {}, Fault::run);
+    throw Diagnostic(fmt::format("'{}' is no function but {}", lua_tostring(L, 2), describe_value(L, 1)), {},
+                     Fault::run);
 }
 
 // --- commands -------------------------------------------------------------------------------------------
@@ -141,7 +146,8 @@ int word(lua_State* L) {
             text += '\'';
         }
     } else if (std::holds_alternative<Handle>(value)) {
-        throw Diagnostic("a pointer cannot stand in a command", "use its number, as in [b_id(p)]", Fault::run);
+        throw Diagnostic("a pointer cannot stand in a command", "use its number, as in [b_id(p)]",
+                         Fault::run);
     } else {
         text = text_at(L, 1);
     }

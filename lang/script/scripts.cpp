@@ -44,7 +44,9 @@ void stop_hook(lua_State* L, lua_Debug*) { guarded<stop>(L); }
 /// Leaves the stack as it was, whatever happens in between.
 class StackLevel {
 public:
-    explicit StackLevel(lua_State* L) : lua_(L), level_(lua_gettop(L)) { luaL_checkstack(L, 40, "for a call"); }
+    explicit StackLevel(lua_State* L) : lua_(L), level_(lua_gettop(L)) {
+        luaL_checkstack(L, 40, "for a call");
+    }
     ~StackLevel() { lua_settop(lua_, level_); }
     StackLevel(const StackLevel&) = delete;
     StackLevel& operator=(const StackLevel&) = delete;
@@ -68,7 +70,9 @@ template <class Action> auto placed(const Place& place, Action action) {
 Scripts::Scripts(World& world, Options options) : impl_(std::make_unique<Impl>(world, std::move(options))) {}
 Scripts::~Scripts() = default;
 
-void Scripts::on_print(std::function<void(const std::string&)> sink) { impl_->machine->sink = std::move(sink); }
+void Scripts::on_print(std::function<void(const std::string&)> sink) {
+    impl_->machine->sink = std::move(sink);
+}
 
 void Scripts::define_fish(const std::string& text, const Place& place) {
     const StackLevel level(impl_->machine->lua);
@@ -156,8 +160,10 @@ void Scripts::run_hooks(Moment moment, std::int64_t cycle) {
         if (hook.moment != moment || cycle % hook.interval != 0) continue;
         lua_rawgeti(L, LUA_REGISTRYINDEX, hook.function);
         // A hook that ran before may have taken this one away.
-        if (lua_isfunction(L, -1)) call_protected(L, 0, 0);
-        else lua_pop(L, 1);
+        if (lua_isfunction(L, -1))
+            call_protected(L, 0, 0);
+        else
+            lua_pop(L, 1);
     }
 }
 

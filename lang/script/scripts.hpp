@@ -16,8 +16,9 @@
 namespace kaya::script {
 
 struct Options {
-    bool trusted = false; ///< true: os.execute, io.popen, files outside of the working folder, debug, load libraries
-    std::uint64_t seed = 1; ///< of urand, grand and Lua's math.random
+    bool trusted =
+        false; ///< true: os.execute, io.popen, files outside of the working folder, debug, load libraries
+    std::uint64_t seed = 1;                            ///< of urand, grand and Lua's math.random
     std::vector<std::filesystem::path> module_folders; ///< searched by `require` after the deck's folder
 };
 

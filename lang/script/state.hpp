@@ -42,7 +42,7 @@ struct ScriptState {
     std::vector<std::pair<std::string, StoredValue>> lua_globals;  ///< sorted by name; no functions
     std::vector<std::pair<std::string, StoredValue>> extras;       ///< "b_extra" -> object handle -> value
     std::vector<StoredObject> objects;
-    std::vector<StoredSource> sources;     ///< FISH functions and Lua chunks that define something, in order
+    std::vector<StoredSource> sources;      ///< FISH functions and Lua chunks that define something, in order
     std::vector<std::string> whilestepping; ///< FISH functions that run after every cycle, in order
     Tables tables;
     std::array<std::uint64_t, 4> random{};

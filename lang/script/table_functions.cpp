@@ -1,4 +1,5 @@
-// Built-in functions of FISH on numbered tables: table(n, x), xtable(n, i), ytable(n, i), vtable(n, i), table_size(n).
+// Built-in functions of FISH on numbered tables: table(n, x), xtable(n, i), ytable(n, i), vtable(n, i),
+// table_size(n).
 #include "lang/script/built_ins.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/machine.hpp"
@@ -16,7 +17,8 @@ Table& existing_table(lua_State* L, const char* function) {
     Tables& tables = machine_of(L).tables;
     const auto found = tables.find(number);
     if (found == tables.end() || found->second.points.empty())
-        throw Diagnostic(fmt::format("table {} holds no point", number), "fill it before it is read", Fault::run);
+        throw Diagnostic(fmt::format("table {} holds no point", number), "fill it before it is read",
+                         Fault::run);
     return found->second;
 }
 
@@ -25,7 +27,8 @@ TablePoint& existing_point(lua_State* L, const char* function) {
     const std::int64_t i = integer_argument(L, 2, function);
     const auto size = static_cast<std::int64_t>(table.points.size());
     if (i < 1 || i > size)
-        throw Diagnostic(fmt::format("table {} has points 1 to {}, not {}", lua_tointeger(L, 1), size, i), {}, Fault::run);
+        throw Diagnostic(fmt::format("table {} has points 1 to {}, not {}", lua_tointeger(L, 1), size, i), {},
+                         Fault::run);
     return table.points[static_cast<std::size_t>(i - 1)];
 }
 

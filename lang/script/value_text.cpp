@@ -18,8 +18,8 @@ struct Text {
     std::string operator()(const Vec3& v) const { return fmt::format("({:g},{:g},{:g})", v[0], v[1], v[2]); }
     std::string operator()(const Handle& handle) const {
         if (handle.generation == 0) return "null";
-        const bool known = world && handle.table >= 0 &&
-                           handle.table < static_cast<std::int32_t>(world->tables().size());
+        const bool known =
+            world && handle.table >= 0 && handle.table < static_cast<std::int32_t>(world->tables().size());
         return fmt::format("{} #{}", known ? world->tables()[handle.table].name : "object", handle.slot);
     }
 };

@@ -1,4 +1,5 @@
-// How FISH walks over lists of the model: heads, next links, children, nearest objects; and b_extra, c_extra, ...
+// How FISH walks over lists of the model: heads, next links, children, nearest objects; and b_extra, c_extra,
+// ...
 #include "lang/script/built_ins.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/handles.hpp"
@@ -51,7 +52,9 @@ constexpr std::array<Walker, 24> walkers{{
 const Walker& walker_of(lua_State* L) {
     return walkers[static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)))];
 }
-std::int32_t table_of(lua_State* L) { return static_cast<std::int32_t>(lua_tointeger(L, lua_upvalueindex(2))); }
+std::int32_t table_of(lua_State* L) {
+    return static_cast<std::int32_t>(lua_tointeger(L, lua_upvalueindex(2)));
+}
 
 /// Upvalues of all: number of the walker, of its table, of its child table.
 Handle pointer_argument(lua_State* L) {
@@ -63,14 +66,16 @@ Handle pointer_argument(lua_State* L) {
     if (lua_type(L, 1) == LUA_TNUMBER && lua_tonumber(L, 1) == 0)
         throw Diagnostic(fmt::format("'{}' is given a null pointer", walker.name),
                          "test the pointer against 0 before it is used", Fault::run);
-    throw Diagnostic(fmt::format("'{}' needs a pointer to a {}, here it is given {}", walker.name, walker.table,
-                                 describe_value(L, 1)),
+    throw Diagnostic(fmt::format("'{}' needs a pointer to a {}, here it is given {}", walker.name,
+                                 walker.table, describe_value(L, 1)),
                      {}, Fault::run);
 }
 
 void push_handle(lua_State* L, const Handle& handle) {
-    if (handle.generation == 0) lua_pushinteger(L, 0);
-    else lua_pushlightuserdata(L, pack_handle(handle));
+    if (handle.generation == 0)
+        lua_pushinteger(L, 0);
+    else
+        lua_pushlightuserdata(L, pack_handle(handle));
 }
 
 int head(lua_State* L) {
@@ -99,7 +104,8 @@ int nearest(lua_State* L) {
     } else if (lua_gettop(L) == 3) {
         for (int i = 0; i < 3; ++i) place[i] = number_argument(L, i + 1, name);
     } else {
-        throw Diagnostic(fmt::format("'{}' needs a place: three coordinates or one vector", name), {}, Fault::run);
+        throw Diagnostic(fmt::format("'{}' needs a place: three coordinates or one vector", name), {},
+                         Fault::run);
     }
     push_handle(L, machine_of(L).world.nearest(table_of(L), place));
     return 1;
@@ -150,11 +156,16 @@ struct Kind {
 
 Kind kind_of(Walk walk) {
     switch (walk) {
-    case Walk::head: return {guarded<head>, 0, 0};
-    case Walk::next: return {guarded<next>, 1, 1};
-    case Walk::child: return {guarded<child>, 1, 1};
-    case Walk::nearest: return {guarded<nearest>, 1, 3};
-    case Walk::extra: break;
+    case Walk::head:
+        return {guarded<head>, 0, 0};
+    case Walk::next:
+        return {guarded<next>, 1, 1};
+    case Walk::child:
+        return {guarded<child>, 1, 1};
+    case Walk::nearest:
+        return {guarded<nearest>, 1, 3};
+    case Walk::extra:
+        break;
     }
     return {guarded<read_extra>, 1, 2};
 }

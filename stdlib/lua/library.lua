@@ -5,8 +5,11 @@
 local native, trusted = ...
 local library = {}
 
-for _, name in ipairs { "assert", "error", "ipairs", "next", "pcall", "rawequal", "rawget", "rawlen", "rawset",
-    "select", "tonumber", "tostring", "type", "xpcall", "getmetatable" } do
+local harmless = {
+    "assert", "error", "getmetatable", "ipairs", "next", "pcall", "rawequal", "rawget", "rawlen", "rawset",
+    "select", "tonumber", "tostring", "type", "xpcall",
+}
+for _, name in ipairs(harmless) do
     library[name] = _G[name]
 end
 
@@ -30,12 +33,18 @@ library.math = copy(math, {})
 local function refusing(values, name)
     return setmetatable(values, {
         __index = function(_, key)
-            native.fail(name .. "." .. tostring(key) .. " cannot be used in a deck", "run with --trust to allow it")
+            local whole = name .. "." .. tostring(key)
+            native.fail(whole .. " cannot be used in a deck", "run with --trust to allow it")
         end,
     })
 end
 
-library.os = refusing({ clock = os.clock, date = os.date, difftime = os.difftime, time = os.time }, "os")
+library.os = refusing({
+    clock = os.clock,
+    date = os.date,
+    difftime = os.difftime,
+    time = os.time,
+}, "os")
 library.debug = refusing({ traceback = debug.traceback }, "debug")
 library.package = refusing({}, "package")
 
@@ -103,7 +112,7 @@ function library.math.random(low, high)
 end
 
 function library.math.randomseed(seed)
-    native.seed(math.tointeger(seed) or native.fail("math.randomseed needs a whole number", "give it one, such as 42"))
+    native.seed(math.tointeger(seed) or native.fail("math.randomseed needs a whole number", "such as 42"))
 end
 
 function library.load(text, name, _, environment)

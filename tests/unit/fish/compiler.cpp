@@ -15,8 +15,10 @@ Place place_of(const std::string& text, int line = 1) {
     source->lines.assign(static_cast<std::size_t>(line - 1), "; before");
     std::string rest;
     for (const char c : text + "\n") {
-        if (c == '\n') source->lines.push_back(std::exchange(rest, {}));
-        else rest += c;
+        if (c == '\n')
+            source->lines.push_back(std::exchange(rest, {}));
+        else
+            rest += c;
     }
     return {source, line, 1, 1};
 }
@@ -43,53 +45,72 @@ struct Mistake {
 };
 
 const Mistake mistakes[] = {
-    {"def f\n a = 1\n", 1, 1, 3, "the function 'f' has no 'end'", "write 'end' on a line of its own behind its last statement"},
+    {"def f\n a = 1\n", 1, 1, 3, "the function 'f' has no 'end'",
+     "write 'end' on a line of its own behind its last statement"},
     {"def\nend", 1, 4, 1, "expected the name of the function, found the end of the line", ""},
     {"def 3f\nend", 1, 5, 1, "'3f' is neither a number nor a name", "a name must not begin with a digit"},
     {"f\nend", 1, 1, 1, "a FISH function begins with 'def'", ""},
     {"def f(a,a)\nend", 1, 9, 1, "the argument 'a' is named twice", ""},
     {"def f(f)\nend", 1, 7, 1, "an argument has the name of its function", "give it another name"},
-    {"def f(a\nend", 1, 8, 1, "expected ')' for the arguments of the function, found the end of the line", ""},
-    {"def f x\nend", 1, 7, 1, "'x' is left over after the head of the function", "one statement stands on one line"},
-    {"def f(x)\n whilestepping\nend", 1, 1, 3, "'f' runs in every cycle, so nobody gives it its arguments", "take the arguments away, or 'whilestepping'"},
+    {"def f(a\nend", 1, 8, 1, "expected ')' for the arguments of the function, found the end of the line",
+     ""},
+    {"def f x\nend", 1, 7, 1, "'x' is left over after the head of the function",
+     "one statement stands on one line"},
+    {"def f(x)\n whilestepping\nend", 1, 1, 3, "'f' runs in every cycle, so nobody gives it its arguments",
+     "take the arguments away, or 'whilestepping'"},
     {"def f\nend\nmore", 3, 1, 4, "there is more text after the 'end' of the function", ""},
     {"def f\nend f", 2, 5, 1, "'f' is left over after 'end'", "one statement stands on one line"},
     {"def f\n a = (1 + 2\nend", 2, 12, 1, "expected ')' for the parenthesis, found the end of the line", ""},
-    {"def f\n a = 1 + 2)\nend", 2, 11, 1, "')' is left over after the assignment", "one statement stands on one line"},
+    {"def f\n a = 1 + 2)\nend", 2, 11, 1, "')' is left over after the assignment",
+     "one statement stands on one line"},
     {"def f\n a = 1 +\nend", 2, 9, 1, "expected a value, found the end of the line", ""},
     {"def f\n a =\nend", 2, 5, 1, "expected a value, found the end of the line", ""},
-    {"def f\n a = 1 2\nend", 2, 8, 1, "'2' is left over after the assignment", "one statement stands on one line"},
+    {"def f\n a = 1 2\nend", 2, 8, 1, "'2' is left over after the assignment",
+     "one statement stands on one line"},
     {"def f\n a = * 2\nend", 2, 6, 1, "expected a value, found '*'", ""},
-    {"def f\n a = 1 < 2 < 3\nend", 2, 12, 1, "two comparisons in a row", "join them with '&', or put one in parentheses"},
+    {"def f\n a = 1 < 2 < 3\nend", 2, 12, 1, "two comparisons in a row",
+     "join them with '&', or put one in parentheses"},
     {"def f\n a = sin(1, )\nend", 2, 13, 1, "expected a value, found ')'", ""},
-    {"def f\n a = sin(1\nend", 2, 11, 1, "expected ')' for the arguments of 'sin', found the end of the line", ""},
+    {"def f\n a = sin(1\nend", 2, 11, 1, "expected ')' for the arguments of 'sin', found the end of the line",
+     ""},
     {"def f\n a = 'text\nend", 2, 6, 5, "the text has no closing quote", "put ' behind it"},
     {"def f\n a = b ~ c\nend", 2, 8, 1, "'~' has no meaning in FISH", ""},
-    {"def f\n a = 12abc\nend", 2, 6, 2, "'12a' is neither a number nor a name", "a name must not begin with a digit"},
+    {"def f\n a = 12abc\nend", 2, 6, 2, "'12a' is neither a number nor a name",
+     "a name must not begin with a digit"},
     {"def f\n a = 1e999\nend", 2, 6, 5, "1e999 is beyond the range of numbers", ""},
     {"def f\n 3 = a\nend", 2, 2, 1, "expected a statement, found '3'", ""},
     {"def f\n b c\nend", 2, 4, 1, "expected '=' after 'b', found 'c'", ""},
-    {"def f\n a = 1 &\n", 2, 1, 8, "the line goes on after its last mark, but the text ends here", "take the '&' or '...' away"},
-    {"def f\n if a > 1 then b = 2\n endif\nend", 2, 16, 1, "'b' is left over after the condition", "one statement stands on one line"},
+    {"def f\n a = 1 &\n", 2, 1, 8, "the line goes on after its last mark, but the text ends here",
+     "take the '&' or '...' away"},
+    {"def f\n if a > 1 then b = 2\n endif\nend", 2, 16, 1, "'b' is left over after the condition",
+     "one statement stands on one line"},
     {"def f\n if then\n endif\nend", 2, 5, 4, "expected a value, found 'then'", ""},
     {"def f\n if a\nend", 3, 1, 3, "'end' stands where 'endif' must close the 'if' of line 2", ""},
     {"def f\n if a\n else\n else\n endif\nend", 4, 2, 4, "a second 'else' in one 'if'", ""},
     {"def f\n endif\nend", 2, 2, 5, "'endif' closes nothing: no block is open here", ""},
     {"def f\n then\nend", 2, 2, 4, "'then' cannot begin a statement", ""},
-    {"def f\n loop while a\n endif\nend", 3, 2, 5, "'endif' stands where 'endloop' must close the 'loop' of line 2", ""},
+    {"def f\n loop while a\n endif\nend", 3, 2, 5,
+     "'endif' stands where 'endloop' must close the 'loop' of line 2", ""},
     {"def f\n loop while a\n", 2, 2, 4, "this 'loop' has no 'endloop'", ""},
-    {"def f\n loop i (1)\n endloop\nend", 2, 7, 1, "a loop needs two limits, and a step if wanted; this one has 1", "write: loop i (1, 10) or loop i (10, 1, -1)"},
+    {"def f\n loop i (1)\n endloop\nend", 2, 7, 1,
+     "a loop needs two limits, and a step if wanted; this one has 1",
+     "write: loop i (1, 10) or loop i (10, 1, -1)"},
     {"def f\n loop i 1,2\n endloop\nend", 2, 9, 1, "expected '(' for the limits of the loop, found '1'", ""},
-    {"def f\n loop\n endloop\nend", 2, 6, 1, "expected the loop variable, 'while', 'foreach' or 'for', found the end of the line", ""},
-    {"def f\n loop for (i = 1, i < 3)\n endloop\nend", 2, 24, 1, "expected ',' for the step of the loop, found ')'", ""},
+    {"def f\n loop\n endloop\nend", 2, 6, 1,
+     "expected the loop variable, 'while', 'foreach' or 'for', found the end of the line", ""},
+    {"def f\n loop for (i = 1, i < 3)\n endloop\nend", 2, 24, 1,
+     "expected ',' for the step of the loop, found ')'", ""},
     {"def f\n exit loop\nend", 2, 2, 4, "'exit loop' stands outside of any loop", ""},
     {"def f\n exit section\nend", 2, 2, 4, "'exit section' stands outside of any section", ""},
     {"def f\n continue\nend", 2, 2, 8, "'continue' stands outside of any loop", ""},
     {"def f\n case 1\nend", 2, 2, 4, "'case' closes nothing: no block is open here", ""},
     {"def f\n command\n poly brick\nend", 2, 2, 7, "this 'command' has no 'endcommand'", ""},
-    {"def f\n command\n poly brick [a\n endcommand\nend", 3, 13, 1, "the bracket is not closed", "put ] behind the expression"},
-    {"def f\n command\n poly brick [a + ]\n endcommand\nend", 3, 17, 1, "expected a value, found the end of the line", ""},
-    {"def f\n def g\n end\nend", 2, 2, 3, "a function begins inside of another one", "the function 'f' of line 1 has no 'end' yet"},
+    {"def f\n command\n poly brick [a\n endcommand\nend", 3, 13, 1, "the bracket is not closed",
+     "put ] behind the expression"},
+    {"def f\n command\n poly brick [a + ]\n endcommand\nend", 3, 17, 1,
+     "expected a value, found the end of the line", ""},
+    {"def f\n def g\n end\nend", 2, 2, 3, "a function begins inside of another one",
+     "the function 'f' of line 1 has no 'end' yet"},
     {"def f\n array a\nend", 2, 8, 1, "the array 'a' has no size", "write a(n) or a(n,m)"},
     {"def f\n array 3\nend", 2, 8, 1, "expected the name of an array, found '3'", ""},
     {"def f\n local 3\nend", 2, 8, 1, "expected the name of a variable, found '3'", ""},
@@ -99,7 +120,8 @@ const Mistake mistakes[] = {
     {"def f\n a = sin(1,2)\nend", 2, 6, 3, "'sin' takes 1 argument, here it is given 2", ""},
     {"def f\n a = max()\nend", 2, 6, 3, "'max' takes 1 to 20 arguments, here it is given none", ""},
     {"def f\n a = helper(1)\nend", 2, 6, 6, "'helper' takes 2 arguments, here it is given 1", ""},
-    {"def f\n helper = 1\nend", 2, 2, 6, "'helper' is a function: a value cannot be given to it here", "use another name for the variable"},
+    {"def f\n helper = 1\nend", 2, 2, 6, "'helper' is a function: a value cannot be given to it here",
+     "use another name for the variable"},
     {"def f\n gp_xvel = 1\nend", 2, 2, 7, "'gp_xvel' takes 1 argument, here it is given none", ""},
     {"def f\n f(3) = 2\nend", 2, 2, 1, "'f' is this function: a value cannot be given to a call of it", ""},
     {"def f\n a() = 2\nend", 2, 2, 1, "'a()' names no element of an array", ""},
@@ -141,8 +163,10 @@ TEST(FishCompiler, too_deep_text_is_refused_before_lua_sees_it) {
         }
         return std::string("accepted");
     };
-    EXPECT_EQ(message("def f\n a = " + std::string(200, '(') + "1\nend"), "the expression is nested too deeply");
-    EXPECT_EQ(message("def f\n a = " + std::string(5000, '-') + "1\nend"), "the expression is nested too deeply");
+    EXPECT_EQ(message("def f\n a = " + std::string(200, '(') + "1\nend"),
+              "the expression is nested too deeply");
+    EXPECT_EQ(message("def f\n a = " + std::string(5000, '-') + "1\nend"),
+              "the expression is nested too deeply");
     std::string blocks = "def f\n";
     for (int i = 0; i < 60; ++i) blocks += "if 1\n";
     EXPECT_EQ(message(blocks + "end"), "more than 40 blocks stand in each other");
@@ -156,8 +180,10 @@ TEST(FishCompiler, each_statement_stays_on_its_line) {
     std::vector<std::string> lines;
     std::string rest;
     for (const char c : lua + "\n") {
-        if (c == '\n') lines.push_back(std::exchange(rest, {}));
-        else rest += c;
+        if (c == '\n')
+            lines.push_back(std::exchange(rest, {}));
+        else
+            rest += c;
     }
     ASSERT_EQ(lines.size(), 9);
     EXPECT_EQ(lines[2], "G.a = 1; ");

@@ -22,12 +22,14 @@ public:
 
     explicit FakeWorld(std::size_t contacts = 2, std::size_t per_contact = 4) : per_contact_(per_contact) {
         tables_ = {
-            {"block", {{"id", "b_id", "-", "number of the block", false},
-                       {"velocity", "b_vel", "velocity", "of the centroid", true},
-                       {"volume", "b_vol", "volume", "", false}}},
-            {"contact", {{"id", "c_id", "-", "", false},
-                         {"block", "c_b1", "-", "first block", false},
-                         {"normal", "c_n", "-", "unit normal", false}}},
+            {"block",
+             {{"id", "b_id", "-", "number of the block", false},
+              {"velocity", "b_vel", "velocity", "of the centroid", true},
+              {"volume", "b_vol", "volume", "", false}}},
+            {"contact",
+             {{"id", "c_id", "-", "", false},
+              {"block", "c_b1", "-", "first block", false},
+              {"normal", "c_n", "-", "unit normal", false}}},
             {"sub_contact",
              {{"normal_force", "cx_nforce", "force", "compression positive", true},
               {"x_shear_force", "cx_xsforce", "force", "", false},
@@ -66,11 +68,16 @@ public:
             return Vec3(0, 0, 1);
         }
         switch (field) {
-        case 0: return normal_force[row];
-        case 1: return shear_force[row];
-        case 2: return normal_displacement[row];
-        case 3: return shear_displacement[row];
-        default: return std::string("mohr");
+        case 0:
+            return normal_force[row];
+        case 1:
+            return shear_force[row];
+        case 2:
+            return normal_displacement[row];
+        case 3:
+            return shear_displacement[row];
+        default:
+            return std::string("mohr");
         }
     }
 
@@ -172,7 +179,9 @@ struct Stage {
     void lua(const std::string& text) { scripts.run_lua(text, deck(text)); }
     Value value(const std::string& expression) { return scripts.value(expression); }
     double number(const std::string& expression) { return scripts.number(expression); }
-    std::string text(const std::string& expression) { return std::get<std::string>(scripts.value(expression)); }
+    std::string text(const std::string& expression) {
+        return std::get<std::string>(scripts.value(expression));
+    }
 
     FakeWorld world;
     Scripts scripts;

@@ -73,7 +73,8 @@ TEST(FishLanguage, classic_logic_works_on_bits) {
 }
 
 TEST(FishLanguage, else_if_and_else) {
-    const std::string body = "if a = 1\nf = 10\nelse if a = 2 then\nf = 20\nelseif a = 3\nf = 30\nelse\nf = 40\nend_if";
+    const std::string body =
+        "if a = 1\nf = 10\nelse if a = 2 then\nf = 20\nelseif a = 3\nf = 30\nelse\nf = 40\nend_if";
     EXPECT_EQ(run("a = 1\n" + body), Value(std::int64_t{10}));
     EXPECT_EQ(run("a = 2\n" + body), Value(std::int64_t{20}));
     EXPECT_EQ(run("a = 3\n" + body), Value(std::int64_t{30}));
@@ -97,8 +98,9 @@ TEST(FishLanguage, loop_while_for_and_foreach) {
 }
 
 TEST(FishLanguage, exit_loop_and_continue) {
-    EXPECT_EQ(run("loop i (1, 10)\nif i = 3\ncontinue\nendif\nif i = 6\nexit loop\nendif\nf = f + i\nendloop"),
-              Value(std::int64_t{12}));
+    EXPECT_EQ(
+        run("loop i (1, 10)\nif i = 3\ncontinue\nendif\nif i = 6\nexit loop\nendif\nf = f + i\nendloop"),
+        Value(std::int64_t{12}));
     EXPECT_EQ(run("loop while 1\nloop j (1, 5)\nif j = 2\nexit loop\nendif\nf = f + 1\nendloop\n"
                   "if f = 3\nexit loop\nendif\nendloop"),
               Value(std::int64_t{3}));
@@ -123,10 +125,12 @@ TEST(FishLanguage, case_of_runs_the_fitting_case_or_what_stands_first) {
 }
 
 TEST(FishLanguage, sections_are_left_from_inside) {
-    EXPECT_EQ(run("section\nf = 1\nloop i (1, 5)\nif i = 2\nexit section\nendif\nf = f + 10\nendloop\nf = 99\n"
-                  "endsection\nf = f + 100"),
-              Value(std::int64_t{111}));
-    EXPECT_EQ(run("section\nsection\nexit section\nf = 1\nendsection\nf = f + 2\nendsection"), Value(std::int64_t{2}));
+    EXPECT_EQ(
+        run("section\nf = 1\nloop i (1, 5)\nif i = 2\nexit section\nendif\nf = f + 10\nendloop\nf = 99\n"
+            "endsection\nf = f + 100"),
+        Value(std::int64_t{111}));
+    EXPECT_EQ(run("section\nsection\nexit section\nf = 1\nendsection\nf = f + 2\nendsection"),
+              Value(std::int64_t{2}));
 }
 
 TEST(FishLanguage, names_know_no_case_and_lines_go_on) {
@@ -170,7 +174,8 @@ TEST(FishLanguage, a_redefinition_replaces_and_its_callers_follow) {
 }
 
 TEST(FishLanguage, arrays_have_bounds_and_dimensions) {
-    EXPECT_EQ(run("array a(2,3) b(4)\na(2,1) = 5\nb(4) = 6\nf = a(2,1) * 10 + b(4) + a(1,1)"), Value(std::int64_t{56}));
+    EXPECT_EQ(run("array a(2,3) b(4)\na(2,1) = 5\nb(4) = 6\nf = a(2,1) * 10 + b(4) + a(1,1)"),
+              Value(std::int64_t{56}));
     EXPECT_EQ(run("array a(2,3)\na(1,1) = 1\narray a(2,3)\nf = a(1,1)"), Value(std::int64_t{0}));
     EXPECT_EQ(run("n = 3\narray a(n)\nf = array_size(a, 1) * 10 + array_dim(a)"), Value(std::int64_t{31}));
     EXPECT_EQ(run("array a(2)\na(1.0 + 1) = 8\nf = a(2)"), Value(std::int64_t{8}));
@@ -200,7 +205,8 @@ TEST(FishLanguage, texts_have_functions) {
     EXPECT_EQ(run("f = string(1.0/3, 1, ' ', 12)"), Value(std::string("0.333333333333")));
     EXPECT_EQ(run("f = string(1e6) + ' ' + string(123456789.0) + ' ' + string(-0.5)"),
               Value(std::string("1e+06 1.23457e+08 -0.5")));
-    EXPECT_EQ(run("f = type(1) * 10000 + type(1.0) * 1000 + type('a') * 100 + type(block_head) * 10 + type(vector(1,2,3))"),
+    EXPECT_EQ(run("f = type(1) * 10000 + type(1.0) * 1000 + type('a') * 100 + type(block_head) * 10 + "
+                  "type(vector(1,2,3))"),
               Value(std::int64_t{12346}));
 }
 
@@ -216,18 +222,22 @@ TEST(FishLanguage, mathematics) {
 }
 
 TEST(FishLanguage, vectors) {
-    EXPECT_EQ(run("v = vector(1,2,3) + vector(1,0,0) * 2\nf = xcomp(v) * 100 + ycomp(v) * 10 + zcomp(v)"), Value(323.0));
+    EXPECT_EQ(run("v = vector(1,2,3) + vector(1,0,0) * 2\nf = xcomp(v) * 100 + ycomp(v) * 10 + zcomp(v)"),
+              Value(323.0));
     EXPECT_EQ(run("v = vector(1,2,3)\nw = v\nycomp(v) = 7\nf = ycomp(v) * 10 + ycomp(w)"), Value(72.0));
     EXPECT_EQ(run("f = dot(vector(1,2,3), cross(vector(1,0,0), vector(0,1,0)))"), Value(3.0));
     EXPECT_EQ(run("f = mag(unit(vector(3,4,0)))"), Value(1.0));
     EXPECT_EQ(run("f = vector(1,2,3) = vector(1,2,3)"), Value(std::int64_t{1}));
     EXPECT_EQ(run("f = -vector(1,2,4) / 2"), Value(Vec3(-0.5, -1, -2)));
-    EXPECT_NEAR(std::get<double>(run("f = dipfromnorm(normfromdipdd(30, 110)) + ddfromnorm(normfromdipdd(30, 110))")),
-                140, 1e-12);
+    EXPECT_NEAR(
+        std::get<double>(run("f = dipfromnorm(normfromdipdd(30, 110)) + ddfromnorm(normfromdipdd(30, 110))")),
+        140, 1e-12);
 }
 
 TEST(FishLanguage, tables_interpolate_and_grow) {
-    EXPECT_EQ(run("table(1, 0) = 0\ntable(1, 2) = 4\ntable(1, 1) = 1\nf = table(1, 1.5) * 10 + table_size(1)"), Value(28.0));
+    EXPECT_EQ(
+        run("table(1, 0) = 0\ntable(1, 2) = 4\ntable(1, 1) = 1\nf = table(1, 1.5) * 10 + table_size(1)"),
+        Value(28.0));
     EXPECT_EQ(run("xtable(3, 1) = 5\nytable(3, 1) = 6\nvtable(3, 2) = vector(7, 8, 0)\n"
                   "f = xtable(3, 2) * 100 + ytable(3, 1) * 10 + ycomp(vtable(3, 2))"),
               Value(768.0));
@@ -256,14 +266,16 @@ TEST(FishLanguage, fields_are_read_and_written_through_pointers) {
 
 TEST(FishLanguage, null_pointers_equal_zero) {
     Stage s;
-    s.fish("def f\n c = c_next(contact_head)\n if c_b1(c) = 0\n f = 1\n endif\n if c_next(c) = null\n f = f + 2\n endif\n"
+    s.fish("def f\n c = c_next(contact_head)\n if c_b1(c) = 0\n f = 1\n endif\n if c_next(c) = null\n f = f "
+           "+ 2\n endif\n"
            " if contact_head # 0\n f = f + 4\n endif\nend");
     EXPECT_EQ(whole(s.value("f")), 7);
 }
 
 TEST(FishLanguage, nearest_objects_and_extra_values) {
     Stage s;
-    s.fish("def f\n b = b_near(1, 2.5, 3)\n b_extra(b) = 'north'\n b_extra(b, 2) = 8\n f = b_extra(block_head) + string(b_extra(b, 2))\n"
+    s.fish("def f\n b = b_near(1, 2.5, 3)\n b_extra(b) = 'north'\n b_extra(b, 2) = 8\n f = "
+           "b_extra(block_head) + string(b_extra(b, 2))\n"
            " c_near(vector(4,5,6))\n n = b_extra(b, 3)\nend");
     EXPECT_EQ(s.text("f"), "north8");
     EXPECT_EQ(s.world.asked, Vec3(4, 5, 6));
@@ -272,8 +284,10 @@ TEST(FishLanguage, nearest_objects_and_extra_values) {
 
 TEST(FishLanguage, commands_get_local_values_and_expressions) {
     Stage s;
-    s.fish("def build(n)\n local x = 0.1 + 0.2\n name = 'stone wall'\n command\n  poly brick 0,@x 0,[n*2] 0,1 ; [comment]\n"
-           "  hist @sstav\n\n  group block [name] range z [-x] &\n   0\n  title 'say [x] @n'\n  @other\n endcommand\nend");
+    s.fish("def build(n)\n local x = 0.1 + 0.2\n name = 'stone wall'\n command\n  poly brick 0,@x 0,[n*2] "
+           "0,1 ; [comment]\n"
+           "  hist @sstav\n\n  group block [name] range z [-x] &\n   0\n  title 'say [x] @n'\n  @other\n "
+           "endcommand\nend");
     s.scripts.call("build(3)", {});
     ASSERT_EQ(s.world.commands.size(), 5);
     EXPECT_EQ(s.world.commands[0].text, "  poly brick 0,0.30000000000000004 0,6 0,1 ");

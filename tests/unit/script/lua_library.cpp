@@ -49,7 +49,8 @@ TEST(LuaLibrary, fields_are_read_and_written_by_name) {
     Stage s;
     s.lua("for p in sub_contacts() do p.normal_force = 3 end\nmodel.damping = 0.25\n"
           "for b in blocks() do b.velocity = vector(1, 2, 3) end\n"
-          "local c = nearest('contact', 7, 8, 9)\nprint(c.id, c.normal, c.block, c.alive, model.time, model.cycle)\n"
+          "local c = nearest('contact', 7, 8, 9)\nprint(c.id, c.normal, c.block, c.alive, model.time, "
+          "model.cycle)\n"
           "print(nearest('contact', vector(0,0,0)) == c, c)");
     EXPECT_EQ(s.world.normal_force, std::vector<double>(8, 3.0));
     EXPECT_EQ(s.world.damping, 0.25);
@@ -92,7 +93,8 @@ TEST(LuaLibrary, hooks_run_at_their_moment_and_interval) {
           "hook.after_forces(function() log = log .. 'f' end)\n"
           "every = hook.after_cycle(function() log = log .. 'a' end, 2)");
     for (std::int64_t cycle = 1; cycle <= 4; ++cycle)
-        for (const Moment m : {Moment::before_cycle, Moment::after_forces, Moment::after_cycle}) s.scripts.run_hooks(m, cycle);
+        for (const Moment m : {Moment::before_cycle, Moment::after_forces, Moment::after_cycle})
+            s.scripts.run_hooks(m, cycle);
     s.lua("print(log)\nhook.remove(every)");
     EXPECT_THAT(s.printed, ElementsAre("bfbfabfbfa"));
     EXPECT_FALSE(s.scripts.has_hooks(Moment::after_cycle));
@@ -102,7 +104,8 @@ TEST(LuaLibrary, hooks_run_at_their_moment_and_interval) {
 TEST(LuaLibrary, fish_and_lua_see_each_other) {
     Stage s;
     s.fish("def twice(n)\n twice = n * 2\n total = total + 1\nend");
-    s.fish("def ask\n ask = Answer(1) + tell\n if yes\n ask = ask + 100\n endif\n if nothing_at_all = 0\n ask = ask + 1000\n endif\nend");
+    s.fish("def ask\n ask = Answer(1) + tell\n if yes\n ask = ask + 100\n endif\n if nothing_at_all = 0\n "
+           "ask = ask + 1000\n endif\nend");
     s.lua("function answer(x) return fish.twice(x) + 40 end\nfunction tell() return 0.5 end\n"
           "function yes() return true end\nfunction nothing_at_all() end\nfish.Start = 7\n"
           "fish.list = {5, 6}\nprint(fish.START, fish.total)");
@@ -111,7 +114,8 @@ TEST(LuaLibrary, fish_and_lua_see_each_other) {
     EXPECT_EQ(s.value("[list(2)]"), Value(std::int64_t{6}));
     EXPECT_EQ(s.value("@answer(2)"), Value(std::int64_t{44}));
     EXPECT_THAT(s.printed, ElementsAre("7\t0"));
-    EXPECT_THAT(message_of([&] { s.lua("fish.twice()"); }), HasSubstr("'twice' takes 1 argument, here it is given none"));
+    EXPECT_THAT(message_of([&] { s.lua("fish.twice()"); }),
+                HasSubstr("'twice' takes 1 argument, here it is given none"));
 }
 
 TEST(LuaLibrary, a_name_that_was_a_variable_becomes_a_lua_function) {
@@ -145,15 +149,17 @@ TEST(LuaLibrary, histories_of_functions_and_names) {
 TEST(LuaLibrary, pairs_has_a_fixed_order) {
     Stage s;
     s.lua("local t = {zeta = 1, alpha = 2, [3] = 'c', [1] = 'a', mid = 3}\nlocal words = {}\n"
-          "for k, v in pairs(t) do words[#words + 1] = k .. '=' .. v; t[k] = nil end\nprint(table.concat(words, ' '), next(t))\n"
+          "for k, v in pairs(t) do words[#words + 1] = k .. '=' .. v; t[k] = nil "
+          "end\nprint(table.concat(words, ' '), next(t))\n"
           "for c in contacts() do t[c] = c.id end\nfor c, id in pairs(t) do print(id) end");
     EXPECT_THAT(s.printed, ElementsAre("1=a 3=c alpha=2 mid=3 zeta=1\tnil", "1", "2"));
 }
 
 TEST(LuaLibrary, random_numbers_come_from_the_seed) {
     Stage a, b;
-    const std::string text = "local t = {}\nfor i = 1, 5 do t[i] = math.random(1, 1000) end\nprint(table.concat(t, ' '))\n"
-                             "local x = math.random()\nassert(x >= 0 and x < 1 and math.random(3) <= 3)";
+    const std::string text =
+        "local t = {}\nfor i = 1, 5 do t[i] = math.random(1, 1000) end\nprint(table.concat(t, ' '))\n"
+        "local x = math.random()\nassert(x >= 0 and x < 1 and math.random(3) <= 3)";
     a.lua(text);
     b.lua(text);
     EXPECT_EQ(a.printed, b.printed);
@@ -169,22 +175,27 @@ TEST(LuaLibrary, require_finds_modules_beside_the_deck) {
     std::filesystem::create_directories("parts");
     Folder::write("parts/wall.lua", "loads = (loads or 0) + 1\nreturn { height = 3 }");
     Folder::write("broken.lua", "local x = 1\nreturn x +");
-    Folder::write("main.lua", "local wall = require 'parts.wall'\nprint(wall.height, require('parts.wall') == wall, loads)");
+    Folder::write(
+        "main.lua",
+        "local wall = require 'parts.wall'\nprint(wall.height, require('parts.wall') == wall, loads)");
     Stage s;
     s.scripts.run_lua_file("main.lua", {});
     EXPECT_THAT(s.printed, ElementsAre("3\ttrue\t1"));
-    EXPECT_THAT(message_of([&] { s.lua("require 'broken'"); }), HasSubstr("broken.lua:2:1: error: unexpected symbol near <eof>"));
+    EXPECT_THAT(message_of([&] { s.lua("require 'broken'"); }),
+                HasSubstr("broken.lua:2:1: error: unexpected symbol near <eof>"));
 }
 
 TEST(LuaLibrary, files_of_lua_and_fish_stay_in_the_folder) {
     const Folder folder;
     Stage s;
-    s.lua("local f = io.open('a.txt', 'w')\nf:write('one\\ntwo\\n')\nf:close()\nfor line in io.lines('a.txt') do print(line) end");
+    s.lua("local f = io.open('a.txt', 'w')\nf:write('one\\ntwo\\n')\nf:close()\nfor line in "
+          "io.lines('a.txt') do print(line) end");
     EXPECT_THAT(s.printed, ElementsAre("one", "two"));
-    s.fish("def f\n array line(3) words(4)\n status = open('a.txt', 0, 1)\n n = read(line, 3)\n status = close\n"
-           " words(1) = line(2) + '!'\n words(2) = 2.5\n words(4) = vector(1,2,3)\n"
-           " status = status + open('b.txt', 1, 1)\n status = status + write(words, 4)\n close\n"
-           " f = n * 10 + open('missing', 0, 1) + status\nend");
+    s.fish(
+        "def f\n array line(3) words(4)\n status = open('a.txt', 0, 1)\n n = read(line, 3)\n status = close\n"
+        " words(1) = line(2) + '!'\n words(2) = 2.5\n words(4) = vector(1,2,3)\n"
+        " status = status + open('b.txt', 1, 1)\n status = status + write(words, 4)\n close\n"
+        " f = n * 10 + open('missing', 0, 1) + status\nend");
     EXPECT_EQ(s.value("f"), Value(std::int64_t{21}));
     EXPECT_EQ(Folder::read("b.txt"), "two!\n 2.5\n 0\n (1,2,3)\n");
 }

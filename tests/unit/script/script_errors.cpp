@@ -68,8 +68,10 @@ TEST(ScriptErrors, fish_arithmetic) {
     EXPECT_EQ(fish_message("b = 'a' * 2"), "the text 'a' and the integer 2 cannot be multiplied");
     EXPECT_EQ(fish_message("b = 'a' - 'b'"), "the text 'a' and the text 'b' cannot be subtracted");
     EXPECT_EQ(fish_message("b = -'a'"), "the text 'a' has no negative");
-    EXPECT_EQ(fish_message("b = contact_head + 1"), "a pointer to contact #0 and the integer 1 cannot be added");
-    EXPECT_EQ(fish_message("b = vector(1,2,3) * 'a'"), "the vector (1,2,3) and the text 'a' cannot be multiplied");
+    EXPECT_EQ(fish_message("b = contact_head + 1"),
+              "a pointer to contact #0 and the integer 1 cannot be added");
+    EXPECT_EQ(fish_message("b = vector(1,2,3) * 'a'"),
+              "the vector (1,2,3) and the text 'a' cannot be multiplied");
     EXPECT_EQ(fish_message("array a(3)\nb = a + 1"), "an array and the integer 1 cannot be added");
     EXPECT_EQ(fish_message("if 'a' > 1\nendif"), "the integer 1 and the text 'a' cannot be compared by size");
     EXPECT_EQ(fish_message("if contact_head > 1\nendif"),
@@ -78,19 +80,25 @@ TEST(ScriptErrors, fish_arithmetic) {
     EXPECT_EQ(fish_message("b = sqrt(-1)"), "'sqrt' is given -1; it takes no negative number");
     EXPECT_EQ(fish_message("b = ln(0)"), "'ln' is given 0; it takes numbers above 0");
     EXPECT_EQ(fish_message("b = acos(1.5)"), "'acos' is given 1.5; it takes numbers from -1 to 1");
-    EXPECT_EQ(fish_message("b = sin('a')"), "the argument of 'sin' must be a number, here it is the text 'a'");
+    EXPECT_EQ(fish_message("b = sin('a')"),
+              "the argument of 'sin' must be a number, here it is the text 'a'");
     EXPECT_EQ(fish_message("b = int('two')"), "'int' is given the text 'two', which is no number");
     EXPECT_EQ(fish_message("b = unit(vector(0,0,0))"), "'unit' is given a vector of length zero");
-    EXPECT_EQ(fish_message("b = dot(vector(0,0,0), 3)"), "argument 2 of 'dot' must be a vector, here it is the integer 3");
+    EXPECT_EQ(fish_message("b = dot(vector(0,0,0), 3)"),
+              "argument 2 of 'dot' must be a vector, here it is the integer 3");
 }
 
 TEST(ScriptErrors, fish_pointers) {
     EXPECT_EQ(fish_message("c = 0\nb = c_id(c)"),
               "'c_id' is given a null pointer | test the pointer against 0 before its contact is used");
-    EXPECT_EQ(fish_message("b = c_next(0)"), "'c_next' is given a null pointer | test the pointer against 0 before it is used");
-    EXPECT_EQ(fish_message("b = c_id(block_head)"), "'c_id' needs a pointer to a contact, here it is given a pointer to block #0");
-    EXPECT_EQ(fish_message("b = c_cx(3.5)"), "'c_cx' needs a pointer to a contact, here it is given the number 3.5");
-    EXPECT_EQ(fish_message("b = cx_nforc(contact_head)"), "'cx_nforc' is neither a function nor an array | did you mean 'cx_nforce'?");
+    EXPECT_EQ(fish_message("b = c_next(0)"),
+              "'c_next' is given a null pointer | test the pointer against 0 before it is used");
+    EXPECT_EQ(fish_message("b = c_id(block_head)"),
+              "'c_id' needs a pointer to a contact, here it is given a pointer to block #0");
+    EXPECT_EQ(fish_message("b = c_cx(3.5)"),
+              "'c_cx' needs a pointer to a contact, here it is given the number 3.5");
+    EXPECT_EQ(fish_message("b = cx_nforc(contact_head)"),
+              "'cx_nforc' is neither a function nor an array | did you mean 'cx_nforce'?");
     EXPECT_EQ(fish_message("b = b_near(1, 2)"), "'b_near' needs a place: three coordinates or one vector");
     EXPECT_EQ(fish_message("command\ntitle [contact_head]\nendcommand"),
               "a pointer cannot stand in a command | use its number, as in [b_id(p)]");
@@ -102,37 +110,51 @@ TEST(ScriptErrors, deleted_objects_are_recognised) {
     s.fish("def keep\n c = contact_head\nend");
     s.scripts.call("keep");
     s.world.generation = 2;
-    EXPECT_THAT(message_of([&] { s.scripts.call("f"); }), StartsWith("test.3ddat:2:2: error: this object no longer exists"));
+    EXPECT_THAT(message_of([&] { s.scripts.call("f"); }),
+                StartsWith("test.3ddat:2:2: error: this object no longer exists"));
     s.lua("kept = fish.c\nprint(kept.alive)");
     EXPECT_EQ(s.printed.back(), "false");
     EXPECT_THAT(message_of([&] { s.lua("print(kept.id)"); }), HasSubstr("this object no longer exists"));
 }
 
 TEST(ScriptErrors, fish_arrays) {
-    EXPECT_EQ(fish_message("array a(3)\na(4) = 1"), "a(4) is outside of the array a(3) | indices are whole numbers and count from 1");
-    EXPECT_EQ(fish_message("array a(3)\nb = a(0)"), "a(0) is outside of the array a(3) | indices are whole numbers and count from 1");
-    EXPECT_EQ(fish_message("array a(3)\nb = a(1.5)"), "a(1.5) is outside of the array a(3) | indices are whole numbers and count from 1");
-    EXPECT_EQ(fish_message("array a(3,2)\nb = a(1)"), "a(1) is outside of the array a(3,2) | indices are whole numbers and count from 1");
-    EXPECT_EQ(fish_message("array a(3,2)\na(1,3) = 0"), "a(1,3) is outside of the array a(3,2) | indices are whole numbers and count from 1");
-    EXPECT_EQ(fish_message("array a(3)\nb = a(1,1)"), "a(1,1) is outside of the array a(3) | indices are whole numbers and count from 1");
+    EXPECT_EQ(fish_message("array a(3)\na(4) = 1"),
+              "a(4) is outside of the array a(3) | indices are whole numbers and count from 1");
+    EXPECT_EQ(fish_message("array a(3)\nb = a(0)"),
+              "a(0) is outside of the array a(3) | indices are whole numbers and count from 1");
+    EXPECT_EQ(fish_message("array a(3)\nb = a(1.5)"),
+              "a(1.5) is outside of the array a(3) | indices are whole numbers and count from 1");
+    EXPECT_EQ(fish_message("array a(3,2)\nb = a(1)"),
+              "a(1) is outside of the array a(3,2) | indices are whole numbers and count from 1");
+    EXPECT_EQ(fish_message("array a(3,2)\na(1,3) = 0"),
+              "a(1,3) is outside of the array a(3,2) | indices are whole numbers and count from 1");
+    EXPECT_EQ(fish_message("array a(3)\nb = a(1,1)"),
+              "a(1,1) is outside of the array a(3) | indices are whole numbers and count from 1");
     EXPECT_EQ(fish_message("a = 3\nb = a(1)"), "'a' is no array but the integer 3");
-    EXPECT_EQ(fish_message("a(1,2) = 5"), "'a' is neither a function nor an array | define it, or make the array with: array a(n)");
-    EXPECT_EQ(fish_message("array a(0)"), "the size of the array 'a' is the integer 0 | a size is a whole number above 0");
-    EXPECT_EQ(fish_message("array a(100000,100000)"), "the array 'a' has too many elements | at most 134217728 are possible");
-    EXPECT_EQ(fish_message("loop foreach x 3\nendloop"), "'loop foreach' needs a list, here it is given the integer 3");
+    EXPECT_EQ(fish_message("a(1,2) = 5"),
+              "'a' is neither a function nor an array | define it, or make the array with: array a(n)");
+    EXPECT_EQ(fish_message("array a(0)"),
+              "the size of the array 'a' is the integer 0 | a size is a whole number above 0");
+    EXPECT_EQ(fish_message("array a(100000,100000)"),
+              "the array 'a' has too many elements | at most 134217728 are possible");
+    EXPECT_EQ(fish_message("loop foreach x 3\nendloop"),
+              "'loop foreach' needs a list, here it is given the integer 3");
     EXPECT_EQ(fish_message("b = nothing()"), "'nothing' is no function but the integer 0");
 }
 
 TEST(ScriptErrors, fish_other) {
-    EXPECT_EQ(fish_message("loop i (1,2,0)\nendloop"), "the step of a loop is the integer 0 | it must be a number other than 0");
+    EXPECT_EQ(fish_message("loop i (1,2,0)\nendloop"),
+              "the step of a loop is the integer 0 | it must be a number other than 0");
     EXPECT_EQ(fish_message("error = 'the wall fell'"), "the wall fell");
-    EXPECT_EQ(fish_message("f = f()"), "functions call each other too deeply | a function that calls itself needs a way to end");
+    EXPECT_EQ(fish_message("f = f()"),
+              "functions call each other too deeply | a function that calls itself needs a way to end");
     EXPECT_EQ(fish_message("b = table(4, 1)"), "table 4 holds no point | fill it before it is read");
     EXPECT_EQ(fish_message("ytable(4, 2) = 1"), "table 4 holds no point | fill it before it is read");
     EXPECT_EQ(fish_message("table(4, 1) = 1\nb = xtable(4, 2)"), "table 4 has points 1 to 1, not 2");
-    EXPECT_EQ(fish_message("b = open('../x', 0, 1)"),
-              "the file '../x' lies outside of the working folder | a script may open files beside and below it; "
-              "run with --trust to allow more");
+    EXPECT_EQ(
+        fish_message("b = open('../x', 0, 1)"),
+        "the file '../x' lies outside of the working folder | a script may open files beside and below it; "
+        "run with --trust to allow more");
     EXPECT_EQ(fish_message("b = open('x', 0, 0)"),
               "FISH's own binary files cannot be read or written | use 1 as third argument: plain text");
 }
@@ -145,7 +167,8 @@ TEST(ScriptErrors, names_that_mean_nothing_in_a_command) {
               "     1 | hist @sstat\n"
               "       | ^ did you mean 'sstav'?");
     EXPECT_THAT(message_of([&] { s.scripts.call("@wach"); }), HasSubstr("did you mean 'watch'?"));
-    EXPECT_THAT(message_of([&] { s.scripts.set("@watch", Value(1.0)); }), HasSubstr("'watch' is a FISH function"));
+    EXPECT_THAT(message_of([&] { s.scripts.set("@watch", Value(1.0)); }),
+                HasSubstr("'watch' is a FISH function"));
     EXPECT_THAT(message_of([&] { s.scripts.set("@sin", Value(1.0)); }), HasSubstr("'sin' is built in"));
     EXPECT_THAT(message_of([&] { s.scripts.define_fish("def sin\nend", deck("def sin\nend")); }),
                 StartsWith("test.3ddat:1:1: error: 'sin' is built in and cannot be defined"));
@@ -159,8 +182,8 @@ TEST(ScriptErrors, histories_need_numbers) {
     EXPECT_EQ(s.number("@b"), 1);
     s.fish("def arr\n array v(3)\nend");
     s.scripts.call("arr");
-    EXPECT_EQ(message_of([&] { s.value("@v"); }),
-              "error: 'v' is an array, where one value is needed\n  a value is a number, a text, a vector or a pointer");
+    EXPECT_EQ(message_of([&] { s.value("@v"); }), "error: 'v' is an array, where one value is needed\n  a "
+                                                  "value is a number, a text, a vector or a pointer");
 }
 
 TEST(ScriptErrors, a_failed_definition_leaves_the_old_one) {
@@ -183,7 +206,8 @@ TEST(ScriptErrors, commands_and_functions_that_call_each_other_without_end) {
 
 TEST(ScriptErrors, an_endless_loop_can_be_stopped) {
     Stage s;
-    s.fish("def f\n loop while 1\n n = n + 1\n if n = 1000\n  command\n  go\n  endcommand\n endif\n endloop\nend");
+    s.fish("def f\n loop while 1\n n = n + 1\n if n = 1000\n  command\n  go\n  endcommand\n endif\n "
+           "endloop\nend");
     s.world.on_command = [&](const std::string&) { s.scripts.interrupt(); };
     EXPECT_THAT(message_of([&] { s.scripts.call("@f"); }), HasSubstr("the script was stopped"));
     EXPECT_EQ(s.value("n"), Value(std::int64_t{1000}));
@@ -197,14 +221,19 @@ TEST(ScriptErrors, lua_fields) {
     EXPECT_EQ(lua_message("for s in sub_contacts() do print(s.cx_nforce) end"),
               "a sub_contact has no field 'cx_nforce' | in Lua it is called 'normal_force'");
     EXPECT_EQ(lua_message("for c in contacts() do c.id = 3 end"), "'id' of a contact can be read, not set");
-    EXPECT_EQ(lua_message("for c in contacts() do c.idd = 3 end"), "a contact has no field 'idd' | did you mean 'id'?");
+    EXPECT_EQ(lua_message("for c in contacts() do c.idd = 3 end"),
+              "a contact has no field 'idd' | did you mean 'id'?");
     EXPECT_EQ(lua_message("print(model.tyme)"), "the model has no field 'tyme' | did you mean 'time'?");
     EXPECT_EQ(lua_message("model.time = 3"), "'time' of the model can be read, not set");
     EXPECT_EQ(lua_message("for b in blocks() do b.velocity = print end"),
-              "the new 'velocity' is a function, where one value is needed | a value is a number, a text, a vector or a pointer");
-    EXPECT_EQ(lua_message("for b in blocks() do for s in b:sub_contacts() do end end"), "a block has no list of sub_contacts");
-    EXPECT_EQ(lua_message("sum('sub_contact','norm')"), "sub_contact has no field 'norm' | did you mean 'normal_force'?");
-    EXPECT_EQ(lua_message("sum('subcontact','norm')"), "a model has no 'subcontact' | did you mean 'sub_contact'?");
+              "the new 'velocity' is a function, where one value is needed | a value is a number, a text, a "
+              "vector or a pointer");
+    EXPECT_EQ(lua_message("for b in blocks() do for s in b:sub_contacts() do end end"),
+              "a block has no list of sub_contacts");
+    EXPECT_EQ(lua_message("sum('sub_contact','norm')"),
+              "sub_contact has no field 'norm' | did you mean 'normal_force'?");
+    EXPECT_EQ(lua_message("sum('subcontact','norm')"),
+              "a model has no 'subcontact' | did you mean 'sub_contact'?");
 }
 
 TEST(ScriptErrors, lua_language) {
@@ -213,12 +242,15 @@ TEST(ScriptErrors, lua_language) {
     EXPECT_EQ(lua_message("local a\nprint(a.b)"), "attempt to index a nil value (local 'a')");
     EXPECT_EQ(lua_message("error('my own')"), "my own");
     EXPECT_EQ(lua_message("error({})"), "the script stopped with a table as error value");
-    EXPECT_EQ(lua_message("local v = vector(1,2,3)\nv.x = 3"),
-              "the components of a vector cannot be set one by one | make a new one: v = vector(1, v.y, v.z)");
+    EXPECT_EQ(
+        lua_message("local v = vector(1,2,3)\nv.x = 3"),
+        "the components of a vector cannot be set one by one | make a new one: v = vector(1, v.y, v.z)");
     EXPECT_EQ(lua_message("print(vector(1,2,3).w)"),
               "a vector has no 'w' | it has x, y, z, and the functions length(), unit(), dot(v), cross(v)");
-    EXPECT_EQ(lua_message("hook.after_cycle(3)"), "hook.after_cycle needs a function, here it is given the integer 3");
-    EXPECT_EQ(lua_message("hook.after_cycle(print, 0)"), "the interval of a hook is 0 | it counts cycles from 1 up");
+    EXPECT_EQ(lua_message("hook.after_cycle(3)"),
+              "hook.after_cycle needs a function, here it is given the integer 3");
+    EXPECT_EQ(lua_message("hook.after_cycle(print, 0)"),
+              "the interval of a hook is 0 | it counts cycles from 1 up");
     EXPECT_EQ(lua_message("fish.nothing = 3\nprint(fish.nothin)"),
               "there is no FISH variable or function 'nothin' | did you mean 'nothing'?");
     EXPECT_EQ(lua_message("fish.f = function() end"),
@@ -233,25 +265,34 @@ TEST(ScriptErrors, the_sandbox_holds) {
     EXPECT_EQ(lua_message("package.loadlib('x', 'y')"), "package.loadlib cannot be used in a deck" + trust);
     EXPECT_EQ(lua_message("debug.getregistry()"), "debug.getregistry cannot be used in a deck" + trust);
     EXPECT_THAT(lua_message("io.open('/etc/passwd')"), HasSubstr("lies outside of the working folder"));
-    EXPECT_THAT(lua_message("for l in io.lines('../x') do end"), HasSubstr("lies outside of the working folder"));
+    EXPECT_THAT(lua_message("for l in io.lines('../x') do end"),
+                HasSubstr("lies outside of the working folder"));
     EXPECT_EQ(lua_message("dofile('x')"), "attempt to call a nil value (global 'dofile')");
     EXPECT_EQ(lua_message("assert(load('\\27Lua') == nil)"), "no error"); // no bytecode
     EXPECT_EQ(lua_message("assert(_G.os == os and _G._G == _G)"), "no error");
     EXPECT_EQ(lua_message("assert(load('return os')() == os)"), "no error");
     EXPECT_EQ(lua_message("assert(getmetatable('') == false and string.dump == nil)"), "no error");
-    EXPECT_EQ(lua_message("local c = nearest('contact', 0, 0, 0)\nassert(getmetatable(c) == false)"), "no error");
-    EXPECT_EQ(lua_message("setmetatable({}, {__gc = print})"), "a metatable with __gc cannot be used in a deck | leave __gc out");
-    EXPECT_EQ(lua_message("local _, e = pcall(function() return model.x end)\nassert(getmetatable(e) == false)"), "no error");
-    EXPECT_EQ(lua_message("require '../x'"), "'../x' is not the name of a module | a name has letters, digits, '_' and '-'; a point stands for a folder");
-    EXPECT_EQ(lua_message("require 'nowhere'"), "there is no module 'nowhere' | it would be the file nowhere.lua beside the deck");
-    EXPECT_EQ(lua_message("require 'library'"), "there is no module 'library' | it would be the file library.lua beside the deck");
+    EXPECT_EQ(lua_message("local c = nearest('contact', 0, 0, 0)\nassert(getmetatable(c) == false)"),
+              "no error");
+    EXPECT_EQ(lua_message("setmetatable({}, {__gc = print})"),
+              "a metatable with __gc cannot be used in a deck | leave __gc out");
+    EXPECT_EQ(
+        lua_message("local _, e = pcall(function() return model.x end)\nassert(getmetatable(e) == false)"),
+        "no error");
+    EXPECT_EQ(lua_message("require '../x'"), "'../x' is not the name of a module | a name has letters, "
+                                             "digits, '_' and '-'; a point stands for a folder");
+    EXPECT_EQ(lua_message("require 'nowhere'"),
+              "there is no module 'nowhere' | it would be the file nowhere.lua beside the deck");
+    EXPECT_EQ(lua_message("require 'library'"),
+              "there is no module 'library' | it would be the file library.lua beside the deck");
 }
 
 TEST(ScriptErrors, a_trusted_deck_may_do_all) {
     Options options;
     options.trusted = true;
     Stage s(2, 4, options);
-    s.lua("assert(os.getenv and io.popen and debug.getinfo)\nlocal f = io.open('/dev/null')\nassert(f)\nf:close()");
+    s.lua("assert(os.getenv and io.popen and debug.getinfo)\nlocal f = "
+          "io.open('/dev/null')\nassert(f)\nf:close()");
 }
 
 TEST(ScriptErrors, a_missing_lua_file) {

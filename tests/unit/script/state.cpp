@@ -11,13 +11,16 @@ using ::testing::HasSubstr;
 
 /// A stage with a bit of everything in it.
 void fill(Stage& s) {
-    s.fish("def setup\n array grid(2,3) row(2)\n grid(2,1) = 'wall'\n row(1) = grid\n n = 5\n x = 0.1\n name = 'a ''b'''\n"
+    s.fish("def setup\n array grid(2,3) row(2)\n grid(2,1) = 'wall'\n row(1) = grid\n n = 5\n x = 0.1\n name "
+           "= 'a ''b'''\n"
            " v = vector(1,2,3)\n c = contact_head\n c_extra(c) = 77\n table(2, 1.5) = 4\n other = row\nend");
     s.fish("def watch\n whilestepping\n n = n + urand\nend");
-    s.lua("function double(a) return 2 * a end\nsettings = { depth = 3, names = { 'a', 'b' }, deep = { flag = true } }\n"
+    s.lua("function double(a) return 2 * a end\nsettings = { depth = 3, names = { 'a', 'b' }, deep = { flag "
+          "= true } }\n"
           "settings.self = settings\nfunction settings.describe() return settings.depth end\n"
           "hook.after_forces(function() settings.depth = settings.depth + 1 end)");
-    s.lua("command 'poly brick'\nfor b in blocks() do b.velocity = vector(9, 9, 9) end\nhistory.add(double)\nprint('made')");
+    s.lua("command 'poly brick'\nfor b in blocks() do b.velocity = vector(9, 9, 9) "
+          "end\nhistory.add(double)\nprint('made')");
     s.lua("only_a_calculation = 12");
     s.scripts.call("@setup");
     s.lua("settings.depth = 10\nsettings.names[3] = 'c'");
@@ -89,7 +92,8 @@ TEST(ScriptState, lines_of_restored_functions_are_those_of_the_deck) {
     Stage second;
     second.scripts.restore(first.scripts.state());
     EXPECT_EQ(message_of([&] { second.scripts.call("f"); }), message_of([&] { first.scripts.call("f"); }));
-    EXPECT_THAT(message_of([&] { second.scripts.call("f"); }), HasSubstr("test.3ddat:6:2: error: division by zero"));
+    EXPECT_THAT(message_of([&] { second.scripts.call("f"); }),
+                HasSubstr("test.3ddat:6:2: error: division by zero"));
 }
 
 TEST(ScriptState, clear_forgets_everything) {
@@ -109,19 +113,22 @@ TEST(ScriptState, a_function_cannot_remove_itself) {
     Stage s;
     s.fish("def f\n command\n new\n endcommand\nend");
     s.world.on_command = [&](const std::string&) { s.scripts.clear(); };
-    EXPECT_THAT(message_of([&] { s.scripts.call("f"); }), HasSubstr("'new' would remove the function that runs it"));
+    EXPECT_THAT(message_of([&] { s.scripts.call("f"); }),
+                HasSubstr("'new' would remove the function that runs it"));
 }
 
 TEST(ScriptState, damaged_bytes_are_refused_wherever_they_end) {
     Stage s;
     fill(s);
     const std::string bytes = to_bytes(s.scripts.state());
-    for (std::size_t size = 0; size < bytes.size(); ++size) EXPECT_THROW(from_bytes(bytes.substr(0, size)), Diagnostic) << size;
+    for (std::size_t size = 0; size < bytes.size(); ++size)
+        EXPECT_THROW(from_bytes(bytes.substr(0, size)), Diagnostic) << size;
     EXPECT_THAT(message_of([&] { from_bytes(bytes + "x"); }), HasSubstr("left over"));
     EXPECT_THAT(message_of([&] { from_bytes("something else"); }), HasSubstr("these are no saved scripts"));
     std::string newer = bytes;
     newer[10] = 9;
-    EXPECT_THAT(message_of([&] { from_bytes(newer); }), HasSubstr("saved in version 9; this program reads version 1"));
+    EXPECT_THAT(message_of([&] { from_bytes(newer); }),
+                HasSubstr("saved in version 9; this program reads version 1"));
 }
 
 TEST(ScriptState, a_chunk_that_fails_when_it_runs_again_says_so) {
@@ -129,7 +136,8 @@ TEST(ScriptState, a_chunk_that_fails_when_it_runs_again_says_so) {
     state.sources.push_back({StoredSource::Kind::lua, "", "old.3ddat", 3, "error('gone')"});
     Stage s;
     EXPECT_EQ(message_of([&] { s.scripts.restore(state); }),
-              "old.3ddat:3:1: error: gone\n     3 | error('gone')\n       | ^^^^^^^^^^^^^\n  in a Lua chunk, old.3ddat:3\n"
+              "old.3ddat:3:1: error: gone\n     3 | error('gone')\n       | ^^^^^^^^^^^^^\n  in a Lua chunk, "
+              "old.3ddat:3\n"
               "  while the scripts of the saved model were defined again");
     s.lua("command 'go'");
     EXPECT_EQ(s.world.commands.size(), 1);
