@@ -3,6 +3,7 @@
 #include "commands/session.hpp"
 
 #include "lang/commands/language.hpp"
+#include "lang/interp/help.hpp"
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -20,6 +21,7 @@ struct CommandLine {
     Options options;
     std::vector<std::string> decks;
     std::vector<std::string> checked;
+    std::vector<std::string> help_words;
 };
 
 /// The folder of the program itself: joint models that ship lie beside it.
@@ -122,10 +124,12 @@ int start(int argc, char** argv) {
     app.add_flag("--trust", line.options.trust, "scripts of the deck may use files and start programs");
     auto* checking = app.add_subcommand("check", "read decks and say what is wrong with them, without running them");
     checking->add_option("deck", line.checked, "command files")->required();
+    auto* helping = app.add_subcommand("help", "list the commands of decks, or explain one of them");
+    helping->add_option("command", line.help_words, "a command or a keyword: poly brick");
     app.require_subcommand(0, 1);
     try {
         app.parse(argc, argv);
-        if (!*checking && line.decks.empty()) throw CLI::RequiredError("a deck");
+        if (!*checking && !*helping && line.decks.empty()) throw CLI::RequiredError("a deck");
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : static_cast<int>(Fault::deck);
     }
@@ -134,6 +138,12 @@ int start(int argc, char** argv) {
         const int status = check(line.checked, output);
         output.flush();
         return status;
+    }
+    if (*helping) {
+        const std::string words = fmt::format("{}", fmt::join(line.help_words, " "));
+        const auto& language = lang::classic();
+        fmt::print("{}\n", words.empty() ? lang::help_list(language) : lang::help_on(language, words));
+        return 0;
     }
     line.options.joint_folders = joint_folders(line, program_folder(argv[0]));
     return run(line);

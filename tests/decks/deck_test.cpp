@@ -12,6 +12,7 @@
 //   ;lacks FILE   the file is not there afterwards
 //   ;needs FILE   a file beside the deck that is copied into the folder first
 //   ;first DECK   a deck beside this one that is run in the folder first
+//   ;then DECK    a deck beside this one that is run in the folder afterwards, and ends well
 //   ;cut FILE N   only the first N bytes of the file are left, after that and before this deck runs
 //
 // With --bless the lines `;>` are written anew from what the program prints.
@@ -76,7 +77,7 @@ struct Expected {
     int status = 0;
     int limit = 0;
     std::string options;
-    Lines needs, first, cuts, makes, lacks, holds, hints;
+    Lines needs, first, then, cuts, makes, lacks, holds, hints;
     std::vector<Message> messages;
     std::map<int, Lines> printed; ///< by line of the comment
 };
@@ -96,6 +97,7 @@ Expected read_expected(const Lines& deck) {
         else if (auto options = behind(line, ";options")) expected.options = *options;
         else if (auto needs = behind(line, ";needs")) expected.needs.push_back(*needs);
         else if (auto first_deck = behind(line, ";first")) expected.first.push_back(*first_deck);
+        else if (auto then = behind(line, ";then")) expected.then.push_back(*then);
         else if (auto cut = behind(line, ";cut")) expected.cuts.push_back(*cut);
         else if (auto makes = behind(line, ";makes")) expected.makes.push_back(*makes);
         else if (auto lacks = behind(line, ";lacks")) expected.lacks.push_back(*lacks);
@@ -146,17 +148,20 @@ Outcome run(const fs::path& program, const fs::path& deck, const Expected& expec
     const fs::path beside = deck.parent_path();
     fs::copy(deck, folder.path);
     for (const auto& name : expected.needs) fs::copy(beside / name, folder.path);
-    for (const auto& name : expected.first) {
+    const auto run_other = [&](const std::string& name) {
         fs::copy(beside / name, folder.path / fs::path(name).filename());
-        const Outcome before = run_program(program, fs::path(name).filename().string(), "", 0, folder);
-        if (before.status != 0)
-            throw std::runtime_error(name + ", which runs first, ended with status " + std::to_string(before.status));
-    }
+        const Outcome other = run_program(program, fs::path(name).filename().string(), "", 0, folder);
+        if (other.status != 0)
+            throw std::runtime_error(name + " ended with status " + std::to_string(other.status));
+    };
+    for (const auto& name : expected.first) run_other(name);
     for (const auto& cut : expected.cuts) {
         const auto blank = cut.find(' ');
         fs::resize_file(folder.path / cut.substr(0, blank), std::stoul(cut.substr(blank + 1)));
     }
-    return run_program(program, deck.filename().string(), expected.options, expected.limit, folder);
+    const Outcome outcome = run_program(program, deck.filename().string(), expected.options, expected.limit, folder);
+    for (const auto& name : expected.then) run_other(name);
+    return outcome;
 }
 
 /// Lines of output by the line of the command that printed them, from the echo "name.3dd:12> ...".
