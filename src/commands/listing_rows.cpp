@@ -23,12 +23,17 @@ std::string fixity_text(std::uint8_t fixed) {
     return text.empty() ? "-" : text;
 }
 
+/// Visible rows in range. None is an answer, not a mistake.
+std::vector<Row> shown_rows(const Session& session, const lang::List& command, ObjectKind kind) {
+    return select(session.model, kind, range_test(session.model, session.ranges, command.range, kind));
+}
+
 /// A line for each row, up to the longest table; the rest is counted.
 template <class Line>
 std::string rows_text(Session& session, const lang::List& command, ObjectKind kind, std::vector<std::string> headings,
                       Line line) {
-    const auto rows = session.pick(kind, command.range);
-    if (rows.empty()) return fmt::format("no {}", plural_of(kind));
+    const auto rows = shown_rows(session, command, kind);
+    if (rows.empty()) return fmt::format("no {}{}", plural_of(kind), command.range.place ? " in range" : "");
     TextTable table(std::move(headings));
     for (const Row row : rows) {
         if (table.size() == longest_table) break;
@@ -104,7 +109,7 @@ std::string list_boundary(Session& session, const lang::List& command) {
     const auto& points = session.model.gridpoints;
     TextTable table({"gridpoint", "block", "position", "held", "velocity", "load"});
     std::size_t more = 0;
-    for (const Row row : session.pick(ObjectKind::gridpoint, command.range)) {
+    for (const Row row : shown_rows(session, command, ObjectKind::gridpoint)) {
         const Row block = points.block[row];
         const bool rigid = !session.model.blocks.deformable[block];
         const std::uint8_t held = rigid ? session.model.blocks.fixed[block] : points.fixed[row];

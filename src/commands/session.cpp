@@ -123,7 +123,7 @@ std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& ra
     const std::size_t hidden = hidden_too ? 0 : select(model, kind, {}, true).size() - tested;
     const char* things = plural_of(kind);
     std::string text = tested > 0 ? fmt::format("0 of {} {} matched", tested, things)
-                       : hidden > 0 ? fmt::format("all {} {} are hidden", hidden, things)
+                       : hidden > 0 ? fmt::format("all {} are hidden", things)
                                     : fmt::format("there are no {}", things);
     std::string hint = "the command has no effect";
     if (tested > 0 && hidden > 0) hint += fmt::format("; {} hidden {} were not looked at", hidden, things);

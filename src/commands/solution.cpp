@@ -41,6 +41,8 @@ void advance(Session& session) {
         explicit Inside(bool& f) : flag(f) { flag = true; }
         ~Inside() { flag = false; }
     };
+    const auto& clock = session.model.clock;
+    const std::int64_t number = clock.cycle + 1;
     try {
         {
             const Inside inside(session.inside_cycle);
@@ -49,9 +51,8 @@ void advance(Session& session) {
         run_deferred(session);
     } catch (Diagnostic& failure) {
         session.deferred.clear();
-        const auto& clock = session.model.clock;
         const std::string here = session.here();
-        failure.add(fmt::format("in cycle {}, at time {}{}", clock.cycle + 1, number_text(clock.time),
+        failure.add(fmt::format("in cycle {}, at time {}{}", number, number_text(clock.time),
                                 here.empty() ? "" : ", run by the command at " + here));
         if (failure.fault == Fault::deck) failure.fault = Fault::run;
         throw;

@@ -40,6 +40,6 @@ std::string TextTable::text() const {
     return text;
 }
 
-std::string number_text(double value) { return fmt::format("{:g}", value); }
+std::string number_text(double value) { return fmt::format("{:g}", value == 0 ? 0.0 : value); }
 
 } // namespace kaya

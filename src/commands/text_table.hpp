@@ -21,7 +21,7 @@ private:
     std::vector<std::vector<std::string>> rows_;
 };
 
-/// Six significant digits, as FISH writes numbers: 9.94099e-06, 322.077, 20.
+/// Six significant digits, as FISH writes numbers: 9.94099e-06, 322.077, 20. Zero has no sign.
 std::string number_text(double value);
 
 } // namespace kaya

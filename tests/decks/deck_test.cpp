@@ -263,8 +263,16 @@ void compare_files(Comparison& comparison, const Expected& expected, const fs::p
     }
 }
 
+/// The line as it was written with "..." in it, when that still fits, else the text itself.
+std::string kept_pattern(const Expected& expected, const std::string& text) {
+    for (const auto& [line, patterns] : expected.printed)
+        for (const auto& pattern : patterns)
+            if (matches(pattern, text)) return pattern;
+    return text;
+}
+
 /// The deck with its `;>` lines written anew behind the commands that print.
-void bless(const fs::path& file, const Lines& deck, const std::vector<Printed>& printed) {
+void bless(const fs::path& file, const Lines& deck, const Expected& expected, const std::vector<Printed>& printed) {
     std::map<int, Lines> behind_line;
     for (std::size_t i = 0; i < printed.size(); ++i) {
         const int until = i + 1 < printed.size() && printed[i + 1].line > printed[i].line ? printed[i + 1].line
@@ -280,7 +288,7 @@ void bless(const fs::path& file, const Lines& deck, const std::vector<Printed>& 
     std::ofstream stream(file);
     for (std::size_t i = 0; i < deck.size(); ++i) {
         if (!behind(deck[i], ";>")) stream << deck[i] << '\n';
-        for (const auto& text : behind_line[static_cast<int>(i) + 1]) stream << ";> " << text << '\n';
+        for (const auto& text : behind_line[static_cast<int>(i) + 1]) stream << ";> " << kept_pattern(expected, text) << '\n';
     }
 }
 
@@ -291,7 +299,7 @@ int test(const fs::path& program, const fs::path& deck_file, bool blessing) {
     const Outcome outcome = run(fs::absolute(program), fs::absolute(deck_file), expected, folder);
     const std::string name = deck_file.filename().string();
     const auto printed = split(outcome.printed, name);
-    if (blessing) bless(deck_file, deck, printed);
+    if (blessing) bless(deck_file, deck, expected, printed);
 
     Comparison comparison;
     if (outcome.status != expected.status)

@@ -32,6 +32,7 @@ TEST(NumberText, WritesSixDigitsAsFishDoes) {
     EXPECT_EQ(number_text(322.0774), "322.077");
     EXPECT_EQ(number_text(-202837.0), "-202837");
     EXPECT_EQ(number_text(20.0), "20");
+    EXPECT_EQ(number_text(-0.0), "0");
 }
 
 } // namespace
