@@ -43,9 +43,10 @@ Lines read_lines(const fs::path& file) {
     return lines;
 }
 
-/// Text behind a mark at the start of a line, blanks before the mark allowed.
+/// Text behind a mark at the start of a line; blanks may stand before it, and in Lua two minus signs.
 std::optional<std::string> behind(std::string_view line, std::string_view mark) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    if (line.starts_with("--;")) line.remove_prefix(2);
     if (!line.starts_with(mark)) return std::nullopt;
     line.remove_prefix(mark.size());
     if (!line.empty() && line.front() == ' ') line.remove_prefix(1);
