@@ -68,6 +68,17 @@ Definitions definitions(Machine& machine) {
     return found;
 }
 
+/// A chunk that runs in a loop and defines the same functions each time is kept once; hooks add up.
+void keep_chunk(Machine& machine, StoredSource chunk) {
+    auto& stored = machine.fish.stored;
+    if (!machine.registered)
+        std::erase_if(stored, [&](const StoredSource& old) {
+            return old.kind == chunk.kind && old.line == chunk.line && old.name == chunk.name &&
+                   old.text == chunk.text;
+        });
+    stored.push_back(std::move(chunk));
+}
+
 void run_loaded_chunk(Machine& machine, const std::string& text, const Place& place) {
     const Definitions before = definitions(machine);
     machine.registered = false;
@@ -75,8 +86,8 @@ void run_loaded_chunk(Machine& machine, const std::string& text, const Place& pl
     call_protected(machine.lua, 0, 0);
     if (!machine.unfinished_line.empty()) print_line(machine, std::exchange(machine.unfinished_line, {}));
     if (machine.registered || definitions(machine) != before)
-        machine.fish.stored.push_back(
-            {StoredSource::Kind::lua, "", place.source ? place.source->name : "", place.line, text});
+        keep_chunk(machine,
+                   {StoredSource::Kind::lua, "", place.source ? place.source->name : "", place.line, text});
 }
 
 /// Where `require "a.b"` looks: beside the deck, in the folders of the options, in the working folder.

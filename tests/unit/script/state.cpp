@@ -76,6 +76,14 @@ TEST(ScriptState, two_names_of_one_array_stay_one_array) {
     EXPECT_EQ(second.value("[b(1)]"), Value(std::int64_t{6}));
 }
 
+TEST(ScriptState, a_chunk_in_a_loop_is_kept_once) {
+    Stage s;
+    for (int i = 0; i < 10; ++i) s.lua("function f() return 1 end");
+    EXPECT_EQ(s.scripts.state().sources.size(), 1);
+    for (int i = 0; i < 3; ++i) s.lua("hook.after_cycle(f)");
+    EXPECT_EQ(s.scripts.state().sources.size(), 4);
+}
+
 TEST(ScriptState, the_same_work_gives_the_same_bytes) {
     Stage a, b;
     fill(a);
