@@ -76,9 +76,10 @@ void run_decks(Session& session, const std::vector<std::string>& decks) {
         if (session.run_deck(deck) == lang::Ended::quit) break;
     const auto& clock = session.model.clock;
     if (clock.cycle > 0)
-        session.output.say(fmt::format("done: {} cycles, time {}, hash {:016x}{}", clock.cycle, number_text(clock.time),
-                                       state_hash(session.model),
-                                       session.warnings == 0 ? "" : fmt::format(", {} warnings", session.warnings)));
+        session.output.say(
+            fmt::format("done: {} cycles, time {}, hash {:016x}{}", clock.cycle, number_text(clock.time),
+                        state_hash(session.model),
+                        session.warnings == 0 ? "" : fmt::format(", {} warnings", session.warnings)));
     session.output.stop_log();
     session.output.flush();
 }
@@ -114,15 +115,18 @@ int start(int argc, char** argv) {
                  "kaya"};
     app.set_version_flag("--version", std::string("kaya ") + program_version());
     app.add_option("deck", line.decks, "command files, run one after the other in one session");
-    app.add_option("--threads", line.options.threads, "threads to use; 0 is one for each core; results do not depend on it")
+    app.add_option("--threads", line.options.threads,
+                   "threads to use; 0 is one for each core; results do not depend on it")
         ->check(CLI::Range(0, 4096));
-    app.add_option("--joints", line.options.joint_folders, "a folder with joint models; may be given several times")
+    app.add_option("--joints", line.options.joint_folders,
+                   "a folder with joint models; may be given several times")
         ->allow_extra_args(false);
     app.add_flag("--strict", line.options.strict, "warnings are errors");
     app.add_flag("--batch,--quiet,-q", line.options.quiet, "results, warnings and errors only");
     app.add_flag("--echo", line.options.echo, "show each command before it runs");
     app.add_flag("--trust", line.options.trust, "scripts of the deck may use files and start programs");
-    auto* checking = app.add_subcommand("check", "read decks and say what is wrong with them, without running them");
+    auto* checking =
+        app.add_subcommand("check", "read decks and say what is wrong with them, without running them");
     checking->add_option("deck", line.checked, "command files")->required();
     auto* helping = app.add_subcommand("help", "list the commands of decks, or explain one of them");
     helping->add_option("command", line.help_words, "a command or a keyword: poly brick");

@@ -100,10 +100,11 @@ void run(Session& session, const lang::Boundary& command) {
     }
     if (!command.stress) return;
     if (add_stress(session.model, points, stress_field(command)) > 0) return;
-    session.warn(Diagnostic(fmt::format("no face on the surface has all its corners among the {} gridpoints in range",
-                                        points.size()),
-                            "the stress has no effect")
-                     .at(command.range.place ? command.range.place : command.place));
+    session.warn(
+        Diagnostic(fmt::format("no face on the surface has all its corners among the {} gridpoints in range",
+                               points.size()),
+                   "the stress has no effect")
+            .at(command.range.place ? command.range.place : command.place));
 }
 
 void run(Session& session, const lang::Initialize& command) {

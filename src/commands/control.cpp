@@ -38,7 +38,8 @@ void run(Session& session, const lang::New&) { session.clear(); }
 
 void run(Session& session, const lang::Config& command) {
     for (const auto& option : command.options) {
-        const auto found = std::ranges::find_if(config_words, [&](const auto& e) { return e.word.starts_with(option); });
+        const auto found =
+            std::ranges::find_if(config_words, [&](const auto& e) { return e.word.starts_with(option); });
         if (found == config_words.end()) {
             std::vector<std::string_view> known;
             for (const auto& entry : config_words) known.push_back(entry.word);
@@ -49,8 +50,9 @@ void run(Session& session, const lang::Config& command) {
         }
         if (found->effect == ConfigEntry::Effect::dynamic) session.model.settings.dynamic = true;
         if (found->effect == ConfigEntry::Effect::missing)
-            session.warn(Diagnostic(fmt::format("'config {}' asks for something that kaya does not have", found->word),
-                                    "the run goes on without it"));
+            session.warn(
+                Diagnostic(fmt::format("'config {}' asks for something that kaya does not have", found->word),
+                           "the run goes on without it"));
     }
 }
 
@@ -87,8 +89,10 @@ void run(Session& session, const lang::Set& command) {
         if (session.output.logging()) session.output.start_log(session.log_file);
     }
     if (command.log) {
-        if (*command.log) session.output.start_log(session.log_file);
-        else session.output.stop_log();
+        if (*command.log)
+            session.output.start_log(session.log_file);
+        else
+            session.output.stop_log();
     }
     for (const auto& [name, value] : command.fish) {
         const auto scripted = std::visit([](const auto& v) { return script::Value(v); }, value);
@@ -98,7 +102,8 @@ void run(Session& session, const lang::Set& command) {
 
 void run(Session& session, const lang::NameRange& command) {
     std::string name = command.name;
-    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::ranges::transform(name, name.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     session.ranges[name] = command.range;
 }
 

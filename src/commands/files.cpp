@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view save_ending = ".kaya.h5";
 
 // Parts of a save file that belong to the session.
-constexpr std::string_view part_scripts = "scripts", part_generation = "row generation", part_ranges = "named ranges";
+constexpr std::string_view part_scripts = "scripts", part_generation = "row generation",
+                           part_ranges = "named ranges";
 
 std::string save_name(const std::string& name) {
     return fs::path(name).has_extension() ? name : name + std::string(save_ending);
@@ -27,7 +28,8 @@ std::string save_name(const std::string& name) {
 /// The file as named, else with the ending that `save` adds; beside the deck or in the current folder.
 std::string saved_file(const Session& session, const std::string& name) {
     std::error_code ignored;
-    for (const auto& candidate : {fs::path(name), fs::path(save_name(name)), session.input_file(save_name(name))})
+    for (const auto& candidate :
+         {fs::path(name), fs::path(save_name(name)), session.input_file(save_name(name))})
         if (fs::is_regular_file(candidate, ignored)) return candidate.string();
     return save_name(name);
 }
@@ -47,8 +49,8 @@ SaveExtras extras_of(Session& session) {
 const std::string& part(const SaveExtras& extras, std::string_view name) {
     const auto found = std::ranges::find(extras.scripts, name, &SaveExtras::Item::name);
     if (found == extras.scripts.end())
-        throw Diagnostic(fmt::format("the save file has no part '{}'", name), "it was not written by this program",
-                         Fault::run);
+        throw Diagnostic(fmt::format("the save file has no part '{}'", name),
+                         "it was not written by this program", Fault::run);
     return found->content;
 }
 
@@ -64,9 +66,10 @@ std::uint32_t number_of(const std::string& text) {
 void load_joint_models(Session& session, const Model& model) {
     for (const auto& set : model.joint_properties)
         if (session.joints.get(set.model).properties.size() != set.values.size())
-            throw Diagnostic(fmt::format("joint model '{}' has other properties now than when the model was saved",
-                                         set.model),
-                             "use the library that was used then", Fault::run);
+            throw Diagnostic(
+                fmt::format("joint model '{}' has other properties now than when the model was saved",
+                            set.model),
+                "use the library that was used then", Fault::run);
 }
 
 } // namespace

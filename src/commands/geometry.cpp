@@ -10,7 +10,8 @@ namespace kaya {
 
 void run(Session& session, const lang::PolyBrick& command) {
     try {
-        const Vec3 low(command.x[0], command.y[0], command.z[0]), high(command.x[1], command.y[1], command.z[1]);
+        const Vec3 low(command.x[0], command.y[0], command.z[0]),
+            high(command.x[1], command.y[1], command.z[1]);
         NewBlock options;
         options.material = static_cast<std::int32_t>(command.options.material);
         options.constitutive = static_cast<std::int32_t>(command.options.constitutive);
@@ -23,7 +24,8 @@ void run(Session& session, const lang::PolyBrick& command) {
 }
 
 void run(Session& session, const lang::Hide& command) {
-    for (const Row block : session.pick(ObjectKind::block, command.range)) session.model.blocks.hidden[block] = 1;
+    for (const Row block : session.pick(ObjectKind::block, command.range))
+        session.model.blocks.hidden[block] = 1;
 }
 
 void run(Session& session, const lang::Seek& command) {
@@ -44,7 +46,8 @@ void run(Session& session, const lang::Group& command) {
     auto& names = session.model.group_names;
     auto found = std::find(names.begin() + 1, names.end(), command.name);
     if (found == names.end()) found = names.insert(names.end(), command.name);
-    for (const Row block : blocks) session.model.blocks.group[block] = static_cast<std::int32_t>(found - names.begin());
+    for (const Row block : blocks)
+        session.model.blocks.group[block] = static_cast<std::int32_t>(found - names.begin());
 }
 
 void run(Session& session, const lang::GenerateEdge& command) {
@@ -52,11 +55,13 @@ void run(Session& session, const lang::GenerateEdge& command) {
     if (blocks.empty()) return;
     try {
         const std::size_t zoned = generate_zones(session.model, blocks, command.edge);
-        if (zoned > 0) session.world.rows_moved();
+        if (zoned > 0)
+            session.world.rows_moved();
         else
-            session.warn(Diagnostic(fmt::format("all {} blocks that this acts on have zones already", blocks.size()),
-                                    "the command has no effect")
-                             .at(command.place));
+            session.warn(
+                Diagnostic(fmt::format("all {} blocks that this acts on have zones already", blocks.size()),
+                           "the command has no effect")
+                    .at(command.place));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;

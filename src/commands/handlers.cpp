@@ -19,8 +19,10 @@ template <class Command> void add(Session& session, lang::Handlers& handlers, In
     handlers.on<Command>([&session, in_cycle](const Command& command) {
         if (!session.inside_cycle || in_cycle == InCycle::runs) return run(session, command);
         if (in_cycle == InCycle::refused)
-            throw Diagnostic("this command cannot be used by a function that runs inside a cycle", {}, Fault::run);
-        session.deferred.emplace_back(session.interpreter.current_place(), [&session, command] { run(session, command); });
+            throw Diagnostic("this command cannot be used by a function that runs inside a cycle", {},
+                             Fault::run);
+        session.deferred.emplace_back(session.interpreter.current_place(),
+                                      [&session, command] { run(session, command); });
     });
 }
 

@@ -16,13 +16,19 @@ using Kind = HistorySource::Kind;
 
 Kind kind_of(const Field& field) {
     switch (field.table) {
-    case FieldTable::global: return Kind::global;
-    case FieldTable::block: return Kind::block;
-    case FieldTable::gridpoint: return Kind::gridpoint;
-    case FieldTable::zone: return Kind::zone;
-    case FieldTable::sub_contact: return Kind::sub_contact;
+    case FieldTable::global:
+        return Kind::global;
+    case FieldTable::block:
+        return Kind::block;
+    case FieldTable::gridpoint:
+        return Kind::gridpoint;
+    case FieldTable::zone:
+        return Kind::zone;
+    case FieldTable::sub_contact:
+        return Kind::sub_contact;
     case FieldTable::face:
-    case FieldTable::contact: break;
+    case FieldTable::contact:
+        break;
     }
     throw Diagnostic(fmt::format("'{}' cannot be recorded", field.name),
                      "record a quantity of blocks, gridpoints, zones or sub-contacts");
@@ -38,12 +44,14 @@ HistorySource source_of(Session& session, const lang::HistoryItem& item) {
             const auto symbols = session.scripts->symbols();
             const auto near = did_you_mean(source.quantity, {symbols.begin(), symbols.end()});
             throw Diagnostic(fmt::format("there is no FISH variable or function '{}'", source.quantity),
-                             near.empty() ? "define it before it is recorded" : fmt::format("did you mean '@{}'?", near));
+                             near.empty() ? "define it before it is recorded"
+                                          : fmt::format("did you mean '@{}'?", near));
         }
         return source;
     }
     const Field* field = find_history_field(item.word);
-    if (field == nullptr) throw Diagnostic(fmt::format("'{}' is not a quantity that can be recorded", item.word));
+    if (field == nullptr)
+        throw Diagnostic(fmt::format("'{}' is not a quantity that can be recorded", item.word));
     source.kind = kind_of(*field);
     source.quantity = field->name;
     // Contacts are found late, at the first cycle; a history of one wants them now.
@@ -56,7 +64,8 @@ History& history_of(Session& session, std::int64_t number, const Place& place) {
     const auto found = std::ranges::find(all, number, &History::number);
     if (found != all.end()) return *found;
     throw Diagnostic(fmt::format("there is no history {}", number),
-                     all.empty() ? "none has been made" : fmt::format("the last one is {}", all.back().number))
+                     all.empty() ? "none has been made"
+                                 : fmt::format("the last one is {}", all.back().number))
         .at(place);
 }
 

@@ -34,12 +34,12 @@ struct ListEntry {
     std::string (*text)(Session&, const lang::List&);
 };
 constexpr std::array<ListEntry, 19> lists{{
-    {"blocks", list_blocks},       {"contacts", list_contacts},  {"subcontacts", list_sub_contacts},
-    {"gridpoints", list_gridpoints}, {"zones", list_zones},      {"prop", list_properties},
-    {"jmodel", list_joint_models}, {"hist", list_histories},     {"time", list_time},
-    {"timestep", list_time_step},  {"max", list_extremes},       {"energy", list_energy},
-    {"timing", list_timing},       {"hash", list_hash},          {"ranges", list_ranges},
-    {"fish", list_symbols},        {"groups", list_groups},      {"settings", list_settings},
+    {"blocks", list_blocks},         {"contacts", list_contacts}, {"subcontacts", list_sub_contacts},
+    {"gridpoints", list_gridpoints}, {"zones", list_zones},       {"prop", list_properties},
+    {"jmodel", list_joint_models},   {"hist", list_histories},    {"time", list_time},
+    {"timestep", list_time_step},    {"max", list_extremes},      {"energy", list_energy},
+    {"timing", list_timing},         {"hash", list_hash},         {"ranges", list_ranges},
+    {"fish", list_symbols},          {"groups", list_groups},     {"settings", list_settings},
     {"boundary", list_boundary},
 }};
 
@@ -51,10 +51,11 @@ std::string list_properties(Session& session, const lang::List&) {
     TextTable table({"mat", "density", "bulk", "shear", "bcoh", "bfric", "bten", "bdil", "joint"});
     for (const auto& [number, m] : materials) {
         std::vector<std::string> joint;
-        for (const auto& [word, value] : m.joint) joint.push_back(fmt::format("{} {}", word, number_text(value)));
-        table.add({std::to_string(number), given(m.density), given(m.bulk), given(m.shear), number_text(m.cohesion),
-                   number_text(m.friction), number_text(m.tension), number_text(m.dilation),
-                   joint.empty() ? "-" : fmt::format("{}", fmt::join(joint, ", "))});
+        for (const auto& [word, value] : m.joint)
+            joint.push_back(fmt::format("{} {}", word, number_text(value)));
+        table.add({std::to_string(number), given(m.density), given(m.bulk), given(m.shear),
+                   number_text(m.cohesion), number_text(m.friction), number_text(m.tension),
+                   number_text(m.dilation), joint.empty() ? "-" : fmt::format("{}", fmt::join(joint, ", "))});
     }
     return table.text();
 }
@@ -65,7 +66,8 @@ std::string list_joint_models(Session& session, const lang::List&) {
         text += fmt::format("{} {}: {}\n", model->name, model->version, model->title);
         TextTable table({"  property", "also", "unit", "meaning"});
         for (const auto& p : model->properties)
-            table.add({"  " + p.name, p.aliases.empty() ? "-" : fmt::format("{}", fmt::join(p.aliases, " ")), p.unit, p.help});
+            table.add({"  " + p.name, p.aliases.empty() ? "-" : fmt::format("{}", fmt::join(p.aliases, " ")),
+                       p.unit, p.help});
         text += table.text() + "\n";
     }
     for (const auto& set : session.model.joint_properties) {
@@ -84,17 +86,19 @@ std::string list_histories(Session& session, const lang::List&) {
     TextTable table({"hist", "label", "quantity", "samples", "minimum", "maximum", "last"});
     for (const auto& h : histories.all) {
         const bool none = h.values.empty();
-        const auto range = none ? std::pair<double, double>{} : std::pair{std::ranges::min(h.values), std::ranges::max(h.values)};
+        const auto range = none ? std::pair<double, double>{}
+                                : std::pair{std::ranges::min(h.values), std::ranges::max(h.values)};
         const bool function = h.source.kind == HistorySource::Kind::function;
-        table.add({std::to_string(h.number), h.label, (function ? "@" : "") + h.source.quantity, std::to_string(h.values.size()),
-                   none ? "-" : number_text(range.first), none ? "-" : number_text(range.second),
-                   none ? "-" : number_text(h.values.back())});
+        table.add({std::to_string(h.number), h.label, (function ? "@" : "") + h.source.quantity,
+                   std::to_string(h.values.size()), none ? "-" : number_text(range.first),
+                   none ? "-" : number_text(range.second), none ? "-" : number_text(h.values.back())});
     }
     return table.text() + fmt::format("\na sample every {} cycles", histories.interval);
 }
 
 std::string list_time(Session& session, const lang::List&) {
-    return fmt::format("time = {}\ncycle = {}", number_text(session.model.clock.time), session.model.clock.cycle);
+    return fmt::format("time = {}\ncycle = {}", number_text(session.model.clock.time),
+                       session.model.clock.cycle);
 }
 
 std::string list_time_step(Session& session, const lang::List&) {
@@ -124,9 +128,10 @@ std::string list_extremes(Session& session, const lang::List&) {
         opening.look(std::max(points.normal_displacement[row], 0.0), points.position[row]);
     }
     TextTable table({"largest", "value", "x", "y", "z"});
-    for (const Extreme* e : {&displacement, &velocity, &most_compressive, &most_tensile, &shear, &closure, &opening})
-        table.add({std::string(e->name), number_text(e->value), number_text(e->place[0]), number_text(e->place[1]),
-                   number_text(e->place[2])});
+    for (const Extreme* e :
+         {&displacement, &velocity, &most_compressive, &most_tensile, &shear, &closure, &opening})
+        table.add({std::string(e->name), number_text(e->value), number_text(e->place[0]),
+                   number_text(e->place[1]), number_text(e->place[2])});
     return table.text() + fmt::format("\nunbalanced force = {}", number_text(model.clock.unbalanced_force));
 }
 
@@ -163,7 +168,8 @@ std::string list_hash(Session& session, const lang::List&) {
 std::string list_ranges(Session& session, const lang::List&) {
     if (session.ranges.empty()) return "no named ranges";
     TextTable table({"range", "elements"});
-    for (const auto& [name, phrase] : session.ranges) table.add({name, std::to_string(phrase.elements.size())});
+    for (const auto& [name, phrase] : session.ranges)
+        table.add({name, std::to_string(phrase.elements.size())});
     return table.text();
 }
 
@@ -187,7 +193,8 @@ std::string list_settings(Session& session, const lang::List&) {
     const auto& s = session.model.settings;
     const auto yes = [](bool value) { return value ? "on" : "off"; };
     TextTable table({"setting", "value"});
-    table.add({"gravity", fmt::format("{} {} {}", number_text(s.gravity[0]), number_text(s.gravity[1]), number_text(s.gravity[2]))});
+    table.add({"gravity", fmt::format("{} {} {}", number_text(s.gravity[0]), number_text(s.gravity[1]),
+                                      number_text(s.gravity[2]))});
     table.add({"damping", dampings[static_cast<std::size_t>(s.damping)]});
     table.add({"local factor", number_text(s.local_factor)});
     table.add({"rayleigh fraction", number_text(s.rayleigh_fraction)});

@@ -30,8 +30,8 @@ std::vector<Row> shown_rows(const Session& session, const lang::List& command, O
 
 /// A line for each row, up to the longest table; the rest is counted.
 template <class Line>
-std::string rows_text(Session& session, const lang::List& command, ObjectKind kind, std::vector<std::string> headings,
-                      Line line) {
+std::string rows_text(Session& session, const lang::List& command, ObjectKind kind,
+                      std::vector<std::string> headings, Line line) {
     const auto rows = shown_rows(session, command, kind);
     if (rows.empty()) return fmt::format("no {}{}", plural_of(kind), command.range.place ? " in range" : "");
     TextTable table(std::move(headings));
@@ -41,8 +41,8 @@ std::string rows_text(Session& session, const lang::List& command, ObjectKind ki
     }
     std::string text = table.text();
     if (rows.size() > longest_table)
-        text += fmt::format("\n... and {} more {}; a range picks which are shown", rows.size() - longest_table,
-                            plural_of(kind));
+        text += fmt::format("\n... and {} more {}; a range picks which are shown",
+                            rows.size() - longest_table, plural_of(kind));
     return text;
 }
 
@@ -73,21 +73,22 @@ std::string state_text(const Session& session, Row contact, std::uint32_t state)
 std::string list_blocks(Session& session, const lang::List& command) {
     const auto& model = session.model;
     const auto& blocks = model.blocks;
-    return rows_text(session, command, ObjectKind::block,
-                     {"block", "kind", "region", "mat", "cons", "group", "centroid", "volume", "points", "zones", "fixed"},
-                     [&](Row row) -> std::vector<std::string> {
-                         return {std::to_string(blocks.number[row]),
-                                 blocks.deformable[row] ? "deformable" : "rigid",
-                                 std::to_string(blocks.region[row]),
-                                 std::to_string(blocks.material[row]),
-                                 std::to_string(blocks.constitutive[row]),
-                                 blocks.group[row] == 0 ? "-" : model.group_names[blocks.group[row]],
-                                 numbers(blocks.centroid[row]),
-                                 number_text(blocks.volume[row]),
-                                 std::to_string(blocks.gridpoints[row].count),
-                                 std::to_string(blocks.zones[row].count),
-                                 blocks.deformable[row] ? "-" : fixity_text(blocks.fixed[row])};
-                     });
+    return rows_text(
+        session, command, ObjectKind::block,
+        {"block", "kind", "region", "mat", "cons", "group", "centroid", "volume", "points", "zones", "fixed"},
+        [&](Row row) -> std::vector<std::string> {
+            return {std::to_string(blocks.number[row]),
+                    blocks.deformable[row] ? "deformable" : "rigid",
+                    std::to_string(blocks.region[row]),
+                    std::to_string(blocks.material[row]),
+                    std::to_string(blocks.constitutive[row]),
+                    blocks.group[row] == 0 ? "-" : model.group_names[blocks.group[row]],
+                    numbers(blocks.centroid[row]),
+                    number_text(blocks.volume[row]),
+                    std::to_string(blocks.gridpoints[row].count),
+                    std::to_string(blocks.zones[row].count),
+                    blocks.deformable[row] ? "-" : fixity_text(blocks.fixed[row])};
+        });
 }
 
 std::string list_gridpoints(Session& session, const lang::List& command) {
@@ -123,7 +124,9 @@ std::string list_boundary(Session& session, const lang::List& command) {
                    numbers(points.load[row])});
     }
     if (table.size() == 0) return "no boundary conditions";
-    return table.text() + (more == 0 ? "" : fmt::format("\n... and {} more gridpoints; a range picks which are shown", more));
+    return table.text() +
+           (more == 0 ? ""
+                      : fmt::format("\n... and {} more gridpoints; a range picks which are shown", more));
 }
 
 std::string list_zones(Session& session, const lang::List& command) {
@@ -131,10 +134,10 @@ std::string list_zones(Session& session, const lang::List& command) {
     return rows_text(session, command, ObjectKind::zone,
                      {"zone", "block", "centroid", "volume", "sxx", "syy", "szz", "sxy", "sxz", "syz"},
                      [&](Row row) -> std::vector<std::string> {
-                         std::vector<std::string> words{std::to_string(row + 1),
-                                                        std::to_string(session.model.blocks.number[zones.block[row]]),
-                                                        numbers(zone_centroid(session.model, row)),
-                                                        number_text(zones.volume[row])};
+                         std::vector<std::string> words{
+                             std::to_string(row + 1),
+                             std::to_string(session.model.blocks.number[zones.block[row]]),
+                             numbers(zone_centroid(session.model, row)), number_text(zones.volume[row])};
                          for (int k = 0; k < 6; ++k) words.push_back(number_text(zones.stress[row][k]));
                          return words;
                      });
@@ -144,40 +147,42 @@ std::string list_contacts(Session& session, const lang::List& command) {
     find_contacts(session.model, session.joints);
     const auto& model = session.model;
     const auto& contacts = model.contacts;
-    return rows_text(session, command, ObjectKind::contact,
-                     {"contact", "block1", "block2", "touch", "position", "normal", "area", "points", "jmat", "jmodel"},
-                     [&](Row row) -> std::vector<std::string> {
-                         const JointProperties* properties = properties_of(model, row);
-                         return {std::to_string(contacts.number[row]),
-                                 std::to_string(model.blocks.number[contacts.block1[row]]),
-                                 std::to_string(model.blocks.number[contacts.block2[row]]),
-                                 touch_text(contacts.touch[row]),
-                                 numbers(contacts.position[row]),
-                                 numbers(contacts.normal[row]),
-                                 number_text(contacts.area[row]),
-                                 std::to_string(contacts.sub_contacts[row].count),
-                                 std::to_string(contacts.material[row]),
-                                 properties == nullptr ? "-" : properties->model};
-                     });
+    return rows_text(
+        session, command, ObjectKind::contact,
+        {"contact", "block1", "block2", "touch", "position", "normal", "area", "points", "jmat", "jmodel"},
+        [&](Row row) -> std::vector<std::string> {
+            const JointProperties* properties = properties_of(model, row);
+            return {std::to_string(contacts.number[row]),
+                    std::to_string(model.blocks.number[contacts.block1[row]]),
+                    std::to_string(model.blocks.number[contacts.block2[row]]),
+                    touch_text(contacts.touch[row]),
+                    numbers(contacts.position[row]),
+                    numbers(contacts.normal[row]),
+                    number_text(contacts.area[row]),
+                    std::to_string(contacts.sub_contacts[row].count),
+                    std::to_string(contacts.material[row]),
+                    properties == nullptr ? "-" : properties->model};
+        });
 }
 
 std::string list_sub_contacts(Session& session, const lang::List& command) {
     find_contacts(session.model, session.joints);
     const auto& model = session.model;
     const auto& points = model.sub_contacts;
-    return rows_text(session, command, ObjectKind::sub_contact,
-                     {"sub-contact", "contact", "position", "area", "nforce", "sforce", "ndis", "sdis", "state"},
-                     [&](Row row) -> std::vector<std::string> {
-                         return {std::to_string(points.number[row]),
-                                 std::to_string(model.contacts.number[points.contact[row]]),
-                                 numbers(points.position[row]),
-                                 number_text(points.area[row]),
-                                 number_text(points.normal_force[row]),
-                                 number_text(points.shear_force[row].norm()),
-                                 number_text(points.normal_displacement[row]),
-                                 number_text(points.shear_displacement[row].norm()),
-                                 state_text(session, points.contact[row], points.state[row])};
-                     });
+    return rows_text(
+        session, command, ObjectKind::sub_contact,
+        {"sub-contact", "contact", "position", "area", "nforce", "sforce", "ndis", "sdis", "state"},
+        [&](Row row) -> std::vector<std::string> {
+            return {std::to_string(points.number[row]),
+                    std::to_string(model.contacts.number[points.contact[row]]),
+                    numbers(points.position[row]),
+                    number_text(points.area[row]),
+                    number_text(points.normal_force[row]),
+                    number_text(points.shear_force[row].norm()),
+                    number_text(points.normal_displacement[row]),
+                    number_text(points.shear_displacement[row].norm()),
+                    state_text(session, points.contact[row], points.state[row])};
+        });
 }
 
 } // namespace kaya

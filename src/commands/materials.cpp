@@ -41,8 +41,8 @@ constexpr std::array<BlockProperty, 12> block_properties{{
 }};
 
 /// Words of joints that every deck may use with `prop`, whatever joint model is loaded.
-constexpr std::array<std::string_view, 12> joint_words{"jkn",       "jks",       "jfriction",  "jcohesion",
-                                                       "jtension",  "jdilation", "zdilation",  "jrfriction",
+constexpr std::array<std::string_view, 12> joint_words{"jkn",        "jks",       "jfriction", "jcohesion",
+                                                       "jtension",   "jdilation", "zdilation", "jrfriction",
                                                        "jrcohesion", "jrtension", "jphi",      "jrdilation"};
 
 const BlockProperty* find_block_property(std::string_view word) {
@@ -55,7 +55,8 @@ const BlockProperty* find_block_property(std::string_view word) {
 
 bool is_joint_word(const JointRegistry& joints, std::string_view word) {
     return std::ranges::any_of(joint_words, [&](auto known) { return known.starts_with(word); }) ||
-           std::ranges::any_of(joints.loaded(), [&](const auto& model) { return model->find_property(word).has_value(); });
+           std::ranges::any_of(joints.loaded(),
+                               [&](const auto& model) { return model->find_property(word).has_value(); });
 }
 
 [[noreturn]] void refuse_word(const Session& session, const lang::Property::Item& item, bool joint_only) {
@@ -77,12 +78,14 @@ bool is_joint_word(const JointRegistry& joints, std::string_view word) {
 
 void set_block_property(Material& material, const BlockProperty& property, const lang::Property::Item& item) {
     if (!(item.value > property.above && item.value < property.below))
-        throw Diagnostic(fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value), property.limits))
+        throw Diagnostic(
+            fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value), property.limits))
             .at(item.place);
     material.*property.value = item.value;
     // The pair that was given last counts.
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    if (property.value == &Material::bulk || property.value == &Material::shear) material.young = material.poisson = nan;
+    if (property.value == &Material::bulk || property.value == &Material::shear)
+        material.young = material.poisson = nan;
     if (property.value != &Material::young && property.value != &Material::poisson) return;
     const bool both = !std::isnan(material.young) && !std::isnan(material.poisson);
     material.bulk = both ? material.young / (3 * (1 - 2 * material.poisson)) : nan;
@@ -109,8 +112,9 @@ template <class Give> void pointing_at(const Items& items, Give give) {
 void check_elastic_pair(std::int32_t number, const Material& material) {
     const bool young = !std::isnan(material.young), poisson = !std::isnan(material.poisson);
     if (young == poisson) return;
-    throw Diagnostic(fmt::format("material {} has {} but no {}", number, young ? "ymod" : "prat", young ? "prat" : "ymod"),
-                     "the stiffness of a block needs both, or bulk and shear");
+    throw Diagnostic(
+        fmt::format("material {} has {} but no {}", number, young ? "ymod" : "prat", young ? "prat" : "ymod"),
+        "the stiffness of a block needs both, or bulk and shear");
 }
 
 /// Joint models that contacts with this joint material use.
@@ -131,7 +135,8 @@ void warn_unused(Session& session, std::int32_t number, const Material& material
             return found == nullptr || found->find_property(name).has_value();
         });
         if (known) continue;
-        if (!session.said_once.insert(fmt::format("prop {} {} {}", number, word, *models.begin())).second) continue;
+        if (!session.said_once.insert(fmt::format("prop {} {} {}", number, word, *models.begin())).second)
+            continue;
         const auto place = session.property_places.find({number, word});
         Diagnostic warning(fmt::format("'{}' of joint material {} has no effect", word, number),
                            fmt::format("joint model {} has no such property", fmt::join(models, ", ")));
@@ -149,13 +154,17 @@ void run(Session& session, const lang::Property& command) {
     Items of_joints;
     for (const auto& item : command.items) {
         const BlockProperty* property = command.joint ? nullptr : find_block_property(item.word);
-        if (property != nullptr) set_block_property(material, *property, item);
-        else if (is_joint_word(session.joints, item.word)) of_joints.push_back(item);
-        else refuse_word(session, item, command.joint);
+        if (property != nullptr)
+            set_block_property(material, *property, item);
+        else if (is_joint_word(session.joints, item.word))
+            of_joints.push_back(item);
+        else
+            refuse_word(session, item, command.joint);
     }
     if (!of_joints.empty()) {
         pointing_at(of_joints, [&](std::size_t* failed) {
-            set_joint_material(session.model, session.joints, number, names_and_values(of_joints), session.here(), failed);
+            set_joint_material(session.model, session.joints, number, names_and_values(of_joints),
+                               session.here(), failed);
         });
         for (const auto& item : of_joints) session.property_places[{number, item.word}] = item.place;
     }
@@ -169,7 +178,8 @@ void run(Session& session, const lang::Change& command) {
     if (command.material || command.constitutive)
         for (const Row block : session.pick(ObjectKind::block, command.range)) {
             if (command.material) model.blocks.material[block] = static_cast<std::int32_t>(*command.material);
-            if (command.constitutive) model.blocks.constitutive[block] = static_cast<std::int32_t>(*command.constitutive);
+            if (command.constitutive)
+                model.blocks.constitutive[block] = static_cast<std::int32_t>(*command.constitutive);
             model.properties_changed = true;
         }
     if (!command.joint_material && !command.joint_constitutive) return;
@@ -186,8 +196,8 @@ void run(Session& session, const lang::Change& command) {
         assign_joint_model(model, session.joints, contacts, found->second, session.here());
     }
     if (command.joint_material)
-        change_joint_material(model, session.joints, contacts, static_cast<std::int32_t>(*command.joint_material),
-                              session.here());
+        change_joint_material(model, session.joints, contacts,
+                              static_cast<std::int32_t>(*command.joint_material), session.here());
 }
 
 void run(Session& session, const lang::JointModelCommand& command) {
@@ -214,8 +224,8 @@ void run(Session& session, const lang::JointModelCommand& command) {
     }
     if (command.items.empty()) return;
     pointing_at(command.items, [&](std::size_t* failed) {
-        set_joint_properties(session.model, session.joints, contacts, names_and_values(command.items), session.here(),
-                             failed);
+        set_joint_properties(session.model, session.joints, contacts, names_and_values(command.items),
+                             session.here(), failed);
     });
 }
 

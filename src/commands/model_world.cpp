@@ -43,12 +43,18 @@ script::FieldInfo info_of(const Field& field) {
 
 std::size_t size_of(const Model& model, ScriptTable table) {
     switch (table) {
-    case ScriptTable::block: return model.blocks.size();
-    case ScriptTable::gridpoint: return model.gridpoints.size();
-    case ScriptTable::zone: return model.zones.size();
-    case ScriptTable::face: return model.faces.size();
-    case ScriptTable::contact: return model.contacts.size();
-    case ScriptTable::sub_contact: return model.sub_contacts.size();
+    case ScriptTable::block:
+        return model.blocks.size();
+    case ScriptTable::gridpoint:
+        return model.gridpoints.size();
+    case ScriptTable::zone:
+        return model.zones.size();
+    case ScriptTable::face:
+        return model.faces.size();
+    case ScriptTable::contact:
+        return model.contacts.size();
+    case ScriptTable::sub_contact:
+        return model.sub_contacts.size();
     }
     return 0;
 }
@@ -72,12 +78,17 @@ void write(Model& model, const Field& field, Row row, const Value& value) {
 /// The rows that `row` is listed with: a list of FISH ends with the block or contact it belongs to.
 Span siblings(const Model& model, ScriptTable table, Row row) {
     switch (table) {
-    case ScriptTable::gridpoint: return model.blocks.gridpoints[model.gridpoints.block[row]];
-    case ScriptTable::zone: return model.blocks.zones[model.zones.block[row]];
-    case ScriptTable::face: return model.blocks.faces[model.faces.block[row]];
-    case ScriptTable::sub_contact: return model.contacts.sub_contacts[model.sub_contacts.contact[row]];
+    case ScriptTable::gridpoint:
+        return model.blocks.gridpoints[model.gridpoints.block[row]];
+    case ScriptTable::zone:
+        return model.blocks.zones[model.zones.block[row]];
+    case ScriptTable::face:
+        return model.blocks.faces[model.faces.block[row]];
+    case ScriptTable::sub_contact:
+        return model.contacts.sub_contacts[model.sub_contacts.contact[row]];
     case ScriptTable::block:
-    case ScriptTable::contact: break;
+    case ScriptTable::contact:
+        break;
     }
     return {0, static_cast<Row>(size_of(model, table))};
 }
@@ -102,9 +113,12 @@ Row ModelWorld::row_of(Handle object) const {
     if (object.generation == 0) return no_row;
     const auto table = static_cast<ScriptTable>(object.table);
     switch (table) {
-    case ScriptTable::block: return model_.blocks.ids.row({object.slot, object.generation});
-    case ScriptTable::contact: return model_.contacts.ids.row({object.slot, object.generation});
-    case ScriptTable::sub_contact: return model_.sub_contacts.ids.row({object.slot, object.generation});
+    case ScriptTable::block:
+        return model_.blocks.ids.row({object.slot, object.generation});
+    case ScriptTable::contact:
+        return model_.contacts.ids.row({object.slot, object.generation});
+    case ScriptTable::sub_contact:
+        return model_.sub_contacts.ids.row({object.slot, object.generation});
     case ScriptTable::gridpoint:
     case ScriptTable::zone:
     case ScriptTable::face:
@@ -126,25 +140,36 @@ Row ModelWorld::living_row(Handle object) const {
 
 Handle ModelWorld::handle(ScriptTable table, Row row) const {
     if (row == no_row) return {static_cast<std::int32_t>(table), 0, 0};
-    const auto from = [&](auto id) { return Handle{static_cast<std::int32_t>(table), id.slot, id.generation}; };
+    const auto from = [&](auto id) {
+        return Handle{static_cast<std::int32_t>(table), id.slot, id.generation};
+    };
     switch (table) {
-    case ScriptTable::block: return from(model_.blocks.id[row]);
-    case ScriptTable::contact: return from(model_.contacts.id[row]);
-    case ScriptTable::sub_contact: return from(model_.sub_contacts.id[row]);
+    case ScriptTable::block:
+        return from(model_.blocks.id[row]);
+    case ScriptTable::contact:
+        return from(model_.contacts.id[row]);
+    case ScriptTable::sub_contact:
+        return from(model_.sub_contacts.id[row]);
     case ScriptTable::gridpoint:
     case ScriptTable::zone:
-    case ScriptTable::face: break;
+    case ScriptTable::face:
+        break;
     }
     return {static_cast<std::int32_t>(table), static_cast<std::uint32_t>(row), generation_};
 }
 
 Value ModelWorld::script_value(const FieldValue& value) const {
     switch (value.index()) {
-    case 0: return *std::get_if<double>(&value);
-    case 1: return *std::get_if<std::int64_t>(&value);
-    case 2: return *std::get_if<Vec3>(&value);
-    case 3: return *std::get_if<std::string>(&value);
-    default: break;
+    case 0:
+        return *std::get_if<double>(&value);
+    case 1:
+        return *std::get_if<std::int64_t>(&value);
+    case 2:
+        return *std::get_if<Vec3>(&value);
+    case 3:
+        return *std::get_if<std::string>(&value);
+    default:
+        break;
     }
     const Link& link = *std::get_if<Link>(&value);
     return handle(script_table(link.table), link.row);
@@ -179,12 +204,14 @@ Handle ModelWorld::first_child(Handle parent, std::int32_t child_table) {
     const auto child = static_cast<ScriptTable>(child_table);
     const auto from = static_cast<ScriptTable>(parent.table);
     const auto first = [&](const Span& span) { return handle(child, span.count > 0 ? span.first : no_row); };
-    if (from == ScriptTable::block && child == ScriptTable::gridpoint) return first(model_.blocks.gridpoints[row]);
+    if (from == ScriptTable::block && child == ScriptTable::gridpoint)
+        return first(model_.blocks.gridpoints[row]);
     if (from == ScriptTable::block && child == ScriptTable::zone) return first(model_.blocks.zones[row]);
     if (from == ScriptTable::block && child == ScriptTable::face) return first(model_.blocks.faces[row]);
     if (from == ScriptTable::contact && child == ScriptTable::sub_contact)
         return first(model_.contacts.sub_contacts[row]);
-    throw Diagnostic(fmt::format("a {} has no list of {}s", name_of(parent.table), name_of(child_table)), {}, Fault::run);
+    throw Diagnostic(fmt::format("a {} has no list of {}s", name_of(parent.table), name_of(child_table)), {},
+                     Fault::run);
 }
 
 Handle ModelWorld::nearest(std::int32_t table, const Vec3& place) {
@@ -202,9 +229,13 @@ Handle ModelWorld::nearest(std::int32_t table, const Vec3& place) {
     return handle(static_cast<ScriptTable>(table), best);
 }
 
-Value ModelWorld::get_global(std::size_t index) { return script_value(global_fields_[index]->get(model_, 0)); }
+Value ModelWorld::get_global(std::size_t index) {
+    return script_value(global_fields_[index]->get(model_, 0));
+}
 
-void ModelWorld::set_global(std::size_t index, const Value& value) { write(model_, *global_fields_[index], 0, value); }
+void ModelWorld::set_global(std::size_t index, const Value& value) {
+    write(model_, *global_fields_[index], 0, value);
+}
 
 double ModelWorld::reduce(std::int32_t table, std::size_t field, std::string_view how) {
     const Field& quantity = *fields_[static_cast<std::size_t>(table)][field];
@@ -225,13 +256,17 @@ double ModelWorld::reduce(std::int32_t table, std::size_t field, std::string_vie
     }
     if (how == "sum") return sum;
     if (rows == 0)
-        throw Diagnostic(fmt::format("there is no {} to take the {} of", name_of(table), how), {}, Fault::run);
+        throw Diagnostic(fmt::format("there is no {} to take the {} of", name_of(table), how), {},
+                         Fault::run);
     if (how == "min" || how == "minimum") return low;
     if (how == "max" || how == "maximum") return high;
     if (how == "mean" || how == "average") return sum / rows;
-    throw Diagnostic(fmt::format("'{}' is not a way to reduce a field", how), "use sum, mean, minimum or maximum", Fault::run);
+    throw Diagnostic(fmt::format("'{}' is not a way to reduce a field", how),
+                     "use sum, mean, minimum or maximum", Fault::run);
 }
 
-void ModelWorld::command(const std::string& text, const std::string& chunk, int line) { run_command(text, chunk, line); }
+void ModelWorld::command(const std::string& text, const std::string& chunk, int line) {
+    run_command(text, chunk, line);
+}
 
 } // namespace kaya

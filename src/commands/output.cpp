@@ -20,8 +20,8 @@ void Output::write(std::FILE* stream, std::string_view text, const std::string& 
     errno = 0;
     const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
     if (written && std::fputc('\n', stream) != EOF) return;
-    throw Diagnostic(fmt::format("cannot write to {}: {}", name, std::strerror(errno)),
-                     "is the disk full?", Fault::run);
+    throw Diagnostic(fmt::format("cannot write to {}: {}", name, std::strerror(errno)), "is the disk full?",
+                     Fault::run);
 }
 
 void Output::print(std::string_view text) {
@@ -70,7 +70,8 @@ void Output::start_log(const std::string& file) {
     stop_log();
     log_ = std::fopen(file.c_str(), "a");
     if (log_ == nullptr)
-        throw Diagnostic(fmt::format("cannot open the log file '{}': {}", file, std::strerror(errno)), {}, Fault::run);
+        throw Diagnostic(fmt::format("cannot open the log file '{}': {}", file, std::strerror(errno)), {},
+                         Fault::run);
     log_name_ = file;
 }
 
@@ -81,8 +82,9 @@ void Output::stop_log() {
     const bool closed = std::fclose(log_) == 0;
     log_ = nullptr;
     if (failed || !closed)
-        throw Diagnostic(fmt::format("the log file '{}' is not complete: {}", log_name_, std::strerror(errno)),
-                         "is the disk full?", Fault::run);
+        throw Diagnostic(
+            fmt::format("the log file '{}' is not complete: {}", log_name_, std::strerror(errno)),
+            "is the disk full?", Fault::run);
 }
 
 void Output::flush() {

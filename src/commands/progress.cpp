@@ -28,15 +28,19 @@ void Progress::look() {
     const double now = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     // About fifty looks a second, whatever a cycle costs.
     const double since = now - seconds_;
-    if (since < 0.01) stride_ = std::min<std::int64_t>(2 * stride_, 1 << 20);
-    else if (since > 0.04) stride_ = std::max<std::int64_t>(stride_ / 2, 1);
+    if (since < 0.01)
+        stride_ = std::min<std::int64_t>(2 * stride_, 1 << 20);
+    else if (since > 0.04)
+        stride_ = std::max<std::int64_t>(stride_ / 2, 1);
     seconds_ = now;
 
     const double pause = output_.on_terminal() ? 0.2 : 10.0;
     if (now - shown_ < pause) return;
     shown_ = now;
-    if (output_.on_terminal()) output_.refresh(line());
-    else output_.say(line());
+    if (output_.on_terminal())
+        output_.refresh(line());
+    else
+        output_.say(line());
 }
 
 double Progress::left() const {
@@ -57,7 +61,8 @@ std::string Progress::line() const {
     const double rate = static_cast<double>(clock.cycle - first_cycle_) / std::max(seconds_, 1e-9);
     std::string text = fmt::format("cycle {}", clock.cycle);
     if (target_.cycle) text += fmt::format(" of {}", *target_.cycle);
-    text += fmt::format("  time {}  ratio {:.2e}  {:.0f} cycles/s", number_text(clock.time), clock.average_ratio, rate);
+    text += fmt::format("  time {}  ratio {:.2e}  {:.0f} cycles/s", number_text(clock.time),
+                        clock.average_ratio, rate);
     if (const double seconds = left(); seconds >= 0) text += fmt::format("  {} left", duration_text(seconds));
     return text;
 }
@@ -67,8 +72,8 @@ void Progress::finish() {
     output_.end_refresh();
     const auto& clock = model_.clock;
     const std::int64_t cycles = clock.cycle - first_cycle_;
-    output_.say(fmt::format("cycle {}  time {}  ratio {:.2e}  ({} cycles in {:.2f} s, {:.0f} cycles/s)", clock.cycle,
-                            number_text(clock.time), clock.average_ratio, cycles, seconds_,
+    output_.say(fmt::format("cycle {}  time {}  ratio {:.2e}  ({} cycles in {:.2f} s, {:.0f} cycles/s)",
+                            clock.cycle, number_text(clock.time), clock.average_ratio, cycles, seconds_,
                             static_cast<double>(cycles) / std::max(seconds_, 1e-9)));
 }
 

@@ -29,7 +29,8 @@ Row contact_of(const Model& model, ObjectKind kind, Row row) {
 }
 
 std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
 }
 
@@ -43,7 +44,9 @@ template <class Passes> RangeTest on_blocks(Passes passes) {
 }
 
 template <class Passes> RangeTest on_place(Passes passes) {
-    return [passes](const Model& model, ObjectKind kind, Row row) { return passes(reference_point(model, kind, row)); };
+    return [passes](const Model& model, ObjectKind kind, Row row) {
+        return passes(reference_point(model, kind, row));
+    };
 }
 
 RangeTest along_axis(const RangeElement& e, const Context& context, int axis) {
@@ -55,7 +58,8 @@ RangeTest along_axis(const RangeElement& e, const Context& context, int axis) {
 RangeTest in_box(const RangeElement& e, const Context& context) {
     const Vec3 slack = Vec3::Constant(context.tolerance);
     const Vec3 low = e.centre.cwiseMin(e.end2) - slack, high = e.centre.cwiseMax(e.end2) + slack;
-    return on_place([=](const Vec3& p) { return (p.array() >= low.array()).all() && (p.array() <= high.array()).all(); });
+    return on_place(
+        [=](const Vec3& p) { return (p.array() >= low.array()).all() && (p.array() <= high.array()).all(); });
 }
 
 RangeTest by_plane(const RangeElement& e, const Context& context) {
@@ -82,9 +86,11 @@ RangeTest in_sphere(const RangeElement& e, const Context& context) {
 RangeTest in_cylinder(const RangeElement& e, const Context& context) {
     const Vec3 end1 = e.centre;
     const double length = (e.end2 - e.centre).norm();
-    if (length <= context.tolerance) throw Diagnostic("the two ends of the cylinder are the same point").at(e.place);
+    if (length <= context.tolerance)
+        throw Diagnostic("the two ends of the cylinder are the same point").at(e.place);
     const Vec3 axis = (e.end2 - e.centre) / length;
-    const double inner = e.radius1 - context.tolerance, outer = e.radius2 + context.tolerance, slack = context.tolerance;
+    const double inner = e.radius1 - context.tolerance, outer = e.radius2 + context.tolerance,
+                 slack = context.tolerance;
     return on_place([=](const Vec3& p) {
         const double along = axis.dot(p - end1);
         const double distance = (p - end1 - along * axis).norm();
@@ -98,18 +104,19 @@ RangeTest in_group(const RangeElement& e, const Context& context) {
     for (std::size_t i = 1; i < names.size(); ++i) {
         if (lower(names[i]) != wanted) continue;
         const auto group = static_cast<std::int32_t>(i);
-        return on_blocks([group](const Model& model, Row block) { return model.blocks.group[block] == group; });
+        return on_blocks(
+            [group](const Model& model, Row block) { return model.blocks.group[block] == group; });
     }
     const std::vector<std::string_view> known(names.begin() + 1, names.end());
     const auto near = did_you_mean(e.name, known);
-    std::string hint = known.empty() ? "no group has been made yet"
+    std::string hint = known.empty()  ? "no group has been made yet"
                        : near.empty() ? fmt::format("groups are: {}", fmt::join(known, ", "))
                                       : fmt::format("did you mean '{}'?", near);
     throw Diagnostic(fmt::format("there is no group '{}'", e.name), std::move(hint)).at(e.place);
 }
 
 /// Numbers of blocks: the column is picked by `column`.
-RangeTest by_block_number(const RangeElement& e, Column<std::int32_t> Blocks::* column) {
+RangeTest by_block_number(const RangeElement& e, Column<std::int32_t> Blocks::*column) {
     const double low = std::min(e.low, e.high), high = std::max(e.low, e.high);
     return on_blocks([=](const Model& model, Row block) {
         const double number = (model.blocks.*column)[block];
@@ -119,9 +126,10 @@ RangeTest by_block_number(const RangeElement& e, Column<std::int32_t> Blocks::* 
 
 /// Contacts between a block of one number and a block of the other.
 RangeTest between(const RangeElement& e, const Context& context, const char* word,
-                  Column<std::int32_t> Blocks::* column) {
+                  Column<std::int32_t> Blocks::*column) {
     if (!is_contact(context.kind))
-        throw Diagnostic(fmt::format("'{}' picks contacts, but this command acts on {}", word, plural_of(context.kind)))
+        throw Diagnostic(
+            fmt::format("'{}' picks contacts, but this command acts on {}", word, plural_of(context.kind)))
             .at(e.place);
     const double a = e.low, b = e.high;
     return [=](const Model& model, ObjectKind kind, Row row) {
@@ -134,8 +142,9 @@ RangeTest between(const RangeElement& e, const Context& context, const char* wor
 
 RangeTest by_joint_material(const RangeElement& e, const Context& context) {
     if (!is_contact(context.kind))
-        throw Diagnostic(fmt::format("'jmat' picks contacts, but this command acts on {}", plural_of(context.kind)),
-                         "use 'mat' for the material of blocks")
+        throw Diagnostic(
+            fmt::format("'jmat' picks contacts, but this command acts on {}", plural_of(context.kind)),
+            "use 'mat' for the material of blocks")
             .at(e.place);
     const double low = std::min(e.low, e.high), high = std::max(e.low, e.high);
     return [=](const Model& model, ObjectKind kind, Row row) {
@@ -153,23 +162,31 @@ RangeTest by_joint_set(const RangeElement& e, const Context& context) {
         return [=](const Model& m, ObjectKind kind, Row row) {
             return passes(m.contacts.joint_set[contact_of(m, kind, row)]);
         };
-    case ObjectKind::face: return [=](const Model& m, ObjectKind, Row row) { return passes(m.faces.joint_set[row]); };
+    case ObjectKind::face:
+        return [=](const Model& m, ObjectKind, Row row) { return passes(m.faces.joint_set[row]); };
     case ObjectKind::triangle:
-        return [=](const Model& m, ObjectKind, Row row) { return passes(m.faces.joint_set[m.triangles.face[row]]); };
-    default: break;
+        return [=](const Model& m, ObjectKind, Row row) {
+            return passes(m.faces.joint_set[m.triangles.face[row]]);
+        };
+    default:
+        break;
     }
-    throw Diagnostic(fmt::format("'jset' picks contacts and faces, but this command acts on {}",
-                                 plural_of(context.kind)))
+    throw Diagnostic(
+        fmt::format("'jset' picks contacts and faces, but this command acts on {}", plural_of(context.kind)))
         .at(e.place);
 }
 
 /// The number that users see: blocks and contacts have one of their own, other rows count from 1.
 double number_of(const Model& model, ObjectKind kind, Row row) {
     switch (kind) {
-    case ObjectKind::block: return model.blocks.number[row];
-    case ObjectKind::contact: return model.contacts.number[row];
-    case ObjectKind::sub_contact: return model.sub_contacts.number[row];
-    default: return row + 1.0;
+    case ObjectKind::block:
+        return model.blocks.number[row];
+    case ObjectKind::contact:
+        return model.contacts.number[row];
+    case ObjectKind::sub_contact:
+        return model.sub_contacts.number[row];
+    default:
+        return row + 1.0;
     }
 }
 
@@ -191,7 +208,8 @@ RangeTest by_name(const RangeElement& e, Context& context) {
         for (const auto& [known_name, phrase] : context.named) known.push_back(known_name);
         const auto near = did_you_mean(name, known);
         throw Diagnostic(fmt::format("there is no named range '{}'", e.name),
-                         near.empty() ? "'range name NAME ...' makes one" : fmt::format("did you mean '{}'?", near))
+                         near.empty() ? "'range name NAME ...' makes one"
+                                      : fmt::format("did you mean '{}'?", near))
             .at(e.place);
     }
     if (std::ranges::find(context.open, name) != context.open.end())
@@ -204,50 +222,73 @@ RangeTest by_name(const RangeElement& e, Context& context) {
 
 RangeTest element_test(const RangeElement& e, Context& context) {
     switch (e.kind) {
-    case Kind::x: return along_axis(e, context, 0);
-    case Kind::y: return along_axis(e, context, 1);
-    case Kind::z: return along_axis(e, context, 2);
-    case Kind::box: return in_box(e, context);
-    case Kind::plane: return by_plane(e, context);
-    case Kind::sphere: return in_sphere(e, context);
-    case Kind::cylinder: return in_cylinder(e, context);
-    case Kind::group: return in_group(e, context);
-    case Kind::material: return by_block_number(e, &Blocks::material);
-    case Kind::constitutive: return by_block_number(e, &Blocks::constitutive);
-    case Kind::region: return by_block_number(e, &Blocks::region);
-    case Kind::block_id: return by_block_number(e, &Blocks::number);
-    case Kind::joint_material: return by_joint_material(e, context);
-    case Kind::joint_set: return by_joint_set(e, context);
-    case Kind::id: return by_id(e);
-    case Kind::material_intersection: return between(e, context, "mintersection", &Blocks::material);
-    case Kind::region_intersection: return between(e, context, "rintersection", &Blocks::region);
-    case Kind::named: return by_name(e, context);
+    case Kind::x:
+        return along_axis(e, context, 0);
+    case Kind::y:
+        return along_axis(e, context, 1);
+    case Kind::z:
+        return along_axis(e, context, 2);
+    case Kind::box:
+        return in_box(e, context);
+    case Kind::plane:
+        return by_plane(e, context);
+    case Kind::sphere:
+        return in_sphere(e, context);
+    case Kind::cylinder:
+        return in_cylinder(e, context);
+    case Kind::group:
+        return in_group(e, context);
+    case Kind::material:
+        return by_block_number(e, &Blocks::material);
+    case Kind::constitutive:
+        return by_block_number(e, &Blocks::constitutive);
+    case Kind::region:
+        return by_block_number(e, &Blocks::region);
+    case Kind::block_id:
+        return by_block_number(e, &Blocks::number);
+    case Kind::joint_material:
+        return by_joint_material(e, context);
+    case Kind::joint_set:
+        return by_joint_set(e, context);
+    case Kind::id:
+        return by_id(e);
+    case Kind::material_intersection:
+        return between(e, context, "mintersection", &Blocks::material);
+    case Kind::region_intersection:
+        return between(e, context, "rintersection", &Blocks::region);
+    case Kind::named:
+        return by_name(e, context);
     }
     throw std::logic_error("a range element of no known kind");
 }
 
 RangeTest phrase_test(const lang::RangePhrase& phrase, Context& context) {
     std::vector<std::pair<RangeTest, bool>> tests;
-    for (const auto& element : phrase.elements) tests.emplace_back(element_test(element, context), element.negated);
+    for (const auto& element : phrase.elements)
+        tests.emplace_back(element_test(element, context), element.negated);
     if (phrase.any)
         return [tests](const Model& model, ObjectKind kind, Row row) {
-            return std::ranges::any_of(tests, [&](const auto& t) { return t.first(model, kind, row) != t.second; });
+            return std::ranges::any_of(tests,
+                                       [&](const auto& t) { return t.first(model, kind, row) != t.second; });
         };
     return [tests](const Model& model, ObjectKind kind, Row row) {
-        return std::ranges::all_of(tests, [&](const auto& t) { return t.first(model, kind, row) != t.second; });
+        return std::ranges::all_of(tests,
+                                   [&](const auto& t) { return t.first(model, kind, row) != t.second; });
     };
 }
 
 } // namespace
 
-RangeTest range_test(const Model& model, const NamedRanges& named, const lang::RangePhrase& phrase, ObjectKind kind) {
+RangeTest range_test(const Model& model, const NamedRanges& named, const lang::RangePhrase& phrase,
+                     ObjectKind kind) {
     if (phrase.elements.empty()) return {};
     Context context{model, named, kind, 1e-6 * model_size(model), {}};
     return phrase_test(phrase, context);
 }
 
 const char* plural_of(ObjectKind kind) {
-    static constexpr std::array names{"blocks", "gridpoints", "faces", "triangles", "zones", "contacts", "sub-contacts"};
+    static constexpr std::array names{"blocks", "gridpoints", "faces",       "triangles",
+                                      "zones",  "contacts",   "sub-contacts"};
     return names[static_cast<std::size_t>(kind)];
 }
 

@@ -1,7 +1,7 @@
 #include "commands/saved_ranges.hpp"
 
-#include <fmt/format.h>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <sstream>
 
 namespace kaya {
@@ -27,7 +27,9 @@ std::string element_text(const RangeElement& e) {
     return text + fmt::format(" {} {}\n", e.name.size(), e.name);
 }
 
-[[noreturn]] void refuse() { throw Diagnostic("the named ranges of the save file cannot be read", {}, Fault::run); }
+[[noreturn]] void refuse() {
+    throw Diagnostic("the named ranges of the save file cannot be read", {}, Fault::run);
+}
 
 /// strtod reads what {:a} writes; streams do not.
 double read_number(std::istream& stream) {

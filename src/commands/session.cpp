@@ -80,12 +80,15 @@ void Session::show_command(const lang::BoundCommand& command) {
     stop_if_interrupted();
     last_place = command.place;
     if (sources.empty() || sources.back() != command.place.source)
-        if (std::ranges::find(sources, command.place.source) == sources.end()) sources.push_back(command.place.source);
+        if (std::ranges::find(sources, command.place.source) == sources.end())
+            sources.push_back(command.place.source);
     if (!options.echo && !output.logging()) return;
     const std::string text = command.text();
     const std::string line = fmt::format("{}> {}", here(), text.substr(0, text.find('\n')));
-    if (options.echo) output.print(line);
-    else output.log_only(line);
+    if (options.echo)
+        output.print(line);
+    else
+        output.log_only(line);
 }
 
 void Session::interrupt() noexcept {
@@ -122,7 +125,7 @@ std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& ra
     const std::size_t tested = select(model, kind, {}, hidden_too).size();
     const std::size_t hidden = hidden_too ? 0 : select(model, kind, {}, true).size() - tested;
     const char* things = plural_of(kind);
-    std::string text = tested > 0 ? fmt::format("0 of {} {} matched", tested, things)
+    std::string text = tested > 0   ? fmt::format("0 of {} {} matched", tested, things)
                        : hidden > 0 ? fmt::format("all {} are hidden", things)
                                     : fmt::format("there are no {}", things);
     std::string hint = "the command has no effect";
@@ -131,7 +134,9 @@ std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& ra
     return rows;
 }
 
-std::vector<Row> Session::pick(ObjectKind kind, const lang::RangePhrase& range) { return pick_rows(kind, range, false); }
+std::vector<Row> Session::pick(ObjectKind kind, const lang::RangePhrase& range) {
+    return pick_rows(kind, range, false);
+}
 
 std::vector<Row> Session::pick_hidden_too(ObjectKind kind, const lang::RangePhrase& range) {
     return pick_rows(kind, range, true);

@@ -79,14 +79,16 @@ public:
 
     std::string title;
     std::string log_file = "kaya.log"; ///< of the next `set log on`
-    std::string deck;          ///< file name of the deck that runs, for default names of output files
-    VtkSeries vtk;             ///< the picture series of this run
+    std::string deck;                  ///< file name of the deck that runs, for default names of output files
+    VtkSeries vtk;                     ///< the picture series of this run
     std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files
-    std::size_t warnings = 0;  ///< shown so far
-    bool inside_cycle = false; ///< a hook is running: structure must not change
-    std::vector<std::pair<Place, std::function<void()>>> deferred; ///< changes that wait for the end of the cycle
+    std::size_t warnings = 0;                               ///< shown so far
+    bool inside_cycle = false;                              ///< a hook is running: structure must not change
+    std::vector<std::pair<Place, std::function<void()>>>
+        deferred;                    ///< changes that wait for the end of the cycle
     std::set<std::string> said_once; ///< notes that are not repeated
-    std::map<std::pair<std::int32_t, std::string>, Place> property_places; ///< of `prop` words, for late messages
+    std::map<std::pair<std::int32_t, std::string>, Place>
+        property_places; ///< of `prop` words, for late messages
 
     Place last_place; ///< of the command that ran last, for failures that have no place of their own
 

@@ -16,7 +16,7 @@ struct Limits {
     std::optional<std::int64_t> cycles; ///< from now on
     std::optional<double> time;         ///< from now on
     std::optional<double> ratio, force;
-    std::optional<double> clock;        ///< seconds
+    std::optional<double> clock; ///< seconds
 };
 
 void run_deferred(Session& session) {
@@ -66,11 +66,13 @@ std::string reached(const Limits& limits, const Clock& start, const Clock& now, 
     if (limits.force && now.cycle > start.cycle && now.unbalanced_force <= *limits.force)
         return fmt::format("the unbalanced force {} is not above {}", number_text(now.unbalanced_force),
                            number_text(*limits.force));
-    if (limits.cycles && now.cycle - start.cycle >= *limits.cycles) return fmt::format("{} cycles", *limits.cycles);
+    if (limits.cycles && now.cycle - start.cycle >= *limits.cycles)
+        return fmt::format("{} cycles", *limits.cycles);
     // Half a step of slack: a sum of steps misses the limit by rounding.
     if (limits.time && now.time - start.time >= *limits.time - 0.5 * now.time_step && now.cycle > start.cycle)
         return fmt::format("time {}", number_text(now.time));
-    if (limits.clock && seconds >= *limits.clock) return fmt::format("{} minutes", number_text(*limits.clock / 60));
+    if (limits.clock && seconds >= *limits.clock)
+        return fmt::format("{} minutes", number_text(*limits.clock / 60));
     return {};
 }
 

@@ -89,21 +89,35 @@ Expected read_expected(const Lines& deck) {
     for (std::size_t i = 0; i < deck.size(); ++i) {
         const std::string& line = deck[i];
         const int number = static_cast<int>(i) + 1;
-        if (auto text = behind(line, ";>")) expected.printed[number].push_back(*text);
+        if (auto text = behind(line, ";>"))
+            expected.printed[number].push_back(*text);
         else if (auto message = behind(line, ";!")) {
-            if (is_message(*message)) expected.messages.push_back({code_line, *message});
-            else expected.hints.push_back(*message);
-        } else if (auto status = behind(line, ";status")) expected.status = std::stoi(*status);
-        else if (auto limit = behind(line, ";limit")) expected.limit = std::stoi(*limit);
-        else if (auto options = behind(line, ";options")) expected.options = *options;
-        else if (auto needs = behind(line, ";needs")) expected.needs.push_back(*needs);
-        else if (auto first_deck = behind(line, ";first")) expected.first.push_back(*first_deck);
-        else if (auto then = behind(line, ";then")) expected.then.push_back(*then);
-        else if (auto cut = behind(line, ";cut")) expected.cuts.push_back(*cut);
-        else if (auto makes = behind(line, ";makes")) expected.makes.push_back(*makes);
-        else if (auto lacks = behind(line, ";lacks")) expected.lacks.push_back(*lacks);
-        else if (auto holds = behind(line, ";holds")) expected.holds.push_back(*holds);
-        else if (const auto first = line.find_first_not_of(" \t"); first != std::string::npos && line[first] != ';')
+            if (is_message(*message))
+                expected.messages.push_back({code_line, *message});
+            else
+                expected.hints.push_back(*message);
+        } else if (auto status = behind(line, ";status"))
+            expected.status = std::stoi(*status);
+        else if (auto limit = behind(line, ";limit"))
+            expected.limit = std::stoi(*limit);
+        else if (auto options = behind(line, ";options"))
+            expected.options = *options;
+        else if (auto needs = behind(line, ";needs"))
+            expected.needs.push_back(*needs);
+        else if (auto first_deck = behind(line, ";first"))
+            expected.first.push_back(*first_deck);
+        else if (auto then = behind(line, ";then"))
+            expected.then.push_back(*then);
+        else if (auto cut = behind(line, ";cut"))
+            expected.cuts.push_back(*cut);
+        else if (auto makes = behind(line, ";makes"))
+            expected.makes.push_back(*makes);
+        else if (auto lacks = behind(line, ";lacks"))
+            expected.lacks.push_back(*lacks);
+        else if (auto holds = behind(line, ";holds"))
+            expected.holds.push_back(*holds);
+        else if (const auto first = line.find_first_not_of(" \t");
+                 first != std::string::npos && line[first] != ';')
             code_line = number;
     }
     return expected;
@@ -138,8 +152,8 @@ Outcome run_program(const fs::path& program, const std::string& deck, const std:
     const std::string command = "cd '" + folder.path.string() + "' && " +
                                 (limit > 0 ? "ulimit -f " + std::to_string(limit) + " && " : "") + "'" +
                                 program.string() + "' --echo " + options + " '" + deck + "' > '" +
-                                (streams.path / "printed").string() + "' 2> '" + (streams.path / "messages").string() +
-                                "' < /dev/null";
+                                (streams.path / "printed").string() + "' 2> '" +
+                                (streams.path / "messages").string() + "' < /dev/null";
     const int ended = std::system(("bash -c \"" + command + "\"").c_str());
     return {WIFEXITED(ended) ? WEXITSTATUS(ended) : 128, read_lines(streams.path / "printed"),
             read_lines(streams.path / "messages")};
@@ -160,7 +174,8 @@ Outcome run(const fs::path& program, const fs::path& deck, const Expected& expec
         const auto blank = cut.find(' ');
         fs::resize_file(folder.path / cut.substr(0, blank), std::stoul(cut.substr(blank + 1)));
     }
-    const Outcome outcome = run_program(program, deck.filename().string(), expected.options, expected.limit, folder);
+    const Outcome outcome =
+        run_program(program, deck.filename().string(), expected.options, expected.limit, folder);
     for (const auto& name : expected.then) run_other(name);
     return outcome;
 }
@@ -179,8 +194,10 @@ std::vector<Printed> split(const Lines& output, const std::string& name) {
         const auto colon = line.find(':');
         const bool echo = mark != std::string::npos && colon != std::string::npos && colon < mark &&
                           line.find_first_not_of("0123456789", colon + 1) == mark;
-        if (!echo) printed.back().text.push_back(line);
-        else if (line.compare(0, colon, name) == 0) printed.push_back({std::stoi(line.substr(colon + 1)), {}});
+        if (!echo)
+            printed.back().text.push_back(line);
+        else if (line.compare(0, colon, name) == 0)
+            printed.push_back({std::stoi(line.substr(colon + 1)), {}});
     }
     return printed;
 }
@@ -217,15 +234,18 @@ void compare_printed(Comparison& comparison, const Expected& expected, const std
         }
     }
     for (; next < wanted.size(); ++next)
-        comparison.fail("line " + std::to_string(wanted[next].first) + ": not printed\n    " + wanted[next].second);
+        comparison.fail("line " + std::to_string(wanted[next].first) + ": not printed\n    " +
+                        wanted[next].second);
 }
 
-void compare_messages(Comparison& comparison, const Expected& expected, const Lines& messages, const std::string& name) {
+void compare_messages(Comparison& comparison, const Expected& expected, const Lines& messages,
+                      const std::string& name) {
     std::size_t found = 0;
     for (const auto& line : messages) {
         std::size_t at = std::string::npos;
         for (const char* kind : {"error: ", "warning: ", "note: "}) at = std::min(at, line.find(kind));
-        const bool starts_message = at != std::string::npos && (at == 0 || line.compare(at - 2, 2, ": ") == 0) &&
+        const bool starts_message = at != std::string::npos &&
+                                    (at == 0 || line.compare(at - 2, 2, ": ") == 0) &&
                                     line.find('|') == std::string::npos && !line.starts_with(' ');
         if (!starts_message) continue;
         if (found >= expected.messages.size()) {
@@ -242,7 +262,8 @@ void compare_messages(Comparison& comparison, const Expected& expected, const Li
         comparison.fail("no message at line " + std::to_string(expected.messages[found].line) + ": " +
                         expected.messages[found].text);
     for (const auto& hint : expected.hints)
-        if (std::ranges::none_of(messages, [&](const auto& line) { return line.find(hint) != std::string::npos; }))
+        if (std::ranges::none_of(messages,
+                                 [&](const auto& line) { return line.find(hint) != std::string::npos; }))
             comparison.fail("the messages do not say: " + hint);
 }
 
@@ -259,7 +280,8 @@ void compare_files(Comparison& comparison, const Expected& expected, const fs::p
             continue;
         }
         const auto lines = read_lines(folder / file);
-        if (std::ranges::none_of(lines, [&](const auto& line) { return line.find(text) != std::string::npos; }))
+        if (std::ranges::none_of(lines,
+                                 [&](const auto& line) { return line.find(text) != std::string::npos; }))
             comparison.fail(file + " does not hold: " + text);
     }
 }
@@ -273,11 +295,13 @@ std::string kept_pattern(const Expected& expected, const std::string& text) {
 }
 
 /// The deck with its `;>` lines written anew behind the commands that print.
-void bless(const fs::path& file, const Lines& deck, const Expected& expected, const std::vector<Printed>& printed) {
+void bless(const fs::path& file, const Lines& deck, const Expected& expected,
+           const std::vector<Printed>& printed) {
     std::map<int, Lines> behind_line;
     for (std::size_t i = 0; i < printed.size(); ++i) {
-        const int until = i + 1 < printed.size() && printed[i + 1].line > printed[i].line ? printed[i + 1].line
-                                                                                          : static_cast<int>(deck.size()) + 1;
+        const int until = i + 1 < printed.size() && printed[i + 1].line > printed[i].line
+                              ? printed[i + 1].line
+                              : static_cast<int>(deck.size()) + 1;
         int last = printed[i].line;
         for (int line = printed[i].line + 1; line < until; ++line) {
             const auto first = deck[line - 1].find_first_not_of(" \t");
@@ -289,7 +313,8 @@ void bless(const fs::path& file, const Lines& deck, const Expected& expected, co
     std::ofstream stream(file);
     for (std::size_t i = 0; i < deck.size(); ++i) {
         if (!behind(deck[i], ";>")) stream << deck[i] << '\n';
-        for (const auto& text : behind_line[static_cast<int>(i) + 1]) stream << ";> " << kept_pattern(expected, text) << '\n';
+        for (const auto& text : behind_line[static_cast<int>(i) + 1])
+            stream << ";> " << kept_pattern(expected, text) << '\n';
     }
 }
 

@@ -46,7 +46,8 @@ TEST_F(ModelWorldTest, NextWalksThroughAllBlocks) {
 
 TEST_F(ModelWorldTest, GridpointsAreWalkedThroughBlockByBlock) {
     int count = 0;
-    for (Handle p = world().first_child(world().at(block_table, 1), gridpoint_table); p.generation != 0; p = world().next(p))
+    for (Handle p = world().first_child(world().at(block_table, 1), gridpoint_table); p.generation != 0;
+         p = world().next(p))
         ++count;
     EXPECT_EQ(count, 8);
 }

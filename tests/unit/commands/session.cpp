@@ -63,7 +63,8 @@ TEST_F(SessionTest, AnInterruptStopsBeforeTheNextCommand) {
 }
 
 TEST_F(SessionTest, GroupsKeepTheirNumbers) {
-    run("poly brick 0 1\npoly brick 2 3\ngroup block a range x 0 1\ngroup block b range x 2 3\ngroup block a\n");
+    run("poly brick 0 1\npoly brick 2 3\ngroup block a range x 0 1\ngroup block b range x 2 3\ngroup block "
+        "a\n");
     EXPECT_THAT(model().group_names, ElementsAre("", "a", "b"));
     EXPECT_THAT(model().blocks.group, ElementsAre(1, 1));
 }
