@@ -78,6 +78,30 @@ double mean_edge(const TetMesh& m) {
     return sum / static_cast<double>(edges.size());
 }
 
+/// A cube of rock of edge 4 cut by three sets that scatter by `scatter` degrees and as much of their spacing.
+std::vector<Polyhedron> jointed_rock(double scatter, double thinnest) {
+    std::vector<Polyhedron> blocks{make_brick({0, 0, 0}, {4, 4, 4})};
+    for (const auto& [dip, direction, id] : {std::tuple{20., 80., 1}, {70., 170., 2}, {65., 275., 3}}) {
+        JointSet set;
+        set.dip = dip;
+        set.dip_direction = direction;
+        set.dip_deviation = set.dip_direction_deviation = scatter;
+        set.spacing = 1;
+        set.spacing_deviation = scatter / 20;
+        set.number = 9;
+        set.origin = {2, 2, 2};
+        set.id = id;
+        const CutBlocks result = cut_blocks(blocks, set, thinnest);
+        std::vector<Polyhedron> next;
+        for (std::size_t i = 0; i < blocks.size(); ++i)
+            if (!std::binary_search(result.parents.begin(), result.parents.end(), static_cast<int>(i)))
+                next.push_back(blocks[i]);
+        for (const auto& piece : result.pieces) next.push_back(piece.polyhedron);
+        blocks = std::move(next);
+    }
+    return blocks;
+}
+
 Polyhedron wedge() {
     return make_prism({{0, 0, 0}, {2, 0, 0}, {0, 0, 1.5}}, {{0, 1, 0}, {2, 1, 0}, {0, 1, 1.5}}).parts.front();
 }
@@ -117,24 +141,7 @@ TEST(Mesh, WedgesDrumsAndTetrahedraAtSeveralSizes) {
 }
 
 TEST(Mesh, BlocksOfThreeJointSets) {
-    std::vector<Polyhedron> blocks{make_brick({0, 0, 0}, {4, 4, 4})};
-    for (const auto& [dip, direction, id] : {std::tuple{20., 80., 1}, {70., 170., 2}, {65., 275., 3}}) {
-        JointSet set;
-        set.dip = dip;
-        set.dip_direction = direction;
-        set.dip_deviation = 5;
-        set.spacing = 1;
-        set.number = 9;
-        set.origin = {2, 2, 2};
-        set.id = id;
-        const CutBlocks result = cut_blocks(blocks, set, 0.02);
-        std::vector<Polyhedron> next;
-        for (std::size_t i = 0; i < blocks.size(); ++i)
-            if (!std::binary_search(result.parents.begin(), result.parents.end(), static_cast<int>(i)))
-                next.push_back(blocks[i]);
-        for (const auto& piece : result.pieces) next.push_back(piece.polyhedron);
-        blocks = std::move(next);
-    }
+    const std::vector<Polyhedron> blocks = jointed_rock(5, 0.02);
     const auto start = std::chrono::steady_clock::now();
     std::vector<double> smallest;
     std::size_t tetrahedra = 0;
@@ -172,4 +179,16 @@ TEST(Mesh, RefusesEdgesThatMakeNoSense) {
     EXPECT_EQ(message(0), "the edge length of zones is 0, and must be above 0");
     EXPECT_EQ(message(-1), "the edge length of zones is -1, and must be above 0");
     EXPECT_EQ(message(1e-5), "an edge length of 1e-05 makes some 1.5e+16 zones in one block");
+}
+
+TEST(Mesh, SplintersThatJointsLeaveAreFilledToo) {
+    // Without a limit of thickness the joints cut splinters and corners as small as chance will have it.
+    const std::vector<Polyhedron> blocks = jointed_rock(10, 0);
+    int splinters = 0;
+    for (const Polyhedron& block : blocks) {
+        splinters += thickness(block) < 0.02;
+        expect_sound(block, make_mesh(block, 0.6));
+    }
+    EXPECT_GT(blocks.size(), 100u);
+    EXPECT_GT(splinters, 3);
 }
