@@ -78,16 +78,14 @@ double mean_edge(const TetMesh& m) {
     return sum / static_cast<double>(edges.size());
 }
 
-/// A cube of rock of edge 4 cut by three sets that scatter by `scatter` degrees and as much of their spacing.
-std::vector<Polyhedron> jointed_rock(double scatter, double thinnest) {
+/// A cube of rock of edge 4 cut by three sets that scatter as the pattern does.
+std::vector<Polyhedron> jointed_rock(const JointSet& pattern, double thinnest) {
     std::vector<Polyhedron> blocks{make_brick({0, 0, 0}, {4, 4, 4})};
     for (const auto& [dip, direction, id] : {std::tuple{20., 80., 1}, {70., 170., 2}, {65., 275., 3}}) {
-        JointSet set;
+        JointSet set = pattern;
         set.dip = dip;
         set.dip_direction = direction;
-        set.dip_deviation = set.dip_direction_deviation = scatter;
         set.spacing = 1;
-        set.spacing_deviation = scatter / 20;
         set.number = 9;
         set.origin = {2, 2, 2};
         set.id = id;
@@ -141,7 +139,9 @@ TEST(Mesh, WedgesDrumsAndTetrahedraAtSeveralSizes) {
 }
 
 TEST(Mesh, BlocksOfThreeJointSets) {
-    const std::vector<Polyhedron> blocks = jointed_rock(5, 0.02);
+    JointSet pattern;
+    pattern.dip_deviation = 5;
+    const std::vector<Polyhedron> blocks = jointed_rock(pattern, 0.02);
     const auto start = std::chrono::steady_clock::now();
     std::vector<double> smallest;
     std::size_t tetrahedra = 0;
@@ -183,7 +183,10 @@ TEST(Mesh, RefusesEdgesThatMakeNoSense) {
 
 TEST(Mesh, SplintersThatJointsLeaveAreFilledToo) {
     // Without a limit of thickness the joints cut splinters and corners as small as chance will have it.
-    const std::vector<Polyhedron> blocks = jointed_rock(10, 0);
+    JointSet pattern;
+    pattern.dip_deviation = pattern.dip_direction_deviation = 10;
+    pattern.spacing_deviation = 0.5;
+    const std::vector<Polyhedron> blocks = jointed_rock(pattern, 0);
     int splinters = 0;
     for (const Polyhedron& block : blocks) {
         splinters += thickness(block) < 0.02;
