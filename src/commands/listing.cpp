@@ -3,6 +3,7 @@
 
 #include "base/parallel.hpp"
 #include "commands/handlers.hpp"
+#include "commands/materials.hpp"
 #include "model/measure.hpp"
 
 #include <algorithm>
@@ -70,7 +71,8 @@ std::string list_joint_models(Session& session, const lang::List&) {
                        p.unit, p.help});
         text += table.text() + "\n";
     }
-    for (const auto& set : session.model.joint_properties) {
+    for (const Row row : property_sets_in_use(session.model)) {
+        const auto& set = session.model.joint_properties[row];
         const JointModel* model = session.joints.find(set.model);
         text += fmt::format("in use, jmat {}: {}", set.material, set.model);
         for (std::size_t i = 0; model != nullptr && i < set.values.size(); ++i)

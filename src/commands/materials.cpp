@@ -53,6 +53,19 @@ const BlockProperty* find_block_property(std::string_view word) {
     return longer != block_properties.end() ? &*longer : nullptr;
 }
 
+/// The whole word that a classic joint word is short for; other words stand for themselves.
+std::string_view whole_word(std::string_view word) {
+    const auto found = std::ranges::find_if(joint_words, [&](auto known) { return known.starts_with(word); });
+    return found != joint_words.end() ? *found : word;
+}
+
+/// Drops a value that was given before under another spelling of the same word: jfric, jfriction.
+void forget_other_spellings(std::map<std::string, double>& values, const std::string& word) {
+    std::erase_if(values, [&](const auto& entry) {
+        return entry.first != word && whole_word(entry.first) == whole_word(word);
+    });
+}
+
 bool is_joint_word(const JointRegistry& joints, std::string_view word) {
     return std::ranges::any_of(joint_words, [&](auto known) { return known.starts_with(word); }) ||
            std::ranges::any_of(joints.loaded(),
@@ -166,7 +179,10 @@ void run(Session& session, const lang::Property& command) {
             set_joint_material(session.model, session.joints, number, names_and_values(of_joints),
                                session.here(), failed);
         });
-        for (const auto& item : of_joints) session.property_places[{number, item.word}] = item.place;
+        for (const auto& item : of_joints) {
+            session.property_places[{number, item.word}] = item.place;
+            forget_other_spellings(session.model.materials[number].joint, item.word);
+        }
     }
     material.joint = session.model.materials[number].joint;
     session.model.materials[number] = std::move(material);
@@ -227,6 +243,12 @@ void run(Session& session, const lang::JointModelCommand& command) {
         set_joint_properties(session.model, session.joints, contacts, names_and_values(command.items),
                              session.here(), failed);
     });
+}
+
+std::set<Row> property_sets_in_use(const Model& model) {
+    std::set<Row> rows(model.contacts.properties.begin(), model.contacts.properties.end());
+    rows.erase(no_row);
+    return rows;
 }
 
 void check_materials(Session& session) {

@@ -9,4 +9,7 @@ namespace kaya {
 /// not the other; warns, once each, about joint properties that no joint model in use knows.
 void check_materials(Session& session);
 
+/// Rows of Model::joint_properties that contacts use; others are left from earlier commands.
+std::set<Row> property_sets_in_use(const Model& model);
+
 } // namespace kaya

@@ -108,10 +108,14 @@ public:
     explicit ElasticJoints(Session& session) : session_(session) {
         for (const auto& set : session.model.joint_properties) true_values_.push_back(set.values);
         constexpr double strong = 1e30;
-        for (auto& set : session.model.joint_properties) {
+        for (const Row row : property_sets_in_use(session.model)) {
+            auto& set = session.model.joint_properties[row];
             const JointModel& model = session.joints.get(set.model);
             for (const char* word : {"jcohesion", "jtension"})
-                if (const auto index = model.find_property(word)) set.values[*index] = strong;
+                if (const auto index = model.find_property(word)) {
+                    set.values[*index] = strong;
+                    strengthened_ = true;
+                }
         }
     }
     ~ElasticJoints() {
@@ -121,7 +125,11 @@ public:
     ElasticJoints(const ElasticJoints&) = delete;
     ElasticJoints& operator=(const ElasticJoints&) = delete;
 
+    /// False when no joint model has such a strength: the first run is then like the second.
+    bool strengthened() const { return strengthened_; }
+
 private:
+    bool strengthened_ = false;
     Session& session_;
     std::vector<std::vector<double>> true_values_;
 };
@@ -156,6 +164,10 @@ void run(Session& session, const lang::Solve& command) {
     if (command.elastic) {
         session.cycle->prepare(); // contacts must have their properties before these can be made strong
         const ElasticJoints strong(session);
+        if (!strong.strengthened())
+            session.warn(
+                Diagnostic("no joint in use has a cohesion or a tensile strength that could be raised",
+                           "'elastic' has no effect"));
         session.output.say("solve elastic: stopped by " + advance_until(session, limits));
     }
     session.output.say("solve: stopped by " + advance_until(session, limits));

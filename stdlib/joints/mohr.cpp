@@ -24,20 +24,21 @@ enum Property {
     property_count
 };
 
+// Aliases are whole words: any leading part of one, as in jfric, is understood too.
 constexpr kaya_jproperty properties[] = {
     {"stiffness-normal", "jkn kn", "stress/length", "normal stress per closure", NAN, 0, INFINITY, 0},
     {"stiffness-shear", "jks ks", "stress/length", "shear stress per shear displacement", NAN, 0, INFINITY,
      0},
-    {"friction", "jfric fric", "angle", "angle of friction before failure", 0, 0, 90, 0},
-    {"cohesion", "jcoh coh", "stress", "shear strength at zero normal stress before failure", 0, 0, INFINITY,
+    {"friction", "jfriction fric", "angle", "angle of friction before failure", 0, 0, 90, 0},
+    {"cohesion", "jcohesion coh", "stress", "shear strength at zero normal stress before failure", 0, 0, INFINITY,
      0},
-    {"tension", "jten ten", "stress", "tensile strength before failure", 0, 0, INFINITY, 0},
-    {"dilation", "jdil dil", "angle", "angle of dilation while it slips", 0, 0, 89, 0},
-    {"dilation-zero", "zdil", "length", "slip at which dilation ends; 0: it does not end", 0, 0, INFINITY, 0},
-    {"friction-residual", "jrfric", "angle", "angle of friction after failure; not given: that before", NAN,
+    {"tension", "jtension ten", "stress", "tensile strength before failure", 0, 0, INFINITY, 0},
+    {"dilation", "jdilation dil", "angle", "angle of dilation while it slips", 0, 0, 89, 0},
+    {"dilation-zero", "zdilation", "length", "slip at which dilation ends; 0: it does not end", 0, 0, INFINITY, 0},
+    {"friction-residual", "jrfriction", "angle", "angle of friction after failure; not given: that before", NAN,
      0, 90, 1},
-    {"cohesion-residual", "jrcoh", "stress", "cohesion after failure", 0, 0, INFINITY, 0},
-    {"tension-residual", "jrten", "stress", "tensile strength after failure", 0, 0, INFINITY, 0},
+    {"cohesion-residual", "jrcohesion", "stress", "cohesion after failure", 0, 0, INFINITY, 0},
+    {"tension-residual", "jrtension", "stress", "tensile strength after failure", 0, 0, INFINITY, 0},
 };
 static_assert(std::size(properties) == property_count);
 

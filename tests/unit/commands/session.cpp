@@ -122,5 +122,13 @@ TEST_F(MaterialsTest, JointWordsGoToTheJointMaterialOfTheSameNumber) {
     EXPECT_EQ(model().materials.at(2).joint.at("jkn"), 1e9);
 }
 
+TEST_F(MaterialsTest, AnotherSpellingOfAJointWordTakesItsPlace) {
+    run("prop mat 1 jfriction 30 jcoh 2\nprop mat 1 jfric 35\n");
+    const auto& joint = model().materials.at(1).joint;
+    EXPECT_EQ(joint.size(), 2u);
+    EXPECT_EQ(joint.at("jfric"), 35);
+    EXPECT_EQ(joint.at("jcoh"), 2);
+}
+
 } // namespace
 } // namespace kaya
