@@ -279,11 +279,8 @@ std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double ed
             throw Diagnostic(fmt::format("an edge of {} would make more than {:.0e} zones", edge, most),
                              "give a longer edge or a smaller range");
         Polyhedron shape = shape_of(model, block);
-        auto mesh = hexahedron_mesh(shape, edge);
-        if (!mesh)
-            throw Diagnostic(fmt::format("block {} is no six-sided block: zones are made in those only",
-                                         model.blocks.number[block]));
-        meshed.push_back({block, std::move(shape), std::move(*mesh)});
+        TetMesh mesh = make_mesh(shape, edge);
+        meshed.push_back({block, std::move(shape), std::move(mesh)});
     }
     for (const auto& m : meshed) put_mesh(model, m.block, m.shape, m.mesh);
     if (!meshed.empty()) {
