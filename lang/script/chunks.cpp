@@ -86,8 +86,8 @@ void run_loaded_chunk(Machine& machine, const std::string& text, const Place& pl
     call_protected(machine.lua, 0, 0);
     if (!machine.unfinished_line.empty()) print_line(machine, std::exchange(machine.unfinished_line, {}));
     if (machine.registered || definitions(machine) != before)
-        keep_chunk(machine,
-                   {StoredSource::Kind::lua, "", place.source ? place.source->name : "", place.line, text});
+        keep_chunk(machine, {StoredSource::Kind::lua, "", place.source ? place.source->name : "",
+                             std::max(place.line, 1), text});
 }
 
 /// Where `require "a.b"` looks: beside the deck, in the folders of the options, in the working folder.

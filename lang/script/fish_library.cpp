@@ -195,8 +195,8 @@ void define_fish_function(Machine& machine, const std::string& text, const Place
     std::erase_if(fish.stored, [&](const StoredSource& stored) {
         return stored.kind == StoredSource::Kind::fish && stored.title == name;
     });
-    fish.stored.push_back(
-        {StoredSource::Kind::fish, name, place.source ? place.source->name : "", place.line, text});
+    fish.stored.push_back({StoredSource::Kind::fish, name, place.source ? place.source->name : "",
+                           std::max(place.line, 1), text});
     fish.lua_functions.erase(name);
     fish.functions[name] = {std::move(function), chunk_name};
     for (auto& [other, defined] : fish.functions) {

@@ -15,6 +15,7 @@ namespace kaya::script {
 namespace {
 
 constexpr int deepest_table = 100;
+constexpr std::int64_t most_lines = 10'000'000; ///< of a deck; more means a damaged file
 
 using Named = std::vector<std::pair<std::string, StoredValue>>;
 
@@ -191,6 +192,7 @@ public:
 
     void read() {
         machine_.tables = state_.tables;
+        rebuild_decks();
         machine_.restoring = true;
         for (const auto& source : state_.sources) define(source);
         machine_.restoring = false;
@@ -203,14 +205,27 @@ public:
     }
 
 private:
+    /// One text for each deck, with the lines that are known; the others are empty, so that numbers are
+    /// right.
+    void rebuild_decks() {
+        for (const auto& stored : state_.sources) {
+            if (stored.line < 1 || stored.line > most_lines) fail_damaged();
+            auto& deck = decks_[stored.name];
+            if (!deck) {
+                deck = std::make_shared<SourceText>();
+                deck->name = stored.name;
+            }
+            std::istringstream stream(stored.text);
+            auto at = static_cast<std::size_t>(stored.line - 1);
+            for (std::string line; std::getline(stream, line); ++at) {
+                if (deck->lines.size() <= at) deck->lines.resize(at + 1);
+                deck->lines[at] = line;
+            }
+        }
+    }
+
     void define(const StoredSource& stored) {
-        // Lines of the deck before the text are gone; empty ones keep the numbers right.
-        auto source = std::make_shared<SourceText>();
-        source->name = stored.name;
-        source->lines.assign(static_cast<std::size_t>(std::max<std::int64_t>(stored.line - 1, 0)), "");
-        std::istringstream stream(stored.text);
-        for (std::string line; std::getline(stream, line);) source->lines.push_back(line);
-        const Place place{source, static_cast<int>(std::max<std::int64_t>(stored.line, 1)), 1, 1};
+        const Place place{decks_[stored.name], static_cast<int>(stored.line), 1, 1};
         try {
             if (stored.kind == StoredSource::Kind::fish)
                 define_fish_function(machine_, stored.text, place);
@@ -249,7 +264,7 @@ private:
     }
 
     void push_object(std::size_t index) {
-        if (index >= made_.size()) throw Diagnostic("the saved scripts are damaged", {}, Fault::run);
+        if (index >= made_.size()) fail_damaged();
         if (made_[index] != LUA_NOREF) {
             lua_rawgeti(lua_, LUA_REGISTRYINDEX, made_[index]);
             return;
@@ -263,13 +278,31 @@ private:
             lua_newtable(lua_);
         lua_pushvalue(lua_, -1);
         made_[index] = luaL_ref(lua_, LUA_REGISTRYINDEX);
+        if (++depth_ > deepest_table + 1) fail_damaged();
         if (array)
             fill_array(object);
         else
             fill_pairs(object);
+        --depth_;
+    }
+
+    [[noreturn]] static void fail_damaged() {
+        throw Diagnostic("the saved scripts are damaged", "the file cannot be used", Fault::run);
+    }
+
+    /// Lua itself would stop the program at a key that is nothing or not a number.
+    static bool is_key(const StoredValue& value) {
+        if (const auto* number = std::get_if<double>(&value)) return *number == *number;
+        if (const auto* handle = std::get_if<Handle>(&value)) return handle->generation != 0;
+        return !std::holds_alternative<std::monostate>(value);
     }
 
     void fill_array(const StoredObject& object) {
+        std::size_t size = 1;
+        for (const std::int64_t extent : object.dimensions)
+            if (extent < 1 || __builtin_mul_overflow(size, static_cast<std::size_t>(extent), &size))
+                fail_damaged();
+        if (size != object.values.size()) fail_damaged();
         for (std::size_t i = 0; i < object.values.size(); ++i) {
             lua_pushnil(lua_);
             push(object.values[i]);
@@ -290,6 +323,7 @@ private:
 
     void fill_pairs(const StoredObject& object) {
         for (std::size_t i = 0; i < object.keys.size() && i < object.values.size(); ++i) {
+            if (!is_key(object.keys[i])) fail_damaged();
             lua_pushnil(lua_);
             push(object.keys[i]);
             lua_remove(lua_, -2);
@@ -305,6 +339,8 @@ private:
     lua_State* lua_;
     const ScriptState& state_;
     std::vector<int> made_; ///< registry numbers of the tables made so far
+    int depth_ = 0;
+    std::map<std::string, std::shared_ptr<SourceText>> decks_;
 };
 
 } // namespace

@@ -139,6 +139,37 @@ TEST(ScriptState, damaged_bytes_are_refused_wherever_they_end) {
                 HasSubstr("saved in version 9; this program reads version 1"));
 }
 
+TEST(ScriptState, changed_bytes_end_in_a_message_or_a_state_never_in_a_crash) {
+    Stage s;
+    fill(s);
+    const std::string bytes = to_bytes(s.scripts.state());
+    int refused = 0;
+    for (std::size_t i = 14; i < bytes.size(); i += 3) {
+        std::string changed = bytes;
+        changed[i] = static_cast<char>(changed[i] ^ (1 << (i % 8)));
+        Stage other;
+        refused += message_of([&] { other.scripts.restore(from_bytes(changed)); }) != "no error";
+    }
+    EXPECT_GT(refused, 50);
+}
+
+TEST(ScriptState, objects_that_cannot_be_are_refused) {
+    const auto refusal = [](const StoredObject& object) {
+        ScriptState state;
+        state.objects = {object};
+        state.lua_globals = {{"t", ObjectReference{0}}};
+        Stage s;
+        return message_of([&] { s.scripts.restore(state); });
+    };
+    const StoredValue one = std::int64_t{1};
+    EXPECT_EQ(refusal({{}, {one}, {one}}), "no error");
+    EXPECT_THAT(refusal({{}, {StoredValue()}, {one}}), HasSubstr("damaged"));
+    EXPECT_THAT(refusal({{}, {std::nan("")}, {one}}), HasSubstr("damaged"));
+    EXPECT_THAT(refusal({{}, {one}, {ObjectReference{7}}}), HasSubstr("damaged"));
+    EXPECT_THAT(refusal({{2, 2}, {}, {one}}), HasSubstr("damaged"));
+    EXPECT_THAT(refusal({{-1}, {}, {one}}), HasSubstr("damaged"));
+}
+
 TEST(ScriptState, a_chunk_that_fails_when_it_runs_again_says_so) {
     ScriptState state;
     state.sources.push_back({StoredSource::Kind::lua, "", "old.3ddat", 3, "error('gone')"});
