@@ -2,6 +2,7 @@
 #include "commands/handlers.hpp"
 
 #include "mechanics/boundary.hpp"
+#include "mechanics/contact_properties.hpp"
 
 #include <algorithm>
 #include <array>
@@ -99,6 +100,7 @@ void run(Session& session, const lang::Boundary& command) {
                                        number_text(*command.load[axis]), points.size()));
     }
     if (!command.stress) return;
+    find_contacts(session.model, session.joints); // they tell which faces are exterior
     if (add_stress(session.model, points, stress_field(command)) > 0) return;
     session.warn(
         Diagnostic(fmt::format("no face on the surface has all its corners among the {} gridpoints in range",

@@ -204,7 +204,6 @@ std::string list_settings(Session& session, const lang::List&) {
     table.add({"time step fraction", number_text(s.time_step_fraction)});
     table.add({"dynamic", yes(s.dynamic)});
     table.add({"large strain", yes(s.large_strain)});
-    table.add({"mass scaling", yes(s.mass_scale > 0)});
     table.add({"jmat of new contacts", std::to_string(s.default_joint_material)});
     table.add({"jcons of new contacts", std::to_string(s.default_joint_constitutive)});
     table.add({"threads", std::to_string(threads())});

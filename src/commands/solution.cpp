@@ -177,6 +177,12 @@ void run(Session& session, const lang::Damp& command) {
     const auto found = std::ranges::find(dampings, std::string_view(command.kind), &DampingEntry::word);
     if (found == dampings.end()) throw std::logic_error("damp: no entry for '" + command.kind + "'");
     auto& settings = session.model.settings;
+    if (found->damping == Damping::rayleigh && command.stiffness)
+        throw Diagnostic(command.mass ? "of Rayleigh damping only the part of the mass is there yet"
+                                      : "the stiffness part of Rayleigh damping is not there yet",
+                         "add `mass` to damp by the mass alone");
+    if (found->damping == Damping::combined)
+        session.warn(Diagnostic("combined damping is not there yet", "local damping is used in its place"));
     settings.damping = found->damping;
     if (found->damping == Damping::local || found->damping == Damping::combined)
         settings.local_factor = command.value.value_or(0.8);
@@ -184,15 +190,11 @@ void run(Session& session, const lang::Damp& command) {
     if (found->damping == Damping::rayleigh) {
         settings.rayleigh_fraction = command.fraction;
         settings.rayleigh_frequency = command.frequency;
-        settings.rayleigh_mass = command.mass;
-        settings.rayleigh_stiffness = command.stiffness;
     }
-    session.model.properties_changed = true; // stiffness-proportional damping shortens the time step
 }
 
 void run(Session& session, const lang::MassScale& command) {
-    session.model.settings.mass_scale = command.on ? command.value.value_or(1.0) : 0.0;
-    session.model.properties_changed = true;
+    if (command.on) session.warn(Diagnostic("density scaling is not there yet", "the real masses are used"));
 }
 
 void run(Session& session, const lang::Fraction& command) {

@@ -65,7 +65,6 @@ Diagnostic joint_failure(const Model& model, const Batch& batch, const BatchFail
                       model.blocks.number[model.contacts.block2[contact]], x.x(), x.y(), x.z()));
     d.add(fmt::format("area {:.6g}, normal force {:.6g}, normal displacement {:.6g} (this step {:.6g})", s.area[row],
                       s.normal_force[row], s.normal_displacement[row], s.normal_displacement_increment[row]));
-    d.add(fmt::format("cycle {}, time {:.6g}", model.clock.cycle, model.clock.time));
     if (!properties.place.empty()) d.add("properties given at " + properties.place);
     return d;
 }

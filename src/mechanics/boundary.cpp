@@ -66,8 +66,15 @@ Stress StressField::at(const Vec3& place) const {
 
 double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress) {
     const auto listed = [&](Row g) { return std::binary_search(gridpoints.begin(), gridpoints.end(), g); };
+    // A face on which another block lies is not exterior.
+    std::vector<char> covered(model.faces.size(), 0);
+    for (std::size_t c = 0; c < model.contacts.size(); ++c)
+        if (model.contacts.touch[c] == Touch::face_face)
+            covered[model.contacts.face1[c]] = covered[model.contacts.face2[c]] = 1;
     double loaded = 0;
-    for (const auto& corners : model.triangles.gridpoints) {
+    for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+        const auto& corners = model.triangles.gridpoints[t];
+        if (covered[model.triangles.face[t]]) continue;
         if (!std::all_of(corners.begin(), corners.end(), listed)) continue;
         const auto& x = model.gridpoints.position;
         const Vec3 area = 0.5 * (x[corners[1]] - x[corners[0]]).cross(x[corners[2]] - x[corners[0]]);

@@ -26,7 +26,8 @@ struct StressField {
 };
 
 /// Adds the tractions of a stress to the exterior triangles whose three gridpoints are all in the list
-/// (sorted rows). Returns the loaded area.
+/// (sorted rows); a face on which another block lies is not exterior. Contacts must have been found.
+/// Returns the loaded area.
 double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress);
 
 /// Fixes or frees all components of whole blocks.

@@ -53,6 +53,14 @@ void check_properties(const Model& model, JointRegistry& joints) {
     }
 }
 
+Diagnostic motion_lost() {
+    Diagnostic d("the motion of the model is no longer a number",
+                 "a velocity or a force has grown without limit: look at the time step, stiffnesses and loads",
+                 Fault::run);
+    d.code = "motion-lost";
+    return d;
+}
+
 } // namespace
 
 /// What is derived from the model and never saved.
@@ -204,7 +212,7 @@ void Cycle::advance() {
     s.timed(gather, [&] { gather_forces(model_, s.adjacency, s.joints, s.corner_forces); });
     run_hooks(hooks.after_forces);
 
-    if (!std::isfinite(motion.kinetic) || !std::isfinite(clock.unbalanced_force)) throw lost();
+    if (!std::isfinite(motion.kinetic) || !std::isfinite(clock.unbalanced_force)) throw motion_lost();
     adapt_viscosity(motion);
     keep_account(motion, joint_sums, zone_work);
     const bool may_grow = clock.cycle % growth_interval == 0;
@@ -222,15 +230,6 @@ void Cycle::run_hooks(const std::vector<std::function<void()>>& list) {
     scratch_->timed(script, [&] {
         for (const auto& hook : list) hook();
     });
-}
-
-Diagnostic Cycle::lost() const {
-    Diagnostic d("the motion of the model is no longer a number",
-                 "a velocity or a force has grown without limit: look at the time step, stiffnesses and loads",
-                 Fault::run);
-    d.code = "motion-lost";
-    d.add(fmt::format("cycle {}, time {:.6g}", model_.clock.cycle, model_.clock.time));
-    return d;
 }
 
 std::string Cycle::time_step_report() {

@@ -1,7 +1,6 @@
 // One cycle of the explicit scheme: the only place where the order of the phases stands.
 #pragma once
 
-#include "base/diagnostic.hpp"
 #include "joints/joint_model.hpp"
 #include "model/model.hpp"
 
@@ -59,7 +58,6 @@ private:
     void adapt_viscosity(const MotionSums& motion);
     void keep_account(const MotionSums& motion, const JointSums& joint_sums, double zone_work);
     void run_hooks(const std::vector<std::function<void()>>& list);
-    Diagnostic lost() const;
 
     Model& model_;
     JointRegistry& joints_;

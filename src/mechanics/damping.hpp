@@ -4,6 +4,7 @@
 #include "model/settings.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace kaya {
 
@@ -16,8 +17,8 @@ struct DampingFactors {
         if (settings.damping == Damping::local || settings.damping == Damping::combined)
             local = settings.local_factor;
         if (settings.damping == Damping::global) viscous = clock.global_viscosity;
-        if (settings.damping == Damping::rayleigh && settings.rayleigh_mass)
-            viscous = 4 * 3.14159265358979323846 * settings.rayleigh_fraction * settings.rayleigh_frequency;
+        if (settings.damping == Damping::rayleigh)
+            viscous = 4 * std::numbers::pi * settings.rayleigh_fraction * settings.rayleigh_frequency;
     }
 
     /// The velocity one step later, from the sum of forces and the mass (or moment and moment of inertia).

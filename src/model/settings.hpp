@@ -17,13 +17,11 @@ struct Settings {
     double global_ratio = 0.5;       ///< damping power asked for, over the rate of change of kinetic energy
     double rayleigh_fraction = 0;    ///< of critical damping, at
     double rayleigh_frequency = 0;   ///< cycles/time
-    bool rayleigh_mass = true, rayleigh_stiffness = true;
     double time_step_fraction = 0.25; ///< of the largest stable step; about what 3DEC takes
     double given_time_step = 0;      ///< 0: computed
     bool dynamic = false;
     bool large_strain = true;
     bool energy = true; ///< keep the account of energy
-    double mass_scale = 0;           ///< 0: real masses
     std::int32_t default_joint_material = 1;     ///< `set jmatdf`
     std::int32_t default_joint_constitutive = 1; ///< `set jcondf`
     /// Row of Model::joint_properties for new contacts, after a `jmodel` command that reached all; -1: the

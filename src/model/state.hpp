@@ -22,8 +22,7 @@ namespace kaya {
 // not here does not compile.
 
 template <class Archive> void visit_state(Archive& archive, Settings& settings) {
-    auto& [gravity, damping, local_factor, global_ratio, rayleigh_fraction, rayleigh_frequency, rayleigh_mass,
-           rayleigh_stiffness, time_step_fraction, given_time_step, dynamic, large_strain, energy, mass_scale,
+    auto& [gravity, damping, local_factor, global_ratio, rayleigh_fraction, rayleigh_frequency, time_step_fraction, given_time_step, dynamic, large_strain, energy,
            default_joint_material, default_joint_constitutive, default_properties] = settings;
     archive.value("gravity", gravity);
     archive.value("damping", damping);
@@ -31,14 +30,11 @@ template <class Archive> void visit_state(Archive& archive, Settings& settings) 
     archive.value("global_ratio", global_ratio);
     archive.value("rayleigh_fraction", rayleigh_fraction);
     archive.value("rayleigh_frequency", rayleigh_frequency);
-    archive.value("rayleigh_mass", rayleigh_mass);
-    archive.value("rayleigh_stiffness", rayleigh_stiffness);
     archive.value("time_step_fraction", time_step_fraction);
     archive.value("given_time_step", given_time_step);
     archive.value("dynamic", dynamic);
     archive.value("large_strain", large_strain);
     archive.value("energy", energy);
-    archive.value("mass_scale", mass_scale);
     archive.value("default_joint_material", default_joint_material);
     archive.value("default_joint_constitutive", default_joint_constitutive);
     archive.value("default_properties", default_properties);
