@@ -228,8 +228,10 @@ void run(Session& session, const lang::JointModelCommand& command) {
         if (command.action == Action::load) return;
     }
     find_contacts(session.model, session.joints);
-    const auto contacts = session.pick(ObjectKind::contact, command.range);
-    if (contacts.empty()) return;
+    // Where nothing touches yet, a command for all contacts is one for those to come.
+    const bool to_come = session.model.contacts.empty() && !command.range.place;
+    const auto contacts = to_come ? std::vector<Row>{} : session.pick(ObjectKind::contact, command.range);
+    if (contacts.empty() && !to_come) return;
     if (command.action == Action::assign) {
         try {
             assign_joint_model(session.model, session.joints, contacts, command.model, session.here());

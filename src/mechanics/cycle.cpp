@@ -205,6 +205,7 @@ void Cycle::advance() {
             changed = true;
         }
         if (!changed) return false;
+        check_properties(model_, joints_); // a contact that is new may have a joint material of its own
         make_lists();
         model_.lists_changed = false;
         return true;
