@@ -28,7 +28,7 @@ struct TouchGeometry {
     std::vector<TouchPoint> points;
 };
 
-/// Face normals and edges of all blocks as they are now; made once per search.
+/// Face normals of all blocks as they are now; made once per search.
 class Surfaces {
 public:
     explicit Surfaces(const Model& model);
