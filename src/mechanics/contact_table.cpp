@@ -25,17 +25,6 @@ Row nearest(const SubContacts& s, Span span, const Vec3& place) {
     return best;
 }
 
-/// Rows of histories of sub-contacts follow their sub-contact.
-std::vector<std::pair<std::size_t, SubContactId>> recorded_sub_contacts(const Model& model) {
-    std::vector<std::pair<std::size_t, SubContactId>> recorded;
-    for (std::size_t h = 0; h < model.histories.all.size(); ++h) {
-        const auto& source = model.histories.all[h].source;
-        if (source.kind == HistorySource::Kind::sub_contact && source.row != no_row)
-            recorded.emplace_back(h, model.sub_contacts.id[source.row]);
-    }
-    return recorded;
-}
-
 template <class Call>
 void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>& marked, Call call) {
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
@@ -90,7 +79,6 @@ void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vec
 void replace_contacts(Model& model, JointRegistry& joints, std::vector<ContactDraft> drafts, bool moving) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
-    const auto recorded = recorded_sub_contacts(model);
 
     // Where each new row comes from. A blank row at the end serves those that come from nowhere.
     const Row blank_contact = static_cast<Row>(contacts.size()), blank_sub = static_cast<Row>(subs.size());
@@ -186,7 +174,6 @@ void replace_contacts(Model& model, JointRegistry& joints, std::vector<ContactDr
         if (!contact_kept[c]) contacts.ids.destroy(old_contact_ids[c]);
     for (std::size_t s = 0; s < sub_kept.size(); ++s)
         if (!sub_kept[s]) subs.ids.destroy(old_sub_ids[s]);
-    for (const auto& [h, id] : recorded) model.histories.all[h].source.row = subs.ids.row(id);
 
     start_sub_contacts(model, joints, fresh, moving);
     model.lists_changed = true;
