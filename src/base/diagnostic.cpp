@@ -108,7 +108,8 @@ std::string render(const Diagnostic& d, bool colour) {
 
 std::string_view did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
     if (word.empty()) return {};
-    // One mistake in a short word, two in a longer one: beyond that a guess hurts more than it helps.
+    // One mistake in a word of two letters, two in a short word, three in a longer one: beyond that a guess hurts
+    // more than it helps.
     // In halves, so that a shortened word loses against a whole one with as many mistakes, and that the same
     // letters in another order, the commonest slip, win.
     const int limit = 2 * (word.size() <= 2 ? 1 : word.size() <= 5 ? 2 : 3);

@@ -93,10 +93,11 @@ void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic
         const Corners now(places(model, z));
         double sum = 0;
         for (const auto& gradient : now.gradient) sum += gradient.squaredNorm();
-        // The largest eigenvalue of a zone's stiffness matrix is at most its confined modulus times the
-        // volume times the sum of the squared gradients.
+        // The largest eigenvalue of a zone's stiffness matrix is at most its confined modulus (or, where
+        // Poisson's ratio is negative, twice its shear modulus) times the volume times the sum of the
+        // squared gradients.
         const auto& [lambda, two_shear] = elastic[model.zones.block[z]];
-        const double stiffness = (lambda + two_shear) * now.volume * sum;
+        const double stiffness = (std::max(lambda, 0.0) + two_shear) * now.volume * sum;
         for (const Row row : model.zones.gridpoints[z]) g.zone_frequency[row] += stiffness / g.mass[row];
     }
 }
