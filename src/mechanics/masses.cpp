@@ -22,12 +22,6 @@ const Material& material_of(const Model& model, Row block) {
     throw d;
 }
 
-/// Bulk and shear modulus; from Young's modulus and Poisson's ratio when those were given.
-std::pair<double, double> moduli(const Material& m) {
-    if (std::isfinite(m.bulk) && std::isfinite(m.shear)) return {m.bulk, m.shear};
-    return {m.young / (3 * (1 - 2 * m.poisson)), m.young / (2 * (1 + m.poisson))};
-}
-
 } // namespace
 
 void compute_masses(Model& model) {
@@ -57,7 +51,8 @@ std::vector<ElasticConstants> elastic_constants(const Model& model) {
     for (std::size_t b = 0; b < constants.size(); ++b) {
         if (!model.blocks.deformable[b]) continue;
         const Row row = static_cast<Row>(b);
-        const auto [bulk, shear] = moduli(material_of(model, row));
+        const Material& material = material_of(model, row);
+        const double bulk = material.bulk, shear = material.shear;
         if (!(std::isfinite(bulk) && std::isfinite(shear))) missing(model, row, "elastic moduli", "bulk 4e9 shear 3e9");
         if (!(bulk > 0 && shear > 0))
             missing(model, row, "stiffness: its bulk and shear moduli must be above 0", "bulk 4e9 shear 3e9");
