@@ -191,7 +191,6 @@ bool lay_faces(const Model& model, TouchGeometry& touch, double margin, double t
         point.meeting = p.vertex1 >= 0   ? Meeting::vertex_face
                         : p.vertex2 >= 0 ? Meeting::face_vertex
                                          : Meeting::edge_edge;
-        point.features = {p.vertex1 >= 0 ? rows1[p.vertex1] : no_row, p.vertex2 >= 0 ? rows2[p.vertex2] : no_row};
         near = near || point.gap < margin;
         touch.area += point.area;
         centre += point.area * point.position;
@@ -258,7 +257,6 @@ bool lay_vertices(const Model& model, TouchGeometry& touch, Row block1, Row bloc
         point.side2 = face_of_first ? vertex : on_face;
         point.position = 0.5 * (x + attached_position(model, on_face));
         point.meeting = face_of_first ? Meeting::face_vertex : Meeting::vertex_face;
-        point.features = face_of_first ? std::array<Row, 2>{no_row, g} : std::array<Row, 2>{g, no_row};
         touch.points.push_back(point);
     }
     if (touch.points.empty()) return false;
@@ -291,7 +289,6 @@ bool lay_edges(const Model& model, TouchGeometry& touch, const Separation& s, Ro
     point.gap = touch.normal.dot(x2 - x1);
     if (point.gap > margin) return false;
     point.meeting = Meeting::edge_edge;
-    point.features = {s.edge1[0], s.edge2[0]};
     point.area = touch.area = 0.01 * 0.5 * (mean_face_area(model, block1) + mean_face_area(model, block2));
     touch.position = point.position;
     touch.touch = Touch::edge_edge;

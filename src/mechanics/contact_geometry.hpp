@@ -14,7 +14,6 @@ struct TouchPoint {
     double gap = 0; ///< along the normal; negative: overlap
     double area = 0;
     Meeting meeting = Meeting::vertex_face;
-    std::array<Row, 2> features{no_row, no_row};
     Attachment side1, side2;
 };
 

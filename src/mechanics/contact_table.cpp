@@ -163,7 +163,6 @@ void replace_contacts(Model& model, JointRegistry& joints, std::vector<ContactDr
                 subs.shear_force.set(s, scale * (shear - shear.dot(n) * n));
             }
             subs.meeting[s] = point.meeting;
-            subs.features[s] = point.features;
             subs.side1[s] = point.side1;
             subs.side2[s] = point.side2;
             subs.position.set(s, point.position);

@@ -80,7 +80,6 @@ public:
     Column<std::int32_t> number;
     Column<Row> contact;
     Column<Meeting> meeting;
-    Column<std::array<Row, 2>> features; ///< what meets, for finding the same sub-contact after an update
     Column<Attachment> side1;
     Column<Attachment> side2;
     VectorColumn position;
@@ -105,7 +104,6 @@ public:
         visit("number", number);
         visit("contact", contact);
         visit("meeting", meeting);
-        visit("features", features);
         visit("side1", side1);
         visit("side2", side2);
         visit_vector(visit, "position", position);

@@ -24,8 +24,6 @@ struct Material {
     /// Joint properties given by material number (`prop jmat`), by the name the user typed.
     /// They are handed to a contact's joint model when it is assigned.
     std::map<std::string, double> joint;
-
-    double confined_modulus() const { return bulk + 4.0 / 3.0 * shear; }
 };
 
 /// Values for one joint model; contacts that share a row are one batch.

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sstream>
+#include <unistd.h>
 
 namespace kaya {
 namespace {
@@ -42,7 +43,8 @@ protected:
 
     Catch results, messages;
     Output output{results.stream(), messages.stream()};
-    std::string log = testing::TempDir() + "kaya_output_test.log";
+    // Of this process: the tests of a fixture run at the same time.
+    std::string log = testing::TempDir() + "kaya_output_test_" + std::to_string(::getpid()) + ".log";
 };
 
 TEST_F(OutputTest, ResultsAndMessagesGoTheirOwnWays) {

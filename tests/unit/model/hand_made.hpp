@@ -84,7 +84,6 @@ inline void add_contact(Model& model, double x1, double x2) {
         sub.number[i] = model.next_sub_contact_number++;
         sub.contact[i] = 0;
         sub.meeting[i] = Meeting::vertex_face;
-        sub.features[i] = {i, 4};
         sub.side1[i] = {{4, 5, 6}, {0.25, 0.25, 0.5}};
         sub.side2[i] = {{i, no_row, no_row}, {1, 0, 0}};
         sub.position.set(i, Vec3(i == 0 ? x1 : x2, 0.25, 0));
