@@ -1,5 +1,6 @@
 #include "geometry/overlay.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -117,8 +118,9 @@ struct Sweep {
 
 } // namespace
 
-std::vector<OverlayPoint> overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance) {
-    std::vector<OverlayPoint> points;
+Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance) {
+    Overlay result;
+    std::vector<OverlayPoint>& points = result.points;
     PointFinder finder(tolerance);
     const Sweep sweep1(side1), sweep2(side2);
     Polygon polygon, scratch;
@@ -171,12 +173,76 @@ std::vector<OverlayPoint> overlay(const PlaneMesh& side1, const PlaneMesh& side2
                 const double third = cross(points[ring[i]].place - points[ring[0]].place,
                                            points[ring[i + 1]].place - points[ring[0]].place) /
                                      6.0;
-                for (const int r : {ring[0], ring[i], ring[i + 1]}) points[r].area += third;
+                Vec2 sum = Vec2::Zero();
+                for (const int r : {ring[0], ring[i], ring[i + 1]}) {
+                    const Vec2& x = points[r].place;
+                    points[r].area += third;
+                    sum += x;
+                    result.second_moment += 0.25 * third * x * x.transpose();
+                }
+                result.second_moment += 0.25 * third * sum * sum.transpose();
             }
         }
     }
     std::erase_if(points, [](const OverlayPoint& p) { return !(p.area > 0); });
-    return points;
+    return result;
+}
+
+void balance_areas(Overlay& overlay) {
+    auto& points = overlay.points;
+    if (points.size() < 4) return; // the centre decides
+    double whole = 0;
+    Vec2 centre = Vec2::Zero();
+    for (const auto& p : points) {
+        whole += p.area;
+        centre += p.area * p.place;
+    }
+    centre /= whole;
+
+    // Coordinates in which the overlap's own second moments are the unit matrix: by the square root of a 2 by 2 matrix.
+    const Eigen::Matrix2d exact = overlay.second_moment / whole - centre * centre.transpose();
+    const double root = std::sqrt(std::max(0.0, exact.determinant()));
+    if (!(root > 1e-9 * exact.trace())) return;
+    const Eigen::Matrix2d whiten =
+        ((exact + root * Eigen::Matrix2d::Identity()) / std::sqrt(exact.trace() + 2 * root)).inverse();
+
+    // Two functions of second order that are to vanish in the mean: u v and u^2 - v^2.
+    struct Sample {
+        double weight;
+        Vec2 u, f;
+    };
+    std::vector<Sample> samples;
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero(), mixed = Eigen::Matrix2d::Zero();
+    Vec2 wrong = Vec2::Zero();
+    for (const auto& p : points) {
+        const Vec2 u = whiten * (p.place - centre);
+        const Vec2 f{u.x() * u.y(), u.x() * u.x() - u.y() * u.y()};
+        const double weight = p.area / whole;
+        spread += weight * u * u.transpose();
+        mixed += weight * f * u.transpose();
+        wrong += weight * f;
+        samples.push_back({weight, u, f});
+    }
+    // Changes of the areas, in parts of them, that keep their sum and centre: the functions less their projections on
+    // 1, x and y in the scalar product weighted with the areas.
+    const Eigen::Matrix2d slope = mixed * spread.inverse();
+    Eigen::Matrix2d effect = Eigen::Matrix2d::Zero();
+    for (auto& s : samples) {
+        s.f -= wrong + slope * s.u;
+        effect += s.weight * s.f * s.f.transpose();
+    }
+    // Four points leave one thing to choose and not two: then the pseudo-inverse of a matrix of rank one.
+    const double trace = effect.trace();
+    if (wrong.norm() < 1e-12 || !(trace > 1e-9)) return;
+    const Eigen::Matrix2d inverse =
+        effect.determinant() > 1e-9 * trace * trace ? Eigen::Matrix2d(effect.inverse()) : effect / (trace * trace);
+    const Vec2 amount = -(inverse * wrong);
+
+    double least = 0;
+    for (const auto& s : samples) least = std::min(least, amount.dot(s.f));
+    constexpr double most = 0.75; // part of its area that a point may lose
+    const double part = least < -most ? most / -least : 1;
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].area *= 1 + part * amount.dot(samples[i].f);
 }
 
 } // namespace kaya

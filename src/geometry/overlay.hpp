@@ -29,7 +29,18 @@ struct OverlayPoint {
     std::array<double, 3> weights1{}, weights2{};
 };
 
+struct Overlay {
+    std::vector<OverlayPoint> points;
+    Eigen::Matrix2d second_moment = Eigen::Matrix2d::Zero(); ///< of the overlap about the origin, exact
+};
+
 /// Points closer than `tolerance` are one point; pieces thinner than it are left out.
-std::vector<OverlayPoint> overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance);
+Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance);
+
+/// Shares the areas anew so that the second moments of the points are those of the overlap times one factor, as far
+/// as the points allow: a square whose corners own 1/3, 1/6, 1/3, 1/6 of it, as its two triangles have it, resists
+/// tilting about one diagonal more than about the other; with a quarter each it does not. The sum of areas and their
+/// centre stay. For faces that do not bend: the areas are no longer those of the triangles.
+void balance_areas(Overlay& overlay);
 
 } // namespace kaya

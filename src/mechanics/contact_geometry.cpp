@@ -172,7 +172,7 @@ Attachment attach(const PlaneMesh& mesh, const std::vector<Row>& rows, int verte
 }
 
 /// Sub-contacts at the vertices of the overlay of two faces.
-bool lay_faces(const Model& model, TouchGeometry& touch, double margin, double tolerance) {
+bool lay_faces(const Model& model, TouchGeometry& touch, bool rigid, double margin, double tolerance) {
     const PlaneAxes axes = axes_of(touch.normal);
     const Vec3 origin = model.gridpoints.position[model.triangles.gridpoints[model.faces.triangles[touch.face2].first][0]];
     std::vector<Row> rows1, rows2;
@@ -180,7 +180,9 @@ bool lay_faces(const Model& model, TouchGeometry& touch, double margin, double t
     const PlaneMesh mesh2 = flattened(model, touch.face2, axes, origin, rows2);
     Vec3 centre = Vec3::Zero();
     bool near = false;
-    for (const auto& p : overlay(mesh1, mesh2, tolerance)) {
+    Overlay laid = overlay(mesh1, mesh2, tolerance);
+    if (rigid) balance_areas(laid);
+    for (const auto& p : laid.points) {
         TouchPoint point;
         point.side1 = attach(mesh1, rows1, p.vertex1, p.triangle1, p.weights1);
         point.side2 = attach(mesh2, rows2, p.vertex2, p.triangle2, p.weights2);
@@ -344,7 +346,8 @@ std::optional<TouchGeometry> find_touch(const Model& model, const Surfaces& surf
                                 face_of_first ? Vec3(-touch.normal) : touch.normal, cosine);
     if (cosine >= cos_of_flat) {
         (face_of_first ? touch.face2 : touch.face1) = opposite;
-        if (lay_faces(model, touch, margin, 1e-7 * size)) return touch;
+        const bool rigid = !model.blocks.deformable[block1] && !model.blocks.deformable[block2];
+        if (lay_faces(model, touch, rigid, margin, 1e-7 * size)) return touch;
         return std::nullopt;
     }
     if (lay_vertices(model, touch, block1, block2, margin)) return touch;

@@ -1,0 +1,75 @@
+#include "geometry/overlay.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace kaya;
+
+namespace {
+
+/// A polygon cut in triangles from its first corner.
+PlaneMesh fan(std::vector<Vec2> corners) {
+    PlaneMesh mesh;
+    for (int k = 1; k + 1 < static_cast<int>(corners.size()); ++k) mesh.triangles.push_back({0, k, k + 1});
+    mesh.points = std::move(corners);
+    return mesh;
+}
+
+struct Moments {
+    double area = 0;
+    Vec2 first = Vec2::Zero();
+    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+
+    explicit Moments(const Overlay& overlay) {
+        for (const auto& p : overlay.points) {
+            area += p.area;
+            first += p.area * p.place;
+            second += p.area * p.place * p.place.transpose();
+        }
+    }
+};
+
+const PlaneMesh wide = fan({{-3, -2}, {5, -2}, {5, 4}, {-3, 4}});
+
+} // namespace
+
+TEST(Overlay, ASquareHasItsExactSecondMoments) {
+    const Overlay laid = overlay(fan({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), wide, 1e-9);
+    EXPECT_NEAR(laid.second_moment(0, 0), 1.0 / 3, 1e-14);
+    EXPECT_NEAR(laid.second_moment(1, 1), 1.0 / 3, 1e-14);
+    EXPECT_NEAR(laid.second_moment(0, 1), 0.25, 1e-14);
+    EXPECT_NEAR(Moments(laid).area, 1, 1e-14);
+}
+
+TEST(BalanceAreas, GivesTheCornersOfARectangleAQuarterEach) {
+    const PlaneMesh rectangle = fan({{0.5, -1}, {2.5, -1}, {2.5, 0}, {0.5, 0}});
+    Overlay laid = overlay(rectangle, rectangle, 1e-9);
+    ASSERT_EQ(laid.points.size(), 4u);
+    balance_areas(laid);
+    for (const auto& p : laid.points) EXPECT_NEAR(p.area, 0.5, 1e-12);
+}
+
+TEST(BalanceAreas, KeepsSumAndCentreAndBringsTheAxesOfResistanceToThoseOfTheOverlap) {
+    // Two rectangles, one turned against the other: an octagon-like overlap with crossings of diagonals.
+    Overlay laid = overlay(fan({{0, 0}, {2, 0}, {2, 1}, {0, 1}}), fan({{0.3, -0.4}, {1.9, 0.2}, {1.5, 1.4}, {-0.1, 0.8}}), 1e-9);
+    const Moments before(laid);
+    balance_areas(laid);
+    const Moments after(laid);
+    EXPECT_NEAR(after.area, before.area, 1e-14);
+    EXPECT_LT((after.first - before.first).norm(), 1e-14);
+    for (const auto& p : laid.points) EXPECT_GT(p.area, 0);
+
+    const Vec2 centre = after.first / after.area;
+    const Eigen::Matrix2d exact = laid.second_moment - after.area * centre * centre.transpose();
+    const Eigen::Matrix2d points = after.second - after.area * centre * centre.transpose();
+    // One factor between the two.
+    EXPECT_NEAR(points(0, 1) / exact(0, 1), points(0, 0) / exact(0, 0), 1e-10);
+    EXPECT_NEAR(points(1, 1) / exact(1, 1), points(0, 0) / exact(0, 0), 1e-10);
+}
+
+TEST(BalanceAreas, LeavesATriangleAlone) {
+    const PlaneMesh triangle = fan({{0, 0}, {2, 0.1}, {0.4, 1}});
+    Overlay laid = overlay(triangle, triangle, 1e-9);
+    const double first = laid.points[0].area;
+    balance_areas(laid);
+    EXPECT_EQ(laid.points[0].area, first);
+}
