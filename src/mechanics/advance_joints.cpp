@@ -1,8 +1,8 @@
 #include "base/diagnostic.hpp"
 #include "base/reduce.hpp"
+#include "model/lanes.hpp"
 #include "mechanics/phases.hpp"
 
-#include <Eigen/Geometry>
 #include <array>
 #include <optional>
 
@@ -14,21 +14,24 @@ namespace {
 void sum_contact(const Model& model, Row c, JointForces& forces) {
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
-    const Vec3 n = contacts.normal[c], o = contacts.position[c];
+    const Lanes3 n = Lanes3::of(contacts.normal[c]), origin = Lanes3::of(contacts.position[c]);
     const Span span = contacts.sub_contacts[c];
     const bool deformable =
         model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]];
-    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-    for (Row s = span.first; s < span.end(); ++s) {
-        const double normal = subs.normal_force[s] + subs.pore_pressure[s] * subs.area[s];
-        const Vec3 f = normal * n + subs.shear_force[s];
-        const Vec3 arm = subs.position[s] - o;
-        if (deformable) forces.of_sub_contact[s] = f;
-        force += f;
-        moment += arm.cross(f);
+    Lanes3 force = Lanes3::of(Vec3::Zero()), moment = force;
+    for (Row i = 0; i < span.count; i += lane_count) {
+        const LaneGroup group(span.count - i);
+        const Row first = span.first + i;
+        const Lanes normal = group.load(subs.normal_force.data() + first) +
+                             group.load(subs.pore_pressure.data() + first) * group.load(subs.area.data() + first);
+        const Lanes3 f = n * normal + group.load(subs.shear_force, first);
+        if (deformable)
+            for (Row k = 0; k < group.rows(); ++k) forces.of_sub_contact[first + k] = {f.x[k], f.y[k], f.z[k]};
+        force = force + f;
+        moment = moment + (group.load(subs.position, first) - origin).cross(f);
     }
-    forces.of_contact[c] = force;
-    forces.moment[c] = moment;
+    forces.of_contact[c] = sum(force);
+    forces.moment[c] = sum(moment);
 }
 
 /// A joint model sees displacements at the start of the step; now they are those of its end.
@@ -48,20 +51,18 @@ struct Work {
     double joint = 0, fluid = 0, friction = 0;
 
     Work(const SubContacts& subs, const Batch& batch) {
-        const auto column = [&](const Column<double>& c) { return c.data() + batch.first; };
-        const double *fn = column(subs.normal_force), *un = column(subs.normal_displacement_increment);
-        const double *pressure = column(subs.pore_pressure), *area = column(subs.area);
-        const double* lost = column(subs.frictional_work);
-        std::array<const double*, 3> fs, us;
-        for (int k = 0; k < 3; ++k) {
-            fs[k] = column(subs.shear_force.component[k]);
-            us[k] = column(subs.shear_displacement_increment.component[k]);
+        Lanes joints = Lanes::Zero(), fluids = Lanes::Zero(), frictions = Lanes::Zero();
+        for (Row i = batch.first; i < batch.first + batch.count; i += lane_count) {
+            const LaneGroup group(batch.first + batch.count - i);
+            const Lanes opening = group.load(subs.normal_displacement_increment.data() + i);
+            joints += group.load(subs.normal_force.data() + i) * opening +
+                      group.load(subs.shear_force, i).dot(group.load(subs.shear_displacement_increment, i));
+            fluids += group.load(subs.pore_pressure.data() + i) * group.load(subs.area.data() + i) * opening;
+            frictions += group.load(subs.frictional_work.data() + i);
         }
-        for (Row i = 0; i < batch.count; ++i) {
-            joint += fn[i] * un[i] + fs[0][i] * us[0][i] + fs[1][i] * us[1][i] + fs[2][i] * us[2][i];
-            fluid += pressure[i] * area[i] * un[i];
-            friction += lost[i];
-        }
+        joint = sum(joints);
+        fluid = sum(fluids);
+        friction = sum(frictions);
     }
 };
 

@@ -1,9 +1,11 @@
 #include "base/reduce.hpp"
 #include "mechanics/damping.hpp"
 #include "mechanics/phases.hpp"
+#include "model/lanes.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace kaya {
@@ -18,12 +20,12 @@ Eigen::Quaterniond quaternion(const Quaternion& q) { return {q[0], q[1], q[2], q
 
 /// Rotation by a vector (angle times axis). Steps are small: below a thousandth of a turn the series is
 /// exact to the last bit and much faster than the functions.
-Eigen::Quaterniond turned_by(const Vec3& angle) {
+inline Eigen::Quaterniond turned_by(const Vec3& angle) {
     const double half2 = 0.25 * angle.squaredNorm();
     double cosine, sine_over; // of half the angle; sine over the angle
     if (half2 < 1e-5) {
-        cosine = 1 - half2 / 2 * (1 - half2 / 12 * (1 - half2 / 30));
-        sine_over = 0.5 * (1 - half2 / 6 * (1 - half2 / 20));
+        cosine = 1 - half2 * (0.5 - half2 * (1.0 / 24));
+        sine_over = 0.5 - half2 * (1.0 / 12 - half2 * (1.0 / 240));
     } else {
         const double half = std::sqrt(half2);
         cosine = std::cos(half);
@@ -32,116 +34,144 @@ Eigen::Quaterniond turned_by(const Vec3& angle) {
     return {cosine, sine_over * angle.x(), sine_over * angle.y(), sine_over * angle.z()};
 }
 
+/// A vector turned by a quaternion, without making a matrix of it.
+inline Vec3 turned(const Eigen::Quaterniond& q, const Vec3& x) {
+    const Vec3 t = 2 * q.vec().cross(x);
+    return x + q.w() * t + q.vec().cross(t);
+}
+
+/// Of a symmetric matrix that is positive definite.
+Mat3 inverse_of(const Mat3& m) {
+    Mat3 adjoint;
+    adjoint.col(0) = m.col(1).cross(m.col(2));
+    adjoint.col(1) = m.col(2).cross(m.col(0));
+    adjoint.col(2) = m.col(0).cross(m.col(1));
+    return adjoint / m.col(0).dot(adjoint.col(0));
+}
+
 /// Turns a block with angular momentum `momentum` for one step by the implicit midpoint rule: the
 /// velocity of the middle of the step, found by fixed-point iteration, carries it from end to end.
 /// Momentum is kept to the last bit and energy has no drift (Simo and Wong 1991, Int. J. Numer. Meth.
-/// Eng. 31).
+/// Eng. 31). `inertia` is in the block's own axes.
 Vec3 turn(Quaternion& orientation, const Mat3& inertia, const Vec3& momentum, double step) {
-    const Mat3 inverse = inertia.inverse();
     const Eigen::Quaterniond start = quaternion(orientation);
-    const auto velocity_at = [&](const Eigen::Quaterniond& q) -> Vec3 {
-        const Mat3 r = q.toRotationMatrix();
-        return r * (inverse * (r.transpose() * momentum));
-    };
-    Vec3 velocity = velocity_at(start);
+    const Mat3 r = start.toRotationMatrix();
+    const Mat3 inverse = r * inverse_of(inertia) * r.transpose();
+    Vec3 velocity = inverse * momentum;
     for (int i = 0; i < 8; ++i) {
+        // In axes that have turned with the block, the momentum turns the other way.
+        const Eigen::Quaterniond half = turned_by(0.5 * step * velocity);
         const Vec3 before = velocity;
-        velocity = velocity_at(turned_by(0.5 * step * velocity) * start);
+        velocity = turned(half, inverse * turned(half.conjugate(), momentum));
         if ((velocity - before).squaredNorm() <= 1e-30 * velocity.squaredNorm()) break;
     }
-    const Eigen::Quaterniond end = (turned_by(step * velocity) * start).normalized();
+    const Eigen::Quaterniond end = turned_by(step * velocity) * start;
     orientation = Quaternion(end.w(), end.x(), end.y(), end.z());
+    // Its length is 1 but for rounding: one step of Newton's method for 1/sqrt makes it so again.
+    orientation *= 1.5 - 0.5 * orientation.squaredNorm();
     return velocity;
 }
+
+/// Three components in a vector register; the fourth is not used.
+Lanes lanes(const Vec3& v) { return {v.x(), v.y(), v.z(), 0}; }
 
 /// Positions and velocities of the vertices follow the block. Returns the longest way of one.
 double place_vertices(Model& model, std::size_t b) {
     const auto& blocks = model.blocks;
     auto& g = model.gridpoints;
     const Mat3 r = quaternion(blocks.orientation[b]).toRotationMatrix();
+    const Vec3& w = blocks.rotational_velocity[b];
+    const std::array<Lanes, 3> arm_of{lanes(r.col(0)), lanes(r.col(1)), lanes(r.col(2))};
+    const std::array<Lanes, 3> spin_of{lanes(w.cross(r.col(0))), lanes(w.cross(r.col(1))), lanes(w.cross(r.col(2)))};
+    const Lanes centroid = lanes(blocks.centroid[b]), velocity = lanes(blocks.velocity[b]);
     double travel = 0;
     for (Row row = blocks.gridpoints[b].first; row < blocks.gridpoints[b].end(); ++row) {
-        const Vec3 arm = r * g.reference[row];
-        const Vec3 place = blocks.centroid[b] + arm;
-        const Vec3 way = place - g.position[row];
-        g.velocity[row] = blocks.velocity[b] + blocks.rotational_velocity[b].cross(arm);
+        const Vec3& x = g.reference[row];
+        const Lanes place = centroid + x[0] * arm_of[0] + x[1] * arm_of[1] + x[2] * arm_of[2];
+        const Lanes speed = velocity + x[0] * spin_of[0] + x[1] * spin_of[1] + x[2] * spin_of[2];
+        const Vec3 way = place.matrix().head<3>() - g.position[row];
+        g.velocity[row] = speed.matrix().head<3>();
         g.displacement[row] += way;
-        g.position[row] = place;
+        g.position[row] = place.matrix().head<3>();
         travel = std::max(travel, way.squaredNorm());
     }
     return std::sqrt(travel);
 }
 
+/// One rigid block, one step.
+void move_block(Model& model, std::size_t b, const DampingFactors& damping, MotionSums& sums) {
+    auto& blocks = model.blocks;
+    const Settings& settings = model.settings;
+    const double step = model.clock.time_step;
+    const std::uint8_t fixed = blocks.fixed[b];
+    Vec3& v = blocks.velocity[b];
+    Vec3& w = blocks.rotational_velocity[b];
+    if (fixed == fix_all && v.isZero(0) && w.isZero(0)) return;
+
+    const double mass = blocks.mass[b];
+    const Vec3 weight = mass * settings.gravity;
+    const Vec3 force = blocks.force[b] + blocks.load[b] + weight;
+    for (int k = 0; k < 3; ++k) {
+        const bool held = fixed & (1 << k);
+        const double before = v[k];
+        if (!held) v[k] = damping.advance(before, force[k], mass, step);
+        sums.account(mass, before, v[k], weight[k], blocks.load[b][k], force[k] * step, held, step);
+    }
+    const Vec3 way = v * step;
+
+    // Moments act on the angular momentum; its viscous part decays like the velocity.
+    const Vec3 moment = blocks.moment[b] + blocks.torque[b];
+    Vec3& momentum = blocks.angular_momentum[b];
+    const Vec3 momentum_before = momentum, spin_before = w;
+    for (int k = 0; k < 3; ++k) momentum[k] = damping.advance(momentum[k], moment[k], 1.0, step);
+    const Mat3 inertia = blocks.inertia[b] * (mass / blocks.volume[b]);
+    if (fixed & (fix_rx | fix_ry | fix_rz)) {
+        // Prescribed components keep their velocity; the momentum follows from it.
+        const Mat3 r = quaternion(blocks.orientation[b]).toRotationMatrix();
+        const Mat3 global = r * inertia * r.transpose();
+        Vec3 free = global.ldlt().solve(momentum);
+        for (int k = 0; k < 3; ++k)
+            if (!(fixed & (fix_rx << k))) w[k] = free[k];
+        momentum = global * w;
+        if (settings.large_strain) {
+            const auto q = (turned_by(step * w) * quaternion(blocks.orientation[b])).normalized();
+            blocks.orientation[b] = Quaternion(q.w(), q.x(), q.y(), q.z());
+        }
+    } else if (!momentum.isZero(0)) {
+        Quaternion turned = blocks.orientation[b];
+        w = turn(turned, inertia, momentum, step);
+        if (settings.large_strain) blocks.orientation[b] = turned;
+    } else {
+        w.setZero();
+    }
+    blocks.displacement[b] += way;
+    if (settings.large_strain) {
+        blocks.centroid[b] += way;
+        blocks.travelled[b] += place_vertices(model, b);
+    }
+    // The same account for rotation, component by component of the mean spin.
+    const Vec3 mean = 0.5 * (spin_before + w);
+    const Vec3 rest = momentum - momentum_before - moment * step;
+    for (int k = 0; k < 3; ++k) {
+        sums.boundary += blocks.torque[b][k] * mean[k] * step;
+        (fixed & (fix_rx << k) ? sums.boundary : sums.damped) +=
+            (fixed & (fix_rx << k) ? 1 : -1) * rest[k] * mean[k];
+    }
+    sums.kinetic_before += 0.5 * spin_before.dot(momentum_before);
+    sums.kinetic += 0.5 * w.dot(momentum);
+}
+
 } // namespace
 
 MotionSums move_blocks(Model& model) {
-    auto& blocks = model.blocks;
-    const Settings& settings = model.settings;
-    const DampingFactors damping(settings, model.clock);
-    const double step = model.clock.time_step;
+    const auto& blocks = model.blocks;
+    const DampingFactors damping(model.settings, model.clock);
     return reduce_chunks(
         blocks.size(), grain, MotionSums{},
         [&](std::size_t first, std::size_t last) {
             MotionSums sums;
-            for (std::size_t b = first; b < last; ++b) {
-                if (blocks.deformable[b]) continue;
-                const std::uint8_t fixed = blocks.fixed[b];
-                Vec3& v = blocks.velocity[b];
-                Vec3& w = blocks.rotational_velocity[b];
-                if (fixed == fix_all && v.isZero(0) && w.isZero(0)) continue;
-
-                const double mass = blocks.mass[b];
-                const Vec3 weight = mass * settings.gravity;
-                const Vec3 force = blocks.force[b] + blocks.load[b] + weight;
-                for (int k = 0; k < 3; ++k) {
-                    const bool held = fixed & (1 << k);
-                    const double before = v[k];
-                    if (!held) v[k] = damping.advance(before, force[k], mass, step);
-                    sums.account(mass, before, v[k], weight[k], blocks.load[b][k], force[k] * step, held, step);
-                }
-                const Vec3 way = v * step;
-
-                // Moments act on the angular momentum; its viscous part decays like the velocity.
-                const Vec3 moment = blocks.moment[b] + blocks.torque[b];
-                Vec3& momentum = blocks.angular_momentum[b];
-                const Vec3 momentum_before = momentum, spin_before = w;
-                for (int k = 0; k < 3; ++k) momentum[k] = damping.advance(momentum[k], moment[k], 1.0, step);
-                const Mat3 inertia = blocks.inertia[b] * (mass / blocks.volume[b]);
-                if (fixed & (fix_rx | fix_ry | fix_rz)) {
-                    // Prescribed components keep their velocity; the momentum follows from it.
-                    const Mat3 r = quaternion(blocks.orientation[b]).toRotationMatrix();
-                    const Mat3 global = r * inertia * r.transpose();
-                    Vec3 free = global.ldlt().solve(momentum);
-                    for (int k = 0; k < 3; ++k)
-                        if (!(fixed & (fix_rx << k))) w[k] = free[k];
-                    momentum = global * w;
-                    if (settings.large_strain) {
-                        const auto q = (turned_by(step * w) * quaternion(blocks.orientation[b])).normalized();
-                        blocks.orientation[b] = Quaternion(q.w(), q.x(), q.y(), q.z());
-                    }
-                } else if (!momentum.isZero(0)) {
-                    Quaternion turned = blocks.orientation[b];
-                    w = turn(turned, inertia, momentum, step);
-                    if (settings.large_strain) blocks.orientation[b] = turned;
-                } else {
-                    w.setZero();
-                }
-                blocks.displacement[b] += way;
-                if (settings.large_strain) {
-                    blocks.centroid[b] += way;
-                    blocks.travelled[b] += place_vertices(model, b);
-                }
-                // The same account for rotation, component by component of the mean spin.
-                const Vec3 mean = 0.5 * (spin_before + w);
-                const Vec3 rest = momentum - momentum_before - moment * step;
-                for (int k = 0; k < 3; ++k) {
-                    sums.boundary += blocks.torque[b][k] * mean[k] * step;
-                    (fixed & (fix_rx << k) ? sums.boundary : sums.damped) +=
-                        (fixed & (fix_rx << k) ? 1 : -1) * rest[k] * mean[k];
-                }
-                sums.kinetic_before += 0.5 * spin_before.dot(momentum_before);
-                sums.kinetic += 0.5 * w.dot(momentum);
-            }
+            for (std::size_t b = first; b < last; ++b)
+                if (!blocks.deformable[b]) move_block(model, b, damping, sums);
             return sums;
         },
         combine);

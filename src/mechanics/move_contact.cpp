@@ -1,5 +1,6 @@
 #include "mechanics/contact_geometry.hpp"
 #include "mechanics/phases.hpp"
+#include "model/lanes.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -12,13 +13,28 @@ namespace {
 /// Cycles between two looks at the faces of deformable blocks, which turn slowly.
 constexpr std::int64_t face_interval = 10;
 
+/// Three numbers with names. The compiler keeps them in registers, where it would put an Eigen vector on the
+/// stack by parts and wait for it to be read back whole.
+struct Triple {
+    double x, y, z;
+
+    explicit Triple(const Vec3& v) : x(v.x()), y(v.y()), z(v.z()) {}
+    Triple(double a, double b, double c) : x(a), y(b), z(c) {}
+    friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Triple operator*(double s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
+    double dot(const Triple& o) const { return x * o.x + y * o.y + z * o.z; }
+    Triple cross(const Triple& o) const { return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x}; }
+    Lanes3 lanes() const { return {Lanes::Constant(x), Lanes::Constant(y), Lanes::Constant(z)}; }
+};
+
 /// Motion of a rigid block seen from a point of its own: velocity there, and spin.
 struct RigidMotion {
-    Vec3 velocity, spin;
+    Triple velocity, spin;
 
-    RigidMotion(const Blocks& blocks, Row b, const Vec3& origin)
+    RigidMotion(const Blocks& blocks, Row b, const Triple& origin)
         : velocity(blocks.velocity[b]), spin(blocks.rotational_velocity[b]) {
-        velocity += spin.cross(origin - blocks.centroid[b]);
+        velocity = velocity + spin.cross(origin - Triple(blocks.centroid[b]));
     }
 };
 
@@ -42,58 +58,46 @@ void turn_plane(Model& model, Row c) {
         spin = 0.5 * (blocks.rotational_velocity[b1] + blocks.rotational_velocity[b2]);
     if (spin.isZero(0)) return;
     n += model.clock.time_step * spin.cross(n);
-    n.normalize();
+    n *= 1.5 - 0.5 * n.squaredNorm(); // it is almost 1: one step of Newton's method for 1/sqrt
 }
 
 /// Two rigid blocks: the relative velocity is linear in the place, so that a few numbers per contact
-/// serve all its sub-contacts. Written over columns for the compiler's vector instructions.
-double move_between_rigid(Model& model, Row c) {
+/// serve all its sub-contacts.
+void move_between_rigid(Model& model, Row c) {
     auto& subs = model.sub_contacts;
-    const auto& contacts = model.contacts;
-    const Vec3 o = contacts.position[c], n = contacts.normal[c];
+    auto& contacts = model.contacts;
+    const Triple o(contacts.position[c]), normal(contacts.normal[c]);
     const RigidMotion one(model.blocks, contacts.block1[c], o), two(model.blocks, contacts.block2[c], o);
     const double step = model.clock.time_step;
     const bool large = model.settings.large_strain;
-    const Vec3 a = step * (two.velocity - one.velocity), b = step * (two.spin - one.spin);
-    const Vec3 m = 0.5 * step * (two.velocity + one.velocity), h = 0.5 * step * (two.spin + one.spin);
-    const double twist = large ? h.dot(n) : 0;
+    const Triple way = 0.5 * step * (two.velocity + one.velocity), turn = 0.5 * step * (two.spin + one.spin);
+
+    const Lanes3 n = normal.lanes(), origin = o.lanes();
+    const Lanes3 apart = (step * (two.velocity - one.velocity)).lanes();
+    const Lanes3 apart_turn = (step * (two.spin - one.spin)).lanes();
+    const Lanes3 mean = way.lanes(), mean_turn = turn.lanes();
+    const Lanes twist = Lanes::Constant(turn.dot(normal));
 
     const Span span = contacts.sub_contacts[c];
-    double* __restrict x = subs.position.component[0].data() + span.first;
-    double* __restrict y = subs.position.component[1].data() + span.first;
-    double* __restrict z = subs.position.component[2].data() + span.first;
-    double* __restrict un = subs.normal_displacement_increment.data() + span.first;
-    double* __restrict ux = subs.shear_displacement_increment.component[0].data() + span.first;
-    double* __restrict uy = subs.shear_displacement_increment.component[1].data() + span.first;
-    double* __restrict uz = subs.shear_displacement_increment.component[2].data() + span.first;
-    double* __restrict fx = subs.shear_force.component[0].data() + span.first;
-    double* __restrict fy = subs.shear_force.component[1].data() + span.first;
-    double* __restrict fz = subs.shear_force.component[2].data() + span.first;
-    double farthest = 0;
-    const double moves = large ? 1 : 0;
-    for (Row i = 0; i < span.count; ++i) {
-        const double rx = x[i] - o.x(), ry = y[i] - o.y(), rz = z[i] - o.z();
-        const double dx = a.x() + b.y() * rz - b.z() * ry;
-        const double dy = a.y() + b.z() * rx - b.x() * rz;
-        const double dz = a.z() + b.x() * ry - b.y() * rx;
-        const double opening = dx * n.x() + dy * n.y() + dz * n.z();
-        const double sx = dx - opening * n.x(), sy = dy - opening * n.y(), sz = dz - opening * n.z();
-        un[i] = opening;
-        ux[i] = sx;
-        uy[i] = sy;
-        uz[i] = sz;
-        const double s2 = sx * sx + sy * sy + sz * sz;
-        farthest = s2 > farthest ? s2 : farthest;
-        x[i] += moves * (m.x() + h.y() * rz - h.z() * ry);
-        y[i] += moves * (m.y() + h.z() * rx - h.x() * rz);
-        z[i] += moves * (m.z() + h.x() * ry - h.y() * rx);
-        const double out = fx[i] * n.x() + fy[i] * n.y() + fz[i] * n.z();
-        const double px = fx[i] - out * n.x(), py = fy[i] - out * n.y(), pz = fz[i] - out * n.z();
-        fx[i] = px + twist * (n.y() * pz - n.z() * py);
-        fy[i] = py + twist * (n.z() * px - n.x() * pz);
-        fz[i] = pz + twist * (n.x() * py - n.y() * px);
+    Lanes farthest = Lanes::Zero();
+    for (Row i = span.first; i < span.end(); i += lane_count) {
+        const LaneGroup group(span.end() - i);
+        const Lanes3 x = group.load(subs.position, i), arm = x - origin;
+        const Lanes3 u = apart + apart_turn.cross(arm);
+        const Lanes opening = u.dot(n);
+        const Lanes3 shear = u - n * opening;
+        group.store(subs.normal_displacement_increment.data() + i, opening);
+        group.store(subs.shear_displacement_increment, i, shear);
+        if (!large) continue;
+        farthest = farthest.max(shear.dot(shear));
+        group.store(subs.position, i, x + (mean + mean_turn.cross(arm)));
+        // The shear force stays in the plane and turns in it with the mean of the blocks.
+        const Lanes3 force = group.load(subs.shear_force, i), in_plane = force - n * force.dot(n);
+        group.store(subs.shear_force, i, in_plane + n.cross(in_plane) * twist);
     }
-    return farthest;
+    if (!large) return;
+    contacts.slid[c] += std::sqrt(farthest.maxCoeff());
+    contacts.position[c] += Vec3(way.x, way.y, way.z); // the origin of moments goes with the mean of the blocks
 }
 
 /// Velocity of the material point of one side.
@@ -116,8 +120,8 @@ struct SideMotion {
     }
 };
 
-double move_between(Model& model, Row c) {
-    const auto& contacts = model.contacts;
+void move_between(Model& model, Row c) {
+    auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const SideMotion side1(model, contacts.block1[c]), side2(model, contacts.block2[c]);
     const Vec3 n = contacts.normal[c];
@@ -139,26 +143,18 @@ double move_between(Model& model, Row c) {
         const Vec3 force = subs.shear_force[s];
         subs.shear_force.set(s, force - force.dot(n) * n);
     }
-    return farthest;
+    if (large) contacts.slid[c] += std::sqrt(farthest);
 }
 
 } // namespace
 
 void move_contact(Model& model, Row c) {
-    auto& contacts = model.contacts;
-    const bool large = model.settings.large_strain;
-    if (large) turn_plane(model, c);
-    const bool rigid = !model.blocks.deformable[contacts.block1[c]] && !model.blocks.deformable[contacts.block2[c]];
-    const double farthest = rigid ? move_between_rigid(model, c) : move_between(model, c);
-    if (large) {
-        contacts.slid[c] += std::sqrt(farthest);
-        if (rigid) {
-            // The origin of moments goes with the mean of the blocks.
-            const RigidMotion one(model.blocks, contacts.block1[c], contacts.position[c]),
-                two(model.blocks, contacts.block2[c], contacts.position[c]);
-            contacts.position[c] += 0.5 * model.clock.time_step * (one.velocity + two.velocity);
-        }
-    }
+    const auto& contacts = model.contacts;
+    if (model.settings.large_strain) turn_plane(model, c);
+    if (model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]])
+        move_between(model, c);
+    else
+        move_between_rigid(model, c);
 }
 
 } // namespace kaya

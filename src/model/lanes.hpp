@@ -1,0 +1,66 @@
+// Four numbers at a time: rows of columns in vector registers. Every operation is row by row, so that a row's
+// result does not depend on where in a group it stands, nor on the width of the machine's registers.
+#pragma once
+
+#include "model/column.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace kaya {
+
+using Lanes = Eigen::Array4d;
+constexpr std::ptrdiff_t lane_count = 4;
+
+/// A vector quantity of four rows.
+struct Lanes3 {
+    Lanes x, y, z;
+
+    static Lanes3 of(const Vec3& v) { return {Lanes::Constant(v.x()), Lanes::Constant(v.y()), Lanes::Constant(v.z())}; }
+    Lanes dot(const Lanes3& o) const { return x * o.x + y * o.y + z * o.z; }
+    Lanes3 cross(const Lanes3& o) const {
+        return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x};
+    }
+    Lanes3 operator+(const Lanes3& o) const { return {x + o.x, y + o.y, z + o.z}; }
+    Lanes3 operator-(const Lanes3& o) const { return {x - o.x, y - o.y, z - o.z}; }
+    Lanes3 operator*(const Lanes& s) const { return {x * s, y * s, z * s}; }
+};
+
+/// Up to four rows of a column. Rows that are not there read as 0 and are not written.
+class LaneGroup {
+public:
+    explicit LaneGroup(std::ptrdiff_t rows) : rows_(rows < lane_count ? rows : lane_count) {}
+
+    Lanes load(const double* column) const {
+        if (rows_ == lane_count) return Eigen::Map<const Lanes>(column);
+        Lanes lanes = Lanes::Zero();
+        for (std::ptrdiff_t i = 0; i < rows_; ++i) lanes[i] = column[i];
+        return lanes;
+    }
+    Lanes3 load(const VectorColumn& column, std::ptrdiff_t first) const {
+        const auto& c = column.component;
+        return {load(c[0].data() + first), load(c[1].data() + first), load(c[2].data() + first)};
+    }
+    void store(double* column, const Lanes& lanes) const {
+        if (rows_ == lane_count) Eigen::Map<Lanes>{column} = lanes;
+        else
+            for (std::ptrdiff_t i = 0; i < rows_; ++i) column[i] = lanes[i];
+    }
+
+    void store(VectorColumn& column, std::ptrdiff_t first, const Lanes3& lanes) const {
+        auto& c = column.component;
+        store(c[0].data() + first, lanes.x);
+        store(c[1].data() + first, lanes.y);
+        store(c[2].data() + first, lanes.z);
+    }
+    std::ptrdiff_t rows() const { return rows_; }
+
+private:
+    std::ptrdiff_t rows_;
+};
+
+/// In an order that is always the same.
+inline double sum(const Lanes& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
+inline Vec3 sum(const Lanes3& lanes) { return {sum(lanes.x), sum(lanes.y), sum(lanes.z)}; }
+
+} // namespace kaya
