@@ -48,6 +48,58 @@ struct PolyBrick {
     BlockOptions options;
     Place place;
 };
+struct PolyPrism {
+    std::vector<Vec3> first, second; ///< corners of the two polygons, each opposite its partner
+    BlockOptions options;
+    Place place;
+};
+struct PolyFace {
+    struct Face {
+        std::vector<Vec3> corners;
+        std::int64_t joint_set = 0; ///< face id k
+    };
+    std::vector<Face> faces;
+    BlockOptions options;
+    Place place;
+};
+struct PolyTet {
+    std::vector<Vec3> corners;
+    BlockOptions options;
+    Place place;
+};
+struct PolyCube {
+    Vec3 centre = Vec3::Zero();
+    double edge = 0;
+    BlockOptions options;
+    Place place;
+};
+struct PolyDrum {
+    std::optional<Vec3> end1, end2;
+    std::optional<double> radius1, radius2; ///< radius2 is radius1 when it is left out
+    std::int64_t sides = 8;
+    BlockOptions options;
+    Place place;
+};
+struct PolyTunnel {
+    double dip = 0, dip_direction = 0; ///< of the axis
+    Vec3 origin = Vec3::Zero();
+    double radius = 1, boundary = 4, ratio = 1;
+    std::array<double, 2> length{-10, 10}; ///< begin and end along the axis
+    std::int64_t radial = 1, tangential = 1, axial = 1;
+    BlockOptions options;
+    Place place;
+};
+/// One family of parallel joints; angles in degrees, deviations are half widths of the scatter.
+struct JointSetCommand {
+    std::array<double, 2> dip{}, dip_direction{}, spacing{}; ///< value and deviation
+    std::int64_t number = 1;
+    Vec3 origin = Vec3::Zero();
+    double persistence = 1;
+    std::optional<std::int64_t> id; ///< none: the next that is free
+    std::int64_t seed = 0;
+    RangePhrase range;
+    Place place;
+};
 struct Hide { RangePhrase range; };
 struct Seek { RangePhrase range; };
 struct Delete { RangePhrase range; };

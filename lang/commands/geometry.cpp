@@ -1,74 +1,15 @@
-// Commands that make blocks and zones, and those that pick blocks.
+// Commands that make zones, and those that pick blocks.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
 
-#include <fmt/format.h>
-
 namespace kaya::lang {
 
-namespace {
-
-void block_options(Entry<PolyBrick>& entry) {
-    const auto options = [](std::int64_t BlockOptions::*member) {
-        return [member](PolyBrick& brick) -> auto& { return brick.options.*member; };
-    };
-    entry.keyword({"region"}, integer("n").at_least(0), options(&BlockOptions::region),
-                  "region number, 0 if not given");
-    entry.keyword({"material", "mat"}, integer("n").at_least(1), options(&BlockOptions::material),
-                  "material number, 1 if not given");
-    entry.keyword({"constitutive", "cons"}, integer("n").at_least(1), options(&BlockOptions::constitutive),
-                  "constitutive number, 1 if not given");
-    entry.options_before_form();
-}
-
-CommandSpec poly_brick() {
-    Entry<PolyBrick> entry({"poly"}, {"brick"});
-    entry.help("makes a block with six faces along the axes");
-    entry.place(&PolyBrick::place);
-    entry.argument(pair("x1 x2").unit("length").help("limits in x"),
-                   [](PolyBrick& brick, std::array<double, 2> x) { brick.x = brick.y = brick.z = x; });
-    entry.argument(pair("y1 y2").unit("length").optional().help("limits in y; those of x if not given"),
-                   &PolyBrick::y);
-    entry.argument(pair("z1 z2").unit("length").optional().help("limits in z; those of x if not given"),
-                   &PolyBrick::z);
-    block_options(entry);
-    entry.finish([](const Reader& reader, PolyBrick& brick) {
-        if (reader.wildcards()) return;
-        const auto check = [&](const char* axis, const std::array<double, 2>& limits) {
-            if (limits[0] < limits[1]) return;
-            Diagnostic d(
-                fmt::format("the brick has no extent in {}: from {:g} to {:g}", axis, limits[0], limits[1]),
-                "the lower limit comes first and must be less than the upper one");
-            throw d.at(brick.place);
-        };
-        check("x", brick.x);
-        check("y", brick.y);
-        check("z", brick.z);
-    });
-    entry.right("poly brick 0,1 0,1 0,1").right("poly brick -0.15,0.15 -0.10,0.10 -0.10,0.0");
-    entry.right("poly brick (0,2)")
-        .right("poly region 3 brick 0 1 0 1 0 1")
-        .right("poly brick 0 1 0 1 0 1 mat=2 cons 1 reg 5");
-    entry.wrong("poly", "a word is missing after 'poly'");
-    entry.wrong("poly brik 0,1 0,1 0,1", "'brik' is not a kind of poly");
-    entry.wrong("poly brick", "a number is missing after 'brick'");
-    entry.wrong("poly brick 0 1 0 1 0", "a number is missing after '0'");
-    entry.wrong("poly brick 0 one", "'one' stands where a number must be");
-    entry.wrong("poly brick 1 0", "the brick has no extent in x: from 1 to 0");
-    entry.wrong("poly brick 0 1 0 1 0 1 0 1", "'0' stands where a keyword of poly brick must be");
-    entry.wrong("poly brick 0 1 regoin 2", "'regoin' is not a keyword of poly brick");
-    return entry;
-}
-
-} // namespace
-
 Family geometry() {
-    return {
+    Family family{
         "geometry",
         "blocks, zones, and what is visible",
         {
-            poly_brick(),
             Entry<Hide>({"hide"})
                 .help("hides blocks; most commands act on visible blocks only")
                 .range(&Hide::range)
@@ -139,6 +80,11 @@ Family geometry() {
                 .wrong("gen edge big", "'big' stands where a number must be")
                 .wrong("gen egde 1", "'egde' is not a kind of generate"),
         }};
+    auto& commands = family.commands;
+    auto cuts = cut_commands(), shapes = shape_commands();
+    commands.insert(commands.begin(), cuts.begin(), cuts.end());
+    commands.insert(commands.begin(), shapes.begin(), shapes.end());
+    return family;
 }
 
 } // namespace kaya::lang

@@ -14,6 +14,10 @@ Family output();
 Family solution();
 Family script();
 
+/// Parts of the family geometry.
+std::vector<CommandSpec> shape_commands(); ///< poly ...
+std::vector<CommandSpec> cut_commands();   ///< jset
+
 /// Built once, on first use.
 const Language& classic();
 

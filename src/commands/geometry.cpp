@@ -1,4 +1,4 @@
-// poly, gen, hide, seek, delete, group.
+// gen, hide, seek, delete, group.
 #include "commands/handlers.hpp"
 
 #include "model/build.hpp"
@@ -7,21 +7,6 @@
 #include <fmt/format.h>
 
 namespace kaya {
-
-void run(Session& session, const lang::PolyBrick& command) {
-    try {
-        const Vec3 low(command.x[0], command.y[0], command.z[0]),
-            high(command.x[1], command.y[1], command.z[1]);
-        NewBlock options;
-        options.material = static_cast<std::int32_t>(command.options.material);
-        options.constitutive = static_cast<std::int32_t>(command.options.constitutive);
-        options.region = static_cast<std::int32_t>(command.options.region);
-        add_block(session.model, make_brick(low, high), options);
-    } catch (Diagnostic& mistake) {
-        mistake.at(command.place);
-        throw;
-    }
-}
 
 void run(Session& session, const lang::Hide& command) {
     for (const Row block : session.pick(ObjectKind::block, command.range))

@@ -39,6 +39,13 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::NameRange>(session, handlers, InCycle::runs);
 
     add<lang::PolyBrick>(session, handlers, InCycle::waits);
+    add<lang::PolyPrism>(session, handlers, InCycle::waits);
+    add<lang::PolyFace>(session, handlers, InCycle::waits);
+    add<lang::PolyTet>(session, handlers, InCycle::waits);
+    add<lang::PolyCube>(session, handlers, InCycle::waits);
+    add<lang::PolyDrum>(session, handlers, InCycle::waits);
+    add<lang::PolyTunnel>(session, handlers, InCycle::waits);
+    add<lang::JointSetCommand>(session, handlers, InCycle::waits);
     add<lang::Hide>(session, handlers, InCycle::runs);
     add<lang::Seek>(session, handlers, InCycle::runs);
     add<lang::Delete>(session, handlers, InCycle::waits);

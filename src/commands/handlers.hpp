@@ -16,8 +16,19 @@ void run(Session&, const lang::Pause&);
 void run(Session&, const lang::Set&);
 void run(Session&, const lang::NameRange&);
 
-// geometry.cpp
+// shapes.cpp
 void run(Session&, const lang::PolyBrick&);
+void run(Session&, const lang::PolyPrism&);
+void run(Session&, const lang::PolyFace&);
+void run(Session&, const lang::PolyTet&);
+void run(Session&, const lang::PolyCube&);
+void run(Session&, const lang::PolyDrum&);
+void run(Session&, const lang::PolyTunnel&);
+
+// cuts.cpp
+void run(Session&, const lang::JointSetCommand&);
+
+// geometry.cpp
 void run(Session&, const lang::Hide&);
 void run(Session&, const lang::Seek&);
 void run(Session&, const lang::Delete&);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace kaya {
 namespace {
@@ -60,6 +61,20 @@ int cut_block(std::vector<Polyhedron>& pieces, const std::vector<Plane>& planes,
     return slivers;
 }
 
+/// The planes that come near any of the blocks: those that cross the ball around all of them.
+std::vector<Plane> planes_through(const std::vector<Polyhedron>& blocks, std::vector<Plane> planes) {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const Polyhedron& block : blocks)
+        for (const Vec3& v : block.vertices) {
+            low = low.cwiseMin(v);
+            high = high.cwiseMax(v);
+        }
+    const Vec3 centre = 0.5 * (low + high);
+    const double reach = 0.5 * (high - low).norm() * (1 + 1e-9);
+    std::erase_if(planes, [&](const Plane& plane) { return !(std::abs(plane.distance(centre)) <= reach); });
+    return planes;
+}
+
 } // namespace
 
 std::vector<Plane> joint_planes(const JointSet& set) {
@@ -86,7 +101,12 @@ std::vector<Plane> joint_planes(const JointSet& set) {
 }
 
 CutBlocks cut_blocks(const std::vector<Polyhedron>& blocks, const JointSet& set, double thinnest) {
-    const std::vector<Plane> planes = joint_planes(set);
+    // Far more than any model of today can be run with; what is beyond is a slip of the pen and would fill the memory.
+    constexpr std::size_t most_planes = 20000, most_pieces = 5000000;
+    const std::vector<Plane> planes = planes_through(blocks, joint_planes(set));
+    if (planes.size() > most_planes)
+        throw Diagnostic(fmt::format("{} joints of the set cross the blocks, more than {}", planes.size(), most_planes),
+                         "give a larger spacing or fewer joints");
     CutBlocks result;
     for (std::size_t block = 0; block < blocks.size(); ++block) {
         std::vector<Polyhedron> pieces{blocks[block]};
@@ -95,6 +115,9 @@ CutBlocks cut_blocks(const std::vector<Polyhedron>& blocks, const JointSet& set,
             (static_cast<std::uint64_t>(block + 1) << 32) + static_cast<std::uint64_t>(set.id);
         result.slivers += cut_block(pieces, planes, set, thinnest, Random(set.seed, stream));
         if (pieces.size() == 1) continue;
+        if (result.pieces.size() + pieces.size() > most_pieces)
+            throw Diagnostic(fmt::format("the joint set would make more than {} blocks", most_pieces),
+                             "give a larger spacing or fewer joints");
         result.parents.push_back(static_cast<int>(block));
         for (Polyhedron& piece : pieces) result.pieces.push_back({std::move(piece), static_cast<int>(block)});
     }

@@ -288,12 +288,13 @@ int turn_alike(Surface& surface) {
     return count;
 }
 
-void turn_outward(Surface& surface) {
+bool turn_outward(Surface& surface) {
     const double volume = volume_of(surface), size = size_of(surface.vertices);
     if (std::abs(volume) <= 1e-15 * size * size * size)
         throw Diagnostic("the surface encloses no volume", "its faces lie in one plane or on each other");
-    if (volume > 0) return;
+    if (volume > 0) return false;
     for (auto& face : surface.faces) std::reverse(face.vertices.begin() + 1, face.vertices.end());
+    return true;
 }
 
 bool is_convex(const Surface& surface, double tolerance) {
@@ -318,7 +319,7 @@ Solid solid_from_surface(const Surface& given, const Flatness& flatness) {
     Solid solid;
     check_faces(surface);
     solid.turned_faces = turn_alike(surface);
-    turn_outward(surface);
+    solid.anticlockwise = !turn_outward(surface) && solid.turned_faces == 0;
     check_outlines(surface);
     merge_flat_neighbours(surface);
     solid.mended_by = flatten(surface, flatness);

@@ -29,6 +29,7 @@ struct Flatness {
 struct Solid {
     std::vector<Polyhedron> parts;
     int turned_faces = 0; ///< faces that were given the other way round than the first
+    bool anticlockwise = false; ///< all faces were given anticlockwise seen from outside
     double mended_by = 0; ///< longest way that a vertex was moved to make faces flat, a length
 };
 

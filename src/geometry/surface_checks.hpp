@@ -18,8 +18,8 @@ void check_faces(Surface& surface);
 /// edges of more than two faces, and surfaces that fall apart.
 int turn_alike(Surface& surface);
 
-/// Turns all faces outward when they are inward. Refuses a surface without volume.
-void turn_outward(Surface& surface);
+/// Turns all faces outward when they are inward; returns whether they were. Refuses a surface without volume.
+bool turn_outward(Surface& surface);
 
 /// The warp of a face: greatest distance of its vertices from its mean plane.
 double warp(const Surface& surface, const Surface::Face& face);

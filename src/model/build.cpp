@@ -15,52 +15,6 @@ namespace {
 /// Margin of contact over the size of a block.
 constexpr double touching_part = 0.005;
 
-/// Rows of the dependent tables in block order, without those of blocks that are gone. New rows may
-/// have been appended anywhere; spans of `blocks` say which belong together.
-void put_in_block_order(Model& model) {
-    auto& blocks = model.blocks;
-    std::vector<Row> gridpoints, faces, triangles, zones;
-    std::vector<Row> gridpoint_of(model.gridpoints.size(), no_row), face_of(model.faces.size(), no_row);
-    std::vector<Row> triangle_of(model.triangles.size(), no_row);
-
-    const auto take = [](Span& span, std::vector<Row>& kept, std::vector<Row>* renamed) {
-        const Span old = span;
-        span.first = static_cast<Row>(kept.size());
-        for (Row row = old.first; row < old.end(); ++row) {
-            if (renamed) (*renamed)[row] = static_cast<Row>(kept.size());
-            kept.push_back(row);
-        }
-    };
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-        take(blocks.gridpoints[b], gridpoints, &gridpoint_of);
-        take(blocks.faces[b], faces, &face_of);
-        take(blocks.triangles[b], triangles, &triangle_of);
-        take(blocks.zones[b], zones, nullptr);
-    }
-    model.gridpoints.gather(gridpoints);
-    model.faces.gather(faces);
-    model.triangles.gather(triangles);
-    model.zones.gather(zones);
-
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-        const Row row = static_cast<Row>(b);
-        for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g)
-            model.gridpoints.block[g] = row;
-        for (Row f = blocks.faces[b].first; f < blocks.faces[b].end(); ++f) {
-            model.faces.block[f] = row;
-            model.faces.triangles[f].first = triangle_of[model.faces.triangles[f].first];
-        }
-        for (Row t = blocks.triangles[b].first; t < blocks.triangles[b].end(); ++t) {
-            model.triangles.face[t] = face_of[model.triangles.face[t]];
-            for (auto& g : model.triangles.gridpoints[t]) g = gridpoint_of[g];
-        }
-        for (Row z = blocks.zones[b].first; z < blocks.zones[b].end(); ++z) {
-            model.zones.block[z] = row;
-            for (auto& g : model.zones.gridpoints[z]) g = gridpoint_of[g];
-        }
-    }
-}
-
 template <class TableType> Row append(TableType& table, std::size_t count) {
     const auto first = static_cast<Row>(table.size());
     table.resize(table.size() + count);
@@ -125,35 +79,67 @@ void put_mesh(Model& model, Row block, const Polyhedron& shape, const TetMesh& m
 
 } // namespace
 
-Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& options) {
-    const MassProperties mass = mass_properties(polyhedron);
-    if (!(mass.volume > 0))
-        throw Diagnostic(fmt::format("the block has no volume ({})", mass.volume),
-                         "look at the order and the place of its vertices");
+void put_in_block_order(Model& model) {
     auto& blocks = model.blocks;
-    const Row b = append(blocks, 1);
-    blocks.id[b] = blocks.ids.create(b);
-    blocks.number[b] = model.next_block_number++;
-    blocks.material[b] = options.material;
-    blocks.constitutive[b] = options.constitutive;
-    blocks.region[b] = options.region;
-    blocks.group[b] = options.group;
+    std::vector<Row> gridpoints, faces, triangles, zones;
+    std::vector<Row> gridpoint_of(model.gridpoints.size(), no_row), face_of(model.faces.size(), no_row);
+    std::vector<Row> triangle_of(model.triangles.size(), no_row);
+
+    const auto take = [](Span& span, std::vector<Row>& kept, std::vector<Row>* renamed) {
+        const Span old = span;
+        span.first = static_cast<Row>(kept.size());
+        for (Row row = old.first; row < old.end(); ++row) {
+            if (renamed) (*renamed)[row] = static_cast<Row>(kept.size());
+            kept.push_back(row);
+        }
+    };
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        take(blocks.gridpoints[b], gridpoints, &gridpoint_of);
+        take(blocks.faces[b], faces, &face_of);
+        take(blocks.triangles[b], triangles, &triangle_of);
+        take(blocks.zones[b], zones, nullptr);
+    }
+    model.gridpoints.gather(gridpoints);
+    model.faces.gather(faces);
+    model.triangles.gather(triangles);
+    model.zones.gather(zones);
+
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const Row row = static_cast<Row>(b);
+        for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g)
+            model.gridpoints.block[g] = row;
+        for (Row f = blocks.faces[b].first; f < blocks.faces[b].end(); ++f) {
+            model.faces.block[f] = row;
+            model.faces.triangles[f].first = triangle_of[model.faces.triangles[f].first];
+        }
+        for (Row t = blocks.triangles[b].first; t < blocks.triangles[b].end(); ++t) {
+            model.triangles.face[t] = face_of[model.triangles.face[t]];
+            for (auto& g : model.triangles.gridpoints[t]) g = gridpoint_of[g];
+        }
+        for (Row z = blocks.zones[b].first; z < blocks.zones[b].end(); ++z) {
+            model.zones.block[z] = row;
+            for (auto& g : model.zones.gridpoints[z]) g = gridpoint_of[g];
+        }
+    }
+}
+
+void give_shape(Model& model, Row b, const Polyhedron& polyhedron) {
+    const MassProperties mass = mass_properties(polyhedron);
+    auto& blocks = model.blocks;
     blocks.volume[b] = mass.volume;
     blocks.margin[b] = touching_part * std::cbrt(mass.volume);
     blocks.inertia[b] = mass.inertia;
     blocks.centroid[b] = mass.centroid;
     blocks.orientation[b] = Quaternion(1, 0, 0, 0);
-    blocks.velocity[b] = blocks.rotational_velocity[b] = blocks.displacement[b] = Vec3::Zero();
-    blocks.angular_momentum[b] = Vec3::Zero();
-    blocks.force[b] = blocks.moment[b] = blocks.load[b] = blocks.torque[b] = Vec3::Zero();
 
     const Row g0 = append(model.gridpoints, polyhedron.vertices.size());
     for (std::size_t i = 0; i < polyhedron.vertices.size(); ++i) {
+        const Vec3 arm = polyhedron.vertices[i] - mass.centroid;
         model.gridpoints.block[g0 + i] = b;
         model.gridpoints.position[g0 + i] = polyhedron.vertices[i];
-        model.gridpoints.reference[g0 + i] = polyhedron.vertices[i] - mass.centroid;
-        model.gridpoints.velocity[g0 + i] = model.gridpoints.displacement[g0 + i] = Vec3::Zero();
-        model.gridpoints.force[g0 + i] = model.gridpoints.load[g0 + i] = Vec3::Zero();
+        model.gridpoints.reference[g0 + i] = arm;
+        model.gridpoints.velocity[g0 + i] = blocks.velocity[b] + blocks.rotational_velocity[b].cross(arm);
+        model.gridpoints.displacement[g0 + i] = blocks.displacement[b];
     }
     blocks.gridpoints[b] = {g0, static_cast<Row>(polyhedron.vertices.size())};
 
@@ -176,6 +162,28 @@ Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& option
     blocks.triangles[b] = {t0, static_cast<Row>(model.triangles.size()) - t0};
     blocks.zones[b] = {static_cast<Row>(model.zones.size()), 0};
     model.structure_changed = model.properties_changed = true;
+}
+
+Row add_block_row(Model& model) {
+    auto& blocks = model.blocks;
+    const Row b = append(blocks, 1);
+    blocks.id[b] = blocks.ids.create(b);
+    blocks.number[b] = model.next_block_number++;
+    return b;
+}
+
+Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& options) {
+    const double volume = mass_properties(polyhedron).volume;
+    if (!(volume > 0))
+        throw Diagnostic(fmt::format("the block has no volume ({})", volume),
+                         "look at the order and the place of its vertices");
+    auto& blocks = model.blocks;
+    const Row b = add_block_row(model);
+    blocks.material[b] = options.material;
+    blocks.constitutive[b] = options.constitutive;
+    blocks.region[b] = options.region;
+    blocks.group[b] = options.group;
+    give_shape(model, b, polyhedron);
     return b;
 }
 

@@ -10,8 +10,21 @@ struct NewBlock {
     std::int32_t material = 1, constitutive = 1, region = 0, group = 0;
 };
 
-/// Adds a rigid block; its number is the next one. Returns its row.
+/// Adds a rigid block; its number is the next one. Returns its row. Throws Diagnostic, model unchanged, when the
+/// polyhedron has no volume.
 Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& options);
+
+/// A new row of the table of blocks, with a number and an id and nothing else. Returns it.
+Row add_block_row(Model& model);
+
+/// Gives a rigid block that has its motion already a shape of positive volume: mass properties, vertices, faces. The
+/// rows of the shape stand at the ends of their tables; unless the block is the last one, the rows are out of
+/// order until put_in_block_order.
+void give_shape(Model& model, Row block, const Polyhedron& polyhedron);
+
+/// Sorts the rows of gridpoints, faces, triangles and zones by block and drops those that no block owns. Spans of
+/// `blocks` say which rows belong together.
+void put_in_block_order(Model& model);
 
 /// The block's current shape (vertices where they are now).
 Polyhedron shape_of(const Model& model, Row block);

@@ -1,0 +1,259 @@
+// poly: commands that make blocks of a shape.
+#include "lang/commands/builder.hpp"
+#include "lang/commands/commands.hpp"
+#include "lang/commands/language.hpp"
+
+#include <fmt/format.h>
+
+namespace kaya::lang {
+
+namespace {
+
+/// What every kind of poly has.
+template <class Poly> void block_options(Entry<Poly>& entry) {
+    const auto options = [](std::int64_t BlockOptions::*member) {
+        return [member](Poly& poly) -> auto& { return poly.options.*member; };
+    };
+    entry.keyword({"region"}, integer("n").at_least(0), options(&BlockOptions::region),
+                  "region number, 0 if not given");
+    entry.keyword({"material", "mat"}, integer("n").at_least(1), options(&BlockOptions::material),
+                  "material number, 1 if not given");
+    entry.keyword({"constitutive", "cons"}, integer("n").at_least(1), options(&BlockOptions::constitutive),
+                  "constitutive number, 1 if not given");
+    entry.options_before_form();
+    entry.place(&Poly::place);
+}
+
+ArgumentSpec corners(std::string_view help) {
+    ArgumentSpec spec = vector("x y z ...").unit("length").help(help).spec;
+    spec.repeated = true;
+    return spec;
+}
+
+void read_corners(Reader& reader, std::vector<Vec3>& to, const ArgumentSpec& spec) {
+    do to.push_back(reader.vector(spec));
+    while (reader.at_number());
+}
+
+CommandSpec poly_brick() {
+    Entry<PolyBrick> entry({"poly"}, {"brick"});
+    entry.help("makes a block with six faces along the axes");
+    entry.argument(pair("x1 x2").unit("length").help("limits in x"),
+                   [](PolyBrick& brick, std::array<double, 2> x) { brick.x = brick.y = brick.z = x; });
+    entry.argument(pair("y1 y2").unit("length").optional().help("limits in y; those of x if not given"),
+                   &PolyBrick::y);
+    entry.argument(pair("z1 z2").unit("length").optional().help("limits in z; those of x if not given"),
+                   &PolyBrick::z);
+    block_options(entry);
+    entry.finish([](const Reader& reader, PolyBrick& brick) {
+        if (reader.wildcards()) return;
+        const auto check = [&](const char* axis, const std::array<double, 2>& limits) {
+            if (limits[0] < limits[1]) return;
+            Diagnostic d(
+                fmt::format("the brick has no extent in {}: from {:g} to {:g}", axis, limits[0], limits[1]),
+                "the lower limit comes first and must be less than the upper one");
+            throw d.at(brick.place);
+        };
+        check("x", brick.x);
+        check("y", brick.y);
+        check("z", brick.z);
+    });
+    entry.right("poly brick 0,1 0,1 0,1").right("poly brick -0.15,0.15 -0.10,0.10 -0.10,0.0");
+    entry.right("poly brick (0,2)")
+        .right("poly region 3 brick 0 1 0 1 0 1")
+        .right("poly brick 0 1 0 1 0 1 mat=2 cons 1 reg 5");
+    entry.wrong("poly", "a word is missing after 'poly'");
+    entry.wrong("poly brik 0,1 0,1 0,1", "'brik' is not a kind of poly");
+    entry.wrong("poly brick", "a number is missing after 'brick'");
+    entry.wrong("poly brick 0 1 0 1 0", "a number is missing after '0'");
+    entry.wrong("poly brick 0 one", "'one' stands where a number must be");
+    entry.wrong("poly brick 1 0", "the brick has no extent in x: from 1 to 0");
+    entry.wrong("poly brick 0 1 0 1 0 1 0 1", "'0' stands where a keyword of poly brick must be");
+    entry.wrong("poly brick 0 1 regoin 2", "'regoin' is not a keyword of poly brick");
+    return entry;
+}
+
+CommandSpec poly_prism() {
+    Entry<PolyPrism> entry({"poly"}, {"prism"});
+    entry.help("joins two polygons with matching corners side by side; sides may be warped");
+    const auto polygon = [&](const char* word, std::vector<Vec3> PolyPrism::*member, std::string_view help) {
+        const ArgumentSpec spec = corners(help);
+        entry.special({word}, {spec},
+                      [=](Reader& reader, PolyPrism& prism) { read_corners(reader, prism.*member, spec); }, help);
+    };
+    polygon("a", &PolyPrism::first, "corners of the first polygon, in order around it");
+    polygon("b", &PolyPrism::second, "corners of the second, each opposite its partner");
+    block_options(entry);
+    entry.finish([](const Reader& reader, PolyPrism& prism) {
+        if (prism.first.empty() || prism.second.empty())
+            incomplete_line(reader, "a prism needs two polygons", "write: poly prism a x y z ... b x y z ...");
+    });
+    entry.right("poly prism a 0,0,0 1,0,0 1,1,0 b 0,0,1 1,0,1 1,1,1");
+    entry.right("poly region 2 prism a (0,0,0) (4,0,0) (4,1,0) (0,1,0) b (0,0,2) (4,0,2.2) (4,1,2) (0,1,2)");
+    entry.right("poly prism a @v1 @v2 @v3 b @w1 @w2 @w3");
+    entry.wrong("poly prism a 0 0 0 1 0 0 1 1 0", "a prism needs two polygons");
+    entry.wrong("poly prism a 0 0 0 1 0 0 1 1 b 0 0 1", "'b' stands where a number must be");
+    entry.wrong("poly prism 0 0 0 1 0 0", "'0' stands where a keyword of poly prism must be");
+    return entry;
+}
+
+CommandSpec poly_face() {
+    Entry<PolyFace> entry({"poly"}, {"face"});
+    entry.help("makes any polyhedron from its faces");
+    const ArgumentSpec spec = corners("corners of a face, in order around it");
+    const ArgumentSpec id = integer("k").at_least(0).spec;
+    const auto vertices = [spec](Reader& reader, PolyFace& poly) {
+        read_corners(reader, poly.faces.back().corners, spec);
+    };
+    block_options(entry);
+    // The word of the form opens the first face, the same word as a keyword each further one.
+    entry.start([](const Statement& statement, PolyFace& poly) {
+        poly.place = statement.words.front().place;
+        poly.faces.resize(1);
+    });
+    entry.special({"face"}, {spec},
+                  [vertices](Reader& reader, PolyFace& poly) {
+                      poly.faces.emplace_back();
+                      if (reader.at_number()) vertices(reader, poly);
+                  },
+                  "the next face");
+    entry.special({"id"}, {id},
+                  [=](Reader& reader, PolyFace& poly) {
+                      poly.faces.back().joint_set = reader.integer(id);
+                      if (reader.at_number()) vertices(reader, poly);
+                  },
+                  "joint set that made the face, 0 if not given; stands before the corners");
+    entry.otherwise({spec}, [vertices](Reader& reader, PolyFace& poly) {
+        if (!reader.at_number() || !poly.faces.back().corners.empty()) return false;
+        vertices(reader, poly);
+        return true;
+    });
+    entry.finish([](const Reader& reader, PolyFace& poly) {
+        if (poly.faces.size() < 4)
+            incomplete_line(reader,
+                            fmt::format("{} face{} do{} not close a polyhedron", poly.faces.size(),
+                                        poly.faces.size() == 1 ? "" : "s", poly.faces.size() == 1 ? "es" : ""),
+                            "it takes at least four: poly face x y z ... face x y z ...");
+        if (reader.wildcards()) return;
+        for (std::size_t f = 0; f < poly.faces.size(); ++f)
+            if (poly.faces[f].corners.size() < 3)
+                throw Diagnostic(
+                    fmt::format("face {} has {} corner{}", f + 1, poly.faces[f].corners.size(),
+                                poly.faces[f].corners.size() == 1 ? "" : "s"),
+                    "a face needs at least three")
+                    .at(poly.place);
+    });
+    entry.right("poly face 0 0 0  1 0 0  0 1 0  face 0 0 0  0 0 1  1 0 0 &\n"
+                "     face 0 0 0  0 1 0  0 0 1  face 1 0 0  0 0 1  0 1 0");
+    entry.right("poly reg 1 face id 3 0,0,0 1,0,0 0,1,0 face id 3 0,0,0 0,0,1 1,0,0 &\n"
+                "     face 0,0,0 0,1,0 0,0,1 face 1,0,0 0,0,1 0,1,0 mat 2");
+    entry.wrong("poly face 0 0 0 1 0 0 0 1 0", "1 face does not close a polyhedron");
+    entry.wrong("poly face 0 0 0 1 0 face 1 0 0", "'face' stands where a number must be");
+    entry.wrong("poly face 0 0 0 face 0 0 0 face 0 0 0 face 1 1 1", "face 1 has 1 corner");
+    entry.wrong("poly face 0 0 0 1 0 0 0 1 0 fcae 0 0 0", "'fcae' is not a keyword of poly face");
+    return entry;
+}
+
+CommandSpec poly_tet() {
+    Entry<PolyTet> entry({"poly"}, {"tet", "tetrahedron"});
+    entry.help("makes a tetrahedron from its four corners, in any order");
+    const ArgumentSpec spec = vector("x y z").unit("length").help("a corner").spec;
+    entry.otherwise({vector("x1 y1 z1 ... x4 y4 z4").unit("length").spec},
+                    [spec](Reader& reader, PolyTet& tet) {
+                        if (!reader.at_number() || tet.corners.size() == 4) return false;
+                        tet.corners.push_back(reader.vector(spec));
+                        return true;
+                    });
+    block_options(entry);
+    entry.finish([](const Reader& reader, PolyTet& tet) {
+        if (!reader.wildcards() && tet.corners.size() != 4)
+            incomplete_line(reader, fmt::format("a tetrahedron has four corners, and {} are given", tet.corners.size()),
+                            "write: poly tet x1 y1 z1 x2 y2 z2 x3 y3 z3 x4 y4 z4");
+    });
+    entry.right("poly tet 0,0,0 1,0,0 0,1,0 0,0,1").right("poly region 4 tet @a @b @c @d");
+    entry.wrong("poly tet 0 0 0 1 0 0 0 1 0", "a tetrahedron has four corners, and 3 are given");
+    entry.wrong("poly tet 0 0 0 1 0 0 0 1 0 0 0 1 1 1 1", "'1' stands where a keyword of poly tet must be");
+    return entry;
+}
+
+CommandSpec poly_cube() {
+    Entry<PolyCube> entry({"poly"}, {"cube"});
+    entry.help("makes a cube with its faces along the axes");
+    entry.argument(real("edge").unit("length").above(0).help("length of its edges"), &PolyCube::edge);
+    entry.keyword({"center", "centre"}, vector("x y z").unit("length"), &PolyCube::centre,
+                  "its centre, the origin if not given");
+    block_options(entry);
+    entry.right("poly cube 2").right("poly cube 0.5 center 1,0,0.25 region 3");
+    entry.wrong("poly cube", "a number is missing after 'cube'");
+    entry.wrong("poly cube 0", "edge must be greater than 0, not 0");
+    return entry;
+}
+
+CommandSpec poly_drum() {
+    Entry<PolyDrum> entry({"poly"}, {"drum"});
+    entry.help("makes a round column with flat sides, or a cone");
+    entry.keyword({"end1", "center1"}, vector("x y z").unit("length"), &PolyDrum::end1,
+                  "centre of one end");
+    entry.keyword({"end2", "center2"}, vector("x y z").unit("length"), &PolyDrum::end2,
+                  "centre of the other");
+    const ArgumentSpec radius1 = real("radius1").unit("length").at_least(0).spec;
+    const ArgumentSpec radius2 = real("radius2").unit("length").at_least(0).optional().spec;
+    entry.special({"radius"}, {radius1, radius2},
+                  [=](Reader& reader, PolyDrum& drum) {
+                      drum.radius1 = drum.radius2 = reader.real(radius1);
+                      if (reader.at_number()) drum.radius2 = reader.real(radius2);
+                  },
+                  "of both ends, or of each; 0 makes a cone");
+    entry.keyword({"edges", "sides"}, integer("n").at_least(3).at_most(10000), &PolyDrum::sides,
+                  "flat sides, 8 if not given");
+    block_options(entry);
+    entry.finish([](const Reader& reader, PolyDrum& drum) {
+        if (!drum.end1 || !drum.end2 || !drum.radius1)
+            incomplete_line(reader, "a drum needs both ends and a radius",
+                            "write: poly drum end1 x y z end2 x y z radius r");
+    });
+    entry.right("poly drum end1 0,0,0 end2 0,0,3 radius 0.5");
+    entry.right("poly drum end1 0 0 0 end2 0 0 1 radius 0.5 0.4 edges 12 region 2");
+    entry.wrong("poly drum end1 0 0 0 radius 1", "a drum needs both ends and a radius");
+    entry.wrong("poly drum edges 2", "edges must be at least 3, not 2");
+    entry.wrong("poly drum raduis 1", "'raduis' is not a keyword of poly drum");
+    return entry;
+}
+
+CommandSpec poly_tunnel() {
+    Entry<PolyTunnel> entry({"poly"}, {"tunnel"});
+    entry.help("makes rings of blocks around a round hole, within a square outline");
+    entry.keyword({"dip"}, real("dip").unit("degrees"), &PolyTunnel::dip, "of the axis, 0 if not given");
+    entry.keyword({"dd", "dip-direction"}, real("dd").unit("degrees"), &PolyTunnel::dip_direction,
+                  "direction of the axis, clockwise from +y seen from above");
+    entry.keyword({"origin", "org"}, vector("x y z").unit("length"), &PolyTunnel::origin, "a point of the axis");
+    entry.keyword({"radius"}, real("r").unit("length").above(0), &PolyTunnel::radius,
+                  "of the hole, 1 if not given");
+    entry.keyword({"length"}, pair("begin end").unit("length"), &PolyTunnel::length,
+                  "along the axis from the origin, -10 10 if not given");
+    const auto blocks = [&](const char* word, std::int64_t PolyTunnel::*member, std::string_view help) {
+        entry.keyword({word}, integer("n").at_least(1).at_most(10000), member, help);
+    };
+    blocks("radial", &PolyTunnel::radial, "blocks from the wall to the outline, 1 if not given");
+    blocks("tangential", &PolyTunnel::tangential, "blocks in each 45 degrees, 1 if not given");
+    blocks("axial", &PolyTunnel::axial, "blocks along the axis, 1 if not given");
+    entry.keyword({"boundary"}, real("b").above(0), &PolyTunnel::boundary,
+                  "from the wall to the outline in radii, 4 if not given");
+    entry.keyword({"ratio"}, real("ratio").above(0), &PolyTunnel::ratio,
+                  "thickness of each ring over that of the ring inside it, 1 if not given");
+    block_options(entry);
+    entry.right("poly tunnel").right("poly tunnel radius 2 length 0 5 radial 4 tangential 2 axial 3 ratio 1.5");
+    entry.right("poly region 1 tunnel dip 10 dd 90 org 0 0 -20 radius 3 boundary 6");
+    entry.wrong("poly tunnel radius 0", "radius must be greater than 0, not 0");
+    entry.wrong("poly tunnel radial 0", "radial must be at least 1, not 0");
+    entry.wrong("poly tunnel length 5", "a number is missing after '5'");
+    return entry;
+}
+
+} // namespace
+
+std::vector<CommandSpec> shape_commands() {
+    return {poly_brick(), poly_prism(), poly_face(), poly_tet(), poly_cube(), poly_drum(), poly_tunnel()};
+}
+
+} // namespace kaya::lang

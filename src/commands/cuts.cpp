@@ -1,0 +1,104 @@
+// jset: cutting blocks that are there.
+#include "commands/handlers.hpp"
+
+#include "geometry/joint_set.hpp"
+#include "model/build.hpp"
+#include "model/cut_blocks.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+/// Pieces thinner than this part of the model's size are not made.
+constexpr double thinnest_part = 1e-6;
+
+/// The first number that no face carries.
+int next_joint_set(const Model& model) {
+    const auto& sets = model.faces.joint_set;
+    return sets.empty() ? 1 : 1 + std::max(0, *std::max_element(sets.begin(), sets.end()));
+}
+
+/// "1 block", "2 blocks".
+template <class Number> std::string counted(Number number, std::string_view one, std::string_view several) {
+    return fmt::format("{} {}", number, number == 1 ? one : several);
+}
+
+/// The rigid ones of the blocks that a cut shall act on; warns about the others.
+std::vector<Row> rigid_blocks(Session& session, std::vector<Row> rows, const Place& place) {
+    const std::size_t all = rows.size();
+    std::erase_if(rows, [&](Row row) { return session.model.blocks.deformable[row] != 0; });
+    if (rows.size() < all)
+        session.warn(Diagnostic(counted(all - rows.size(), "block with zones cannot be cut and was left out",
+                                        "blocks with zones cannot be cut and were left out"),
+                                "cut blocks before `gen`")
+                         .at(place));
+    return rows;
+}
+
+std::vector<Polyhedron> shapes_of(const Model& model, const std::vector<Row>& rows) {
+    std::vector<Polyhedron> shapes;
+    shapes.reserve(rows.size());
+    for (const Row row : rows) shapes.push_back(shape_of(model, row));
+    return shapes;
+}
+
+/// Puts the pieces in place of their blocks and says in one line what was done.
+void apply(Session& session, const std::vector<Row>& rows, const CutBlocks& cut, double thinnest,
+           const std::string& by) {
+    const std::size_t whole = rows.size() - cut.parents.size();
+    std::string line = fmt::format("{}: {} cut into {}, {} left whole", by,
+                                   counted(cut.parents.size(), "block", "blocks"), cut.pieces.size(), whole);
+    if (cut.slivers > 0)
+        line += fmt::format("; {} not made: a piece would be thinner than {:.3g}",
+                            counted(cut.slivers, "cut was", "cuts were"), thinnest);
+    if (!cut.parents.empty()) {
+        replace_by_pieces(session.model, rows, cut);
+        session.world.rows_moved();
+    }
+    session.output.say(line);
+}
+
+} // namespace
+
+void run(Session& session, const lang::JointSetCommand& command) {
+    try {
+        const std::vector<Row> rows =
+            rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+        if (rows.empty()) return;
+        JointSet set;
+        set.dip = command.dip[0];
+        set.dip_deviation = command.dip[1];
+        set.dip_direction = command.dip_direction[0];
+        set.dip_direction_deviation = command.dip_direction[1];
+        set.spacing = command.spacing[0];
+        set.spacing_deviation = command.spacing[1];
+        set.number = static_cast<int>(command.number);
+        set.origin = command.origin;
+        set.persistence = command.persistence;
+        set.id = command.id ? static_cast<int>(*command.id) : next_joint_set(session.model);
+        set.seed = static_cast<std::uint64_t>(command.seed);
+        const double thinnest = thinnest_part * model_size(session.model);
+        if (set.number > 1 && set.spacing < thinnest)
+            throw Diagnostic(fmt::format("a spacing of {:g} would make pieces thinner than {:.3g}, a millionth of "
+                                         "the model's size",
+                                         set.spacing, thinnest),
+                             "give a larger spacing");
+        const CutBlocks cut = cut_blocks(shapes_of(session.model, rows), set, thinnest);
+        apply(session, rows, cut, thinnest, fmt::format("joint set {}", set.id));
+        if (cut.parents.empty())
+            session.warn(
+                Diagnostic("no block was cut by this joint set",
+                           cut.slivers > 0 ? fmt::format("{} not made: a piece would be thinner than {:.3g}",
+                                                         counted(cut.slivers, "cut was", "cuts were"), thinnest)
+                                           : "look at its origin and its dip")
+                    .at(command.place));
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+} // namespace kaya

@@ -1,0 +1,114 @@
+// poly: blocks of a shape.
+#include "commands/handlers.hpp"
+
+#include "geometry/shapes.hpp"
+#include "model/build.hpp"
+
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+NewBlock block_of_command(const lang::BlockOptions& options) {
+    NewBlock block;
+    block.material = static_cast<std::int32_t>(options.material);
+    block.constitutive = static_cast<std::int32_t>(options.constitutive);
+    block.region = static_cast<std::int32_t>(options.region);
+    return block;
+}
+
+/// Makes the shape and puts it into the model; a mistake points at the command.
+template <class Command, class Make> void make(Session& session, const Command& command, Make shape) {
+    try {
+        const NewBlock block = block_of_command(command.options);
+        for (const Polyhedron& part : shape()) add_block(session.model, part, block);
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+std::vector<Polyhedron> convex(Solid&& solid) {
+    if (solid.parts.size() > 1)
+        throw Diagnostic("the block is concave", "make it of convex blocks");
+    return std::move(solid.parts);
+}
+
+} // namespace
+
+void run(Session& session, const lang::PolyBrick& command) {
+    make(session, command, [&] {
+        const Vec3 low(command.x[0], command.y[0], command.z[0]),
+            high(command.x[1], command.y[1], command.z[1]);
+        return std::array{make_brick(low, high)};
+    });
+}
+
+void run(Session& session, const lang::PolyPrism& command) {
+    make(session, command, [&] { return convex(make_prism(command.first, command.second)); });
+}
+
+void run(Session& session, const lang::PolyFace& command) {
+    make(session, command, [&] {
+        std::vector<std::vector<Vec3>> loops;
+        std::vector<int> joint_sets;
+        for (const auto& face : command.faces) {
+            loops.push_back(face.corners);
+            joint_sets.push_back(static_cast<int>(face.joint_set));
+        }
+        Solid solid = make_from_faces(loops, joint_sets);
+        constexpr const char* clockwise = "give the corners of all faces clockwise seen from outside";
+        if (solid.turned_faces > 0)
+            session.warn(Diagnostic(fmt::format("{} of the {} faces {} the other way round than the first, and {} turned",
+                                                solid.turned_faces, loops.size(),
+                                                solid.turned_faces == 1 ? "runs" : "run",
+                                                solid.turned_faces == 1 ? "was" : "were"),
+                                    clockwise)
+                             .at(command.place));
+        if (solid.anticlockwise)
+            session.note_once("the polyhedron is inside out, and was turned: its faces run anticlockwise seen from "
+                              "outside",
+                              clockwise);
+        return convex(std::move(solid));
+    });
+}
+
+void run(Session& session, const lang::PolyTet& command) {
+    make(session, command, [&] {
+        std::array<Vec3, 4> corners;
+        std::copy_n(command.corners.begin(), 4, corners.begin());
+        return std::array{make_tetrahedron(corners)};
+    });
+}
+
+void run(Session& session, const lang::PolyCube& command) {
+    make(session, command, [&] { return std::array{make_cube(command.centre, command.edge)}; });
+}
+
+void run(Session& session, const lang::PolyDrum& command) {
+    make(session, command, [&] {
+        return std::array{make_drum({*command.end1, *command.end2, *command.radius1, *command.radius2,
+                                     static_cast<int>(command.sides)})};
+    });
+}
+
+void run(Session& session, const lang::PolyTunnel& command) {
+    make(session, command, [&] {
+        TunnelBlocks tunnel;
+        tunnel.dip = command.dip;
+        tunnel.dip_direction = command.dip_direction;
+        tunnel.origin = command.origin;
+        tunnel.radius = command.radius;
+        tunnel.begin = command.length[0];
+        tunnel.end = command.length[1];
+        tunnel.radial = static_cast<int>(command.radial);
+        tunnel.tangential = static_cast<int>(command.tangential);
+        tunnel.axial = static_cast<int>(command.axial);
+        tunnel.boundary = command.boundary;
+        tunnel.ratio = command.ratio;
+        return make_tunnel(tunnel);
+    });
+}
+
+} // namespace kaya
