@@ -7,22 +7,92 @@ namespace kaya::lang {
 
 namespace {
 
-constexpr const char* velocity_words[3][2] = {
-    {"xvel", "xvelocity"}, {"yvel", "yvelocity"}, {"zvel", "zvelocity"}};
+/// Translation, then rotation.
+constexpr const char* velocity_words[6][2] = {{"xvel", "xvelocity"},   {"yvel", "yvelocity"},   {"zvel", "zvelocity"},
+                                              {"rxvel", "rxvelocity"}, {"ryvel", "ryvelocity"}, {"rzvel", "rzvelocity"}};
+
+Argument<double> velocity_argument(std::size_t component) {
+    return component < 3 ? real("v").unit("velocity") : real("v").unit("angle in radians/time");
+}
+
+/// Kinds of `hist`: each makes what is left of the line a factor that changes with time.
+std::vector<KeywordSpec> multiplier_kinds() {
+    Keywords<Multiplier> kinds;
+    const auto frequency = real("f").unit("1/time").above(0);
+    const auto duration = real("t").unit("time").above(0).optional();
+    const auto wave = [&](const char* word, std::string_view help) {
+        kinds.special({word}, {frequency.spec, duration.spec},
+                      [=](Reader& reader, Multiplier& multiplier) {
+                          multiplier.kind = word;
+                          multiplier.frequency = reader.real(frequency.spec);
+                          if (reader.at_number()) multiplier.duration = reader.real(duration.spec);
+                      },
+                      help);
+    };
+    wave("sine", "sin(2 pi f time), for the time t or without end");
+    wave("cosine", "cos(2 pi f time), for the time t or without end");
+    wave("impulse", "(1 - cos(2 pi f time))/2, for the time t or without end");
+    const auto number = integer("n").at_least(0);
+    kinds.special({"table"}, {number.spec},
+                  [=](Reader& reader, Multiplier& multiplier) {
+                      multiplier.kind = "table";
+                      multiplier.table = reader.integer(number.spec);
+                  },
+                  "value of table n over time");
+    return std::move(kinds).list();
+}
+
+void read_multiplier(Reader& reader, std::optional<Multiplier>& to, const std::vector<KeywordSpec>& kinds) {
+    Multiplier multiplier;
+    const Word* word = reader.peek();
+    if (!word) reader.missing({.name = "sine, cosine, impulse, table or @name", .kind = ArgumentKind::text});
+    multiplier.place = word->place;
+    if (word->kind == WordKind::symbol) {
+        multiplier.kind = "script";
+        multiplier.symbol = reader.symbol(text("@name").spec);
+    } else {
+        const KeywordSpec* kind = word->kind == WordKind::word ? find_keyword(kinds, word->folded) : nullptr;
+        if (!kind) reader.unknown("a kind of history", {"sine", "cosine", "impulse", "table", "@name"});
+        reader.take();
+        kind->read(reader, &multiplier);
+    }
+    to = std::move(multiplier);
+}
+
+template <class Command> void add_multiplier(Entry<Command>& entry) {
+    const auto kinds = multiplier_kinds();
+    entry.special({"hist", "history"}, {},
+                  [kinds](Reader& reader, Command& c) { read_multiplier(reader, c.multiplier, kinds); },
+                  "all velocities, loads and stresses of the line are multiplied by a function of time, or by "
+                  "@name: the value of a FISH function or variable in each cycle",
+                  kinds);
+}
+
+/// The words xvel to rzvel.
+template <class Command> void add_velocities(Entry<Command>& entry, std::string_view help, std::string_view spin) {
+    for (std::size_t i = 0; i < 6; ++i)
+        entry.keyword({velocity_words[i][0], velocity_words[i][1]}, velocity_argument(i),
+                      [i](Command& c) -> auto& { return c.velocity[i]; }, i < 3 ? help : spin);
+}
+
+template <class Values> bool any(const Values& values) {
+    for (const auto& value : values)
+        if (value) return true;
+    return false;
+}
 
 CommandSpec bound() {
     Entry<Boundary> entry({"boundary"});
-    entry.help("drives or loads gridpoints and vertices at the boundary of visible blocks");
+    entry.help("drives or loads gridpoints, vertices and rigid blocks at the boundary of what is visible");
     entry.place(&Boundary::place);
     static constexpr const char* load[] = {"xload", "yload", "zload"};
-    static constexpr const char* free[] = {"xfree", "yfree", "zfree"};
-    for (std::size_t i = 0; i < 3; ++i) {
-        entry.keyword({velocity_words[i][0], velocity_words[i][1]}, real("v").unit("velocity"),
-                      [i](Boundary& b) -> auto& { return b.velocity[i]; }, "velocity held constant");
+    static constexpr const char* free[] = {"xfree", "yfree", "zfree", "rxfree", "ryfree", "rzfree"};
+    add_velocities(entry, "velocity that is held", "rotation of rigid blocks that is held");
+    for (std::size_t i = 0; i < 3; ++i)
         entry.keyword({load[i]}, real("f").unit("force"), [i](Boundary& b) -> auto& { return b.load[i]; },
                       "force added at every vertex");
+    for (std::size_t i = 0; i < 6; ++i)
         entry.action({free[i]}, [i](Boundary& b) { b.free[i] = true; }, "no longer held in this direction");
-    }
     entry.keyword({"stress"}, tensor("sxx syy szz sxy sxz syz").unit("stress"), &Boundary::stress,
                   "stress on the boundary faces, compression negative");
     entry.keyword({"xgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"),
@@ -31,48 +101,124 @@ CommandSpec bound() {
                   &Boundary::y_gradient, "change of the stress with y");
     entry.keyword({"zgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"),
                   &Boundary::z_gradient, "change of the stress with z");
+    add_multiplier(entry);
     entry.range(&Boundary::range);
     entry.finish([](const Reader& reader, Boundary& b) {
-        bool given = b.stress.has_value();
-        for (std::size_t i = 0; i < 3; ++i) given = given || b.velocity[i] || b.load[i] || b.free[i];
+        const bool driven = b.stress || any(b.velocity) || any(b.load);
         const std::array<double, 6> none{};
         const bool gradient = b.x_gradient != none || b.y_gradient != none || b.z_gradient != none;
         if (gradient && !b.stress)
             incomplete_line(reader, "a gradient of stress needs the stress at the origin",
                             "write: bound stress sxx syy szz sxy sxz syz xgrad ...");
-        if (!given)
+        if (!driven && !any(b.free))
             incomplete_line(reader, "bound does not say what acts on the boundary",
                             "expected: xvel, xload, xfree (or y, z) or stress");
+        if (b.multiplier && !driven)
+            incomplete_line(reader, "hist has nothing to multiply", "give a velocity, a load or a stress");
     });
     entry.right("bound xvel = 0 zvel=0 range zr -1 0.01").right("bound str 0 0 -5 0 0 0 range z .09 .11");
     entry.right("bound zload -1e4 range group roof").right("bound xfree yfree zfree");
     entry.right("bound stress -1 -1 -2 0 0 0 zgrad 0.1 0.1 0.2 0 0 0 range x 0");
     entry.right("bound xvel @v y 0 1");
+    entry.right("bound xvel 0.2 hist sine 5 range region 1").right("bound xvel 1 hist table 3 range z 0");
+    entry.right("bound str 0 0 -1e6 0 0 0 hist @wave range z 10");
     entry.wrong("bound", "bound does not say what acts on the boundary");
     entry.wrong("bound xvel range x 0", "'range' stands where a number must be");
     entry.wrong("bound xvle 0", "'xvle' is not a keyword of boundary");
     entry.wrong("bound stress 0 0 -5", "a number is missing after '-5'");
     entry.wrong("bound stress 0 0 -5 0 0 0 0", "'0' stands where a keyword of boundary must be");
     entry.wrong("bound xgrad 1 0 0 0 0 0", "a gradient of stress needs the stress at the origin");
+    entry.wrong("bound xvel 1 hist", "a word is missing after 'hist'");
+    entry.wrong("bound xvel 1 hist sin", "a number is missing after 'sin'");
+    entry.wrong("bound xvel 1 hist tabel 1", "'tabel' is not a kind of history");
+    entry.wrong("bound xfree hist table 1", "hist has nothing to multiply");
+    return entry;
+}
+
+CommandSpec apply() {
+    Entry<Apply> entry({"apply"});
+    entry.help("drives or loads whole blocks, picked by their centroid");
+    entry.place(&Apply::place);
+    static constexpr const char* load[] = {"xload", "yload", "zload", "xmoment", "ymoment", "zmoment"};
+    add_velocities(entry, "velocity of the blocks that is held", "rotation of rigid blocks that is held");
+    for (std::size_t i = 0; i < 6; ++i)
+        entry.keyword({load[i]}, real("f").unit(i < 3 ? "force" : "moment"),
+                      [i](Apply& a) -> auto& { return a.load[i]; },
+                      i < 3 ? "force added at the centroid of each rigid block" : "moment added to each rigid block");
+    add_multiplier(entry);
+    entry.range(&Apply::range);
+    entry.finish([](const Reader& reader, Apply& a) {
+        if (!any(a.velocity) && !any(a.load))
+            incomplete_line(reader, "apply does not say what acts on the blocks",
+                            "expected: xvel, rxvel, xload or xmoment (or y, z)");
+    });
+    entry.right("apply xvel 0.8 range region 2").right("apply xvel 1 hist table 1 range z -1 0");
+    entry.right("apply zload -1e4 hist sine 2 range group block").right("apply rzvel 0.1 range id 3");
+    entry.wrong("apply", "apply does not say what acts on the blocks");
+    entry.wrong("apply xvel", "a number is missing after 'xvel'");
+    entry.wrong("apply xvle 1", "'xvle' is not a keyword of apply");
     return entry;
 }
 
 CommandSpec initialize() {
     Entry<Initialize> entry({"initialize"});
     entry.help("gives gridpoints and rigid blocks a velocity to start with");
-    for (std::size_t i = 0; i < 3; ++i)
-        entry.keyword({velocity_words[i][0], velocity_words[i][1]}, real("v").unit("velocity"),
-                      [i](Initialize& c) -> auto& { return c.velocity[i]; }, "velocity");
+    add_velocities(entry, "velocity", "rotation of rigid blocks");
     entry.range(&Initialize::range);
     entry.finish([](const Reader& reader, Initialize& c) {
-        if (!c.velocity[0] && !c.velocity[1] && !c.velocity[2])
+        if (!any(c.velocity))
             incomplete_line(reader, "initialize does not say what to set",
                             "expected: xvel, yvel or zvel and a number");
     });
     entry.right("ini xvel 1").right("initialize xvel 0 yvel 0 zvel -2 range group ball");
+    entry.right("ini rzvel 0.5 range id 2");
     entry.wrong("ini", "initialize does not say what to set");
     entry.wrong("ini xvel", "a number is missing after 'xvel'");
     entry.wrong("ini zval 1", "'zval' is not a keyword of initialize");
+    return entry;
+}
+
+/// Components of fix and free.
+template <class Command> Entry<Command> components(std::vector<Spelling> words) {
+    Entry<Command> entry(std::move(words));
+    for (std::size_t i = 0; i < 6; ++i)
+        entry.action({velocity_words[i][0], velocity_words[i][1]}, [i](Command& c) { c.components[i] = true; },
+                     i < 3 ? "only translation in this direction" : "only rotation about this axis");
+    entry.action({"velocity"}, [](Command& c) { c.components[0] = c.components[1] = c.components[2] = true; },
+                 "only translation, in all directions");
+    entry.action({"rotation"}, [](Command& c) { c.components[3] = c.components[4] = c.components[5] = true; },
+                 "only rotation, about all axes");
+    return entry;
+}
+
+CommandSpec table() {
+    Entry<TableCommand> entry({"table"});
+    entry.help("makes a table of pairs: the y that belongs to an x lies on straight lines between them");
+    entry.place(&TableCommand::place);
+    entry.argument(integer("n").at_least(0).help("number of the table"), &TableCommand::number);
+    entry.keyword({"read"}, text("file"), &TableCommand::file,
+                  "replaces the table by that of a file: a line of title, a line `count step`, then one y per line, or "
+                  "x and y when the step is 0");
+    entry.action({"clear", "delete"}, [](TableCommand& t) { t.clear = true; }, "takes all pairs out");
+    const auto x = real("x").spec, y = real("y").spec;
+    entry.otherwise({x, y}, [=](Reader& reader, TableCommand& t) {
+        if (!reader.at_number()) return false;
+        const double at = reader.real(x);
+        t.points.push_back({at, reader.real(y)});
+        return true;
+    });
+    entry.finish([](const Reader& reader, TableCommand& t) {
+        if (t.points.empty() && t.file.empty() && !t.clear)
+            incomplete_line(reader, "table does not say what to put into it",
+                            "expected: pairs x y, read and a file, or clear");
+    });
+    entry.right("table 1 0 0 0.4 1.962 10 1.962").right("table 2 read quake.tab").right("table 1 (0,1) (1,2)");
+    entry.right("table 1 clear");
+    entry.wrong("table", "a number is missing after 'table'");
+    entry.wrong("table 1", "table does not say what to put into it");
+    entry.wrong("table 1 0 0 0.4", "a number is missing after '0.4'");
+    entry.wrong("table 1 read", "a word is missing after 'read'");
+    entry.wrong("table 1 raed quake.tab", "'raed' is not a keyword of table");
     return entry;
 }
 
@@ -83,15 +229,17 @@ Family boundary() {
             "loads, velocities and initial values",
             {
                 bound(),
-                Entry<Fix>({"fix"})
-                    .help("holds blocks where they are")
+                apply(),
+                components<Fix>({"fix"})
+                    .help("holds blocks where they are, or some components of their motion")
                     .range(&Fix::range)
                     .right("fix")
                     .right("fix range z -0.1 0")
                     .right("fix region 1")
+                    .right("fix xvel rotation range id 2")
                     .wrong("fix range z a", "'a' stands where a number must be")
                     .wrong("fix reigon 1", "'reigon' is not a keyword of fix"),
-                Entry<Free>({"free"})
+                components<Free>({"free"})
                     .help("lets fixed blocks move again")
                     .range(&Free::range)
                     .right("free")
@@ -107,6 +255,7 @@ Family boundary() {
                     .wrong("gravity 0 0", "a number is missing after '0'")
                     .wrong("gravity 0 0 -9.81 1", "'1' is left over at the end of the line"),
                 initialize(),
+                table(),
             }};
 }
 

@@ -130,21 +130,46 @@ struct JointModelCommand {
 };
 
 // --- boundary and initial conditions --------------------------------------------------------------
-struct Fix { RangePhrase range; };
-struct Free { RangePhrase range; };
+/// Components x, y, z of translation and of rotation; none: all.
+struct Fix { std::array<bool, 6> components{}; RangePhrase range; };
+struct Free { std::array<bool, 6> components{}; RangePhrase range; };
 struct Gravity { Vec3 value = Vec3::Zero(); };
+/// hist sine f [t] | cosine f [t] | impulse f [t] | table n | @name: what a load or velocity is multiplied by.
+struct Multiplier {
+    std::string kind;
+    double frequency = 0, duration = 0; ///< duration 0: no end
+    std::int64_t table = 0;
+    std::string symbol; ///< without @
+    Place place;
+};
 struct Boundary {
-    std::array<std::optional<double>, 3> velocity;  ///< xvel yvel zvel
+    std::array<std::optional<double>, 6> velocity;  ///< xvel yvel zvel rxvel ryvel rzvel
     std::array<std::optional<double>, 3> load;      ///< xload yload zload, added
-    std::array<bool, 3> free{};                     ///< xfree yfree zfree
+    std::array<bool, 6> free{};                     ///< xfree yfree zfree rxfree ryfree rzfree
     std::optional<std::array<double, 6>> stress;    ///< xx yy zz xy xz yz
     std::array<double, 6> x_gradient{}, y_gradient{}, z_gradient{};
+    std::optional<Multiplier> multiplier;
+    RangePhrase range;
+    Place place;
+};
+struct Apply {
+    std::array<std::optional<double>, 6> velocity; ///< of whole blocks
+    std::array<std::optional<double>, 6> load;     ///< force through the centroid and moment, added
+    std::optional<Multiplier> multiplier;
     RangePhrase range;
     Place place;
 };
 struct Initialize {
-    std::array<std::optional<double>, 3> velocity;
+    std::array<std::optional<double>, 6> velocity;
     RangePhrase range;
+};
+/// table n x y ... | table n read file | table n clear
+struct TableCommand {
+    std::int64_t number = 0;
+    std::vector<std::array<double, 2>> points;
+    std::string file;
+    bool clear = false;
+    Place place;
 };
 struct Reset { std::vector<std::string> what; }; ///< time hist disp vel jdisp energy damp
 

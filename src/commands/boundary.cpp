@@ -1,5 +1,6 @@
-// fix, free, gravity, bound, initialize, reset.
+// fix, free, gravity, bound, apply, initialize, reset.
 #include "commands/handlers.hpp"
+#include "commands/tables.hpp"
 
 #include "mechanics/boundary.hpp"
 #include "mechanics/contact_properties.hpp"
@@ -20,6 +21,88 @@ StressField stress_field(const lang::Boundary& command) {
     field.at_origin = stress(*command.stress);
     field.gradient = {stress(command.x_gradient), stress(command.y_gradient), stress(command.z_gradient)};
     return field;
+}
+
+struct KindEntry {
+    std::string_view word;
+    TimeFunction::Kind kind;
+};
+constexpr std::array<KindEntry, 5> kinds{{
+    {"sine", TimeFunction::Kind::sine},
+    {"cosine", TimeFunction::Kind::cosine},
+    {"impulse", TimeFunction::Kind::impulse},
+    {"table", TimeFunction::Kind::table},
+    {"script", TimeFunction::Kind::script},
+}};
+
+/// The row of the function that `hist` names; it is there, and gives numbers, as far as can be told now.
+std::int32_t time_function(Session& session, const std::optional<lang::Multiplier>& multiplier) {
+    if (!multiplier) return constant_in_time;
+    const auto found = std::ranges::find(kinds, std::string_view(multiplier->kind), &KindEntry::word);
+    if (found == kinds.end()) throw std::logic_error("hist: no entry for '" + multiplier->kind + "'");
+    try {
+        if (found->kind == TimeFunction::Kind::table) check_table(session, multiplier->table);
+        if (found->kind == TimeFunction::Kind::script) check_symbol(session, multiplier->symbol);
+    } catch (Diagnostic& mistake) {
+        mistake.at(multiplier->place);
+        throw;
+    }
+    return time_function_row(session.model, {found->kind, multiplier->frequency, multiplier->duration,
+                                             multiplier->table, multiplier->symbol, session.here()});
+}
+
+/// Rigid blocks by their centroid and gridpoints of the others by their position.
+Bodies pick_bodies(Session& session, const lang::RangePhrase& range) {
+    const auto& model = session.model;
+    Bodies bodies;
+    for (const Row b : select(model, ObjectKind::block, range_test(model, session.ranges, range, ObjectKind::block)))
+        if (!model.blocks.deformable[b]) bodies.blocks.push_back(b);
+    const auto points =
+        select(model, ObjectKind::gridpoint, range_test(model, session.ranges, range, ObjectKind::gridpoint));
+    for (const Row g : points)
+        if (model.blocks.deformable[model.gridpoints.block[g]]) bodies.gridpoints.push_back(g);
+    if (!bodies.empty()) return bodies;
+    if (points.empty()) session.pick(ObjectKind::gridpoint, range); // says why
+    else
+        session.warn(Diagnostic(fmt::format("the range holds {} vertices of rigid blocks but no centroid of one",
+                                            points.size()),
+                                "rigid blocks move as a whole and are picked by their centroid: the command has no "
+                                "effect")
+                         .at(range.place));
+    return bodies;
+}
+
+std::uint8_t bits_of(const std::array<bool, 6>& components) {
+    std::uint8_t bits = 0;
+    for (std::size_t k = 0; k < 6; ++k) bits |= static_cast<std::uint8_t>(components[k] << k);
+    return bits == 0 ? static_cast<std::uint8_t>(fix_all) : bits;
+}
+
+/// A load on a component that is held moves nothing.
+void warn_of_held_loads(Session& session, const std::vector<Row>& blocks, const Place& place) {
+    const auto& model = session.model;
+    static constexpr std::array directions{"x", "y", "z", "rotation about x", "rotation about y", "rotation about z"};
+    const auto say = [&](Row b, int k, const char* what) {
+        session.warn(Diagnostic(fmt::format("{} of block {} is loaded where it is held: {}", what,
+                                            model.blocks.number[b], directions[static_cast<std::size_t>(k)]),
+                                "the load moves nothing and only adds to the reaction")
+                         .at(place));
+    };
+    for (const Row b : blocks) {
+        if (!model.blocks.deformable[b]) {
+            for (int k = 0; k < components; ++k) {
+                const double load = k < 3 ? model.blocks.load[b][k] : model.blocks.torque[b][k - 3];
+                const bool rests = k >= 3 && (model.blocks.fixed[b] & 7) == 7; // moments of loads come with them
+                if (load != 0 && (model.blocks.fixed[b] & (1 << k)) && !rests) return say(b, k, "the centroid");
+            }
+            continue;
+        }
+        const Span span = model.blocks.gridpoints[b];
+        for (Row g = span.first; g < span.end(); ++g)
+            for (int k = 0; k < 3; ++k)
+                if (model.gridpoints.load[g][k] != 0 && (model.gridpoints.fixed[g] & (1 << k)))
+                    return say(b, k, "a gridpoint");
+    }
 }
 
 void reset_time(Session& session) { session.model.clock.time = 0; }
@@ -78,47 +161,76 @@ constexpr std::array<ResetEntry, 7> resets{{
 } // namespace
 
 void run(Session& session, const lang::Fix& command) {
-    fix_blocks(session.model, session.pick(ObjectKind::block, command.range));
+    const auto blocks = session.pick(ObjectKind::block, command.range);
+    fix_blocks(session.model, blocks, bits_of(command.components));
+    warn_of_held_loads(session, blocks, command.range.place);
 }
 
 void run(Session& session, const lang::Free& command) {
-    free_blocks(session.model, session.pick(ObjectKind::block, command.range));
+    free_blocks(session.model, session.pick(ObjectKind::block, command.range), bits_of(command.components));
 }
 
 void run(Session& session, const lang::Gravity& command) { session.model.settings.gravity = command.value; }
 
 void run(Session& session, const lang::Boundary& command) {
+    auto& model = session.model;
+    const auto function = time_function(session, command.multiplier);
+    const auto any = [](const auto& list) { return std::ranges::any_of(list, [](const auto& v) { return bool(v); }); };
+    if (any(command.velocity) || any(command.free)) {
+        const Bodies bodies = pick_bodies(session, command.range);
+        for (int k = 0; k < components; ++k) {
+            if (command.velocity[k]) prescribe_velocity(model, bodies, k, *command.velocity[k], function);
+            if (command.free[k]) release_velocity(model, bodies, k);
+        }
+    }
+    if (!any(command.load) && !command.stress) return;
     const auto points = session.pick(ObjectKind::gridpoint, command.range);
     if (points.empty()) return;
     for (int axis = 0; axis < 3; ++axis) {
-        if (command.velocity[axis]) prescribe_velocity(session.model, points, axis, *command.velocity[axis]);
-        if (command.free[axis]) release_velocity(session.model, points, axis);
         if (!command.load[axis]) continue;
-        add_load(session.model, points, axis, *command.load[axis]);
+        add_load(model, points, axis, *command.load[axis], function);
         // Repeated loads add up, at every gridpoint: the number shows what the total became.
         session.output.say(fmt::format("{}load {} added at {} gridpoints", axis_names[axis],
                                        number_text(*command.load[axis]), points.size()));
     }
-    if (!command.stress) return;
-    find_contacts(session.model, session.joints); // they tell which faces are exterior
-    if (add_stress(session.model, points, stress_field(command)) > 0) return;
-    session.warn(
-        Diagnostic(fmt::format("no face on the surface has all its corners among the {} gridpoints in range",
-                               points.size()),
-                   "the stress has no effect")
-            .at(command.range.place ? command.range.place : command.place));
+    if (command.stress) {
+        find_contacts(model, session.joints); // they tell which faces are exterior
+        if (add_stress(model, points, stress_field(command), function) == 0)
+            session.warn(
+                Diagnostic(fmt::format("no face on the surface has all its corners among the {} gridpoints in range",
+                                       points.size()),
+                           "the stress has no effect")
+                    .at(command.range.place ? command.range.place : command.place));
+    }
+    std::vector<Row> blocks;
+    for (const Row g : points)
+        if (blocks.empty() || blocks.back() != model.gridpoints.block[g]) blocks.push_back(model.gridpoints.block[g]);
+    warn_of_held_loads(session, blocks, command.place);
+}
+
+void run(Session& session, const lang::Apply& command) {
+    auto& model = session.model;
+    const auto function = time_function(session, command.multiplier);
+    const auto blocks = session.pick(ObjectKind::block, command.range);
+    const bool loaded = std::ranges::any_of(command.load, [](const auto& load) { return load.has_value(); });
+    if (loaded)
+        for (const Row b : blocks)
+            if (model.blocks.deformable[b])
+                throw Diagnostic(fmt::format("block {} is deformable and takes no load as a whole",
+                                             model.blocks.number[b]),
+                                 "load its gridpoints with bound, or take it out of the range")
+                    .at(command.place);
+    for (int k = 0; k < components; ++k) {
+        if (command.velocity[k]) prescribe_velocity(model, {blocks, {}}, k, *command.velocity[k], function);
+        if (command.load[k]) add_block_load(model, blocks, k, *command.load[k], function);
+    }
+    if (loaded) warn_of_held_loads(session, blocks, command.place);
 }
 
 void run(Session& session, const lang::Initialize& command) {
-    auto& model = session.model;
-    for (const Row point : session.pick(ObjectKind::gridpoint, command.range)) {
-        const Row block = model.gridpoints.block[point];
-        for (int axis = 0; axis < 3; ++axis) {
-            if (!command.velocity[axis]) continue;
-            model.gridpoints.velocity[point][axis] = *command.velocity[axis];
-            if (!model.blocks.deformable[block]) model.blocks.velocity[block][axis] = *command.velocity[axis];
-        }
-    }
+    const Bodies bodies = pick_bodies(session, command.range);
+    for (int k = 0; k < components; ++k)
+        if (command.velocity[k]) initialize_velocity(session.model, bodies, k, *command.velocity[k]);
 }
 
 void run(Session& session, const lang::Reset& command) {

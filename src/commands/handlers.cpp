@@ -60,8 +60,11 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::Free>(session, handlers, InCycle::waits);
     add<lang::Gravity>(session, handlers, InCycle::runs);
     add<lang::Boundary>(session, handlers, InCycle::waits);
+    add<lang::Apply>(session, handlers, InCycle::waits);
     add<lang::Initialize>(session, handlers, InCycle::runs);
     add<lang::Reset>(session, handlers, InCycle::waits);
+
+    add<lang::TableCommand>(session, handlers, InCycle::runs);
 
     add<lang::HistoryAdd>(session, handlers, InCycle::waits);
     add<lang::HistoryLabel>(session, handlers, InCycle::runs);

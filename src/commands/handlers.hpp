@@ -45,8 +45,12 @@ void run(Session&, const lang::Fix&);
 void run(Session&, const lang::Free&);
 void run(Session&, const lang::Gravity&);
 void run(Session&, const lang::Boundary&);
+void run(Session&, const lang::Apply&);
 void run(Session&, const lang::Initialize&);
 void run(Session&, const lang::Reset&);
+
+// tables.cpp
+void run(Session&, const lang::TableCommand&);
 
 // histories.cpp
 void run(Session&, const lang::HistoryAdd&);

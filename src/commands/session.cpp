@@ -66,6 +66,12 @@ void Session::make_cycle() {
     cycle->hooks.before_cycle.push_back(hook(script::Moment::before_cycle));
     cycle->hooks.after_forces.push_back(hook(script::Moment::after_forces));
     cycle->hooks.after_cycle.push_back(hook(script::Moment::after_cycle));
+    cycle->hooks.table_value = [this](std::int64_t number, double x) {
+        const auto& tables = scripts->tables();
+        const auto found = tables.find(number);
+        if (found == tables.end()) throw Diagnostic(fmt::format("there is no table {}", number), {}, Fault::run);
+        return found->second.at(x);
+    };
     cycle->hooks.script_value = [this](const std::string& expression) { return scripts->number(expression); };
 }
 

@@ -2,6 +2,7 @@
 #include "commands/handlers.hpp"
 #include "commands/materials.hpp"
 #include "commands/progress.hpp"
+#include "commands/tables.hpp"
 
 #include <array>
 #include <cmath>
@@ -79,6 +80,7 @@ std::string reached(const Limits& limits, const Clock& start, const Clock& now, 
 /// Runs until a limit is reached; returns which, in words.
 std::string advance_until(Session& session, const Limits& limits) {
     check_materials(session);
+    check_time_functions(session);
     session.cycle->prepare();
     const Clock start = session.model.clock;
     Target target;

@@ -1,61 +1,223 @@
 #include "mechanics/boundary.hpp"
 
-#include <Eigen/Geometry>
+#include "mechanics/phases.hpp"
+#include "mechanics/rotation.hpp"
+
 #include <algorithm>
-#include <set>
+#include <map>
+#include <tuple>
 
 namespace kaya {
 
 namespace {
 
-/// Calls of_block(row) once per rigid block and of_gridpoint(row) for the rest.
+using What = Drives::What;
+
+std::uint8_t bit_of(int component) { return static_cast<std::uint8_t>(1 << component); }
+
+bool is_rotation(int component) { return component >= 3; }
+
+/// Calls of_block(row) for rigid blocks and of_gridpoint(row) for the rest; a rotation has rigid blocks only.
 template <class OfBlock, class OfGridpoint>
-void each_body(const Model& model, const std::vector<Row>& gridpoints, OfBlock of_block, OfGridpoint of_gridpoint) {
-    std::set<Row> done;
-    for (const Row g : gridpoints) {
-        const Row block = model.gridpoints.block[g];
-        if (model.blocks.deformable[block]) of_gridpoint(g);
-        else if (done.insert(block).second) of_block(block);
+void each_body(const Model& model, const Bodies& bodies, int component, OfBlock of_block, OfGridpoint of_gridpoint) {
+    for (const Row b : bodies.blocks) {
+        if (!model.blocks.deformable[b]) {
+            of_block(b);
+            continue;
+        }
+        if (is_rotation(component)) continue;
+        const Span span = model.blocks.gridpoints[b];
+        for (Row g = span.first; g < span.end(); ++g) of_gridpoint(g);
     }
+    if (is_rotation(component)) return;
+    for (const Row g : bodies.gridpoints) of_gridpoint(g);
 }
+
+/// What a row of the drives acts on.
+struct Target {
+    BlockId block;
+    Row gridpoint;
+    int component;
+    auto operator<=>(const Target&) const = default;
+};
+
+Target of_block(const Model& model, Row b, int component) { return {model.blocks.id[b], no_row, component}; }
+Target of_gridpoint(const Model& model, Row g, int component) {
+    const Row b = model.gridpoints.block[g];
+    return {model.blocks.id[b], g - model.blocks.gridpoints[b].first, component};
+}
+
+void add_drive(Model& model, What what, const Target& target, double amplitude, std::int32_t function) {
+    auto& drives = model.drives;
+    const std::size_t row = drives.size();
+    drives.resize(row + 1);
+    drives.block[row] = target.block;
+    drives.gridpoint[row] = target.gridpoint;
+    drives.what[row] = what;
+    drives.component[row] = target.component;
+    drives.amplitude[row] = amplitude;
+    drives.function[row] = function;
+}
+
+/// Velocity drives one by one for each gridpoint where their block has zones by now, so that single ones can be
+/// taken out; drives of blocks that are gone, and loads of whole blocks that have zones by now, are dropped.
+void tidy_drives(Model& model) {
+    auto& drives = model.drives;
+    std::vector<Row> kept;
+    const std::size_t count = drives.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Row b = model.blocks.ids.row(drives.block[i]);
+        if (b == no_row) continue;
+        const bool zoned = drives.gridpoint[i] == no_row && model.blocks.deformable[b];
+        if (!zoned) {
+            kept.push_back(static_cast<Row>(i));
+            continue;
+        }
+        if (drives.what[i] == What::load || is_rotation(drives.component[i])) continue;
+        for (Row g = 0; g < model.blocks.gridpoints[b].count; ++g) {
+            kept.push_back(static_cast<Row>(drives.size()));
+            add_drive(model, What::velocity, {drives.block[i], g, drives.component[i]}, drives.amplitude[i],
+                      drives.function[i]);
+        }
+    }
+    if (kept.size() != count || drives.size() != count) drives.gather(kept);
+}
+
+/// Velocities of these targets change with time no more. `targets` is sorted here.
+void drop_velocity_drives(Model& model, std::vector<Target>& targets) {
+    if (model.drives.empty()) return;
+    tidy_drives(model);
+    std::ranges::sort(targets);
+    const auto& drives = model.drives;
+    std::vector<Row> kept;
+    for (std::size_t i = 0; i < drives.size(); ++i) {
+        const Target target{drives.block[i], drives.gridpoint[i], drives.component[i]};
+        if (drives.what[i] == What::load || !std::ranges::binary_search(targets, target))
+            kept.push_back(static_cast<Row>(i));
+    }
+    model.drives.gather(kept);
+}
+
+/// Loads that change with time, summed by what they act on before they become drives.
+class LoadSums {
+public:
+    LoadSums(Model& model, std::int32_t function) : model_(model), function_(function) {}
+
+    void add(const Target& target, double& constant, double value) {
+        if (function_ == constant_in_time) constant += value;
+        else sums_[target] += value;
+    }
+    void at_gridpoint(Row g, int axis, double value) {
+        auto& blocks = model_.blocks;
+        const Row b = model_.gridpoints.block[g];
+        if (blocks.deformable[b]) {
+            add(of_gridpoint(model_, g, axis), model_.gridpoints.load[g][axis], value);
+            return;
+        }
+        const Vec3 force = value * Vec3::Unit(axis);
+        const Vec3 moment = (model_.gridpoints.position[g] - blocks.centroid[b]).cross(force);
+        add(of_block(model_, b, axis), blocks.load[b][axis], value);
+        for (int k = 0; k < 3; ++k)
+            if (k != axis) add(of_block(model_, b, 3 + k), blocks.torque[b][k], moment[k]);
+    }
+    void finish() {
+        for (const auto& [target, value] : sums_) add_drive(model_, What::load, target, value, function_);
+        model_.properties_changed = true;
+    }
+
+private:
+    Model& model_;
+    std::int32_t function_;
+    std::map<Target, double> sums_;
+};
 
 } // namespace
 
-void prescribe_velocity(Model& model, const std::vector<Row>& gridpoints, int axis, double value) {
-    const auto bit = static_cast<std::uint8_t>(1 << axis);
+std::int32_t time_function_row(Model& model, const TimeFunction& function) {
+    auto& all = model.time_functions;
+    const auto found = std::ranges::find(all, function);
+    const auto row = static_cast<std::int32_t>(found - all.begin());
+    if (found == all.end()) all.push_back(function);
+    return row;
+}
+
+void prescribe_velocity(Model& model, const Bodies& bodies, int component, double value, std::int32_t function) {
+    auto& blocks = model.blocks;
+    auto& points = model.gridpoints;
+    // One that changes with time gets its value with the next step.
+    const bool constant = function == constant_in_time;
+    std::vector<Target> targets;
     each_body(
-        model, gridpoints,
+        model, bodies, component,
         [&](Row b) {
-            model.blocks.fixed[b] |= bit;
-            model.blocks.velocity[b][axis] = value;
+            blocks.fixed[b] |= bit_of(component);
+            targets.push_back(of_block(model, b, component));
+            if (!constant) return;
+            if (is_rotation(component)) blocks.rotational_velocity[b][component - 3] = value;
+            else blocks.velocity[b][component] = value;
         },
         [&](Row g) {
-            model.gridpoints.fixed[g] |= bit;
-            model.gridpoints.velocity[g][axis] = value;
+            points.fixed[g] |= bit_of(component);
+            targets.push_back(of_gridpoint(model, g, component));
+            if (constant) points.velocity[g][component] = value;
         });
     model.properties_changed = true;
+    drop_velocity_drives(model, targets);
+    if (constant) return;
+    for (const Target& target : targets) add_drive(model, What::velocity, target, value, function);
 }
 
-void release_velocity(Model& model, const std::vector<Row>& gridpoints, int axis) {
-    const auto mask = static_cast<std::uint8_t>(~(1 << axis));
+void release_velocity(Model& model, const Bodies& bodies, int component) {
+    const auto mask = static_cast<std::uint8_t>(~bit_of(component));
+    std::vector<Target> targets;
     each_body(
-        model, gridpoints, [&](Row b) { model.blocks.fixed[b] &= mask; },
-        [&](Row g) { model.gridpoints.fixed[g] &= mask; });
+        model, bodies, component,
+        [&](Row b) {
+            model.blocks.fixed[b] &= mask;
+            targets.push_back(of_block(model, b, component));
+        },
+        [&](Row g) {
+            model.gridpoints.fixed[g] &= mask;
+            targets.push_back(of_gridpoint(model, g, component));
+        });
+    drop_velocity_drives(model, targets);
     model.properties_changed = true;
 }
 
-void add_load(Model& model, const std::vector<Row>& gridpoints, int axis, double value) {
-    for (const Row g : gridpoints) {
-        const Row b = model.gridpoints.block[g];
-        if (model.blocks.deformable[b]) {
-            model.gridpoints.load[g][axis] += value;
-            continue;
-        }
-        const Vec3 force = value * Vec3::Unit(axis);
-        model.blocks.load[b] += force;
-        model.blocks.torque[b] += (model.gridpoints.position[g] - model.blocks.centroid[b]).cross(force);
+void initialize_velocity(Model& model, const Bodies& bodies, int component, double value) {
+    auto& blocks = model.blocks;
+    if (is_rotation(component) && model.properties_changed) compute_masses(model);
+    each_body(
+        model, bodies, component,
+        [&](Row b) {
+            if (blocks.fixed[b] & bit_of(component)) return;
+            if (!is_rotation(component)) {
+                blocks.velocity[b][component] = value;
+                const Span span = blocks.gridpoints[b];
+                for (Row g = span.first; g < span.end(); ++g) model.gridpoints.velocity[g][component] = value;
+                return;
+            }
+            blocks.rotational_velocity[b][component - 3] = value;
+            blocks.angular_momentum[b] = inertia_now(model, b) * blocks.rotational_velocity[b];
+        },
+        [&](Row g) {
+            if ((model.gridpoints.fixed[g] & bit_of(component)) == 0) model.gridpoints.velocity[g][component] = value;
+        });
+}
+
+void add_load(Model& model, const std::vector<Row>& gridpoints, int axis, double value, std::int32_t function) {
+    LoadSums sums(model, function);
+    for (const Row g : gridpoints) sums.at_gridpoint(g, axis, value);
+    sums.finish();
+}
+
+void add_block_load(Model& model, const std::vector<Row>& rows, int component, double value, std::int32_t function) {
+    LoadSums sums(model, function);
+    for (const Row b : rows) {
+        double& load = is_rotation(component) ? model.blocks.torque[b][component - 3] : model.blocks.load[b][component];
+        sums.add(of_block(model, b, component), load, value);
     }
-    model.properties_changed = true;
+    sums.finish();
 }
 
 Stress StressField::at(const Vec3& place) const {
@@ -64,13 +226,15 @@ Stress StressField::at(const Vec3& place) const {
     return s;
 }
 
-double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress) {
+double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress,
+                  std::int32_t function) {
     const auto listed = [&](Row g) { return std::binary_search(gridpoints.begin(), gridpoints.end(), g); };
     // A face on which another block lies is not exterior.
     std::vector<char> covered(model.faces.size(), 0);
     for (std::size_t c = 0; c < model.contacts.size(); ++c)
         if (model.contacts.touch[c] == Touch::face_face)
             covered[model.contacts.face1[c]] = covered[model.contacts.face2[c]] = 1;
+    LoadSums sums(model, function);
     double loaded = 0;
     for (std::size_t t = 0; t < model.triangles.size(); ++t) {
         const auto& corners = model.triangles.gridpoints[t];
@@ -84,33 +248,31 @@ double add_stress(Model& model, const std::vector<Row>& gridpoints, const Stress
         for (int k = 0; k < 3; ++k) force[k] = matrix_of(stress.at(x[corners[k]])) * area;
         for (int k = 0; k < 3; ++k) {
             const Vec3 load = (2 * force[k] + force[(k + 1) % 3] + force[(k + 2) % 3]) / 12.0;
-            for (int axis = 0; axis < 3; ++axis) add_load(model, {corners[k]}, axis, load[axis]);
+            for (int axis = 0; axis < 3; ++axis) sums.at_gridpoint(corners[k], axis, load[axis]);
         }
     }
+    sums.finish();
     return loaded;
 }
 
-void fix_blocks(Model& model, const std::vector<Row>& rows) {
+void fix_blocks(Model& model, const std::vector<Row>& rows, std::uint8_t which) {
+    for (int component = 0; component < components; ++component)
+        if (which & bit_of(component)) prescribe_velocity(model, {rows, {}}, component, 0);
+    for (const Row b : rows)
+        if (model.blocks.fixed[b] == fix_all && model.blocks.rotational_velocity[b].isZero(0))
+            model.blocks.angular_momentum[b] = Vec3::Zero();
+    // Vertices of rigid blocks show what their block does.
     for (const Row b : rows) {
-        model.blocks.fixed[b] = fix_all;
-        model.blocks.velocity[b] = model.blocks.rotational_velocity[b] = Vec3::Zero();
-        model.blocks.angular_momentum[b] = Vec3::Zero();
+        if (model.blocks.deformable[b] || !model.blocks.velocity[b].isZero(0)) continue;
         const Span span = model.blocks.gridpoints[b];
-        for (Row g = span.first; g < span.end(); ++g) {
-            model.gridpoints.fixed[g] = fix_x | fix_y | fix_z;
-            model.gridpoints.velocity[g] = Vec3::Zero();
-        }
+        if (model.blocks.rotational_velocity[b].isZero(0))
+            for (Row g = span.first; g < span.end(); ++g) model.gridpoints.velocity[g] = Vec3::Zero();
     }
-    model.properties_changed = true;
 }
 
-void free_blocks(Model& model, const std::vector<Row>& rows) {
-    for (const Row b : rows) {
-        model.blocks.fixed[b] = 0;
-        const Span span = model.blocks.gridpoints[b];
-        for (Row g = span.first; g < span.end(); ++g) model.gridpoints.fixed[g] = 0;
-    }
-    model.properties_changed = true;
+void free_blocks(Model& model, const std::vector<Row>& rows, std::uint8_t which) {
+    for (int component = 0; component < components; ++component)
+        if (which & bit_of(component)) release_velocity(model, {rows, {}}, component);
 }
 
 } // namespace kaya

@@ -4,19 +4,46 @@
 #include "model/model.hpp"
 
 #include <array>
-#include <optional>
+#include <cstdint>
 #include <vector>
 
 namespace kaya {
 
-/// Prescribes velocity components; gridpoints of rigid blocks prescribe it for their block.
-void prescribe_velocity(Model& model, const std::vector<Row>& gridpoints, int axis, double value);
+/// Of what is not multiplied by a function of time.
+inline constexpr std::int32_t constant_in_time = -1;
 
-/// Lets components move again.
-void release_velocity(Model& model, const std::vector<Row>& gridpoints, int axis);
+/// The row of an equal function in Model::time_functions, which is added when there is none.
+std::int32_t time_function_row(Model& model, const TimeFunction& function);
 
-/// Adds a force to every gridpoint given.
-void add_load(Model& model, const std::vector<Row>& gridpoints, int axis, double value);
+/// Components of motion of a body: x, y, z of its translation, and of a rigid block's rotation.
+inline constexpr int components = 6;
+
+/// Whole blocks, and single gridpoints of deformable blocks.
+struct Bodies {
+    std::vector<Row> blocks;
+    std::vector<Row> gridpoints;
+    bool empty() const { return blocks.empty() && gridpoints.empty(); }
+};
+
+/// Prescribes a velocity component, `value` times the function; a whole block that is deformable gets it at all its
+/// gridpoints, and so it has no rotation. Replaces what was prescribed for the same component before.
+void prescribe_velocity(Model& model, const Bodies& bodies, int component, double value,
+                        std::int32_t function = constant_in_time);
+
+/// Lets a component move again.
+void release_velocity(Model& model, const Bodies& bodies, int component);
+
+/// Gives a component a velocity to start with; one that is prescribed keeps its own.
+/// Throws Diagnostic for the rotation of a block whose density is not known.
+void initialize_velocity(Model& model, const Bodies& bodies, int component, double value);
+
+/// Adds a force to every gridpoint given; of a rigid block's vertex to the block, with its moment.
+void add_load(Model& model, const std::vector<Row>& gridpoints, int axis, double value,
+              std::int32_t function = constant_in_time);
+
+/// Adds a force through the centroid or a moment to rigid blocks.
+void add_block_load(Model& model, const std::vector<Row>& blocks, int component, double value,
+                    std::int32_t function = constant_in_time);
 
 /// Stress that varies linearly from the origin; the six components xx yy zz xy xz yz each.
 struct StressField {
@@ -28,10 +55,11 @@ struct StressField {
 /// Adds the tractions of a stress to the exterior triangles whose three gridpoints are all in the list
 /// (sorted rows); a face on which another block lies is not exterior. Contacts must have been found.
 /// Returns the loaded area.
-double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress);
+double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress,
+                  std::int32_t function = constant_in_time);
 
-/// Fixes or frees all components of whole blocks.
-void fix_blocks(Model& model, const std::vector<Row>& blocks);
-void free_blocks(Model& model, const std::vector<Row>& blocks);
+/// Fixes or frees components of whole blocks: `which` is a sum of Fixity bits.
+void fix_blocks(Model& model, const std::vector<Row>& blocks, std::uint8_t which = fix_all);
+void free_blocks(Model& model, const std::vector<Row>& blocks, std::uint8_t which = fix_all);
 
 } // namespace kaya

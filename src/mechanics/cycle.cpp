@@ -68,6 +68,7 @@ struct Cycle::Scratch {
     Adjacency adjacency;
     std::vector<Batch> batches;
     std::vector<ElasticConstants> elastic;
+    DriveLists drives;
     JointForces joints;
     std::vector<Vec3> corner_forces;
     std::vector<PhaseTime> timing = phase_names();
@@ -107,6 +108,7 @@ void Cycle::prepare() {
         model_.lists_changed = false;
     }
     if (model_.properties_changed) {
+        drive_loads(model_, s.drives, hooks);
         // Forces of what is there already, so that the first step starts from them.
         gather_forces(model_, s.adjacency, s.joints, s.corner_forces);
         model_.clock.time_step = 0;
@@ -120,6 +122,7 @@ void Cycle::make_lists() {
     s.adjacency = make_adjacency(model_);
     s.batches = make_batches(model_, joints_);
     s.elastic = elastic_constants(model_);
+    s.drives = list_drives(model_);
     joint_forces(model_, s.joints);
     zone_forces(model_, s.corner_forces);
 }
@@ -167,14 +170,15 @@ void Cycle::adapt_viscosity(const MotionSums& motion) {
     }
 }
 
-void Cycle::keep_account(const MotionSums& motion, const JointSums& joint_sums, double zone_work) {
+void Cycle::keep_account(const DriveSums& driven, const MotionSums& motion, const JointSums& joint_sums,
+                         double zone_work) {
     Energy& energy = model_.energy;
     // Velocities that were set from outside since the last step open the account anew by their energy.
-    energy.start += motion.kinetic_before - energy.kinetic;
+    energy.start += motion.kinetic_before - driven.kinetic - energy.kinetic;
     energy.kinetic = motion.kinetic;
     if (!model_.settings.energy) return;
-    energy.gravity += motion.gravity;
-    energy.boundary += motion.boundary + joint_sums.fluid;
+    energy.gravity += driven.gravity + motion.gravity;
+    energy.boundary += driven.boundary + motion.boundary + joint_sums.fluid;
     energy.damped += motion.damped;
     energy.joint_work += joint_sums.work;
     energy.joint_friction += joint_sums.friction;
@@ -188,7 +192,9 @@ void Cycle::advance() {
     Clock& clock = model_.clock;
 
     run_hooks(hooks.before_cycle);
+    DriveSums driven;
     const MotionSums motion = s.timed(move, [&] {
+        driven = drive_velocities(model_, s.drives, hooks);
         MotionSums sums = move_blocks(model_);
         sums.add(move_gridpoints(model_));
         return sums;
@@ -210,12 +216,15 @@ void Cycle::advance() {
         model_.lists_changed = false;
         return true;
     });
-    s.timed(gather, [&] { gather_forces(model_, s.adjacency, s.joints, s.corner_forces); });
+    s.timed(gather, [&] {
+        drive_loads(model_, s.drives, hooks);
+        gather_forces(model_, s.adjacency, s.joints, s.corner_forces);
+    });
     run_hooks(hooks.after_forces);
 
     if (!std::isfinite(motion.kinetic) || !std::isfinite(clock.unbalanced_force)) throw motion_lost();
     adapt_viscosity(motion);
-    keep_account(motion, joint_sums, zone_work);
+    keep_account(driven, motion, joint_sums, zone_work);
     const bool may_grow = clock.cycle % growth_interval == 0;
     if (joint_sums.stiffness_changed || contacts_changed || may_grow)
         s.timed(step, [&] {

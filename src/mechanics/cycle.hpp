@@ -14,13 +14,16 @@ namespace kaya {
 
 struct MotionSums;
 struct JointSums;
+struct DriveSums;
 
 /// Where scripts and programs are called inside a cycle. They may read all and write fields; a change
 /// of structure from inside waits for the end of the cycle.
 struct Hooks {
     std::vector<std::function<void()>> before_cycle, after_forces, after_cycle;
-    /// Value of a deck's function or variable, for histories of it.
+    /// Value of a deck's function or variable, for histories of it and for what it drives.
     std::function<double(const std::string&)> script_value;
+    /// Value of a numbered table at x, for what it drives.
+    std::function<double(std::int64_t, double)> table_value;
 };
 
 /// Seconds spent in each phase since the program started, for `list timing`.
@@ -56,7 +59,7 @@ private:
     void make_lists();
     void limit_step(bool may_grow);
     void adapt_viscosity(const MotionSums& motion);
-    void keep_account(const MotionSums& motion, const JointSums& joint_sums, double zone_work);
+    void keep_account(const DriveSums& driven, const MotionSums& motion, const JointSums& joint_sums, double zone_work);
     void run_hooks(const std::vector<std::function<void()>>& list);
 
     Model& model_;

@@ -1,9 +1,11 @@
 #include "base/reduce.hpp"
 #include "mechanics/damping.hpp"
 #include "mechanics/phases.hpp"
+#include "mechanics/rotation.hpp"
 #include "model/lanes.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,8 +17,6 @@ namespace {
 constexpr std::size_t grain = 256;
 
 void combine(MotionSums& sum, const MotionSums& part) { sum.add(part); }
-
-Eigen::Quaterniond quaternion(const Quaternion& q) { return {q[0], q[1], q[2], q[3]}; }
 
 /// Rotation by a vector (angle times axis). Steps are small: below a thousandth of a turn the series is
 /// exact to the last bit and much faster than the functions.
@@ -124,20 +124,26 @@ void move_block(Model& model, std::size_t b, const DampingFactors& damping, Moti
     Vec3& momentum = blocks.angular_momentum[b];
     const Vec3 momentum_before = momentum, spin_before = w;
     for (int k = 0; k < 3; ++k) momentum[k] = damping.advance(momentum[k], moment[k], 1.0, step);
-    const Mat3 inertia = blocks.inertia[b] * (mass / blocks.volume[b]);
     if (fixed & (fix_rx | fix_ry | fix_rz)) {
-        // Prescribed components keep their velocity; the momentum follows from it.
-        const Mat3 r = quaternion(blocks.orientation[b]).toRotationMatrix();
-        const Mat3 global = r * inertia * r.transpose();
-        Vec3 free = global.ldlt().solve(momentum);
+        // Prescribed components keep their velocity; the others follow from their momentum.
+        const Mat3 global = inertia_now(model, static_cast<Row>(b));
+        Mat3 system = global;
+        Vec3 right = momentum;
         for (int k = 0; k < 3; ++k)
-            if (!(fixed & (fix_rx << k))) w[k] = free[k];
+            if (fixed & (fix_rx << k)) {
+                system.row(k) = Vec3::Unit(k).transpose();
+                right[k] = w[k];
+            }
+        w = system.partialPivLu().solve(right);
+        for (int k = 0; k < 3; ++k)
+            if (fixed & (fix_rx << k)) w[k] = right[k];
         momentum = global * w;
         if (settings.large_strain) {
             const auto q = (turned_by(step * w) * quaternion(blocks.orientation[b])).normalized();
             blocks.orientation[b] = Quaternion(q.w(), q.x(), q.y(), q.z());
         }
     } else if (!momentum.isZero(0)) {
+        const Mat3 inertia = blocks.inertia[b] * (mass / blocks.volume[b]);
         Quaternion turned = blocks.orientation[b];
         w = turn(turned, inertia, momentum, step);
         if (settings.large_strain) blocks.orientation[b] = turned;

@@ -43,6 +43,30 @@ inline void MotionSums::account(double mass, double before, double after, double
     kinetic += 0.5 * mass * after * after;
 }
 
+struct Hooks;
+
+/// The drives by what they do, and room for the values of their functions; derived.
+struct DriveLists {
+    std::vector<Row> velocities, loads; ///< rows of Model::drives
+    std::vector<std::int32_t> velocity_functions, load_functions;
+    std::vector<double> factors; ///< of each time function
+};
+
+DriveLists list_drives(const Model& model);
+
+/// What driven velocities do to the account of energy before the step.
+struct DriveSums {
+    double kinetic = 0;           ///< change of kinetic energy
+    double gravity = 0, boundary = 0;
+};
+
+/// Sets the prescribed velocities that change with time to those of the middle of the step. Throws Diagnostic
+/// (Fault::run) when a function gives no number.
+DriveSums drive_velocities(Model& model, DriveLists& lists, const Hooks& hooks);
+
+/// Brings the loads that change with time to the time of the clock. Throws as drive_velocities does.
+void drive_loads(Model& model, DriveLists& lists, const Hooks& hooks);
+
 /// Reads forces, loads, masses; writes velocities, positions, displacements, orientations of rigid blocks
 /// and the positions of their vertices.
 MotionSums move_blocks(Model& model);

@@ -165,6 +165,25 @@ void check_histories(Findings& findings, const Model& model) {
     }
 }
 
+void check_drives(Findings& findings, const Model& model) {
+    const auto& drives = model.drives;
+    using Kind = TimeFunction::Kind;
+    for (std::size_t i = 0; i < model.time_functions.size(); ++i)
+        findings.require(between(model.time_functions[i].kind, Kind::sine, Kind::script), "time_functions", i,
+                         "its kind is unknown");
+    for (std::size_t i = 0; i < drives.size() && findings.clean(); ++i) {
+        const bool whole = drives.gridpoint[i] == no_row;
+        findings.require(between(drives.what[i], Drives::What::velocity, Drives::What::load), "drives", i,
+                         "its kind is unknown");
+        findings.require(between(drives.component[i], 0, whole ? 5 : 2), "drives", i, "it has no such component");
+        findings.require(inside(drives.function[i], model.time_functions.size()), "drives", i,
+                         fmt::format("function {} of {}", drives.function[i], model.time_functions.size()));
+        const Row block = model.blocks.ids.row(drives.block[i]);
+        findings.require(whole || block == no_row || inside(drives.gridpoint[i], model.blocks.gridpoints[block].count),
+                         "drives", i, "its block has no such gridpoint");
+    }
+}
+
 } // namespace
 
 std::string inconsistency(Model& model) {
@@ -184,7 +203,7 @@ std::string inconsistency(Model& model) {
     if (!findings.clean()) return findings.text();
 
     for (const auto check :
-         {check_blocks, check_geometry, check_contacts, check_sub_contacts, check_histories}) {
+         {check_blocks, check_geometry, check_contacts, check_sub_contacts, check_histories, check_drives}) {
         check(findings, model);
         if (!findings.clean()) break;
     }

@@ -3,6 +3,7 @@
 
 #include "model/blocks.hpp"
 #include "model/contacts.hpp"
+#include "model/drives.hpp"
 #include "model/energy.hpp"
 #include "model/history.hpp"
 #include "model/materials.hpp"
@@ -22,11 +23,13 @@ struct Model {
     Zones zones;
     Contacts contacts;
     SubContacts sub_contacts;
+    Drives drives;
 
     std::map<std::int32_t, Material> materials;
     std::vector<JointProperties> joint_properties;
     std::map<std::int32_t, std::string> joint_constitutive; ///< model name of each `jcons` number
     std::vector<std::string> group_names{""};
+    std::vector<TimeFunction> time_functions; ///< of drives
 
     Settings settings;
     Clock clock;
@@ -51,6 +54,7 @@ struct Model {
         visit("zones", zones);
         visit("contacts", contacts);
         visit("sub_contacts", sub_contacts);
+        visit("drives", drives);
     }
 };
 

@@ -98,6 +98,16 @@ template <class Archive> void visit_state(Archive& archive, JointProperties& pro
     archive.aside([&] { archive.text("place", place); });
 }
 
+template <class Archive> void visit_state(Archive& archive, TimeFunction& function) {
+    auto& [kind, frequency, duration, table, script, place] = function;
+    archive.value("kind", kind);
+    archive.value("frequency", frequency);
+    archive.value("duration", duration);
+    archive.value("table", table);
+    archive.text("script", script);
+    archive.aside([&] { archive.text("place", place); });
+}
+
 template <class Archive> void visit_state(Archive& archive, HistorySource& source) {
     auto& [kind, quantity, place, row, slot, generation, offset, rows_of_block] = source;
     archive.value("kind", kind);
@@ -176,8 +186,8 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
 }
 
 template <class Archive> void visit_state(Archive& archive, Model& model) {
-    auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, materials, joint_properties,
-           joint_constitutive, group_names, settings, clock, energy, histories, next_block_number, next_contact_number,
+    auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, drives, materials, joint_properties,
+           joint_constitutive, group_names, time_functions, settings, clock, energy, histories, next_block_number, next_contact_number,
            next_sub_contact_number, structure_changed, properties_changed, lists_changed] = model;
     // The tables named above stand here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
@@ -193,6 +203,8 @@ template <class Archive> void visit_state(Archive& archive, Model& model) {
         archive.text("model", name);
     });
     archive.records("group_names", group_names, [&](std::string& name) { archive.text("name", name); });
+    archive.records("time_functions", time_functions,
+                    [&](TimeFunction& function) { visit_state(archive, function); });
     archive.section("settings", [&] { visit_state(archive, settings); });
     archive.section("clock", [&] { visit_state(archive, clock); });
     archive.section("energy", [&] { visit_state(archive, energy); });

@@ -23,7 +23,7 @@ void shear_bench(Bench& bench) {
     std::vector<Row> top;
     for (const Row g : bench.gridpoints_of(high))
         if (bench.model.gridpoints.position[static_cast<std::size_t>(g)].z() == 1) top.push_back(g);
-    prescribe_velocity(bench.model, top, 0, 0.5);
+    prescribe_velocity(bench.model, {{}, top}, 0, 0.5);
     bench.model.histories.interval = 7;
     add_history(bench.model, {HistorySource::Kind::global, "unbalanced_force"});
     add_history(bench.model, {HistorySource::Kind::sub_contact, "shear_stress", Vec3(0.5, 0.5, 0)});

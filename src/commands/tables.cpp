@@ -1,0 +1,157 @@
+// table, and what a history of a boundary condition needs of one.
+#include "commands/tables.hpp"
+#include "commands/handlers.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <set>
+
+namespace kaya {
+
+namespace {
+
+/// Reads a table's file: a line of title, a line `count step`, then the values.
+class TableFile {
+public:
+    TableFile(const std::filesystem::path& path, std::string name) : name_(std::move(name)) {
+        std::ifstream in(path);
+        if (!in || std::filesystem::is_directory(path))
+            throw Diagnostic(fmt::format("the table file '{}' cannot be read", name_),
+                             "look at the name; it is looked for beside the deck and in the current folder");
+        for (std::string line; std::getline(in, line);) {
+            if (line.ends_with('\r')) line.pop_back();
+            lines_.push_back(line);
+        }
+    }
+
+    script::Table read() {
+        if (lines_.size() < 2)
+            throw Diagnostic(fmt::format("the table file '{}' ends before its second line", name_),
+                             "its first line is a title, its second the number of values and their step");
+        line_ = 1;
+        next_word();
+        const double count = number("the number of values");
+        const double step = number("the step, or 0 for pairs x y");
+        if (!(count >= 1) || count != std::floor(count)) fail("the number of values must be a whole number above 0");
+        if (!(step >= 0)) fail("the step must not be below 0");
+        script::Table table;
+        for (double i = 0; i < count; ++i) {
+            const std::string what = fmt::format("value {:.0f} of {:.0f}", i + 1, count);
+            const double x = step > 0 ? i * step : number(what);
+            if (!table.points.empty() && x < table.points.back().x)
+                fail(fmt::format("x goes back from {} to {}", number_text(table.points.back().x), number_text(x)));
+            table.points.push_back({x, number(what)});
+        }
+        if (!word_.empty()) fail(fmt::format("there is more in the file than the {:.0f} values it speaks of", count));
+        return table;
+    }
+
+private:
+    static constexpr std::string_view blanks = " \t,";
+
+    /// Goes to the next word of the file; none at its end.
+    void next_word() {
+        word_ = {};
+        while (line_ < lines_.size()) {
+            const std::string_view line = lines_[line_];
+            const std::size_t first = line.find_first_not_of(blanks, column_);
+            if (first != std::string_view::npos) {
+                const std::size_t end = std::min(line.find_first_of(blanks, first), line.size());
+                word_ = line.substr(first, end - first);
+                word_line_ = line_ + 1;
+                column_ = end;
+                return;
+            }
+            ++line_;
+            column_ = 0;
+        }
+    }
+
+    double number(const std::string& what) {
+        if (word_.empty()) fail(fmt::format("the file ends where {} must be", what));
+        std::string_view digits = word_;
+        if (digits.starts_with('+')) digits.remove_prefix(1);
+        double value = 0;
+        last_line_ = word_line_;
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
+            fail(fmt::format("'{}' stands where {} must be", word_, what));
+        next_word();
+        return value;
+    }
+
+    [[noreturn]] void fail(const std::string& message) const {
+        throw Diagnostic(fmt::format("{}, line {}: {}", name_, word_.empty() ? lines_.size() : last_line_, message),
+                         "the table is as it was");
+    }
+
+    std::string name_;
+    std::vector<std::string> lines_;
+    std::size_t line_ = 0, column_ = 0;
+    std::string_view word_;
+    std::size_t word_line_ = 0, last_line_ = 0; ///< counted from 1, of the present word and of the number before it
+};
+
+} // namespace
+
+void run(Session& session, const lang::TableCommand& command) {
+    auto& tables = session.scripts->tables();
+    if (!command.file.empty()) {
+        try {
+            script::Table table = TableFile(session.input_file(command.file), command.file).read();
+            tables[command.number] = std::move(table);
+        } catch (Diagnostic& mistake) {
+            mistake.at(command.place);
+            throw;
+        }
+    }
+    if (command.clear) tables.erase(command.number);
+    if (command.points.empty()) return;
+    for (const auto& [x, y] : command.points) tables[command.number].insert(x, y);
+}
+
+void check_table(Session& session, std::int64_t number) {
+    const auto& tables = session.scripts->tables();
+    const auto found = tables.find(number);
+    if (found == tables.end()) {
+        std::vector<std::string> known;
+        for (const auto& [n, table] : tables) known.push_back(std::to_string(n));
+        throw Diagnostic(fmt::format("there is no table {}", number),
+                         known.empty() ? "make it before: table n x y ..., or table n read file"
+                                       : fmt::format("tables that are there: {}", fmt::join(known, ", ")));
+    }
+    const auto& points = found->second.points;
+    if (points.empty()) throw Diagnostic(fmt::format("table {} holds no pair", number), "fill it before");
+    const auto back = std::ranges::adjacent_find(points, [](const auto& a, const auto& b) { return b.x < a.x; });
+    if (back != points.end())
+        throw Diagnostic(fmt::format("table {} is not sorted: x goes back from {} to {} at pair {}", number,
+                                     number_text(back->x), number_text((back + 1)->x), back - points.begin() + 2),
+                         "fill it in the order of x");
+}
+
+void check_symbol(Session& session, const std::string& name) {
+    if (session.scripts->knows(name)) return;
+    const auto symbols = session.scripts->symbols();
+    const auto near = did_you_mean(name, {symbols.begin(), symbols.end()});
+    throw Diagnostic(fmt::format("there is no FISH variable or function '{}'", name),
+                     near.empty() ? "define it before it is used" : fmt::format("did you mean '@{}'?", near));
+}
+
+void check_time_functions(Session& session) {
+    const std::set<std::int32_t> used(session.model.drives.function.begin(), session.model.drives.function.end());
+    for (const auto row : used) {
+        const TimeFunction& function = session.model.time_functions[static_cast<std::size_t>(row)];
+        try {
+            if (function.kind == TimeFunction::Kind::table) check_table(session, function.table);
+            if (function.kind == TimeFunction::Kind::script) check_symbol(session, function.script);
+        } catch (Diagnostic& mistake) {
+            if (!function.place.empty()) mistake.add("history of the boundary condition given at " + function.place);
+            throw;
+        }
+    }
+}
+
+} // namespace kaya
