@@ -10,37 +10,42 @@ namespace kaya {
 
 namespace {
 
-using Polygon = std::vector<Vec2>;
+/// A convex polygon of few corners: a triangle cut by three lines has six at most.
+struct Polygon {
+    std::array<Vec2, 8> corners;
+    int size = 0;
+
+    void push_back(const Vec2& p) { corners[size++] = p; }
+};
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Corners in anticlockwise order.
-std::array<Vec2, 3> corners(const PlaneMesh& mesh, int triangle) {
-    std::array<Vec2, 3> c;
-    for (int k = 0; k < 3; ++k) c[k] = mesh.points[mesh.triangles[triangle][k]];
-    if (cross(c[1] - c[0], c[2] - c[0]) < 0) std::swap(c[1], c[2]);
-    return c;
-}
+/// A line through a point, with its direction of length 1; a line too short to have one is 0.
+struct Line {
+    Vec2 point = Vec2::Zero(), along = Vec2::Zero();
+};
 
-/// The part of a convex polygon on the left of the line from a to b (Sutherland and Hodgman 1974).
-/// Points within `tolerance` of the line count as on it.
-void clip(Polygon& polygon, Polygon& scratch, const Vec2& a, const Vec2& b, double tolerance) {
-    const Vec2 direction = b - a;
-    const double length = direction.norm();
-    if (length <= tolerance) return;
-    scratch.clear();
+/// The part of a convex polygon on the left of a line (Sutherland and Hodgman 1974). Points within `tolerance` of
+/// the line count as on it.
+Polygon clipped(const Polygon& polygon, const Line& line, double tolerance) {
+    if (line.along.isZero(0) || polygon.size == 0) return polygon;
     const auto height = [&](const Vec2& p) {
-        const double h = cross(direction, p - a) / length;
+        const double h = cross(line.along, p - line.point);
         return std::abs(h) <= tolerance ? 0.0 : h;
     };
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec2& p = polygon[i];
-        const Vec2& q = polygon[(i + 1) % polygon.size()];
-        const double hp = height(p), hq = height(q);
-        if (hp >= 0) scratch.push_back(p);
-        if ((hp > 0 && hq < 0) || (hp < 0 && hq > 0)) scratch.push_back(p + (q - p) * (hp / (hp - hq)));
+    Polygon left;
+    const double first = height(polygon.corners[0]);
+    double hp = first;
+    for (int i = 0; i < polygon.size; ++i) {
+        const bool last = i + 1 == polygon.size;
+        const Vec2& p = polygon.corners[i];
+        const Vec2& q = polygon.corners[last ? 0 : i + 1];
+        const double hq = last ? first : height(q);
+        if (hp >= 0) left.push_back(p);
+        if ((hp > 0 && hq < 0) || (hp < 0 && hq > 0)) left.push_back(p + (q - p) * (hp / (hp - hq)));
+        hp = hq;
     }
-    polygon.swap(scratch);
+    return left;
 }
 
 std::array<double, 3> barycentric(const PlaneMesh& mesh, int triangle, const Vec2& p) {
@@ -62,30 +67,41 @@ int vertex_at(const PlaneMesh& mesh, int triangle, const Vec2& p, double toleran
     return -1;
 }
 
-/// Finds the point at a place among those made so far: a grid with cells much larger than the tolerance.
+/// Finds the point at a place among those made so far. Few points are looked through; for many there is a grid with
+/// cells much larger than the tolerance.
 class PointFinder {
 public:
-    PointFinder(double tolerance) : tolerance_(tolerance), cell_(16 * tolerance) {}
+    PointFinder(const std::vector<OverlayPoint>& points, double tolerance)
+        : points_(points), tolerance_(tolerance), cell_(16 * tolerance) {}
 
-    int find(const std::vector<OverlayPoint>& points, const Vec2& p) const {
+    /// The lowest index at a place, or -1. Call it before every point that is added.
+    int find(const Vec2& p) {
+        if (points_.size() <= few) {
+            for (std::size_t i = 0; i < points_.size(); ++i)
+                if (here(i, p)) return static_cast<int>(i);
+            return -1;
+        }
+        for (; in_grid_ < points_.size(); ++in_grid_) {
+            const auto [i, j] = cell(points_[in_grid_].place);
+            cells_.emplace(key(i, j), in_grid_);
+        }
         const auto [ci, cj] = cell(p);
-        int found = -1;
+        std::size_t found = points_.size();
         for (std::int64_t i = ci - 1; i <= ci + 1; ++i)
             for (std::int64_t j = cj - 1; j <= cj + 1; ++j) {
                 const auto range = cells_.equal_range(key(i, j));
                 for (auto it = range.first; it != range.second; ++it)
-                    if ((points[it->second].place - p).squaredNorm() <= 4 * tolerance_ * tolerance_ &&
-                        (found < 0 || it->second < found))
-                        found = it->second;
+                    if (it->second < found && here(it->second, p)) found = it->second;
             }
-        return found;
-    }
-    void add(const Vec2& p, int index) {
-        const auto [i, j] = cell(p);
-        cells_.emplace(key(i, j), index);
+        return found < points_.size() ? static_cast<int>(found) : -1;
     }
 
 private:
+    static constexpr std::size_t few = 48;
+
+    bool here(std::size_t i, const Vec2& p) const {
+        return (points_[i].place - p).squaredNorm() <= 4 * tolerance_ * tolerance_;
+    }
     std::array<std::int64_t, 2> cell(const Vec2& p) const {
         return {static_cast<std::int64_t>(std::floor(p.x() / cell_)),
                 static_cast<std::int64_t>(std::floor(p.y() / cell_))};
@@ -93,60 +109,76 @@ private:
     static std::uint64_t key(std::int64_t i, std::int64_t j) {
         return static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15ull ^ static_cast<std::uint64_t>(j);
     }
+    const std::vector<OverlayPoint>& points_;
     double tolerance_, cell_;
-    std::unordered_multimap<std::uint64_t, int> cells_;
+    std::size_t in_grid_ = 0;
+    std::unordered_multimap<std::uint64_t, std::size_t> cells_;
+};
+
+/// A triangle of a side with its corners in anticlockwise order and its extent.
+struct SweepItem {
+    Vec2 low, high;
+    std::array<Vec2, 3> corners;
+    std::array<Line, 3> sides;
+    int triangle;
+
+    SweepItem(const PlaneMesh& mesh, int t, double tolerance) : triangle(t) {
+        for (int k = 0; k < 3; ++k) corners[k] = mesh.points[mesh.triangles[t][k]];
+        if (cross(corners[1] - corners[0], corners[2] - corners[0]) < 0) std::swap(corners[1], corners[2]);
+        low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+        high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+        for (int k = 0; k < 3; ++k) {
+            const Vec2 direction = corners[(k + 1) % 3] - corners[k];
+            const double length = direction.norm();
+            if (length > tolerance) sides[k] = {corners[k], direction / length};
+        }
+    }
 };
 
 /// Triangles of a mesh ordered by their least x, so that pairs that cannot meet are skipped.
-struct Sweep {
-    struct Item {
-        double low_x, high_x, low_y, high_y;
-        int triangle;
-    };
-    std::vector<Item> items;
-
-    explicit Sweep(const PlaneMesh& mesh) {
-        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-            const auto c = corners(mesh, static_cast<int>(t));
-            items.push_back({std::min({c[0].x(), c[1].x(), c[2].x()}), std::max({c[0].x(), c[1].x(), c[2].x()}),
-                             std::min({c[0].y(), c[1].y(), c[2].y()}), std::max({c[0].y(), c[1].y(), c[2].y()}),
-                             static_cast<int>(t)});
-        }
-        std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.low_x < b.low_x; });
-    }
-};
+void sweep_of(const PlaneMesh& mesh, double tolerance, std::vector<SweepItem>& items) {
+    items.clear();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) items.emplace_back(mesh, static_cast<int>(t), tolerance);
+    // By number at a tie: a stable order without the memory that a stable sort takes.
+    std::sort(items.begin(), items.end(), [](const SweepItem& a, const SweepItem& b) {
+        return a.low.x() != b.low.x() ? a.low.x() < b.low.x() : a.triangle < b.triangle;
+    });
+}
 
 } // namespace
 
 Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance) {
+    // Kept between calls, of which a search makes very many.
+    static thread_local std::vector<SweepItem> sweep1, sweep2;
+    static thread_local std::vector<int> ring;
     Overlay result;
     std::vector<OverlayPoint>& points = result.points;
-    PointFinder finder(tolerance);
-    const Sweep sweep1(side1), sweep2(side2);
-    Polygon polygon, scratch;
-    std::vector<int> ring;
+    points.reserve(2 * (side1.points.size() + side2.points.size()));
+    PointFinder finder(points, tolerance);
+    sweep_of(side1, tolerance, sweep1);
+    sweep_of(side2, tolerance, sweep2);
 
     // Widest triangle of side 2: how far back in the sweep one that still meets can start.
     double widest = 0;
-    for (const auto& item : sweep2.items) widest = std::max(widest, item.high_x - item.low_x);
+    for (const auto& item : sweep2) widest = std::max(widest, item.high.x() - item.low.x());
 
-    for (const auto& one : sweep1.items) {
-        const auto first = std::lower_bound(
-            sweep2.items.begin(), sweep2.items.end(), one.low_x - widest - tolerance,
-            [](const Sweep::Item& item, double x) { return item.low_x < x; });
-        for (auto two = first; two != sweep2.items.end() && two->low_x < one.high_x; ++two) {
-            if (two->high_x <= one.low_x || two->high_y <= one.low_y || two->low_y >= one.high_y) continue;
-            const auto c1 = corners(side1, one.triangle);
-            const auto c2 = corners(side2, two->triangle);
-            polygon.assign(c1.begin(), c1.end());
-            for (int k = 0; k < 3 && polygon.size() >= 3; ++k)
-                clip(polygon, scratch, c2[k], c2[(k + 1) % 3], tolerance);
-            if (polygon.size() < 3) continue;
+    for (const auto& one : sweep1) {
+        const auto first =
+            std::lower_bound(sweep2.begin(), sweep2.end(), one.low.x() - widest - tolerance,
+                             [](const SweepItem& item, double x) { return item.low.x() < x; });
+        for (auto two = first; two != sweep2.end() && two->low.x() < one.high.x(); ++two) {
+            if (two->high.x() <= one.low.x() || two->high.y() <= one.low.y() || two->low.y() >= one.high.y()) continue;
+            Polygon polygon;
+            for (const auto& corner : one.corners) polygon.push_back(corner);
+            for (int k = 0; k < 3 && polygon.size >= 3; ++k)
+                polygon = clipped(polygon, two->sides[k], tolerance);
+            if (polygon.size < 3) continue;
 
             // Points of the piece, merged with those of its neighbours.
             ring.clear();
-            for (const auto& p : polygon) {
-                int index = finder.find(points, p);
+            for (int i = 0; i < polygon.size; ++i) {
+                const Vec2& p = polygon.corners[i];
+                int index = finder.find(p);
                 if (index < 0) {
                     OverlayPoint point;
                     point.place = p;
@@ -154,11 +186,10 @@ Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance
                     point.triangle2 = two->triangle;
                     point.vertex1 = vertex_at(side1, one.triangle, p, 2 * tolerance);
                     point.vertex2 = vertex_at(side2, two->triangle, p, 2 * tolerance);
-                    point.weights1 = barycentric(side1, one.triangle, p);
-                    point.weights2 = barycentric(side2, two->triangle, p);
+                    if (point.vertex1 < 0) point.weights1 = barycentric(side1, one.triangle, p);
+                    if (point.vertex2 < 0) point.weights2 = barycentric(side2, two->triangle, p);
                     index = static_cast<int>(points.size());
                     points.push_back(point);
-                    finder.add(p, index);
                 }
                 if (ring.empty() || (ring.back() != index && ring.front() != index)) ring.push_back(index);
             }
@@ -167,7 +198,7 @@ Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance
             for (std::size_t i = 1; i + 1 < ring.size(); ++i)
                 area += 0.5 * cross(points[ring[i]].place - points[ring[0]].place,
                                     points[ring[i + 1]].place - points[ring[0]].place);
-            const double extent = std::max(one.high_x - one.low_x, one.high_y - one.low_y);
+            const double extent = (one.high - one.low).maxCoeff();
             if (ring.size() < 3 || area <= tolerance * extent) continue; // its points keep area 0
             for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
                 const double third = cross(points[ring[i]].place - points[ring[0]].place,
@@ -211,7 +242,8 @@ void balance_areas(Overlay& overlay) {
         double weight;
         Vec2 u, f;
     };
-    std::vector<Sample> samples;
+    static thread_local std::vector<Sample> samples;
+    samples.clear();
     Eigen::Matrix2d spread = Eigen::Matrix2d::Zero(), mixed = Eigen::Matrix2d::Zero();
     Vec2 wrong = Vec2::Zero();
     for (const auto& p : points) {

@@ -24,7 +24,7 @@ struct OverlayPoint {
     double area = 0;
     int vertex1 = -1; ///< the point of side 1 that lies here, or -1
     int vertex2 = -1;
-    int triangle1 = 0; ///< triangles that hold the point, with its barycentric weights
+    int triangle1 = 0; ///< triangles that hold the point, with its barycentric weights where it is no vertex
     int triangle2 = 0;
     std::array<double, 3> weights1{}, weights2{};
 };

@@ -1,9 +1,8 @@
 // How two blocks touch: the common plane and the places where force passes.
 #pragma once
 
-#include "model/model.hpp"
+#include "mechanics/surfaces.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace kaya {
@@ -18,33 +17,19 @@ struct TouchPoint {
 };
 
 struct TouchGeometry {
-    Touch touch;
-    Vec3 normal; ///< unit, from the first block to the second
-    Vec3 position;
-    double area;
+    Touch touch = Touch::face_face;
+    Vec3 normal = Vec3::Zero(); ///< unit, from the first block to the second
+    Vec3 position = Vec3::Zero();
+    double area = 0;
     Row face1 = no_row, face2 = no_row; ///< rows of faces that lie on the common plane
     int reference = 0;                  ///< 1 or 2: whose face gives the normal; 0: two edges do
     std::vector<TouchPoint> points;
 };
 
-/// Face normals of all blocks as they are now; made once per search.
-class Surfaces {
-public:
-    explicit Surfaces(const Model& model);
-
-    const Vec3& normal(Row face) const { return normals_[face]; }
-
-private:
-    std::vector<Vec3> normals_;
-};
-
 /// The touch of two blocks whose surfaces are nearer than `margin`; nothing when they are farther apart
-/// or touch in an edge or corner of parallel faces without area.
-std::optional<TouchGeometry> find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
-                                        double margin);
-
-/// Area-weighted unit outward normal of a face where its gridpoints are now; zero for a lost face.
-Vec3 current_normal(const Model& model, Row face);
+/// or touch in an edge or corner of parallel faces without area. Returns whether there is one.
+bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2, double margin,
+                TouchGeometry& touch);
 
 /// Where a sub-contact's side is now.
 Vec3 attached_position(const Model& model, const Attachment& side);

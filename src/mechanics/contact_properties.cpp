@@ -95,7 +95,7 @@ Row property_set(Model& model, JointRegistry& joints, const std::string& name, s
 
 void find_contacts(Model& model, JointRegistry& joints) {
     if (!model.structure_changed) return;
-    search_contacts(model, joints, false);
+    ContactSearch{}.search(model, joints, false);
     model.structure_changed = false;
     model.properties_changed = model.lists_changed = true;
 }

@@ -1,13 +1,12 @@
 #include "mechanics/contact_search.hpp"
 
 #include "base/parallel.hpp"
-#include "geometry/box_pairs.hpp"
-#include "mechanics/contact_table.hpp"
+#include "mechanics/contact_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <numeric>
 
 namespace kaya {
 
@@ -44,14 +43,6 @@ double reach(const Model& model, const std::vector<double>& way, Row b1, Row b2,
     return std::min(margin[b1], margin[b2]) + 2 * (way[b1] + way[b2]) + 2 * gap;
 }
 
-std::vector<double> ways(const Model& model) {
-    std::vector<double> way(model.blocks.size());
-    for_chunks(way.size(), 8 * grain, [&](std::size_t first, std::size_t last) {
-        for (std::size_t b = first; b < last; ++b) way[b] = way_of_a_step(model, static_cast<Row>(b));
-    });
-    return way;
-}
-
 Box box_of(const Model& model, Row b, double margin) {
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (Row g = model.blocks.gridpoints[b].first; g < model.blocks.gridpoints[b].end(); ++g) {
@@ -61,33 +52,52 @@ Box box_of(const Model& model, Row b, double margin) {
     return {low - Vec3::Constant(margin), high + Vec3::Constant(margin)};
 }
 
-/// A pair of blocks and the contact that they have, if any.
-struct Candidate {
-    std::array<Row, 2> pair;
-    Row old;
-};
+bool apart(const Box& a, const Box& b) {
+    return (a.low.array() > b.high.array()).any() || (b.low.array() > a.high.array()).any();
+}
 
-/// Pairs whose boxes meet, and those that have a contact already; both lists are sorted.
-std::vector<Candidate> candidates(const Model& model, const std::vector<std::array<int, 2>>& near) {
+/// Pairs that must be looked at, with the contact that they have, and contacts that stay as they are; sorted like the
+/// contacts and the pairs.
+template <class Boxes, class Moved>
+void make_drafts(const Model& model, const std::vector<std::array<int, 2>>& near, const Boxes& boxes,
+                 const Moved& moved, std::vector<ContactDraft>& drafts) {
     const auto& contacts = model.contacts;
-    std::vector<Candidate> known;
-    for (std::size_t c = 0; c < contacts.size(); ++c)
-        known.push_back({{contacts.block1[c], contacts.block2[c]}, static_cast<Row>(c)});
-    std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) { return a.pair < b.pair; });
-    std::vector<Candidate> all;
-    auto k = known.begin();
+    drafts.clear();
+    std::size_t c = 0;
+    const auto pair_of = [&](std::size_t row) { return std::array<int, 2>{contacts.block1[row], contacts.block2[row]}; };
+    const auto add = [&](const std::array<int, 2>& pair, Row old) {
+        if (moved[pair[0]] || moved[pair[1]]) drafts.push_back({pair[0], pair[1], old, DraftKind::new_geometry, {}});
+        else if (old != no_row) drafts.push_back({pair[0], pair[1], old, DraftKind::as_it_was, {}});
+    };
     for (const auto& pair : near) {
-        for (; k != known.end() && k->pair < pair; ++k) all.push_back(*k);
-        if (k != known.end() && k->pair == pair) all.push_back(*k++);
-        else all.push_back({pair, no_row});
+        for (; c < contacts.size() && pair_of(c) < pair; ++c) add(pair_of(c), static_cast<Row>(c));
+        if (c < contacts.size() && pair_of(c) == pair) {
+            add(pair, static_cast<Row>(c));
+            ++c;
+        } else if (!apart(boxes[pair[0]], boxes[pair[1]])) {
+            add(pair, no_row);
+        }
     }
-    all.insert(all.end(), k, known.end());
-    return all;
+    for (; c < contacts.size(); ++c) add(pair_of(c), static_cast<Row>(c));
+}
+
+/// Finds the touch of each pair that is to be looked at and drops those that do not touch.
+void find_touches(const Model& model, const Surfaces& surfaces, const std::vector<double>& ways,
+                  std::vector<ContactDraft>& drafts) {
+    for_chunks(drafts.size(), grain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            auto& d = drafts[i];
+            if (d.kind != DraftKind::new_geometry) continue;
+            const double margin = reach(model, ways, d.block1, d.block2, d.old);
+            if (!find_touch(model, surfaces, d.block1, d.block2, margin, d.geometry)) d.kind = DraftKind::parted;
+        }
+    });
+    std::erase_if(drafts, [](const ContactDraft& d) { return d.kind == DraftKind::parted; });
 }
 
 } // namespace
 
-bool contacts_are_due(const Model& model) {
+bool ContactSearch::due(const Model& model) {
     const auto& blocks = model.blocks;
     // Two blocks that have each gone half the margin may have met.
     for (std::size_t b = 0; b < blocks.size(); ++b)
@@ -95,73 +105,52 @@ bool contacts_are_due(const Model& model) {
     return false;
 }
 
-void search_contacts(Model& model, JointRegistry& joints, bool moving) {
+ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool moving) {
     auto& blocks = model.blocks;
-    const auto way = ways(model);
-    std::vector<Box> boxes(blocks.size());
-    std::vector<char> moved(blocks.size());
+    ways_.resize(blocks.size());
+    boxes_.resize(blocks.size());
+    moved_.resize(blocks.size());
     for_chunks(blocks.size(), 8 * grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t b = first; b < last; ++b) {
-            boxes[b] = box_of(model, static_cast<Row>(b), blocks.margin[b] + 2 * way[b]);
-            moved[b] = !moving || blocks.travelled[b] > moved_part * blocks.margin[b];
-            if (moved[b]) blocks.travelled[b] = 0;
+            ways_[b] = way_of_a_step(model, static_cast<Row>(b));
+            boxes_[b] = box_of(model, static_cast<Row>(b), blocks.margin[b] + 2 * ways_[b]);
+            moved_[b] = !moving || blocks.travelled[b] > moved_part * blocks.margin[b];
+            if (moved_[b]) blocks.travelled[b] = 0;
         }
     });
-    const auto all = candidates(model, overlapping_boxes(boxes));
-    const Surfaces surfaces(model);
-
-    std::vector<std::optional<TouchGeometry>> touches(all.size());
-    for_chunks(all.size(), grain, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const auto [b1, b2] = all[i].pair;
-            if (moved[b1] || moved[b2])
-                touches[i] = find_touch(model, surfaces, b1, b2, reach(model, way, b1, b2, all[i].old));
-        }
-    });
-    std::vector<ContactDraft> drafts;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const auto [b1, b2] = all[i].pair;
-        if (moved[b1] || moved[b2]) {
-            if (touches[i]) drafts.push_back({b1, b2, all[i].old, std::move(touches[i])});
-        } else if (all[i].old != no_row) {
-            drafts.push_back({b1, b2, all[i].old, std::nullopt});
-        }
-    }
-    replace_contacts(model, joints, std::move(drafts), moving);
+    make_drafts(model, near_.of(boxes_), boxes_, moved_, drafts_);
+    wanted_.resize(blocks.size());
+    std::iota(wanted_.begin(), wanted_.end(), Row{0});
+    surfaces_.update(model, wanted_);
+    find_touches(model, surfaces_, ways_, drafts_);
+    return replace_contacts(model, joints, drafts_, moving);
 }
 
-bool refresh_slid_contacts(Model& model, JointRegistry& joints) {
-    auto& contacts = model.contacts;
+ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
+    const auto& contacts = model.contacts;
     const auto slid = [&](std::size_t c) {
-        return contacts.slid[c] > slide_tolerance * std::sqrt(contacts.area[c]);
+        return contacts.slid[c] * contacts.slid[c] > slide_tolerance * slide_tolerance * contacts.area[c];
     };
     std::size_t first_slid = 0;
     while (first_slid < contacts.size() && !slid(first_slid)) ++first_slid;
-    if (first_slid == contacts.size()) return false;
+    if (first_slid == contacts.size()) return ContactChange::none;
 
-    const Surfaces surfaces(model);
-    const auto way = ways(model);
-    std::vector<ContactDraft> drafts(contacts.size());
-    std::vector<char> parted(contacts.size(), 0);
-    for_chunks(contacts.size(), grain, [&](std::size_t first, std::size_t last) {
-        for (std::size_t c = first; c < last; ++c) {
-            const Row row = static_cast<Row>(c);
-            drafts[c] = {contacts.block1[c], contacts.block2[c], row, std::nullopt};
-            if (!slid(c)) continue;
-            const double margin = reach(model, way, drafts[c].block1, drafts[c].block2, row);
-            drafts[c].geometry = find_touch(model, surfaces, drafts[c].block1, drafts[c].block2, margin);
-            parted[c] = !drafts[c].geometry;
-        }
-    });
-    std::size_t kept = 0;
-    for (std::size_t c = 0; c < drafts.size(); ++c)
-        if (!parted[c]) {
-            if (kept != c) drafts[kept] = std::move(drafts[c]);
-            ++kept;
-        }
-    drafts.resize(kept);
-    replace_contacts(model, joints, std::move(drafts), true);
-    return true;
+    ways_.resize(model.blocks.size());
+    drafts_.clear();
+    wanted_.clear();
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
+        drafts_.push_back({b1, b2, static_cast<Row>(c), DraftKind::as_it_was, {}});
+        if (!slid(c)) continue;
+        drafts_.back().kind = DraftKind::new_geometry;
+        wanted_.insert(wanted_.end(), {b1, b2});
+    }
+    std::sort(wanted_.begin(), wanted_.end());
+    wanted_.erase(std::unique(wanted_.begin(), wanted_.end()), wanted_.end());
+    for (const Row b : wanted_) ways_[b] = way_of_a_step(model, b);
+    surfaces_.update(model, wanted_);
+    find_touches(model, surfaces_, ways_, drafts_);
+    return replace_contacts(model, joints, drafts_, true);
 }
 
 } // namespace kaya

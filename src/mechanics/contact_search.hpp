@@ -2,19 +2,36 @@
 #pragma once
 
 #include "joints/joint_model.hpp"
+#include "mechanics/contact_table.hpp"
+#include "mechanics/near_pairs.hpp"
+#include "mechanics/surfaces.hpp"
 #include "model/model.hpp"
+
+#include <vector>
 
 namespace kaya {
 
-/// Looks at all pairs of blocks that are near each other and of which one has moved since it was looked
-/// at last. `moving`: see replace_contacts.
-void search_contacts(Model& model, JointRegistry& joints, bool moving);
+/// Keeps between searches what makes the next one faster, and nothing on which its result depends.
+class ContactSearch {
+public:
+    /// Looks at all pairs of blocks that are near each other and of which one has moved since it was looked
+    /// at last. `moving`: see replace_contacts.
+    ContactChange search(Model& model, JointRegistry& joints, bool moving);
 
-/// Whether a block has gone so far that it may be about to touch another.
-bool contacts_are_due(const Model& model);
+    /// Whether a block has gone so far that it may be about to touch another.
+    static bool due(const Model& model);
 
-/// Makes the geometry of contacts anew that have slid farther than their tolerance. Returns whether
-/// any was.
-bool refresh_slid_contacts(Model& model, JointRegistry& joints);
+    /// Makes the geometry of contacts anew that have slid farther than their tolerance.
+    ContactChange refresh_slid(Model& model, JointRegistry& joints);
+
+private:
+    NearPairs near_;
+    Surfaces surfaces_;
+    std::vector<Box> boxes_;
+    std::vector<double> ways_;
+    std::vector<char> moved_;
+    std::vector<Row> wanted_; ///< blocks whose surfaces are looked at
+    std::vector<ContactDraft> drafts_;
+};
 
 } // namespace kaya

@@ -70,13 +70,82 @@ void start_sub_contacts(Model& model, JointRegistry& joints, const std::vector<c
     }
 }
 
+/// Writes the geometry of a draft to its row.
+void write_contact(Model& model, Row c, const TouchGeometry& g) {
+    auto& contacts = model.contacts;
+    contacts.face1[c] = g.face1;
+    contacts.face2[c] = g.face2;
+    contacts.touch[c] = g.touch;
+    contacts.reference[c] = g.reference;
+    contacts.normal[c] = g.normal;
+    contacts.position[c] = g.position;
+    contacts.area[c] = g.area;
+    contacts.slid[c] = 0;
+    contacts.joint_set[c] = g.face1 != no_row   ? model.faces.joint_set[g.face1]
+                            : g.face2 != no_row ? model.faces.joint_set[g.face2]
+                                                : 0;
+}
+
+/// Writes a point to a row that holds what its old sub-contact had, or nothing.
+void write_sub_contact(SubContacts& subs, Row s, const TouchPoint& point, const Vec3& n, bool fresh) {
+    if (fresh) {
+        subs.normal_displacement[s] = point.gap;
+    } else {
+        // Traction is handed on, not force: the new sub-contact owns another area.
+        const double scale = subs.area[s] > 0 ? point.area / subs.area[s] : 0;
+        subs.normal_force[s] *= scale;
+        const Vec3 shear = subs.shear_force[s];
+        subs.shear_force.set(s, scale * (shear - shear.dot(n) * n));
+    }
+    subs.meeting[s] = point.meeting;
+    subs.side1[s] = point.side1;
+    subs.side2[s] = point.side2;
+    subs.position.set(s, point.position);
+    subs.area[s] = point.area;
+}
+
+/// Whether every row of the tables keeps its place and every point is nearest to the sub-contact of its own row.
+bool keeps_places(const Model& model, const std::vector<ContactDraft>& drafts) {
+    const auto& contacts = model.contacts;
+    if (drafts.size() != contacts.size()) return false;
+    for (std::size_t c = 0; c < drafts.size(); ++c) {
+        const auto& draft = drafts[c];
+        if (draft.old != static_cast<Row>(c)) return false;
+        if (draft.kind == DraftKind::as_it_was) continue;
+        const Span span = contacts.sub_contacts[c];
+        if (static_cast<Row>(draft.geometry.points.size()) != span.count) return false;
+        for (Row i = 0; i < span.count; ++i)
+            if (nearest(model.sub_contacts, span, draft.geometry.points[i].position) != span.first + i) return false;
+    }
+    return true;
+}
+
+void refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts) {
+    auto& blocks = model.blocks;
+    for (std::size_t c = 0; c < drafts.size(); ++c) {
+        if (drafts[c].kind == DraftKind::as_it_was) continue;
+        const auto& g = drafts[c].geometry;
+        write_contact(model, static_cast<Row>(c), g);
+        const Span span = model.contacts.sub_contacts[c];
+        for (Row i = 0; i < span.count; ++i)
+            write_sub_contact(model.sub_contacts, span.first + i, g.points[i], g.normal, false);
+        // Weights of gridpoints are in the lists.
+        if (blocks.deformable[drafts[c].block1] || blocks.deformable[drafts[c].block2]) model.lists_changed = true;
+    }
+}
+
 } // namespace
 
 void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vector<char>& marked) {
     call_on_marked(model, joints, marked, initialise_batch);
 }
 
-void replace_contacts(Model& model, JointRegistry& joints, std::vector<ContactDraft> drafts, bool moving) {
+ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
+                               bool moving) {
+    if (keeps_places(model, drafts)) {
+        refresh_in_place(model, drafts);
+        return ContactChange::refreshed;
+    }
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
 
@@ -88,10 +157,10 @@ void replace_contacts(Model& model, JointRegistry& joints, std::vector<ContactDr
         contact_source.push_back(draft.old == no_row ? blank_contact : draft.old);
         const Span old = draft.old == no_row ? Span{} : contacts.sub_contacts[draft.old];
         const Row first = static_cast<Row>(sub_source.size());
-        if (!draft.geometry) {
+        if (draft.kind == DraftKind::as_it_was) {
             for (Row row = old.first; row < old.end(); ++row) sub_source.push_back(row);
         } else {
-            for (const auto& point : draft.geometry->points) {
+            for (const auto& point : draft.geometry.points) {
                 const Row row = nearest(subs, old, point.position);
                 sub_source.push_back(row == no_row ? blank_sub : row);
             }
@@ -124,20 +193,8 @@ void replace_contacts(Model& model, JointRegistry& joints, std::vector<ContactDr
             contact_kept[draft.old] = 1;
             contacts.ids.move(contacts.id[c], row);
         }
-        if (draft.geometry) {
-            const auto& g = *draft.geometry;
-            contacts.face1[c] = g.face1;
-            contacts.face2[c] = g.face2;
-            contacts.touch[c] = g.touch;
-            contacts.reference[c] = g.reference;
-            contacts.normal[c] = g.normal;
-            contacts.position[c] = g.position;
-            contacts.area[c] = g.area;
-            contacts.slid[c] = 0;
-            contacts.joint_set[c] = g.face1 != no_row ? model.faces.joint_set[g.face1]
-                                    : g.face2 != no_row ? model.faces.joint_set[g.face2]
-                                                        : 0;
-        }
+        const bool is_new = draft.kind == DraftKind::new_geometry;
+        if (is_new) write_contact(model, row, draft.geometry);
         for (Row i = 0; i < spans[c].count; ++i) {
             const Row s = spans[c].first + i;
             const Row source = sub_source[s];
@@ -149,24 +206,9 @@ void replace_contacts(Model& model, JointRegistry& joints, std::vector<ContactDr
                 subs.id[s] = subs.ids.create(s);
                 subs.number[s] = model.next_sub_contact_number++;
             }
-            if (!draft.geometry) continue;
-            const auto& point = draft.geometry->points[i];
-            if (source == blank_sub) {
-                fresh[s] = 1;
-                subs.normal_displacement[s] = point.gap;
-            } else {
-                // Traction is handed on, not force: the new sub-contact owns another area.
-                const double scale = subs.area[s] > 0 ? point.area / subs.area[s] : 0;
-                subs.normal_force[s] *= scale;
-                const Vec3 shear = subs.shear_force[s];
-                const Vec3& n = draft.geometry->normal;
-                subs.shear_force.set(s, scale * (shear - shear.dot(n) * n));
-            }
-            subs.meeting[s] = point.meeting;
-            subs.side1[s] = point.side1;
-            subs.side2[s] = point.side2;
-            subs.position.set(s, point.position);
-            subs.area[s] = point.area;
+            if (!is_new) continue;
+            fresh[s] = source == blank_sub;
+            write_sub_contact(subs, s, draft.geometry.points[i], draft.geometry.normal, fresh[s]);
         }
     }
     for (std::size_t c = 0; c < contact_kept.size(); ++c)
@@ -176,6 +218,7 @@ void replace_contacts(Model& model, JointRegistry& joints, std::vector<ContactDr
 
     start_sub_contacts(model, joints, fresh, moving);
     model.lists_changed = true;
+    return ContactChange::replaced;
 }
 
 } // namespace kaya

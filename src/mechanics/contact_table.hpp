@@ -5,23 +5,31 @@
 #include "mechanics/contact_geometry.hpp"
 #include "model/model.hpp"
 
-#include <optional>
+#include <cstdint>
 #include <vector>
 
 namespace kaya {
 
+enum class DraftKind : std::uint8_t { as_it_was, new_geometry, parted };
+
 /// One row of the contact table to be.
 struct ContactDraft {
     Row block1, block2;
-    Row old = no_row;                      ///< the contact of the same blocks so far
-    std::optional<TouchGeometry> geometry; ///< nothing: keep the old geometry
+    Row old = no_row; ///< the contact of the same blocks so far
+    DraftKind kind = DraftKind::as_it_was;
+    TouchGeometry geometry; ///< when it is new
 };
 
-/// Replaces the contact tables by the drafts (sorted by block1, block2). A sub-contact of a refreshed
-/// contact takes traction, displacement, history and state from the nearest old one of that contact.
+/// What became of the contact tables.
+enum class ContactChange { none, refreshed, replaced };
+
+/// Makes the contact tables from drafts (sorted by block1, block2; none of them parted). A sub-contact of a contact
+/// with new geometry takes traction, displacement, history and state from the nearest old one of that contact.
 /// Sub-contacts of new contacts are initialised by their joint model; `moving` says that what overlaps
 /// already has been closed since the last search, so that the force of the overlap is taken up at once.
-void replace_contacts(Model& model, JointRegistry& joints, std::vector<ContactDraft> drafts, bool moving);
+/// Where every row keeps its place the tables are refreshed, and lists made of them hold on if all blocks are rigid.
+ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
+                               bool moving);
 
 /// Lets the joint models of the marked sub-contacts make their history agree with the forces and the gap
 /// that are there.

@@ -6,6 +6,7 @@
 #include "mechanics/phases.hpp"
 #include "model/sampling.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
@@ -65,6 +66,7 @@ Diagnostic motion_lost() {
 
 /// What is derived from the model and never saved.
 struct Cycle::Scratch {
+    ContactSearch search;
     Adjacency adjacency;
     std::vector<Batch> batches;
     std::vector<ElasticConstants> elastic;
@@ -203,18 +205,17 @@ void Cycle::advance() {
     const double zone_work = s.timed(zone, [&] { return run_zone_models(model_, s.elastic, s.corner_forces); });
     clock.time += clock.time_step;
     ++clock.cycle;
-    const bool contacts_changed = s.timed(search, [&] {
-        if (!model_.settings.large_strain) return false;
-        bool changed = refresh_slid_contacts(model_, joints_);
-        if (contacts_are_due(model_)) {
-            search_contacts(model_, joints_, true);
-            changed = true;
-        }
-        if (!changed) return false;
-        check_properties(model_, joints_); // a contact that is new may have a joint material of its own
-        make_lists();
+    const ContactChange contacts_changed = s.timed(search, [&] {
+        if (!model_.settings.large_strain) return ContactChange::none;
+        ContactChange change = s.search.refresh_slid(model_, joints_);
+        if (ContactSearch::due(model_)) change = std::max(change, s.search.search(model_, joints_, true));
+        if (change == ContactChange::none) return change;
+        if (change == ContactChange::replaced)
+            check_properties(model_, joints_); // a contact that is new may have a joint material of its own
+        if (model_.lists_changed) make_lists();
+        else joint_forces(model_, s.joints);
         model_.lists_changed = false;
-        return true;
+        return change;
     });
     s.timed(gather, [&] {
         drive_loads(model_, s.drives, hooks);
@@ -226,7 +227,7 @@ void Cycle::advance() {
     adapt_viscosity(motion);
     keep_account(driven, motion, joint_sums, zone_work);
     const bool may_grow = clock.cycle % growth_interval == 0;
-    if (joint_sums.stiffness_changed || contacts_changed || may_grow)
+    if (joint_sums.stiffness_changed || contacts_changed != ContactChange::none || may_grow)
         s.timed(step, [&] {
             if (may_grow) zone_frequencies(model_, s.elastic);
             limit_step(may_grow);

@@ -1,0 +1,173 @@
+#include "mechanics/separation.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace kaya {
+
+namespace {
+
+/// Axes nearer to the separating one than this are not across it.
+constexpr double cos_across = 0.5;
+
+struct Support {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+};
+
+Support support(const Model& model, Row block, const Vec3& axis) {
+    Support s;
+    const Span span = model.blocks.gridpoints[block];
+    for (Row g = span.first; g < span.end(); ++g) {
+        const double h = axis.dot(model.gridpoints.position[g]);
+        s.low = std::min(s.low, h);
+        s.high = std::max(s.high, h);
+    }
+    return s;
+}
+
+/// An edge between two faces of a block.
+struct Edge {
+    std::array<Row, 2> ends;
+    std::array<Row, 2> faces;
+};
+
+/// Edges between faces of a block (not those between triangles of one face), each once.
+void edges_of(const Model& model, Row block, std::vector<Edge>& edges) {
+    struct Side {
+        std::array<Row, 2> ends;
+        Row face;
+    };
+    static thread_local std::vector<Side> sides;
+    sides.clear();
+    for (Row f = model.blocks.faces[block].first; f < model.blocks.faces[block].end(); ++f) {
+        const Span span = model.faces.triangles[f];
+        for (Row t = span.first; t < span.end(); ++t)
+            for (int k = 0; k < 3; ++k) {
+                const auto& g = model.triangles.gridpoints[t];
+                sides.push_back({{std::min(g[k], g[(k + 1) % 3]), std::max(g[k], g[(k + 1) % 3])}, f});
+            }
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+        return a.ends != b.ends ? a.ends < b.ends : a.face < b.face;
+    });
+    edges.clear();
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+        if (sides[i].ends == sides[i + 1].ends && sides[i].face != sides[i + 1].face)
+            edges.push_back({sides[i].ends, {sides[i].face, sides[i + 1].face}});
+}
+
+/// Whether the arcs between the normals of the faces at two edges cross: only then do the edges make a face of the
+/// Minkowski difference.
+bool arcs_cross(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    // c and d belong to the other block and look the other way.
+    const Vec3 ba = b.cross(a), dc = d.cross(c);
+    const double cba = -c.dot(ba), dba = -d.dot(ba), adc = a.dot(dc), bdc = b.dot(dc);
+    return cba * dba < 0 && adc * bdc < 0 && cba * bdc > 0;
+}
+
+/// Whether a face of a block looks along a direction, or nearly so.
+bool faces_along(const Model& model, const Surfaces& surfaces, Row block, const Vec3& direction, double cosine) {
+    const Span faces = model.blocks.faces[block];
+    for (Row f = faces.first; f < faces.end(); ++f)
+        if (surfaces.normal(f).dot(direction) > cosine) return true;
+    return false;
+}
+
+/// How far the other block is from the plane of a face.
+double distance_from(const Model& model, const Surfaces& surfaces, Row face, Row other) {
+    const Vec3& n = surfaces.normal(face);
+    double low = std::numeric_limits<double>::infinity();
+    const Span span = model.blocks.gridpoints[other];
+    for (Row g = span.first; g < span.end(); ++g) low = std::min(low, n.dot(model.gridpoints.position[g]));
+    return low - surfaces.reach(face);
+}
+
+} // namespace
+
+Separation find_separation(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
+                           const SeparationLimits& limits) {
+    const auto [enough, tie, sliver, flat] = limits;
+    Separation best;
+    static thread_local std::vector<double> at_most; // distances along the faces' normals, block 2 first
+    at_most.clear();
+    const Vec3 towards = model.blocks.centroid[block2] - model.blocks.centroid[block1];
+    const auto try_faces = [&](bool of_first) {
+        const Row own = of_first ? block1 : block2, other = of_first ? block2 : block1;
+        const Vec3 to_other = of_first ? towards : Vec3(-towards);
+        const Vec3& centre = model.blocks.centroid[own];
+        for (Row f = model.blocks.faces[own].first; f < model.blocks.faces[own].end(); ++f) {
+            const Vec3& outward = surfaces.normal(f);
+            // No vertex needs to be looked at where the centroid of the other block is near enough already.
+            at_most.push_back(outward.dot(to_other) + outward.dot(centre) - surfaces.reach(f));
+            if (at_most.back() <= best.distance) continue;
+            const double distance = at_most.back() = distance_from(model, surfaces, f, other);
+            if (distance > best.distance + (best.normal.isZero(0) ? 0 : tie)) {
+                best.distance = distance;
+                best.normal = of_first ? outward : Vec3(-outward);
+                best.face1 = of_first ? f : no_row;
+                best.face2 = of_first ? no_row : f;
+            }
+            if (best.distance > enough) return;
+        }
+    };
+    const auto find_width = [&](bool of_first, std::size_t i) {
+        const Span faces = model.blocks.faces[of_first ? block1 : block2];
+        for (Row f = faces.first; f < faces.end(); ++f, ++i)
+            if (-at_most[i] < best.width && std::abs(surfaces.normal(f).dot(best.normal)) < cos_across)
+                best.width = std::min(best.width, -distance_from(model, surfaces, f, of_first ? block2 : block1));
+    };
+    // The lower block (block 2) first: at a tie its face gives the normal.
+    try_faces(false);
+    if (best.distance > enough) return best;
+    // Most neighbours in a pile touch with edges and corners of faces that lie on each other: nothing to be had there.
+    find_width(false, 0);
+    if (best.width <= sliver && faces_along(model, surfaces, block1, best.normal, flat)) return best;
+    const std::size_t of_first = at_most.size();
+    try_faces(true);
+    if (best.distance > enough || best.normal.isZero(0)) return best;
+    best.width = std::numeric_limits<double>::infinity();
+    find_width(false, 0);
+    find_width(true, of_first);
+
+    // Two faces on each other: no pair of edges can separate the blocks better.
+    constexpr double parallel = 1 - 1e-9;
+    if (best.face1 == no_row ? faces_along(model, surfaces, block1, best.normal, parallel)
+                             : faces_along(model, surfaces, block2, -best.normal, parallel))
+        return best;
+
+    static thread_local std::vector<Edge> edges1, edges2;
+    edges_of(model, block1, edges1);
+    edges_of(model, block2, edges2);
+    const auto& x = model.gridpoints.position;
+    for (const auto& e1 : edges1) {
+        const Vec3 &a = surfaces.normal(e1.faces[0]), &b = surfaces.normal(e1.faces[1]);
+        const Vec3 d1 = x[e1.ends[1]] - x[e1.ends[0]];
+        for (const auto& e2 : edges2) {
+            if (!arcs_cross(a, b, surfaces.normal(e2.faces[0]), surfaces.normal(e2.faces[1]))) continue;
+            const Vec3 d2 = x[e2.ends[1]] - x[e2.ends[0]];
+            Vec3 axis = d1.cross(d2);
+            const double length = axis.norm();
+            if (length <= 1e-6 * d1.norm() * d2.norm()) continue;
+            axis /= length;
+            if (axis.dot(towards) < 0) axis = -axis;
+            const double high1 = support(model, block1, axis).high;
+            if (axis.dot(x[e1.ends[0]]) < high1 - tie) continue; // not an outermost edge
+            const double low2 = support(model, block2, axis).low;
+            if (axis.dot(x[e2.ends[0]]) > low2 + tie) continue;
+            if (low2 - high1 > best.distance + (best.edge1[0] == no_row ? enough : tie)) {
+                best.distance = low2 - high1;
+                best.normal = axis;
+                best.face1 = best.face2 = no_row;
+                best.edge1 = e1.ends;
+                best.edge2 = e2.ends;
+                if (best.distance > enough) return best;
+            }
+        }
+    }
+    return best;
+}
+
+} // namespace kaya

@@ -1,0 +1,35 @@
+// The axis along which two convex blocks are farthest apart, or overlap least.
+#pragma once
+
+#include "mechanics/surfaces.hpp"
+
+#include <array>
+#include <limits>
+
+namespace kaya {
+
+struct Separation {
+    double distance = -std::numeric_limits<double>::infinity(); ///< along the axis; negative: overlap
+    Vec3 normal = Vec3::Zero();                                 ///< from block 1 to block 2
+    Row face1 = no_row, face2 = no_row;                         ///< whose normal it is; neither: it is that of two edges
+    std::array<Row, 2> edge1{no_row, no_row}, edge2{no_row, no_row};
+    /// Least overlap along face normals across the axis: where this is 0 there is no common area. Negative: they are
+    /// apart sideways.
+    double width = std::numeric_limits<double>::infinity();
+};
+
+/// When the search for an axis is over, and what counts as equal.
+struct SeparationLimits {
+    double enough; ///< an axis that keeps the blocks this far apart is good enough
+    double tie;    ///< an axis must beat those before it by this
+    double sliver; ///< where faces lie on each other, a common area narrower than this is none
+    double flat;   ///< cosine of the angle up to which faces lie on each other
+};
+
+/// Separating axes: face normals, then cross products of edges (Gottschalk, Lin and Manocha 1996), of which only
+/// those are looked at whose arcs cross on the sphere of normals (Gregorius 2013). An axis of edges must beat the
+/// faces clearly: faces of deformed blocks are a little warped, and their edges then seem to part what lies flat.
+Separation find_separation(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
+                           const SeparationLimits& limits);
+
+} // namespace kaya

@@ -1,0 +1,47 @@
+// A deck's model, ready to be cycled and timed.
+#pragma once
+
+#include "commands/session.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace bench {
+
+inline double seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// A session that prints nothing, with the model of a deck of this folder.
+class Run {
+public:
+    explicit Run(const std::string& deck, int threads = 1) : silence_(std::fopen("/dev/null", "w"), &std::fclose) {
+        kaya::Options options;
+        options.threads = threads;
+        options.quiet = true;
+        options.joint_folders = {KAYA_JOINT_FOLDER};
+        session_ = std::make_unique<kaya::Session>(options, silence_.get(), stderr);
+        session_->run_deck(deck.front() == '/' ? deck : KAYA_BENCH_FOLDER "/" + deck);
+    }
+    void cycles(std::int64_t count) {
+        for (std::int64_t i = 0; i < count; ++i) session_->cycle->advance();
+    }
+    /// Cycles in each of which every contact is looked for and its geometry made anew.
+    void rebuilding_cycles(std::int64_t count) {
+        for (std::int64_t i = 0; i < count; ++i) {
+            for (auto& way : session_->model.blocks.travelled) way = std::numeric_limits<double>::infinity();
+            session_->cycle->advance();
+        }
+    }
+    const kaya::Model& model() const { return session_->model; }
+    const std::vector<kaya::PhaseTime>& timing() const { return session_->cycle->timing(); }
+
+private:
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> silence_;
+    std::unique_ptr<kaya::Session> session_;
+};
+
+} // namespace bench
