@@ -105,6 +105,13 @@ struct Seek { RangePhrase range; };
 struct Delete { RangePhrase range; };
 struct Group { std::string kind; std::string name; RangePhrase range; }; ///< kind: block
 struct NameRange { std::string name; RangePhrase range; }; ///< range name NAME elements
+/// facetri radial | rad8 | edge f | off: triangles of faces of rigid blocks, for their contacts
+struct FaceTriangulation {
+    enum class Way { fan, radial, radial_8, edge } way = Way::fan;
+    double edge = 0;
+    RangePhrase range;
+    Place place;
+};
 struct GenerateEdge { double edge = 0; RangePhrase range; Place place; };
 
 // --- materials ----------------------------------------------------------------------------------

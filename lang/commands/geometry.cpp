@@ -5,6 +5,20 @@
 
 namespace kaya::lang {
 
+namespace {
+
+Entry<FaceTriangulation> face_triangulation(std::vector<Spelling> form, FaceTriangulation::Way way) {
+    Entry<FaceTriangulation> entry({"facetri"}, std::move(form));
+    entry.start([way](const Statement& statement, FaceTriangulation& command) {
+        command.way = way;
+        command.place = statement.words.front().place;
+    });
+    entry.range(&FaceTriangulation::range);
+    return entry;
+}
+
+} // namespace
+
 Family geometry() {
     Family family{
         "geometry",
@@ -79,6 +93,29 @@ Family geometry() {
                 .wrong("gen edge -0.5", "edge must be greater than 0, not -0.5")
                 .wrong("gen edge big", "'big' stands where a number must be")
                 .wrong("gen egde 1", "'egde' is not a kind of generate"),
+            face_triangulation({"edge"}, FaceTriangulation::Way::edge)
+                .help("puts sub-contacts on the faces of rigid blocks that far apart, besides those at corners")
+                .argument(real("edge").unit("length").above(0).help("about how far apart"), &FaceTriangulation::edge)
+                .right("facetri edge 0.1")
+                .right("facetri edge 0.05 range group wall")
+                .wrong("facetri", "a word is missing after 'facetri'")
+                .wrong("facetri edge", "a number is missing after 'edge'")
+                .wrong("facetri edge 0", "edge must be greater than 0, not 0")
+                .wrong("facetri rad9", "'rad9' is not a kind of facetri"),
+            face_triangulation({"radial"}, FaceTriangulation::Way::radial)
+                .help("cuts the faces of rigid blocks in triangles from their centre to their corners")
+                .right("facetri radial")
+                .right("facetri radial range z 0 1")
+                .wrong("facetri radial 3", "'3' is not a keyword of facetri radial"),
+            face_triangulation({"rad8", "radial-8"}, FaceTriangulation::Way::radial_8)
+                .help("cuts the faces of rigid blocks in triangles from their centre to their corners and the middles of "
+                      "their edges")
+                .right("facetri rad8")
+                .wrong("facetri rad8 range", "the range is empty"),
+            face_triangulation({"off"}, FaceTriangulation::Way::fan)
+                .help("takes what facetri has set back: sub-contacts at corners and crossings of edges only")
+                .right("facetri off")
+                .wrong("facetri off now", "'now' is not a keyword of facetri off"),
         }};
     auto& commands = family.commands;
     auto cuts = cut_commands(), shapes = shape_commands();

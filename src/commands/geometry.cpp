@@ -35,6 +35,30 @@ void run(Session& session, const lang::Group& command) {
         session.model.blocks.group[block] = static_cast<std::int32_t>(found - names.begin());
 }
 
+void run(Session& session, const lang::FaceTriangulation& command) {
+    using Way = lang::FaceTriangulation::Way;
+    const auto picked = session.pick(ObjectKind::block, command.range);
+    auto& blocks = session.model.blocks;
+    std::size_t rigid = 0;
+    for (const Row block : picked) {
+        if (blocks.deformable[block]) continue;
+        ++rigid;
+        if (command.way == Way::edge) {
+            blocks.face_edge[block] = command.edge;
+            continue;
+        }
+        blocks.face_triangles[block] = command.way == Way::radial     ? FaceTriangles::radial
+                                       : command.way == Way::radial_8 ? FaceTriangles::radial_8
+                                                                      : FaceTriangles::fan;
+        if (command.way == Way::fan) blocks.face_edge[block] = 0;
+    }
+    if (rigid > 0) session.model.structure_changed = true;
+    else if (!picked.empty())
+        session.warn(Diagnostic(fmt::format("all {} blocks that this acts on have zones", picked.size()),
+                                "their faces are cut by their zones; the command has no effect")
+                         .at(command.place));
+}
+
 void run(Session& session, const lang::GenerateEdge& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
     if (blocks.empty()) return;

@@ -50,6 +50,7 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::Seek>(session, handlers, InCycle::runs);
     add<lang::Delete>(session, handlers, InCycle::waits);
     add<lang::Group>(session, handlers, InCycle::runs);
+    add<lang::FaceTriangulation>(session, handlers, InCycle::waits);
     add<lang::GenerateEdge>(session, handlers, InCycle::waits);
 
     add<lang::Property>(session, handlers, InCycle::waits);

@@ -33,6 +33,7 @@ void run(Session&, const lang::Hide&);
 void run(Session&, const lang::Seek&);
 void run(Session&, const lang::Delete&);
 void run(Session&, const lang::Group&);
+void run(Session&, const lang::FaceTriangulation&);
 void run(Session&, const lang::GenerateEdge&);
 
 // materials.cpp

@@ -1,9 +1,13 @@
 #include "geometry/overlay.hpp"
 
+#include "base/vector.hpp"
+
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 
 namespace kaya {
@@ -145,9 +149,23 @@ void sweep_of(const PlaneMesh& mesh, double tolerance, std::vector<SweepItem>& i
     });
 }
 
+/// Cuts a triangle in n^2 equal ones whose edges are about `edge` long.
+template <class Call> void for_parts(const std::array<Vec2, 3>& c, double edge, Call call) {
+    std::array<double, 3> lengths{(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()};
+    std::sort(lengths.begin(), lengths.end());
+    // The longest edge is the diagonal of a rectangle more often than not.
+    const int n = std::max(1, static_cast<int>(std::ceil(lengths[1] / edge - 1e-6)));
+    const auto at = [&](int i, int j) { return Vec2(c[0] + (c[1] - c[0]) * i / n + (c[2] - c[0]) * j / n); };
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i + j < n; ++i) {
+            call({at(i, j), at(i + 1, j), at(i, j + 1)});
+            if (i + j + 1 < n) call({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+}
+
 } // namespace
 
-Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance) {
+Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge) {
     // Kept between calls, of which a search makes very many.
     static thread_local std::vector<SweepItem> sweep1, sweep2;
     static thread_local std::vector<int> ring;
@@ -175,22 +193,23 @@ Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance
             if (polygon.size < 3) continue;
 
             // Points of the piece, merged with those of its neighbours.
+            const auto point_at = [&](const Vec2& p) {
+                const int index = finder.find(p);
+                if (index >= 0) return index;
+                OverlayPoint point;
+                point.place = p;
+                point.triangle1 = one.triangle;
+                point.triangle2 = two->triangle;
+                point.vertex1 = vertex_at(side1, one.triangle, p, 2 * tolerance);
+                point.vertex2 = vertex_at(side2, two->triangle, p, 2 * tolerance);
+                if (point.vertex1 < 0) point.weights1 = barycentric(side1, one.triangle, p);
+                if (point.vertex2 < 0) point.weights2 = barycentric(side2, two->triangle, p);
+                points.push_back(point);
+                return static_cast<int>(points.size()) - 1;
+            };
             ring.clear();
             for (int i = 0; i < polygon.size; ++i) {
-                const Vec2& p = polygon.corners[i];
-                int index = finder.find(p);
-                if (index < 0) {
-                    OverlayPoint point;
-                    point.place = p;
-                    point.triangle1 = one.triangle;
-                    point.triangle2 = two->triangle;
-                    point.vertex1 = vertex_at(side1, one.triangle, p, 2 * tolerance);
-                    point.vertex2 = vertex_at(side2, two->triangle, p, 2 * tolerance);
-                    if (point.vertex1 < 0) point.weights1 = barycentric(side1, one.triangle, p);
-                    if (point.vertex2 < 0) point.weights2 = barycentric(side2, two->triangle, p);
-                    index = static_cast<int>(points.size());
-                    points.push_back(point);
-                }
+                const int index = point_at(polygon.corners[i]);
                 if (ring.empty() || (ring.back() != index && ring.front() != index)) ring.push_back(index);
             }
             // Any fan integrates linear functions exactly.
@@ -200,18 +219,22 @@ Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance
                                     points[ring[i + 1]].place - points[ring[0]].place);
             const double extent = (one.high - one.low).maxCoeff();
             if (ring.size() < 3 || area <= tolerance * extent) continue; // its points keep area 0
+            const auto add = [&](const std::array<int, 3>& part) {
+                const Vec2 &a = points[part[0]].place, &b = points[part[1]].place, &c = points[part[2]].place;
+                const double third = cross(b - a, c - a) / 6.0;
+                const Vec2 sum = a + b + c;
+                result.second_moment += 0.25 * third * (a * a.transpose() + b * b.transpose() + c * c.transpose() +
+                                                        sum * sum.transpose());
+                for (const int r : part) points[r].area += third;
+            };
             for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-                const double third = cross(points[ring[i]].place - points[ring[0]].place,
-                                           points[ring[i + 1]].place - points[ring[0]].place) /
-                                     6.0;
-                Vec2 sum = Vec2::Zero();
-                for (const int r : {ring[0], ring[i], ring[i + 1]}) {
-                    const Vec2& x = points[r].place;
-                    points[r].area += third;
-                    sum += x;
-                    result.second_moment += 0.25 * third * x * x.transpose();
-                }
-                result.second_moment += 0.25 * third * sum * sum.transpose();
+                if (edge > 0)
+                    for_parts({points[ring[0]].place, points[ring[i]].place, points[ring[i + 1]].place}, edge,
+                              [&](const std::array<Vec2, 3>& part) {
+                                  add({point_at(part[0]), point_at(part[1]), point_at(part[2])});
+                              });
+                else
+                    add({ring[0], ring[i], ring[i + 1]});
             }
         }
     }
@@ -237,44 +260,110 @@ void balance_areas(Overlay& overlay) {
     const Eigen::Matrix2d whiten =
         ((exact + root * Eigen::Matrix2d::Identity()) / std::sqrt(exact.trace() + 2 * root)).inverse();
 
-    // Two functions of second order that are to vanish in the mean: u v and u^2 - v^2.
+    // The second moments u u, v v, u v less what they are to be: 1, 1, 0. (The root of 2 makes a sum of squares that
+    // does not depend on the axes.)
     struct Sample {
         double weight;
-        Vec2 u, f;
+        Vec2 u;
+        Vec3 f;
     };
-    static thread_local std::vector<Sample> samples;
+    static thread_local std::vector<Sample> samples; // kept between calls
     samples.clear();
-    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero(), mixed = Eigen::Matrix2d::Zero();
-    Vec2 wrong = Vec2::Zero();
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    Eigen::Matrix<double, 3, 2> mixed = Eigen::Matrix<double, 3, 2>::Zero();
+    Vec3 mean = Vec3::Zero();
     for (const auto& p : points) {
         const Vec2 u = whiten * (p.place - centre);
-        const Vec2 f{u.x() * u.y(), u.x() * u.x() - u.y() * u.y()};
+        const Vec3 f(u.x() * u.x(), u.y() * u.y(), std::sqrt(2.0) * u.x() * u.y());
         const double weight = p.area / whole;
         spread += weight * u * u.transpose();
         mixed += weight * f * u.transpose();
-        wrong += weight * f;
+        mean += weight * f;
         samples.push_back({weight, u, f});
     }
+    const Vec3 wrong = mean - Vec3(1, 1, 0);
+    if (wrong.norm() < 1e-12) return;
     // Changes of the areas, in parts of them, that keep their sum and centre: the functions less their projections on
     // 1, x and y in the scalar product weighted with the areas.
-    const Eigen::Matrix2d slope = mixed * spread.inverse();
-    Eigen::Matrix2d effect = Eigen::Matrix2d::Zero();
+    const Eigen::Matrix<double, 3, 2> slope = mixed * spread.inverse();
+    Mat3 effect = Mat3::Zero();
     for (auto& s : samples) {
-        s.f -= wrong + slope * s.u;
+        s.f -= mean + slope * s.u;
         effect += s.weight * s.f * s.f.transpose();
     }
-    // Four points leave one thing to choose and not two: then the pseudo-inverse of a matrix of rank one.
-    const double trace = effect.trace();
-    if (wrong.norm() < 1e-12 || !(trace > 1e-9)) return;
-    const Eigen::Matrix2d inverse =
-        effect.determinant() > 1e-9 * trace * trace ? Eigen::Matrix2d(effect.inverse()) : effect / (trace * trace);
-    const Vec2 amount = -(inverse * wrong);
+    // Least squares: few points leave fewer than three things to choose.
+    const Eigen::SelfAdjointEigenSolver<Mat3> modes(effect);
+    const double largest = modes.eigenvalues()[2];
+    if (!(largest > 1e-9)) return;
+    Vec3 amount = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        if (modes.eigenvalues()[k] <= 1e-9 * largest) continue;
+        const Vec3 mode = modes.eigenvectors().col(k);
+        amount -= mode * (mode.dot(wrong) / modes.eigenvalues()[k]);
+    }
 
-    double least = 0;
-    for (const auto& s : samples) least = std::min(least, amount.dot(s.f));
-    constexpr double most = 0.75; // part of its area that a point may lose
-    const double part = least < -most ? most / -least : 1;
+    // No point may lose more than three quarters of its area, or come to own four times as much.
+    double least = -0.75, most = 3;
+    double part = 1;
+    for (const auto& s : samples) {
+        const double change = amount.dot(s.f);
+        if (change * part < least) part = least / change;
+        if (change * part > most) part = most / change;
+    }
     for (std::size_t i = 0; i < points.size(); ++i) points[i].area *= 1 + part * amount.dot(samples[i].f);
+}
+
+PlaneMesh radial_mesh(const PlaneMesh& mesh, FaceTriangles triangles) {
+    if (triangles == FaceTriangles::fan) return mesh;
+    // The outline: edges that no other triangle has.
+    std::vector<std::array<int, 2>> outline;
+    double whole = 0;
+    Vec2 centre = Vec2::Zero();
+    for (const auto& t : mesh.triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const std::array<int, 2> edge{t[k], t[(k + 1) % 3]};
+            const auto twin = std::find(outline.begin(), outline.end(), std::array<int, 2>{edge[1], edge[0]});
+            if (twin == outline.end()) outline.push_back(edge);
+            else outline.erase(twin);
+        }
+        const Vec2 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+        const double area = cross(b - a, c - a);
+        whole += area;
+        centre += area * (a + b + c) / 3;
+    }
+    PlaneMesh result;
+    result.points = mesh.points;
+    const int middle = static_cast<int>(result.points.size());
+    result.points.emplace_back(centre / whole);
+    for (const auto& edge : outline) {
+        if (triangles == FaceTriangles::radial) {
+            result.triangles.push_back({edge[0], edge[1], middle});
+            continue;
+        }
+        const int half = static_cast<int>(result.points.size());
+        result.points.emplace_back(0.5 * (mesh.points[edge[0]] + mesh.points[edge[1]]));
+        result.triangles.push_back({edge[0], half, middle});
+        result.triangles.push_back({half, edge[1], middle});
+    }
+    return result;
+}
+
+int triangle_at(const PlaneMesh& mesh, const Vec2& place, std::array<double, 3>& weights) {
+    int best = 0;
+    double deepest = -std::numeric_limits<double>::infinity();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& corner = mesh.triangles[t];
+        const Vec2 &a = mesh.points[corner[0]], &b = mesh.points[corner[1]], &c = mesh.points[corner[2]];
+        const double whole = cross(b - a, c - a);
+        const double least = std::min({cross(b - place, c - place) / whole, cross(c - place, a - place) / whole,
+                                       cross(a - place, b - place) / whole});
+        if (least > deepest) {
+            deepest = least;
+            best = static_cast<int>(t);
+        }
+    }
+    weights = barycentric(mesh, best, place);
+    return best;
 }
 
 } // namespace kaya

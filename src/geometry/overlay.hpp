@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace kaya {
@@ -34,13 +35,28 @@ struct Overlay {
     Eigen::Matrix2d second_moment = Eigen::Matrix2d::Zero(); ///< of the overlap about the origin, exact
 };
 
-/// Points closer than `tolerance` are one point; pieces thinner than it are left out.
-Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance);
+/// Points closer than `tolerance` are one point; pieces thinner than it are left out. With `edge` above 0 the
+/// triangles of the overlay are cut in smaller ones with edges of about that length.
+Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge = 0);
 
-/// Shares the areas anew so that the second moments of the points are those of the overlap times one factor, as far
-/// as the points allow: a square whose corners own 1/3, 1/6, 1/3, 1/6 of it, as its two triangles have it, resists
-/// tilting about one diagonal more than about the other; with a quarter each it does not. The sum of areas and their
-/// centre stay. For faces that do not bend: the areas are no longer those of the triangles.
+/// How a face of a rigid block is cut in triangles for its contacts.
+enum class FaceTriangles : std::uint8_t {
+    fan,     ///< from its first corner
+    radial,  ///< from its centre to its corners
+    radial_8 ///< from its centre to its corners and the middles of its edges
+};
+
+/// The same face with other triangles. New points stand behind the old ones.
+PlaneMesh radial_mesh(const PlaneMesh& mesh, FaceTriangles triangles);
+
+/// The triangle of a mesh that holds a place, or the nearest one, with its barycentric weights (0 to 1).
+int triangle_at(const PlaneMesh& mesh, const Vec2& place, std::array<double, 3>& weights);
+
+/// Shares the areas anew so that the second moments of the points come as near to those of the overlap as the points
+/// allow. A square whose corners own 1/3, 1/6, 1/3, 1/6 of it, as its two triangles have it, resists tilting about one
+/// diagonal more than about the other; with a quarter each it does not. With a point in the middle it resists as a
+/// continuous joint does. The sum of areas and their centre stay. For faces that do not bend: the areas are no longer
+/// those of the triangles.
 void balance_areas(Overlay& overlay);
 
 } // namespace kaya

@@ -45,8 +45,10 @@ PlaneAxes axes_of(const Vec3& normal) {
 
 /// A face in the coordinates of the common plane.
 struct FlatFace {
-    PlaneMesh mesh;
-    std::vector<Row> rows; ///< the gridpoint of each point
+    PlaneMesh mesh; ///< its own triangles
+    PlaneMesh radial; ///< those that contacts are made with, if they are others
+    bool is_radial;
+    std::vector<Row> rows; ///< the gridpoint of each point of its own
 
     void lay(const Model& model, Row face, const PlaneAxes& axes, const Vec3& origin) {
         const Span span = model.faces.triangles[face];
@@ -68,17 +70,29 @@ struct FlatFace {
                     std::lower_bound(rows.begin(), rows.end(), model.triangles.gridpoints[t][k]) - rows.begin());
             mesh.triangles.push_back(triangle);
         }
+        const FaceTriangles wanted = model.blocks.face_triangles[model.faces.block[face]];
+        is_radial = wanted != FaceTriangles::fan;
+        if (is_radial) radial = radial_mesh(mesh, wanted);
+    }
+    const PlaneMesh& laid() const { return is_radial ? radial : mesh; }
+
+    Attachment attach(const Vec2& place, int vertex, int triangle, std::array<double, 3> weights) const {
+        if (vertex >= 0 && vertex < static_cast<int>(rows.size()))
+            return {{rows[vertex], rows[vertex], rows[vertex]}, {1, 0, 0}};
+        if (is_radial) triangle = triangle_at(mesh, place, weights);
+        Attachment a;
+        for (int k = 0; k < 3; ++k) {
+            a.gridpoints[k] = rows[mesh.triangles[triangle][k]];
+            a.weights[k] = weights[k];
+        }
+        return a;
     }
 };
 
-Attachment attach(const FlatFace& face, int vertex, int triangle, const std::array<double, 3>& weights) {
-    if (vertex >= 0) return {{face.rows[vertex], face.rows[vertex], face.rows[vertex]}, {1, 0, 0}};
-    Attachment a;
-    for (int k = 0; k < 3; ++k) {
-        a.gridpoints[k] = face.rows[face.mesh.triangles[triangle][k]];
-        a.weights[k] = weights[k];
-    }
-    return a;
+/// Length of edges in the overlay that two blocks ask for; 0: none.
+double edge_between(const Model& model, Row block1, Row block2) {
+    const double a = model.blocks.face_edge[block1], b = model.blocks.face_edge[block2];
+    return a > 0 && b > 0 ? std::min(a, b) : std::max(a, b);
 }
 
 /// Sub-contacts at the vertices of the overlay of two faces.
@@ -88,15 +102,16 @@ bool lay_faces(const Model& model, TouchGeometry& touch, bool rigid, double marg
     static thread_local FlatFace face1, face2; // kept, since a search lays very many
     face1.lay(model, touch.face1, axes, origin);
     face2.lay(model, touch.face2, axes, origin);
+    const double edge = edge_between(model, model.faces.block[touch.face1], model.faces.block[touch.face2]);
     Vec3 centre = Vec3::Zero();
     bool near = false;
-    Overlay laid = overlay(face1.mesh, face2.mesh, tolerance);
+    Overlay laid = overlay(face1.laid(), face2.laid(), tolerance, edge);
     touch.points.reserve(laid.points.size());
     if (rigid) balance_areas(laid);
     for (const auto& p : laid.points) {
         TouchPoint point;
-        point.side1 = attach(face1, p.vertex1, p.triangle1, p.weights1);
-        point.side2 = attach(face2, p.vertex2, p.triangle2, p.weights2);
+        point.side1 = face1.attach(p.place, p.vertex1, p.triangle1, p.weights1);
+        point.side2 = face2.attach(p.place, p.vertex2, p.triangle2, p.weights2);
         const Vec3 x1 = attached_position(model, point.side1), x2 = attached_position(model, point.side2);
         point.position = 0.5 * (x1 + x2);
         point.gap = touch.normal.dot(x2 - x1);

@@ -14,8 +14,10 @@ namespace {
 
 /// Sliding farther than this fraction of the contact's size makes its geometry anew.
 constexpr double slide_tolerance = 1e-3;
-/// A block that has gone this part of its margin is looked at again with those that triggered the search.
-constexpr double moved_part = 0.25;
+/// Blocks that have gone this part of their margins are looked at together in every so many cycles. When a block is
+/// looked at depends on itself and the cycle only: an unrelated block far away does not change a bit of its motion.
+constexpr double moved_part = 0.35;
+constexpr std::int64_t look_interval = 16;
 constexpr std::size_t grain = 32;
 
 /// How far a block can come in the time until the next search at the soonest, which is a step.
@@ -50,6 +52,12 @@ Box box_of(const Model& model, Row b, double margin) {
         high = high.cwiseMax(model.gridpoints.position[g]);
     }
     return {low - Vec3::Constant(margin), high + Vec3::Constant(margin)};
+}
+
+/// Two blocks that have each gone half the margin may have met.
+bool to_be_looked_at(const Model& model, std::size_t b) {
+    const double part = model.clock.cycle % look_interval == 0 ? moved_part : 0.5;
+    return model.blocks.travelled[b] > part * model.blocks.margin[b];
 }
 
 bool apart(const Box& a, const Box& b) {
@@ -98,10 +106,8 @@ void find_touches(const Model& model, const Surfaces& surfaces, const std::vecto
 } // namespace
 
 bool ContactSearch::due(const Model& model) {
-    const auto& blocks = model.blocks;
-    // Two blocks that have each gone half the margin may have met.
-    for (std::size_t b = 0; b < blocks.size(); ++b)
-        if (2 * blocks.travelled[b] > blocks.margin[b]) return true;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b)
+        if (to_be_looked_at(model, b)) return true;
     return false;
 }
 
@@ -114,7 +120,7 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
         for (std::size_t b = first; b < last; ++b) {
             ways_[b] = way_of_a_step(model, static_cast<Row>(b));
             boxes_[b] = box_of(model, static_cast<Row>(b), blocks.margin[b] + 2 * ways_[b]);
-            moved_[b] = !moving || blocks.travelled[b] > moved_part * blocks.margin[b];
+            moved_[b] = !moving || to_be_looked_at(model, b);
             if (moved_[b]) blocks.travelled[b] = 0;
         }
     });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/id.hpp"
+#include "geometry/overlay.hpp"
 #include "model/column.hpp"
 
 #include <cstdint>
@@ -37,6 +38,8 @@ public:
     Column<std::uint8_t> hidden;
     Column<std::uint8_t> deformable;
     Column<std::uint8_t> fixed;   ///< Fixity bits, rigid blocks
+    Column<FaceTriangles> face_triangles; ///< for contacts of a rigid block
+    Column<double> face_edge; ///< about how far apart sub-contacts on its faces are; 0: at corners and crossings only
     Column<Span> gridpoints;      ///< a block's rows are contiguous and in block order
     Column<Span> faces;
     Column<Span> triangles;
@@ -67,6 +70,8 @@ public:
         visit("hidden", hidden);
         visit("deformable", deformable);
         visit("fixed", fixed);
+        visit("face_triangles", face_triangles);
+        visit("face_edge", face_edge);
         visit("gridpoints", gridpoints);
         visit("faces", faces);
         visit("triangles", triangles);

@@ -75,6 +75,8 @@ void put_mesh(Model& model, Row block, const Polyhedron& shape, const TetMesh& m
     }
     blocks.zones[block] = {z0, static_cast<Row>(mesh.tetrahedra.size())};
     blocks.deformable[block] = 1;
+    blocks.face_triangles[block] = FaceTriangles::fan; // its zones cut its faces
+    blocks.face_edge[block] = 0;
 }
 
 } // namespace
