@@ -106,7 +106,7 @@ Family geometry() {
                 .help("cuts the faces of rigid blocks in triangles from their centre to their corners")
                 .right("facetri radial")
                 .right("facetri radial range z 0 1")
-                .wrong("facetri radial 3", "'3' is not a keyword of facetri radial"),
+                .wrong("facetri radial now", "'now' is not a keyword of facetri radial"),
             face_triangulation({"rad8", "radial-8"}, FaceTriangulation::Way::radial_8)
                 .help("cuts the faces of rigid blocks in triangles from their centre to their corners and the middles of "
                       "their edges")
