@@ -12,8 +12,9 @@ namespace kaya {
 
 namespace {
 
-/// Faces more than this from the common plane touch with an edge or a vertex only.
-constexpr double cos_of_flat = 0.8660254037844387; // 30 degrees
+/// Faces lie on each other up to this angle (2 degrees): beyond it a block stands on an edge or a corner, which owns
+/// its share of the block's surface and not of a common area.
+constexpr double cos_of_flat = 0.9993908270190958;
 /// In parts of a block's margin: points that are one, and how narrow the common area of two faces may be. The blocks
 /// of a pile overlap a little, and so do their edges and corners: those contacts would carry nothing and cost as much.
 constexpr double coincidence = 2e-5, narrowest = 1e-2;
@@ -153,49 +154,100 @@ bool inside_face(const Model& model, Row face, const PlaneAxes& axes, const Vec3
     return false;
 }
 
-double mean_face_area(const Model& model, Row block) {
-    double area = 0;
-    const Span span = model.blocks.triangles[block];
-    for (Row t = span.first; t < span.end(); ++t) {
-        const auto& g = model.triangles.gridpoints[t];
-        const Vec3& a = model.gridpoints.position[g[0]];
-        area += 0.5 * (model.gridpoints.position[g[1]] - a).cross(model.gridpoints.position[g[2]] - a).norm();
+/// The part of a block's surface that belongs to a vertex, seen along a direction out of the block. It changes
+/// without a jump as the block turns: of a cube on its face a corner has a quarter of the face.
+double share_of_vertex(const Model& model, Row block, Row vertex, const Vec3& outward) {
+    const auto& x = model.gridpoints.position;
+    double share = 0;
+    const Span faces = model.blocks.faces[block];
+    for (Row f = faces.first; f < faces.end(); ++f) {
+        const Span triangles = model.faces.triangles[f];
+        Vec3 whole = Vec3::Zero(), around = Vec3::Zero();
+        for (Row t = triangles.first; t < triangles.end(); ++t) {
+            const auto& g = model.triangles.gridpoints[t];
+            const Vec3 area = 0.5 * (x[g[1]] - x[g[0]]).cross(x[g[2]] - x[g[0]]);
+            whole += area;
+            if (g[0] == vertex || g[1] == vertex || g[2] == vertex) around += area / 3;
+        }
+        if (around.isZero(0)) continue;
+        // A polygon that does not bend is shared by its corners; of a mesh a gridpoint has a third of its triangles.
+        if (!model.blocks.deformable[block]) around = whole / (triangles.count + 2);
+        share += std::max(0.0, around.dot(outward));
     }
-    return area / model.blocks.faces[block].count;
+    return share;
 }
 
-/// Vertices of one block on a face of the other that is not parallel to any of its own. The contact has
-/// no area of its own: it is given a hundredth of the mean face area, shared by its points.
-bool lay_vertices(const Model& model, TouchGeometry& touch, Row block1, Row block2, double margin) {
+/// Of a point of an edge: that of the ends.
+double share_of_edge(const Model& model, Row block, const std::array<Row, 2>& ends, const Vec3& outward) {
+    return 0.5 * (share_of_vertex(model, block, ends[0], outward) + share_of_vertex(model, block, ends[1], outward));
+}
+
+Attachment on_edge(const std::array<Row, 2>& ends, double t) { return {{ends[0], ends[1], ends[1]}, {1 - t, t, 0}}; }
+
+/// Sums over the points of a touch.
+bool close_touch(TouchGeometry& touch) {
+    if (touch.points.empty()) return false;
+    Vec3 centre = Vec3::Zero();
+    for (const auto& point : touch.points) {
+        touch.area += point.area;
+        centre += point.area * point.position;
+    }
+    touch.position = centre / touch.area;
+    return touch.area > 0;
+}
+
+/// One block on a face of the other that is not parallel to any of its own: its vertices over the face, and its edges
+/// where they cross the outline of the face.
+bool lay_on_face(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, Row block1, Row block2, double margin, double tolerance) {
     const bool face_of_first = touch.reference == 1;
     const Row face = face_of_first ? touch.face1 : touch.face2;
-    const Row other = face_of_first ? block2 : block1;
-    const double sense = face_of_first ? 1 : -1;
+    const Row own = face_of_first ? block1 : block2, other = face_of_first ? block2 : block1;
+    const Vec3 out = face_of_first ? touch.normal : Vec3(-touch.normal); // of the face
     const PlaneAxes axes = axes_of(touch.normal);
+    const auto& x = model.gridpoints.position;
+    const auto add = [&](const Attachment& on_own, const Attachment& on_other, Meeting meeting, double area) {
+        const Vec3 lower = attached_position(model, on_own), upper = attached_position(model, on_other);
+        TouchPoint point;
+        point.gap = out.dot(upper - lower);
+        if (point.gap > margin) return;
+        point.side1 = face_of_first ? on_own : on_other;
+        point.side2 = face_of_first ? on_other : on_own;
+        point.position = 0.5 * (lower + upper);
+        point.meeting = meeting;
+        point.area = area;
+        for (const auto& there : touch.points)
+            if ((there.position - point.position).squaredNorm() <= tolerance * tolerance) return;
+        touch.points.push_back(point);
+    };
     const Span span = model.blocks.gridpoints[other];
     for (Row g = span.first; g < span.end(); ++g) {
-        TouchPoint point;
         Attachment on_face;
-        const Vec3& x = model.gridpoints.position[g];
-        if (!inside_face(model, face, axes, x, on_face)) continue;
-        point.gap = sense * touch.normal.dot(x - attached_position(model, on_face));
-        if (point.gap > margin) continue;
-        const Attachment vertex{{g, g, g}, {1, 0, 0}};
-        point.side1 = face_of_first ? on_face : vertex;
-        point.side2 = face_of_first ? vertex : on_face;
-        point.position = 0.5 * (x + attached_position(model, on_face));
-        point.meeting = face_of_first ? Meeting::face_vertex : Meeting::vertex_face;
-        touch.points.push_back(point);
+        if (inside_face(model, face, axes, x[g], on_face))
+            add(on_face, {{g, g, g}, {1, 0, 0}}, face_of_first ? Meeting::face_vertex : Meeting::vertex_face,
+                share_of_vertex(model, other, g, -out));
     }
-    if (touch.points.empty()) return false;
-    touch.area = 0.01 * 0.5 * (mean_face_area(model, block1) + mean_face_area(model, block2));
-    touch.position = Vec3::Zero();
-    for (auto& point : touch.points) {
-        point.area = touch.area / static_cast<double>(touch.points.size());
-        touch.position += point.position / static_cast<double>(touch.points.size());
+
+    const auto flat = [&](Row from, Row to) {
+        const Vec3 d = x[to] - x[from];
+        return Vec2(d.dot(axes.u), d.dot(axes.v));
+    };
+    const auto cross = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); };
+    for (const auto& e : surfaces.edges(other)) {
+        const Vec2 along = flat(e.ends[0], e.ends[1]);
+        for (const auto& o : surfaces.edges(own)) {
+            if (o.faces[0] != face && o.faces[1] != face) continue; // of the outline
+            const Vec2 side = flat(o.ends[0], o.ends[1]), between = flat(e.ends[0], o.ends[0]);
+            const double crossed = cross(along, side);
+            if (std::abs(crossed) <= 1e-9 * along.norm() * side.norm()) continue;
+            const double t = cross(between, side) / crossed, s = cross(between, along) / crossed;
+            if (t < 0 || t > 1 || s < 0 || s > 1) continue;
+            add(on_edge(o.ends, s), on_edge(e.ends, t), Meeting::edge_edge,
+                std::min(share_of_edge(model, own, o.ends, out), share_of_edge(model, other, e.ends, -out)));
+        }
     }
-    touch.touch = touch.points.size() == 1 ? Touch::face_vertex : Touch::face_edge;
-    return true;
+    touch.touch = touch.points.size() == 1 && touch.points[0].meeting != Meeting::edge_edge ? Touch::face_vertex
+                                                                                          : Touch::face_edge;
+    return close_touch(touch);
 }
 
 /// Two edges that cross.
@@ -210,18 +262,18 @@ bool lay_edges(const Model& model, TouchGeometry& touch, const Separation& s, Ro
     const double t2 = (d1.dot(between) * b - d2.dot(between) * a) / determinant;
     if (t1 < -1e-9 || t1 > 1 + 1e-9 || t2 < -1e-9 || t2 > 1 + 1e-9) return false;
     TouchPoint point;
-    point.side1 = {{s.edge1[0], s.edge1[1], s.edge1[1]}, {1 - t1, t1, 0}};
-    point.side2 = {{s.edge2[0], s.edge2[1], s.edge2[1]}, {1 - t2, t2, 0}};
+    point.side1 = on_edge(s.edge1, t1);
+    point.side2 = on_edge(s.edge2, t2);
     const Vec3 x1 = x[s.edge1[0]] + t1 * d1, x2 = x[s.edge2[0]] + t2 * d2;
     point.position = 0.5 * (x1 + x2);
     point.gap = touch.normal.dot(x2 - x1);
     if (point.gap > margin) return false;
     point.meeting = Meeting::edge_edge;
-    point.area = touch.area = 0.01 * 0.5 * (mean_face_area(model, block1) + mean_face_area(model, block2));
-    touch.position = point.position;
+    point.area = std::min(share_of_edge(model, block1, s.edge1, touch.normal),
+                          share_of_edge(model, block2, s.edge2, -touch.normal));
     touch.touch = Touch::edge_edge;
     touch.points.push_back(point);
-    return true;
+    return close_touch(touch);
 }
 
 } // namespace
@@ -253,7 +305,7 @@ bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row bl
     const bool face_of_first = touch.reference == 1;
     const Row opposite = facing(model, surfaces, face_of_first ? block2 : block1,
                                 face_of_first ? Vec3(-touch.normal) : touch.normal, cosine);
-    if (cosine < cos_of_flat) return lay_vertices(model, touch, block1, block2, margin);
+    if (cosine < cos_of_flat) return lay_on_face(model, surfaces, touch, block1, block2, margin, tolerance);
     if (separation.width <= sliver) return false; // an edge or a corner beside another
     (face_of_first ? touch.face2 : touch.face1) = opposite;
     const bool rigid = !model.blocks.deformable[block1] && !model.blocks.deformable[block2];

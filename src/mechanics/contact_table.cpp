@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace kaya {
 
@@ -49,23 +51,33 @@ void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>
     }
 }
 
+/// Sub-contacts that the joint models must still be told of.
+struct Changes {
+    std::vector<char> fresh; ///< that were not there before
+    std::vector<char> moved; ///< with a normal displacement increment that they have not seen
+
+    explicit Changes(std::size_t rows) : fresh(rows, 0), moved(rows, 0) {}
+};
+
 /// Overlap of blocks that were made that way carries no force; overlap that motion has made since the
 /// last search is closed in one step.
-void start_sub_contacts(Model& model, JointRegistry& joints, const std::vector<char>& fresh, bool moving) {
+void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bool moving) {
     auto& s = model.sub_contacts;
-    std::vector<char> overlapping(s.size(), 0);
     for (std::size_t row = 0; row < s.size(); ++row) {
-        if (!fresh[row] || s.normal_displacement[row] >= 0) continue;
-        overlapping[row] = moving;
+        if (!changes.fresh[row] || s.normal_displacement[row] >= 0) continue;
+        changes.moved[row] = moving;
         s.normal_displacement_increment[row] = moving ? s.normal_displacement[row] : 0;
         s.normal_displacement[row] = 0;
     }
-    initialise_sub_contacts(model, joints, fresh);
-    if (!moving) return;
-    call_on_marked(model, joints, overlapping, run_batch);
+    const auto any = [](const std::vector<char>& marks) { return std::find(marks.begin(), marks.end(), 1) != marks.end(); };
+    if (any(changes.fresh)) initialise_sub_contacts(model, joints, changes.fresh);
+    if (!any(changes.moved)) return;
+    for (std::size_t row = 0; row < s.size(); ++row)
+        if (changes.moved[row]) s.shear_displacement_increment.set(row, Vec3::Zero());
+    call_on_marked(model, joints, changes.moved, run_batch);
     for (std::size_t row = 0; row < s.size(); ++row) {
-        if (!overlapping[row]) continue;
-        s.normal_displacement[row] = s.normal_displacement_increment[row];
+        if (!changes.moved[row]) continue;
+        s.normal_displacement[row] += s.normal_displacement_increment[row];
         s.normal_displacement_increment[row] = 0;
     }
 }
@@ -86,22 +98,101 @@ void write_contact(Model& model, Row c, const TouchGeometry& g) {
                                                 : 0;
 }
 
+/// A plane that has turned by more than this (25 degrees) is another touch: what pushed one way says nothing about
+/// the other.
+constexpr double cos_of_other_touch = 0.906;
+
+/// Gaps that differ by less than this part of a sub-contact's size are the same.
+constexpr double same_gap = 1e-9;
+
+/// Whether the same corner, or the same two edges, touch as before.
+bool same_features(const SubContacts& subs, Row s, const TouchPoint& point) {
+    if (subs.meeting[s] != point.meeting) return false;
+    const bool of_first = point.meeting == Meeting::vertex_face || point.meeting == Meeting::edge_edge;
+    const bool of_second = point.meeting == Meeting::face_vertex || point.meeting == Meeting::edge_edge;
+    return (!of_first || subs.side1[s].gridpoints == point.side1.gridpoints) &&
+           (!of_second || subs.side2[s].gridpoints == point.side2.gridpoints);
+}
+
 /// Writes a point to a row that holds what its old sub-contact had, or nothing.
-void write_sub_contact(SubContacts& subs, Row s, const TouchPoint& point, const Vec3& n, bool fresh) {
+void write_sub_contact(Model& model, Row s, const TouchPoint& point, const Vec3& n, bool fresh, bool flat,
+                       Changes& changes) {
+    auto& subs = model.sub_contacts;
+    double area = point.area;
     if (fresh) {
+        changes.fresh[s] = 1;
         subs.normal_displacement[s] = point.gap;
+        subs.normal_displacement_increment[s] = 0;
     } else {
         // Traction is handed on, not force: the new sub-contact owns another area.
-        const double scale = subs.area[s] > 0 ? point.area / subs.area[s] : 0;
+        // A corner or edge keeps the share that it had while it is loaded: if its spring changed as the block
+        // turns, pushing it in and letting it out would not be the same work.
+        if (!flat && subs.normal_force[s] > 0 && same_features(subs, s, point)) area = subs.area[s];
+        const double scale = subs.area[s] > 0 ? area / subs.area[s] : 0;
         subs.normal_force[s] *= scale;
         const Vec3 shear = subs.shear_force[s];
         subs.shear_force.set(s, scale * (shear - shear.dot(n) * n));
+        // The joint is opener or closer here than where the old one was: its law is told.
+        const double old_gap =
+            n.dot(attached_position(model, subs.side2[s]) - attached_position(model, subs.side1[s]));
+        const double more = point.gap - old_gap;
+        if (std::abs(more) > same_gap * std::sqrt(area)) {
+            changes.moved[s] = 1;
+            subs.normal_displacement_increment[s] = more;
+        }
     }
     subs.meeting[s] = point.meeting;
     subs.side1[s] = point.side1;
     subs.side2[s] = point.side2;
     subs.position.set(s, point.position);
-    subs.area[s] = point.area;
+    subs.area[s] = area;
+}
+
+/// What a sub-contact holds that has seen nothing yet.
+void clear_sub_contact(SubContacts& subs, Row s) {
+    subs.normal_force[s] = subs.normal_displacement[s] = subs.frictional_work[s] = 0;
+    subs.shear_force.set(s, Vec3::Zero());
+    subs.shear_displacement.set(s, Vec3::Zero());
+    subs.state[s] = 0;
+    for (auto& column : subs.history) column[s] = 0;
+}
+
+/// What passes through a contact.
+struct Load {
+    double normal = 0, shear = 0; ///< sums of the sizes of its sub-contacts' forces
+
+    Load(const Model& model, Row c) {
+        const auto& subs = model.sub_contacts;
+        const Span span = model.contacts.sub_contacts[c];
+        for (Row s = span.first; s < span.end(); ++s) {
+            normal += std::abs(subs.normal_force[s]);
+            shear += subs.shear_force[s].norm();
+        }
+    }
+};
+
+/// New geometry must not make energy: it may move the force of a contact from point to point or take some away, but
+/// not raise it. What overlaps more than the force says stays so until it opens.
+void keep_load(Model& model, Row c, const Load& before) {
+    const Load after(model, c);
+    const auto part = [](double old_load, double new_load) { return new_load > old_load ? old_load / new_load : 1.0; };
+    const double normal = part(before.normal, after.normal), shear = part(before.shear, after.shear);
+    if (normal == 1 && shear == 1) return;
+    auto& subs = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[c];
+    for (Row s = span.first; s < span.end(); ++s) {
+        subs.normal_force[s] *= normal;
+        subs.shear_force.set(s, shear * subs.shear_force[s]);
+    }
+}
+
+/// The loads of contacts that get new geometry, by row of the draft.
+std::vector<std::pair<Row, Load>> loads_of(const Model& model, const std::vector<ContactDraft>& drafts) {
+    std::vector<std::pair<Row, Load>> loads;
+    for (std::size_t c = 0; c < drafts.size(); ++c)
+        if (drafts[c].old != no_row && drafts[c].kind == DraftKind::new_geometry)
+            loads.emplace_back(static_cast<Row>(c), Load(model, drafts[c].old));
+    return loads;
 }
 
 /// Whether every row of the tables keeps its place and every point is nearest to the sub-contact of its own row.
@@ -113,6 +204,7 @@ bool keeps_places(const Model& model, const std::vector<ContactDraft>& drafts) {
         if (draft.old != static_cast<Row>(c)) return false;
         if (draft.kind == DraftKind::as_it_was) continue;
         const Span span = contacts.sub_contacts[c];
+        if (draft.geometry.normal.dot(contacts.normal[c]) < cos_of_other_touch) return false;
         if (static_cast<Row>(draft.geometry.points.size()) != span.count) return false;
         for (Row i = 0; i < span.count; ++i)
             if (nearest(model.sub_contacts, span, draft.geometry.points[i].position) != span.first + i) return false;
@@ -120,7 +212,7 @@ bool keeps_places(const Model& model, const std::vector<ContactDraft>& drafts) {
     return true;
 }
 
-void refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts) {
+void refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Changes& changes) {
     auto& blocks = model.blocks;
     for (std::size_t c = 0; c < drafts.size(); ++c) {
         if (drafts[c].kind == DraftKind::as_it_was) continue;
@@ -128,7 +220,7 @@ void refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts) {
         write_contact(model, static_cast<Row>(c), g);
         const Span span = model.contacts.sub_contacts[c];
         for (Row i = 0; i < span.count; ++i)
-            write_sub_contact(model.sub_contacts, span.first + i, g.points[i], g.normal, false);
+            write_sub_contact(model, span.first + i, g.points[i], g.normal, false, g.touch == Touch::face_face, changes);
         // Weights of gridpoints are in the lists.
         if (blocks.deformable[drafts[c].block1] || blocks.deformable[drafts[c].block2]) model.lists_changed = true;
     }
@@ -142,8 +234,12 @@ void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vec
 
 ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
                                bool moving) {
+    const auto loads = loads_of(model, drafts);
     if (keeps_places(model, drafts)) {
-        refresh_in_place(model, drafts);
+        Changes changes(model.sub_contacts.size());
+        refresh_in_place(model, drafts, changes);
+        tell_joint_models(model, joints, changes, moving);
+        for (const auto& [row, load] : loads) keep_load(model, row, load);
         return ContactChange::refreshed;
     }
     auto& contacts = model.contacts;
@@ -176,7 +272,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     contacts.gather(contact_source);
     subs.gather(sub_source);
 
-    std::vector<char> fresh(subs.size(), 0);
+    Changes changes(subs.size());
     for (std::size_t c = 0; c < drafts.size(); ++c) {
         const auto& draft = drafts[c];
         const Row row = static_cast<Row>(c);
@@ -194,6 +290,8 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
             contacts.ids.move(contacts.id[c], row);
         }
         const bool is_new = draft.kind == DraftKind::new_geometry;
+        const bool other_touch = is_new && draft.old != no_row &&
+                                 draft.geometry.normal.dot(contacts.normal[c]) < cos_of_other_touch;
         if (is_new) write_contact(model, row, draft.geometry);
         for (Row i = 0; i < spans[c].count; ++i) {
             const Row s = spans[c].first + i;
@@ -207,8 +305,9 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
                 subs.number[s] = model.next_sub_contact_number++;
             }
             if (!is_new) continue;
-            fresh[s] = source == blank_sub;
-            write_sub_contact(subs, s, draft.geometry.points[i], draft.geometry.normal, fresh[s]);
+            if (other_touch) clear_sub_contact(subs, s);
+            write_sub_contact(model, s, draft.geometry.points[i], draft.geometry.normal,
+                              other_touch || source == blank_sub, draft.geometry.touch == Touch::face_face, changes);
         }
     }
     for (std::size_t c = 0; c < contact_kept.size(); ++c)
@@ -216,7 +315,8 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     for (std::size_t s = 0; s < sub_kept.size(); ++s)
         if (!sub_kept[s]) subs.ids.destroy(old_sub_ids[s]);
 
-    start_sub_contacts(model, joints, fresh, moving);
+    tell_joint_models(model, joints, changes, moving);
+    for (const auto& [row, load] : loads) keep_load(model, row, load);
     model.lists_changed = true;
     return ContactChange::replaced;
 }

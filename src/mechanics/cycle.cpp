@@ -107,6 +107,7 @@ void Cycle::prepare() {
     }
     if (model_.lists_changed || model_.properties_changed) {
         make_lists();
+        s.search = ContactSearch{}; // blocks may be others now
         model_.lists_changed = false;
     }
     if (model_.properties_changed) {

@@ -28,44 +28,27 @@ Support support(const Model& model, Row block, const Vec3& axis) {
     return s;
 }
 
-/// An edge between two faces of a block.
-struct Edge {
+/// The arc between the normals of the faces at an edge.
+struct Arc {
+    Vec3 from, to, axis; ///< axis is the cross product of the ends
     std::array<Row, 2> ends;
-    std::array<Row, 2> faces;
 };
 
-/// Edges between faces of a block (not those between triangles of one face), each once.
-void edges_of(const Model& model, Row block, std::vector<Edge>& edges) {
-    struct Side {
-        std::array<Row, 2> ends;
-        Row face;
-    };
-    static thread_local std::vector<Side> sides;
-    sides.clear();
-    for (Row f = model.blocks.faces[block].first; f < model.blocks.faces[block].end(); ++f) {
-        const Span span = model.faces.triangles[f];
-        for (Row t = span.first; t < span.end(); ++t)
-            for (int k = 0; k < 3; ++k) {
-                const auto& g = model.triangles.gridpoints[t];
-                sides.push_back({{std::min(g[k], g[(k + 1) % 3]), std::max(g[k], g[(k + 1) % 3])}, f});
-            }
+void arcs_of(const Surfaces& surfaces, Row block, double sense, std::vector<Arc>& arcs) {
+    arcs.clear();
+    for (const auto& e : surfaces.edges(block)) {
+        const Vec3 a = sense * surfaces.normal(e.faces[0]), b = sense * surfaces.normal(e.faces[1]);
+        arcs.push_back({a, b, b.cross(a), e.ends});
     }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-        return a.ends != b.ends ? a.ends < b.ends : a.face < b.face;
-    });
-    edges.clear();
-    for (std::size_t i = 0; i + 1 < sides.size(); ++i)
-        if (sides[i].ends == sides[i + 1].ends && sides[i].face != sides[i + 1].face)
-            edges.push_back({sides[i].ends, {sides[i].face, sides[i + 1].face}});
 }
 
-/// Whether the arcs between the normals of the faces at two edges cross: only then do the edges make a face of the
-/// Minkowski difference.
-bool arcs_cross(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-    // c and d belong to the other block and look the other way.
-    const Vec3 ba = b.cross(a), dc = d.cross(c);
-    const double cba = -c.dot(ba), dba = -d.dot(ba), adc = a.dot(dc), bdc = b.dot(dc);
-    return cba * dba < 0 && adc * bdc < 0 && cba * bdc > 0;
+/// Only where arcs cross do the edges make a face of the Minkowski difference. The second block's normals are turned
+/// round.
+bool cross(const Arc& one, const Arc& two) {
+    const double from = two.from.dot(one.axis), to = two.to.dot(one.axis);
+    if (from * to >= 0) return false;
+    const double first = one.from.dot(two.axis), last = one.to.dot(two.axis);
+    return first * last < 0 && from * last > 0;
 }
 
 /// Whether a face of a block looks along a direction, or nearly so.
@@ -138,15 +121,14 @@ Separation find_separation(const Model& model, const Surfaces& surfaces, Row blo
                              : faces_along(model, surfaces, block2, -best.normal, parallel))
         return best;
 
-    static thread_local std::vector<Edge> edges1, edges2;
-    edges_of(model, block1, edges1);
-    edges_of(model, block2, edges2);
+    static thread_local std::vector<Arc> arcs1, arcs2;
+    arcs_of(surfaces, block1, 1, arcs1);
+    arcs_of(surfaces, block2, -1, arcs2);
     const auto& x = model.gridpoints.position;
-    for (const auto& e1 : edges1) {
-        const Vec3 &a = surfaces.normal(e1.faces[0]), &b = surfaces.normal(e1.faces[1]);
+    for (const auto& e1 : arcs1) {
         const Vec3 d1 = x[e1.ends[1]] - x[e1.ends[0]];
-        for (const auto& e2 : edges2) {
-            if (!arcs_cross(a, b, surfaces.normal(e2.faces[0]), surfaces.normal(e2.faces[1]))) continue;
+        for (const auto& e2 : arcs2) {
+            if (!cross(e1, e2)) continue;
             const Vec3 d2 = x[e2.ends[1]] - x[e2.ends[0]];
             Vec3 axis = d1.cross(d2);
             const double length = axis.norm();

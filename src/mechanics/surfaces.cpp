@@ -22,9 +22,21 @@ Vec3 current_normal(const Model& model, Row face) {
 
 void Surfaces::update(const Model& model, const std::vector<Row>& blocks) {
     planes_.resize(model.faces.size());
+    edges_.resize(model.blocks.size());
     for_chunks(blocks.size(), 64, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            const Span faces = model.blocks.faces[blocks[i]], vertices = model.blocks.gridpoints[blocks[i]];
+            const Row block = blocks[i];
+            const Span faces = model.blocks.faces[block], vertices = model.blocks.gridpoints[block];
+            const Span triangles = model.blocks.triangles[block];
+            EdgeList& edges = edges_[block];
+            if (edges.block != model.blocks.id[block] || edges.gridpoints != vertices || edges.faces != faces ||
+                edges.triangles != triangles) {
+                edges_of(model, block, edges.list);
+                edges.block = model.blocks.id[block];
+                edges.gridpoints = vertices;
+                edges.faces = faces;
+                edges.triangles = triangles;
+            }
             for (Row f = faces.first; f < faces.end(); ++f) {
                 Plane& plane = planes_[f];
                 plane.normal = current_normal(model, f);

@@ -1,6 +1,7 @@
-// Planes of the faces of blocks as they are now.
+// Planes of the faces of blocks as they are now, and their edges.
 #pragma once
 
+#include "mechanics/edges.hpp"
 #include "model/model.hpp"
 
 #include <vector>
@@ -18,13 +19,21 @@ public:
     const Vec3& normal(Row face) const { return planes_[face].normal; }
     /// How far the block reaches along the normal: x . normal of its outermost vertex; infinite for a lost face.
     double reach(Row face) const { return planes_[face].reach; }
+    const std::vector<Edge>& edges(Row block) const { return edges_[block].list; }
 
 private:
+    /// The edges of a block, and by what is known that they are still these.
+    struct EdgeList {
+        BlockId block;
+        Span gridpoints, faces, triangles;
+        std::vector<Edge> list;
+    };
     struct Plane {
         Vec3 normal;
         double reach;
     };
     std::vector<Plane> planes_;
+    std::vector<EdgeList> edges_;
 };
 
 } // namespace kaya

@@ -17,6 +17,7 @@ struct Span {
     Row first = 0;
     Row count = 0;
     Row end() const { return first + count; }
+    bool operator==(const Span&) const = default;
 };
 
 /// Bits of Blocks::fixed and Gridpoints::fixed: a component whose velocity is prescribed.
