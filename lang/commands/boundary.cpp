@@ -222,6 +222,43 @@ CommandSpec table() {
     return entry;
 }
 
+CommandSpec water() {
+    Entry<WaterCommand> entry({"water"});
+    entry.help("water pressure in the joints: below a table, or linear in space");
+    entry.place(&WaterCommand::place);
+    const auto origin = vector("x y z").unit("length");
+    entry.special({"table"}, {origin.spec},
+                  [=](Reader& reader, WaterCommand& w) {
+                      w.kind = "table";
+                      w.origin = reader.vector(origin.spec);
+                  },
+                  "hydrostatic pressure below a plane through this point; it follows gravity");
+    entry.keyword({"normal"}, vector("nx ny nz"), &WaterCommand::normal, "upward normal of the table; 0 0 1 if not given");
+    entry.keyword({"density"}, real("d").unit("density").above(0), &WaterCommand::density,
+                  "density of the water; 1000 if not given");
+    const auto pressure = real("p").unit("stress");
+    entry.special({"pressure", "pp"}, {pressure.spec},
+                  [=](Reader& reader, WaterCommand& w) {
+                      w.kind = "pressure";
+                      w.pressure = reader.real(pressure.spec);
+                  },
+                  "pressure at the origin of coordinates; where it would be negative it is 0");
+    entry.keyword({"gradient"}, vector("gx gy gz").unit("stress/length"), &WaterCommand::gradient,
+                  "change of the pressure with x, y and z");
+    entry.action({"off"}, [](WaterCommand& w) { w.kind = "off"; }, "no water any more");
+    entry.finish([](const Reader& reader, WaterCommand& w) {
+        if (w.kind.empty())
+            incomplete_line(reader, "water does not say where it is", "expected: table, pressure or off");
+    });
+    entry.right("water table 0 0 10").right("water table 0 0 10 normal 0.1 0 1 density 1025");
+    entry.right("water pressure 5e3").right("water pp 1e5 gradient 0 0 -1e4").right("water off");
+    entry.wrong("water", "water does not say where it is");
+    entry.wrong("water table 0 0", "a number is missing after '0'");
+    entry.wrong("water tabel 0 0 1", "'tabel' is not a keyword of water");
+    entry.wrong("water density 1000", "water does not say where it is");
+    return entry;
+}
+
 } // namespace
 
 Family boundary() {
@@ -256,6 +293,7 @@ Family boundary() {
                     .wrong("gravity 0 0 -9.81 1", "'1' is left over at the end of the line"),
                 initialize(),
                 table(),
+                water(),
             }};
 }
 

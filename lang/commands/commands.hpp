@@ -33,6 +33,7 @@ struct Set {
     std::optional<std::int64_t> default_joint_constitutive; ///< jcondf
     std::optional<std::int64_t> default_joint_material;     ///< jmatdf
     std::optional<double> time_step_fraction; ///< fraction
+    std::optional<double> time_step;          ///< dt; 0: computed
     std::optional<std::int64_t> threads;
     std::optional<bool> echo;
     std::vector<std::string> accepted; ///< words that have no effect here (pagination, ...)
@@ -178,6 +179,13 @@ struct TableCommand {
     bool clear = false;
     Place place;
 };
+/// water table x y z [normal ..] [density d] | water pressure p [gradient ..] | water off
+struct WaterCommand {
+    std::string kind;
+    Vec3 origin = Vec3::Zero(), normal = Vec3(0, 0, 1), gradient = Vec3::Zero();
+    double density = 1000, pressure = 0;
+    Place place;
+};
 struct Reset { std::vector<std::string> what; }; ///< time hist disp vel jdisp energy damp
 
 // --- histories and output --------------------------------------------------------------------------
@@ -209,15 +217,17 @@ struct Ignored { std::string word; }; ///< plot, movie, ...: read to its end
 // --- solution ---------------------------------------------------------------------------------------
 struct CycleCommand { std::optional<std::int64_t> cycles; std::optional<double> time; };
 struct Solve {
-    std::optional<double> ratio, force, time, clock; ///< clock in minutes
+    std::optional<double> ratio, maximum_ratio, local_ratio; ///< ratio: the average one
+    std::optional<double> force, time, clock;                ///< clock in minutes
     std::optional<std::int64_t> cycles;
     bool elastic = false;
 };
 struct Damp {
-    std::string kind; ///< auto (=global), local, global, combined, rayleigh, none
+    std::string kind; ///< auto (=global), local, global, combined, rayleigh, none; empty: as it was
     std::optional<double> value;         ///< local 0.8
     double fraction = 0, frequency = 0;  ///< rayleigh
     bool mass = true, stiffness = true;
+    std::optional<double> contact;       ///< dashpots of contacts, of critical damping
 };
 struct MassScale { bool on = true; std::optional<double> value; };
 struct Fraction { double value = 0; };

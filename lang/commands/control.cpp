@@ -10,7 +10,7 @@ namespace {
 CommandSpec set() {
     Entry<Set> entry({"set"});
     entry.help("changes settings; several may stand on one line");
-    entry.keyword({"dynamic"}, on_off(), &Set::dynamic, "true masses and times instead of a static search");
+    entry.keyword({"dynamic"}, on_off(), &Set::dynamic, "on: no damping unless damp asks for it; off: static, local damping of 0.8");
     entry.keyword({"log"}, on_off(), &Set::log, "writes what is shown into the log file as well");
     entry.keyword({"logfile"}, text("file"), &Set::log_file, "name of the log file");
     entry.keyword({"jcondf"}, integer("n").at_least(1), &Set::default_joint_constitutive,
@@ -19,6 +19,8 @@ CommandSpec set() {
                   "joint material number of contacts that are made from now on");
     entry.keyword({"fraction"}, real("f").above(0).at_most(1), &Set::time_step_fraction,
                   "time step as a part of the largest stable one");
+    entry.keyword({"dt", "timestep"}, real("t").unit("time").at_least(0), &Set::time_step,
+                  "time step; 0: a part of the largest stable one again");
     entry.keyword({"threads"}, integer("n").at_least(1), &Set::threads, "number of threads");
     entry.keyword({"echo"}, on_off(), &Set::echo, "shows the commands while they run");
     for (const char* word :
@@ -49,6 +51,7 @@ CommandSpec set() {
         .right("set jcondf 1 jmatdf 2")
         .right("set log on logfile run.log")
         .right("set @load = 5e6");
+    entry.right("set dt 1e-5");
     entry.right("set pagination off").right("set atol 1e-4 echo off");
     entry.wrong("set", "set does not say what to set");
     entry.wrong("set dyn maybe", "'maybe' stands where on or off must be");

@@ -18,6 +18,14 @@ const std::vector<Recorded>& recorded() {
         {{"unbal", "unbalanced"}, false, "largest unbalanced force"},
         {{"time"}, false, "time"},
         {{"damp", "damping"}, false, "adaptive damping coefficient"},
+        {{"ekinetic"}, false, "kinetic energy"},
+        {{"egravity"}, false, "work of gravity on the blocks"},
+        {{"eboundary"}, false, "work of loads, prescribed velocities and water on the blocks"},
+        {{"edamped"}, false, "energy taken out by damping and dashpots"},
+        {{"ejoint"}, false, "work put into joints: stored or lost"},
+        {{"efriction"}, false, "of it, lost in slip and breaking"},
+        {{"ezone"}, false, "work put into zones"},
+        {{"eerror"}, false, "what the account of energy does not explain"},
         {{"xdis", "xdisplacement"}, true, "displacement in x of the nearest gridpoint"},
         {{"ydis", "ydisplacement"}, true, "displacement in y of the nearest gridpoint"},
         {{"zdis", "zdisplacement"}, true, "displacement in z of the nearest gridpoint"},
@@ -68,6 +76,7 @@ CommandSpec history_add() {
             incomplete_line(reader, "history does not say what to record", "write for example: hist unbal");
     });
     entry.right("hist unbal ncyc 5").right("hist @sstav @nstav").right("hist sdis -1 -1 0 ndis -1 -1 0");
+    entry.right("hist ekinetic eerror");
     entry.right("hist zdisp 0 0 0.1")
         .right("his xvel (0,0,1)")
         .right("hist szz 0 0 0.1")

@@ -22,13 +22,29 @@ CommandSpec damp() {
                   },
                   "a force against the motion, a part of the unbalanced force; 0.8 if not given");
     entry.action({"global"}, kind("global"), "viscous damping that follows the kinetic energy");
-    entry.action({"combined"}, kind("combined"), "local damping for motion that is mostly one way");
+    entry.special({"combined"}, {real("factor").at_least(0).at_most(1).optional().spec},
+                  [](Reader& reader, Damp& d) {
+                      d.kind = "combined";
+                      if (reader.at_number())
+                          d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
+                  },
+                  "local damping for motion that is mostly one way; 0.8 if not given");
     entry.action({"none", "off"}, kind("none"), "no damping");
     entry.action({"mass"}, [](Damp& d) { d.stiffness = false; }, "of Rayleigh damping: only the mass part");
     entry.action(
         {"stiffness"}, [](Damp& d) { d.mass = false; }, "of Rayleigh damping: only the stiffness part");
+    entry.keyword({"contact"}, real("fraction").at_least(0).below(1), &Damp::contact,
+                  "a dashpot at every contact, of that part of critical damping, besides what else damps; 0 takes it "
+                  "away");
     const auto fraction = real("fraction").at_least(0);
-    const auto frequency = real("frequency").unit("1/time").above(0);
+    const auto frequency = real("frequency").unit("1/time").at_least(0);
+    entry.special({"rayleigh"}, {fraction.spec, frequency.spec},
+                  [=](Reader& reader, Damp& d) {
+                      d.kind = "rayleigh";
+                      d.fraction = reader.real(fraction.spec);
+                      d.frequency = reader.real(frequency.spec);
+                  },
+                  "the same as fraction and frequency alone");
     entry.otherwise({fraction.spec, frequency.spec}, [=](Reader& reader, Damp& d) {
         if (!reader.at_number() || !d.kind.empty()) return false;
         d.kind = "rayleigh";
@@ -37,9 +53,12 @@ CommandSpec damp() {
         return true;
     });
     entry.finish([](const Reader& reader, Damp& d) {
-        if (d.kind.empty())
+        if (d.kind.empty() && !d.contact)
             incomplete_line(reader, "damp does not say how to damp",
-                            "expected: auto, local, global, combined, none, or fraction and frequency");
+                            "expected: auto, local, global, combined, contact, none, or fraction and frequency");
+        if (d.fraction > 0 && d.frequency == 0 && !reader.wildcards())
+            incomplete_line(reader, "a part of critical damping needs a frequency above 0",
+                            "write for example: damp 0.05 1.5");
         if (!d.mass && !d.stiffness)
             incomplete_line(reader, "mass and stiff leave no part of the damping",
                             "give one of them, or none for both");
@@ -51,9 +70,15 @@ CommandSpec damp() {
         .right("damp local")
         .right("DAMP LOCAL 0.8")
         .right("damp 0.05 1.5 mass")
+        .right("damp 0.02 10")
+        .right("damp 0 0")
+        .right("damp combined 0.8")
+        .right("damp none contact 0.1")
         .right("damp none");
     entry.wrong("damp", "damp does not say how to damp");
     entry.wrong("damp 0.05", "a number is missing after '0.05'");
+    entry.wrong("damp 0.05 0", "a part of critical damping needs a frequency above 0");
+    entry.wrong("damp contact 1", "contact must be less than 1, not 1");
     entry.wrong("damp local 2", "factor must be at most 1, not 2");
     entry.wrong("damp locla", "'locla' is not a keyword of damp");
     entry.wrong("damp local mass", "mass and stiff belong to damping by fraction and frequency");
@@ -82,8 +107,12 @@ CommandSpec cycle() {
 CommandSpec solve() {
     return Entry<Solve>({"solve"})
         .help("cycles until the model is at rest or a limit is reached, whichever comes first")
-        .keyword({"ratio"}, real("r").above(0), &Solve::ratio,
+        .keyword({"ratio", "ratio-average"}, real("r").above(0), &Solve::ratio,
                  "unbalanced over average force; 1e-5 if no limit is given")
+        .keyword({"ratio-maximum", "maximum"}, real("r").above(0), &Solve::maximum_ratio,
+                 "largest unbalanced over average force")
+        .keyword({"ratio-local", "local"}, real("r").above(0), &Solve::local_ratio,
+                 "largest ratio of unbalanced to acting force of one body")
         .keyword({"force"}, real("f").unit("force").at_least(0), &Solve::force, "largest unbalanced force")
         .keyword({"cycles"}, integer("n").at_least(1), &Solve::cycles, "number of cycles")
         .keyword({"time"}, real("t").unit("time").above(0), &Solve::time, "time to be covered")
@@ -94,6 +123,7 @@ CommandSpec solve() {
         .right("solve")
         .right("solve ratio 1e-6 cyc 5000")
         .right("solve elastic force 1e3")
+        .right("solve ratio-local 1e-4 time 2 clock 10")
         .wrong("solve raito 1e-5", "'raito' is not a keyword of solve")
         .wrong("solve ratio", "a number is missing after 'ratio'")
         .wrong("solve ratio 0", "ratio must be greater than 0, not 0")

@@ -32,6 +32,37 @@ constexpr std::array<ConfigEntry, 10> config_words{{
     {"creep", ConfigEntry::Effect::missing},
 }};
 
+/// Dynamic runs start without damping, static ones with the default; what `damp` has asked for stays.
+void set_dynamic(Session& session, bool on) {
+    auto& settings = session.model.settings;
+    if (on == settings.dynamic) return;
+    settings.dynamic = on;
+    const Settings fresh;
+    const bool is_default = settings.damping == fresh.damping && settings.local_factor == fresh.local_factor;
+    if (on && is_default) settings.damping = Damping::none;
+    if (!on && settings.damping == Damping::none) {
+        settings.damping = fresh.damping;
+        settings.local_factor = fresh.local_factor;
+    }
+}
+
+/// A step that is too long for the model of now is refused now; later ones are checked as the model changes.
+void give_time_step(Session& session, double step) {
+    auto& model = session.model;
+    const double before = model.settings.given_time_step;
+    model.settings.given_time_step = step;
+    if (!model.blocks.empty() && model.clock.time_step > 0 && !model.properties_changed && !model.structure_changed) {
+        try {
+            model.properties_changed = true;
+            session.cycle->prepare();
+        } catch (...) {
+            model.settings.given_time_step = before;
+            throw;
+        }
+    }
+    model.properties_changed = true;
+}
+
 } // namespace
 
 void run(Session& session, const lang::New&) { session.clear(); }
@@ -48,7 +79,7 @@ void run(Session& session, const lang::Config& command) {
                              near.empty() ? fmt::format("options are: {}", fmt::join(known, ", "))
                                           : fmt::format("did you mean '{}'?", near));
         }
-        if (found->effect == ConfigEntry::Effect::dynamic) session.model.settings.dynamic = true;
+        if (found->effect == ConfigEntry::Effect::dynamic) set_dynamic(session, true);
         if (found->effect == ConfigEntry::Effect::missing)
             session.warn(
                 Diagnostic(fmt::format("'config {}' asks for something that kaya does not have", found->word),
@@ -77,11 +108,12 @@ void run(Session& session, const lang::Set& command) {
     }
     if (command.default_joint_material)
         settings.default_joint_material = static_cast<std::int32_t>(*command.default_joint_material);
-    if (command.dynamic) settings.dynamic = *command.dynamic;
+    if (command.dynamic) set_dynamic(session, *command.dynamic);
     if (command.time_step_fraction) {
         settings.time_step_fraction = *command.time_step_fraction;
         session.model.properties_changed = true;
     }
+    if (command.time_step) give_time_step(session, *command.time_step);
     if (command.threads) set_threads(static_cast<int>(std::max<std::int64_t>(1, *command.threads)));
     if (command.echo) session.options.echo = *command.echo;
     if (command.log_file) {

@@ -66,6 +66,7 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::Reset>(session, handlers, InCycle::waits);
 
     add<lang::TableCommand>(session, handlers, InCycle::runs);
+    add<lang::WaterCommand>(session, handlers, InCycle::waits);
 
     add<lang::HistoryAdd>(session, handlers, InCycle::waits);
     add<lang::HistoryLabel>(session, handlers, InCycle::runs);

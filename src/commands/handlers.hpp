@@ -53,6 +53,9 @@ void run(Session&, const lang::Reset&);
 // tables.cpp
 void run(Session&, const lang::TableCommand&);
 
+// water.cpp
+void run(Session&, const lang::WaterCommand&);
+
 // histories.cpp
 void run(Session&, const lang::HistoryAdd&);
 void run(Session&, const lang::HistoryLabel&);

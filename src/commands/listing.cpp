@@ -201,6 +201,9 @@ std::string list_settings(Session& session, const lang::List&) {
     table.add({"local factor", number_text(s.local_factor)});
     table.add({"rayleigh fraction", number_text(s.rayleigh_fraction)});
     table.add({"rayleigh frequency", number_text(s.rayleigh_frequency)});
+    table.add({"rayleigh parts", fmt::format("{}{}", s.rayleigh_mass ? "mass " : "",
+                                             s.rayleigh_stiffness ? "stiffness" : "")});
+    table.add({"contact dashpots", number_text(s.contact_damping)});
     table.add({"time step fraction", number_text(s.time_step_fraction)});
     table.add({"dynamic", yes(s.dynamic)});
     table.add({"large strain", yes(s.large_strain)});

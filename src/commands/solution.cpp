@@ -4,6 +4,9 @@
 #include "commands/progress.hpp"
 #include "commands/tables.hpp"
 
+#include "mechanics/dashpots.hpp"
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -16,7 +19,7 @@ namespace {
 struct Limits {
     std::optional<std::int64_t> cycles; ///< from now on
     std::optional<double> time;         ///< from now on
-    std::optional<double> ratio, force;
+    std::optional<double> ratio, maximum_ratio, local_ratio, force;
     std::optional<double> clock; ///< seconds
 };
 
@@ -62,8 +65,16 @@ void advance(Session& session) {
 
 /// Why the run stops here; empty when it goes on.
 std::string reached(const Limits& limits, const Clock& start, const Clock& now, double seconds) {
-    if (limits.ratio && now.cycle > start.cycle && now.average_ratio <= *limits.ratio)
-        return fmt::format("the ratio {:.3e} is not above {}", now.average_ratio, number_text(*limits.ratio));
+    struct Ratio {
+        const char* name;
+        const std::optional<double>& limit;
+        double now;
+    };
+    for (const Ratio& ratio : {Ratio{"ratio", limits.ratio, now.average_ratio},
+                               Ratio{"maximum ratio", limits.maximum_ratio, now.maximum_ratio},
+                               Ratio{"local ratio", limits.local_ratio, now.local_ratio}})
+        if (ratio.limit && now.cycle > start.cycle && ratio.now <= *ratio.limit)
+            return fmt::format("the {} {:.3e} is not above {}", ratio.name, ratio.now, number_text(*ratio.limit));
     if (limits.force && now.cycle > start.cycle && now.unbalanced_force <= *limits.force)
         return fmt::format("the unbalanced force {} is not above {}", number_text(now.unbalanced_force),
                            number_text(*limits.force));
@@ -149,6 +160,20 @@ constexpr std::array<DampingEntry, 6> dampings{{
     {"none", Damping::none},
 }};
 
+void set_damping(Settings& settings, const lang::Damp& command) {
+    const auto found = std::ranges::find(dampings, std::string_view(command.kind), &DampingEntry::word);
+    if (found == dampings.end()) throw std::logic_error("damp: no entry for '" + command.kind + "'");
+    settings.damping = found->damping;
+    if (found->damping == Damping::local || found->damping == Damping::combined)
+        settings.local_factor = command.value.value_or(0.8);
+    if (found->damping == Damping::global && command.value) settings.global_ratio = *command.value;
+    if (found->damping != Damping::rayleigh) return;
+    settings.rayleigh_fraction = command.fraction;
+    settings.rayleigh_frequency = command.frequency;
+    settings.rayleigh_mass = command.mass;
+    settings.rayleigh_stiffness = command.stiffness;
+}
+
 } // namespace
 
 void run(Session& session, const lang::CycleCommand& command) {
@@ -159,10 +184,11 @@ void run(Session& session, const lang::CycleCommand& command) {
 }
 
 void run(Session& session, const lang::Solve& command) {
-    Limits limits{command.cycles, command.time, command.ratio, command.force, {}};
+    Limits limits{command.cycles, command.time, command.ratio, command.maximum_ratio, command.local_ratio,
+                  command.force, {}};
     if (command.clock) limits.clock = *command.clock * 60;
     // Equilibrium is what `solve` looks for unless a limit says what else to wait for.
-    if (!command.ratio && !command.force && !command.time) limits.ratio = 1e-5;
+    if (!command.ratio && !command.maximum_ratio && !command.local_ratio && !command.force && !command.time) limits.ratio = 1e-5;
     if (command.elastic) {
         session.cycle->prepare(); // contacts must have their properties before these can be made strong
         const ElasticJoints strong(session);
@@ -176,23 +202,18 @@ void run(Session& session, const lang::Solve& command) {
 }
 
 void run(Session& session, const lang::Damp& command) {
-    const auto found = std::ranges::find(dampings, std::string_view(command.kind), &DampingEntry::word);
-    if (found == dampings.end()) throw std::logic_error("damp: no entry for '" + command.kind + "'");
-    auto& settings = session.model.settings;
-    if (found->damping == Damping::rayleigh && command.stiffness)
-        throw Diagnostic(command.mass ? "of Rayleigh damping only the part of the mass is there yet"
-                                      : "the stiffness part of Rayleigh damping is not there yet",
-                         "add `mass` to damp by the mass alone");
-    if (found->damping == Damping::combined)
-        session.warn(Diagnostic("combined damping is not there yet", "local damping is used in its place"));
-    settings.damping = found->damping;
-    if (found->damping == Damping::local || found->damping == Damping::combined)
-        settings.local_factor = command.value.value_or(0.8);
-    if (found->damping == Damping::global && command.value) settings.global_ratio = *command.value;
-    if (found->damping == Damping::rayleigh) {
-        settings.rayleigh_fraction = command.fraction;
-        settings.rayleigh_frequency = command.frequency;
-    }
+    auto& model = session.model;
+    auto& settings = model.settings;
+    const auto stiff_part = [&] { return std::pair(stiffness_damping(settings), settings.contact_damping); };
+    const auto before = stiff_part();
+    if (command.contact) settings.contact_damping = *command.contact;
+    if (!command.kind.empty()) set_damping(settings, command);
+    if (stiff_part() == before) return;
+    model.properties_changed = true; // the stable step is another
+    if (joints_are_damped(settings)) return;
+    std::ranges::fill(model.sub_contacts.dashpot_normal, 0.0);
+    for (auto& column : model.sub_contacts.dashpot_shear.component) std::ranges::fill(column, 0.0);
+    std::ranges::fill(model.zones.dashpot, Stress::Zero());
 }
 
 void run(Session& session, const lang::MassScale& command) {

@@ -1,5 +1,6 @@
 #include "base/diagnostic.hpp"
 #include "base/reduce.hpp"
+#include "mechanics/dashpots.hpp"
 #include "model/lanes.hpp"
 #include "mechanics/phases.hpp"
 
@@ -18,13 +19,19 @@ void sum_contact(const Model& model, Row c, JointForces& forces) {
     const Span span = contacts.sub_contacts[c];
     const bool deformable =
         model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]];
+    const bool damped = joints_are_damped(model.settings);
     Lanes3 force = Lanes3::of(Vec3::Zero()), moment = force;
     for (Row i = 0; i < span.count; i += lane_count) {
         const LaneGroup group(span.count - i);
         const Row first = span.first + i;
-        const Lanes normal = group.load(subs.normal_force.data() + first) +
-                             group.load(subs.pore_pressure.data() + first) * group.load(subs.area.data() + first);
-        const Lanes3 f = n * normal + group.load(subs.shear_force, first);
+        Lanes normal = group.load(subs.normal_force.data() + first) +
+                       group.load(subs.pore_pressure.data() + first) * group.load(subs.area.data() + first);
+        Lanes3 shear = group.load(subs.shear_force, first);
+        if (damped) {
+            normal += group.load(subs.dashpot_normal.data() + first);
+            shear = shear + group.load(subs.dashpot_shear, first);
+        }
+        const Lanes3 f = n * normal + shear;
         if (deformable)
             for (Row k = 0; k < group.rows(); ++k) forces.of_sub_contact[first + k] = {f.x[k], f.y[k], f.z[k]};
         force = force + f;
@@ -70,6 +77,7 @@ void combine(JointSums& sum, const JointSums& part) {
     sum.work += part.work;
     sum.friction += part.friction;
     sum.fluid += part.fluid;
+    sum.damped += part.damped;
     sum.stiffness_changed = sum.stiffness_changed || part.stiffness_changed;
 }
 
@@ -81,6 +89,8 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     auto columns = columns_of(model, batch, model.clock.time_step, history.data());
     std::optional<Work> before;
     if (energy) before.emplace(model.sub_contacts, batch);
+    std::optional<BatchDashpots> dashpots;
+    if (joints_are_damped(model.settings)) dashpots.emplace(model, batch);
     if (const auto failure = run_batch(*batch.model, columns)) throw joint_failure(model, batch, *failure);
     if (energy) {
         const Work after(model.sub_contacts, batch);
@@ -88,6 +98,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         sums.friction = after.friction - before->friction;
         sums.fluid = after.fluid;
     }
+    if (dashpots) sums.damped = dashpots->finish();
     sums.stiffness_changed = columns.stiffness_changed;
     add_increments(model.sub_contacts, batch);
     for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) sum_contact(model, c, forces);

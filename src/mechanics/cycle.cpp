@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/contact_search.hpp"
+#include "mechanics/dashpots.hpp"
 #include "mechanics/phases.hpp"
 #include "model/sampling.hpp"
 
@@ -52,6 +53,15 @@ void check_properties(const Model& model, JointRegistry& joints) {
         if (!set.place.empty()) d.add("properties given at " + set.place);
         throw d;
     }
+}
+
+/// The largest stable step, 0 when nothing is elastic. Viscous forces that follow the stiffness are those of the
+/// half step before, which shortens the step (Belytschko 1983): docs/theory/time-step.md.
+double stable_step(const Model& model, const StepLimit& limit) {
+    if (limit.frequency_squared <= 0) return 0;
+    const double frequency = std::sqrt(limit.frequency_squared);
+    const double part = 0.5 * largest_stiffness_damping(model) * frequency;
+    return 2 / frequency * (std::sqrt(1 + part * part) - part);
 }
 
 Diagnostic motion_lost() {
@@ -126,6 +136,7 @@ void Cycle::make_lists() {
     s.batches = make_batches(model_, joints_);
     s.elastic = elastic_constants(model_);
     s.drives = list_drives(model_);
+    put_water(model_);
     joint_forces(model_, s.joints);
     zone_forces(model_, s.corner_forces);
 }
@@ -134,7 +145,7 @@ void Cycle::limit_step(bool may_grow) {
     Clock& clock = model_.clock;
     const Settings& settings = model_.settings;
     const StepLimit limit = limit_of_step(model_, scratch_->adjacency);
-    const double stable = limit.frequency_squared > 0 ? 2 / std::sqrt(limit.frequency_squared) : 0;
+    const double stable = stable_step(model_, limit);
     if (settings.given_time_step > 0) {
         if (stable > 0 && settings.given_time_step > stable) {
             Diagnostic d(fmt::format("the time step {:.6g} is above the largest stable one, {:.6g}",
@@ -174,7 +185,7 @@ void Cycle::adapt_viscosity(const MotionSums& motion) {
 }
 
 void Cycle::keep_account(const DriveSums& driven, const MotionSums& motion, const JointSums& joint_sums,
-                         double zone_work) {
+                         const ZoneSums& zone_sums) {
     Energy& energy = model_.energy;
     // Velocities that were set from outside since the last step open the account anew by their energy.
     energy.start += motion.kinetic_before - driven.kinetic - energy.kinetic;
@@ -182,10 +193,10 @@ void Cycle::keep_account(const DriveSums& driven, const MotionSums& motion, cons
     if (!model_.settings.energy) return;
     energy.gravity += driven.gravity + motion.gravity;
     energy.boundary += driven.boundary + motion.boundary + joint_sums.fluid;
-    energy.damped += motion.damped;
+    energy.damped += motion.damped + joint_sums.damped + zone_sums.damped;
     energy.joint_work += joint_sums.work;
     energy.joint_friction += joint_sums.friction;
-    energy.zone_work += zone_work;
+    energy.zone_work += zone_sums.work;
 }
 
 // The order of one step, and the only place where it stands.
@@ -202,8 +213,11 @@ void Cycle::advance() {
         sums.add(move_gridpoints(model_));
         return sums;
     });
-    const JointSums joint_sums = s.timed(joint, [&] { return advance_joints(model_, s.batches, s.joints); });
-    const double zone_work = s.timed(zone, [&] { return run_zone_models(model_, s.elastic, s.corner_forces); });
+    const JointSums joint_sums = s.timed(joint, [&] {
+        put_water(model_);
+        return advance_joints(model_, s.batches, s.joints);
+    });
+    const ZoneSums zone_sums = s.timed(zone, [&] { return run_zone_models(model_, s.elastic, s.corner_forces); });
     clock.time += clock.time_step;
     ++clock.cycle;
     const ContactChange contacts_changed = s.timed(search, [&] {
@@ -226,7 +240,7 @@ void Cycle::advance() {
 
     if (!std::isfinite(motion.kinetic) || !std::isfinite(clock.unbalanced_force)) throw motion_lost();
     adapt_viscosity(motion);
-    keep_account(driven, motion, joint_sums, zone_work);
+    keep_account(driven, motion, joint_sums, zone_sums);
     const bool may_grow = clock.cycle % growth_interval == 0;
     if (joint_sums.stiffness_changed || contacts_changed != ContactChange::none || may_grow)
         s.timed(step, [&] {
@@ -247,7 +261,7 @@ void Cycle::run_hooks(const std::vector<std::function<void()>>& list) {
 std::string Cycle::time_step_report() {
     const StepLimit limit = limit_of_step(model_, scratch_->adjacency);
     if (limit.row == no_row || limit.frequency_squared <= 0) return "nothing limits the time step: no stiffness acts";
-    const double stable = 2 / std::sqrt(limit.frequency_squared);
+    const double stable = stable_step(model_, limit);
     if (limit.of_block)
         return fmt::format("largest stable step {:.6g}, set by block {} and the joints on it", stable,
                            model_.blocks.number[limit.row]);

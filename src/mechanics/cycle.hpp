@@ -15,6 +15,7 @@ namespace kaya {
 struct MotionSums;
 struct JointSums;
 struct DriveSums;
+struct ZoneSums;
 
 /// Where scripts and programs are called inside a cycle. They may read all and write fields; a change
 /// of structure from inside waits for the end of the cycle.
@@ -59,7 +60,8 @@ private:
     void make_lists();
     void limit_step(bool may_grow);
     void adapt_viscosity(const MotionSums& motion);
-    void keep_account(const DriveSums& driven, const MotionSums& motion, const JointSums& joint_sums, double zone_work);
+    void keep_account(const DriveSums& driven, const MotionSums& motion, const JointSums& joint_sums,
+                      const ZoneSums& zone_sums);
     void run_hooks(const std::vector<std::function<void()>>& list);
 
     Model& model_;

@@ -114,7 +114,7 @@ void move_block(Model& model, std::size_t b, const DampingFactors& damping, Moti
     for (int k = 0; k < 3; ++k) {
         const bool held = fixed & (1 << k);
         const double before = v[k];
-        if (!held) v[k] = damping.advance(before, force[k], mass, step);
+        if (!held) v[k] = damping.advance(before, force[k], mass, step, blocks.last_force[b][k]);
         sums.account(mass, before, v[k], weight[k], blocks.load[b][k], force[k] * step, held, step);
     }
     const Vec3 way = v * step;
@@ -123,7 +123,7 @@ void move_block(Model& model, std::size_t b, const DampingFactors& damping, Moti
     const Vec3 moment = blocks.moment[b] + blocks.torque[b];
     Vec3& momentum = blocks.angular_momentum[b];
     const Vec3 momentum_before = momentum, spin_before = w;
-    for (int k = 0; k < 3; ++k) momentum[k] = damping.advance(momentum[k], moment[k], 1.0, step);
+    for (int k = 0; k < 3; ++k) momentum[k] = damping.advance(momentum[k], moment[k], 1.0, step, blocks.last_moment[b][k]);
     if (fixed & (fix_rx | fix_ry | fix_rz)) {
         // Prescribed components keep their velocity; the others follow from their momentum.
         const Mat3 global = inertia_now(model, static_cast<Row>(b));

@@ -48,7 +48,7 @@ MotionSums move_gridpoints(Model& model) {
                 for (int k = 0; k < 3; ++k) {
                     const bool held = g.fixed[row] & (1 << k);
                     const double before = v[k];
-                    if (!held) v[k] = damping.advance(before, force[k], mass, step);
+                    if (!held) v[k] = damping.advance(before, force[k], mass, step, g.last_force[row][k]);
                     sums.account(mass, before, v[k], weight[k], g.load[row][k], force[k] * step, held, step);
                 }
                 const Vec3 way = v * step;

@@ -86,6 +86,7 @@ struct JointSums {
     double work = 0;     ///< put into them
     double friction = 0; ///< of it, lost
     double fluid = 0;    ///< done on the blocks by pore pressure
+    double damped = 0;   ///< taken up by dashpots
     bool stiffness_changed = false;
 };
 
@@ -101,6 +102,18 @@ void joint_forces(const Model& model, JointForces& forces);
 /// sub-contacts; turns their shear forces with the plane.
 void move_contact(Model& model, Row contact);
 
+/// A pressure that is linear in space.
+struct LinearPressure {
+    double at_origin = 0;
+    Vec3 gradient = Vec3::Zero();
+};
+
+/// What the settings say, below the water table; above it the formula goes negative.
+LinearPressure water_pressure(const Settings& settings);
+
+/// Writes SubContacts::pore_pressure where water acts, at the places where the sub-contacts are now.
+void put_water(Model& model);
+
 /// Lame's constants of a block: stress = lambda trace(strain) + two_shear strain.
 struct ElasticConstants {
     double lambda = 0, two_shear = 0;
@@ -110,9 +123,14 @@ struct ElasticConstants {
 /// no moduli.
 std::vector<ElasticConstants> elastic_constants(const Model& model);
 
-/// Reads gridpoint motion; writes zone stresses and the four corner forces of every zone. Returns the work
-/// put into the zones.
-double run_zone_models(Model& model, const std::vector<ElasticConstants>& elastic, std::vector<Vec3>& corner_forces);
+/// What a step has done to the zones.
+struct ZoneSums {
+    double work = 0;   ///< put into them
+    double damped = 0; ///< taken up by viscous stress
+};
+
+/// Reads gridpoint motion; writes zone stresses and the four corner forces of every zone.
+ZoneSums run_zone_models(Model& model, const std::vector<ElasticConstants>& elastic, std::vector<Vec3>& corner_forces);
 
 /// Corner forces of the stresses that are there, without a step.
 void zone_forces(const Model& model, std::vector<Vec3>& corner_forces);

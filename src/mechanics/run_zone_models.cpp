@@ -1,4 +1,5 @@
 #include "base/reduce.hpp"
+#include "mechanics/dashpots.hpp"
 #include "mechanics/phases.hpp"
 
 #include <Eigen/Geometry>
@@ -36,19 +37,20 @@ std::array<Vec3, 4> places(const Model& model, std::size_t z) {
 
 void put_forces(const Model& model, std::size_t z, std::vector<Vec3>& corner_forces) {
     const Corners now(places(model, z));
-    const Mat3 stress = matrix_of(model.zones.stress[z]);
+    const Mat3 stress = matrix_of(model.zones.stress[z] + model.zones.dashpot[z]);
     for (int a = 0; a < 4; ++a) corner_forces[4 * z + a] = -now.volume * (stress * now.gradient[a]);
 }
 
 } // namespace
 
-double run_zone_models(Model& model, const std::vector<ElasticConstants>& elastic, std::vector<Vec3>& corner_forces) {
+ZoneSums run_zone_models(Model& model, const std::vector<ElasticConstants>& elastic, std::vector<Vec3>& corner_forces) {
     auto& zones = model.zones;
     const auto& v = model.gridpoints.velocity;
     const double step = model.clock.time_step;
     const bool large = model.settings.large_strain;
-    return reduce_chunks(zones.size(), grain, 0.0, [&](std::size_t first, std::size_t last) {
-        double work = 0;
+    const double damping = stiffness_damping(model.settings) / step;
+    return reduce_chunks(zones.size(), grain, ZoneSums{}, [&](std::size_t first, std::size_t last) {
+        ZoneSums sums;
         for (std::size_t z = first; z < last; ++z) {
             std::array<Vec3, 4> way, middle = places(model, z);
             for (int a = 0; a < 4; ++a) {
@@ -72,11 +74,19 @@ double run_zone_models(Model& model, const std::vector<ElasticConstants>& elasti
             stress += two_shear * strain;
             stress.diagonal().array() += lambda * strain.trace();
             zones.stress[z] = stress_of(stress);
-            work += 0.5 * mid.volume * (before + stress).cwiseProduct(strain).sum();
+            sums.work += 0.5 * mid.volume * (before + stress).cwiseProduct(strain).sum();
+            if (damping > 0) {
+                const Mat3 viscous = damping * (stress - before), last_one = matrix_of(zones.dashpot[z]);
+                sums.damped += 0.5 * mid.volume * (last_one + viscous).cwiseProduct(strain).sum();
+                zones.dashpot[z] = stress_of(viscous);
+            }
             put_forces(model, z, corner_forces);
         }
-        return work;
-    }, [](double& sum, double part) { sum += part; });
+        return sums;
+    }, [](ZoneSums& sum, const ZoneSums& part) {
+        sum.work += part.work;
+        sum.damped += part.damped;
+    });
 }
 
 void zone_forces(const Model& model, std::vector<Vec3>& corner_forces) {

@@ -58,8 +58,10 @@ public:
     Column<Vec3> displacement;        ///< of the centroid
     Column<Vec3> force;               ///< sum of the last cycle, gravity and damping not included
     Column<Vec3> moment;
-    Column<Vec3> load;  ///< applied force, constant
+    Column<Vec3> load;  ///< applied force
     Column<Vec3> torque;
+    Column<Vec3> last_force;  ///< sum of all forces one step ago, for combined damping
+    Column<Vec3> last_moment;
 
     template <class Visit> void columns(Visit&& visit) {
         visit("id", id);
@@ -92,6 +94,8 @@ public:
         visit("moment", moment);
         visit("load", load);
         visit("torque", torque);
+        visit("last_force", last_force);
+        visit("last_moment", last_moment);
     }
 };
 
@@ -106,7 +110,8 @@ public:
     Column<Vec3> velocity;
     Column<Vec3> displacement;
     Column<Vec3> force; ///< sum of the last cycle, gravity and damping not included
-    Column<Vec3> load;  ///< applied force, constant
+    Column<Vec3> load;  ///< applied force
+    Column<Vec3> last_force; ///< sum of all forces one step ago, for combined damping
     Column<double> zone_frequency; ///< bound of the zones' part of its frequency, (rad/time)^2
 
     template <class Visit> void columns(Visit&& visit) {
@@ -119,6 +124,7 @@ public:
         visit("displacement", displacement);
         visit("force", force);
         visit("load", load);
+        visit("last_force", last_force);
         visit("zone_frequency", zone_frequency);
     }
 };
@@ -157,12 +163,14 @@ public:
     Column<Row> block;
     Column<std::array<Row, 4>> gridpoints; ///< positive volume in this order
     Column<Stress> stress;
+    Column<Stress> dashpot; ///< viscous stress besides, where damping asks for it
     Column<double> volume; ///< when the zones were made
 
     template <class Visit> void columns(Visit&& visit) {
         visit("block", block);
         visit("gridpoints", gridpoints);
         visit("stress", stress);
+        visit("dashpot", dashpot);
         visit("volume", volume);
     }
 };

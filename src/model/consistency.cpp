@@ -198,6 +198,7 @@ std::string inconsistency(Model& model) {
     });
     findings.require(!model.group_names.empty() && model.group_names.front().empty(), "group 0 has a name");
     findings.require(between(model.settings.damping, Damping::none, Damping::rayleigh), "the damping is unknown");
+    findings.require(between(model.settings.water, Water::none, Water::field), "the kind of water is unknown");
     findings.require(inside_or_none(model.settings.default_properties, model.joint_properties.size()),
                      "the joint properties of new contacts are not there");
     if (!findings.clean()) return findings.text();

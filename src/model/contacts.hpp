@@ -93,6 +93,8 @@ public:
     Column<double> pore_pressure;
     Column<double> normal_force;
     VectorColumn shear_force; ///< on block2 is plus this, on block1 minus: see method
+    Column<double> dashpot_normal; ///< viscous force besides the law's, where damping asks for one
+    VectorColumn dashpot_shear;
     Column<double> normal_stiffness;
     Column<double> shear_stiffness;
     Column<double> frictional_work;
@@ -115,6 +117,8 @@ public:
         visit("pore_pressure", pore_pressure);
         visit("normal_force", normal_force);
         visit_vector(visit, "shear_force", shear_force);
+        visit("dashpot_normal", dashpot_normal);
+        visit_vector(visit, "dashpot_shear", dashpot_shear);
         visit("normal_stiffness", normal_stiffness);
         visit("shear_stiffness", shear_stiffness);
         visit("frictional_work", frictional_work);

@@ -10,6 +10,13 @@ namespace kaya {
 /// How motion is damped. Equations: docs/theory/damping.md.
 enum class Damping : std::int32_t { none, local, global, combined, rayleigh };
 
+/// Where the water pressure in joints comes from.
+enum class Water : std::int32_t {
+    none,  ///< nobody touches SubContacts::pore_pressure
+    table, ///< hydrostatic below a plane
+    field  ///< linear in space
+};
+
 struct Settings {
     Vec3 gravity = Vec3::Zero();
     Damping damping = Damping::local;
@@ -17,8 +24,15 @@ struct Settings {
     double global_ratio = 0.5;       ///< damping power asked for, over the rate of change of kinetic energy
     double rayleigh_fraction = 0;    ///< of critical damping, at
     double rayleigh_frequency = 0;   ///< cycles/time
+    bool rayleigh_mass = true;       ///< the part that is proportional to mass acts
+    bool rayleigh_stiffness = true;  ///< the part that is proportional to stiffness acts
+    double contact_damping = 0;      ///< of critical damping, in a dashpot at every contact
     double time_step_fraction = 0.25; ///< of the largest stable step; about what 3DEC takes
     double given_time_step = 0;      ///< 0: computed
+    Water water = Water::none;
+    double water_value = 0;                ///< of a table: density; of a field: pressure at the origin
+    Vec3 water_origin = Vec3::Zero();      ///< of a table: a point of the plane
+    Vec3 water_direction = Vec3::Zero();   ///< of a table: unit normal, upward; of a field: gradient
     bool dynamic = false;
     bool large_strain = true;
     bool energy = true; ///< keep the account of energy

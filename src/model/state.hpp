@@ -22,7 +22,8 @@ namespace kaya {
 // not here does not compile.
 
 template <class Archive> void visit_state(Archive& archive, Settings& settings) {
-    auto& [gravity, damping, local_factor, global_ratio, rayleigh_fraction, rayleigh_frequency, time_step_fraction, given_time_step, dynamic, large_strain, energy,
+    auto& [gravity, damping, local_factor, global_ratio, rayleigh_fraction, rayleigh_frequency, rayleigh_mass, rayleigh_stiffness,
+           contact_damping, time_step_fraction, given_time_step, water, water_value, water_origin, water_direction, dynamic, large_strain, energy,
            default_joint_material, default_joint_constitutive, default_properties] = settings;
     archive.value("gravity", gravity);
     archive.value("damping", damping);
@@ -30,8 +31,15 @@ template <class Archive> void visit_state(Archive& archive, Settings& settings) 
     archive.value("global_ratio", global_ratio);
     archive.value("rayleigh_fraction", rayleigh_fraction);
     archive.value("rayleigh_frequency", rayleigh_frequency);
+    archive.value("rayleigh_mass", rayleigh_mass);
+    archive.value("rayleigh_stiffness", rayleigh_stiffness);
+    archive.value("contact_damping", contact_damping);
     archive.value("time_step_fraction", time_step_fraction);
     archive.value("given_time_step", given_time_step);
+    archive.value("water", water);
+    archive.value("water_value", water_value);
+    archive.value("water_origin", water_origin);
+    archive.value("water_direction", water_direction);
     archive.value("dynamic", dynamic);
     archive.value("large_strain", large_strain);
     archive.value("energy", energy);

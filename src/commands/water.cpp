@@ -1,0 +1,38 @@
+// water: a table or a field of pressure in joints.
+#include "commands/handlers.hpp"
+
+#include <algorithm>
+
+namespace kaya {
+
+void run(Session& session, const lang::WaterCommand& command) {
+    auto& settings = session.model.settings;
+    session.model.properties_changed = true;
+    if (command.kind == "off") {
+        settings.water = Water::none;
+        std::ranges::fill(session.model.sub_contacts.pore_pressure, 0.0);
+        return;
+    }
+    if (command.kind == "pressure") {
+        settings.water = Water::field;
+        settings.water_value = command.pressure;
+        settings.water_direction = command.gradient;
+        return;
+    }
+    const double length = command.normal.norm();
+    const double g = settings.gravity.norm();
+    if (!(length > 0) || (g > 0 && !(-command.normal.dot(settings.gravity) > 1e-6 * length * g)))
+        throw Diagnostic("the normal of the water table must point up, against gravity",
+                         "write for example: water table 0 0 10 normal 0 0 1")
+            .at(command.place);
+    if (g == 0)
+        session.warn(Diagnostic("there is no gravity yet, so the water has no weight",
+                                "its pressure follows the gravity of the moment")
+                         .at(command.place));
+    settings.water = Water::table;
+    settings.water_value = command.density;
+    settings.water_origin = command.origin;
+    settings.water_direction = command.normal / length;
+}
+
+} // namespace kaya

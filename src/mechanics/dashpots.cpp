@@ -1,0 +1,123 @@
+#include "mechanics/dashpots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kaya {
+
+namespace {
+
+double angular_frequency(const Settings& settings) { return 2 * std::numbers::pi * settings.rayleigh_frequency; }
+
+/// Both parts share the damping at the given frequency; one alone has all of it there.
+double share(const Settings& settings) { return settings.rayleigh_mass && settings.rayleigh_stiffness ? 1 : 2; }
+
+/// 1 over the mass of a body on one side of a contact; what is held everywhere has none.
+double inverse_mass(const Model& model, Row block) {
+    const auto& blocks = model.blocks;
+    const bool held = !blocks.deformable[block] && (blocks.fixed[block] & 7) == 7;
+    return held || blocks.mass[block] <= 0 ? 0 : 1 / blocks.mass[block];
+}
+
+/// Times by which the rates of normal and shear force are multiplied in one contact.
+struct Beta {
+    double normal, shear;
+};
+
+Beta beta_of(const Model& model, Row c, double rayleigh) {
+    Beta beta{rayleigh, rayleigh};
+    const double fraction = model.settings.contact_damping;
+    const auto& contacts = model.contacts;
+    const double inverse = inverse_mass(model, contacts.block1[c]) + inverse_mass(model, contacts.block2[c]);
+    if (fraction == 0 || inverse == 0) return beta;
+    // A dashpot of that part of the critical one, 2 sqrt(k m), is as many times k.
+    const auto& subs = model.sub_contacts;
+    double normal = 0, shear = 0;
+    for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
+        normal += subs.normal_stiffness[s] * subs.area[s];
+        shear += subs.shear_stiffness[s] * subs.area[s];
+    }
+    if (normal > 0) beta.normal += 2 * fraction / std::sqrt(normal * inverse);
+    if (shear > 0) beta.shear += 2 * fraction / std::sqrt(shear * inverse);
+    return beta;
+}
+
+/// Frictional work of a batch before its joint model runs; one per thread, so that a cycle allocates nothing.
+std::vector<double>& friction_room() {
+    thread_local std::vector<double> room;
+    return room;
+}
+
+} // namespace
+
+double stiffness_damping(const Settings& settings) {
+    if (settings.damping != Damping::rayleigh || !settings.rayleigh_stiffness || settings.rayleigh_fraction == 0)
+        return 0;
+    return share(settings) * settings.rayleigh_fraction / angular_frequency(settings);
+}
+
+double mass_damping(const Settings& settings) {
+    if (settings.damping != Damping::rayleigh || !settings.rayleigh_mass) return 0;
+    return share(settings) * settings.rayleigh_fraction * angular_frequency(settings);
+}
+
+bool joints_are_damped(const Settings& settings) {
+    return settings.contact_damping > 0 || stiffness_damping(settings) > 0;
+}
+
+double largest_stiffness_damping(const Model& model) {
+    const double rayleigh = stiffness_damping(model.settings);
+    if (model.settings.contact_damping == 0) return rayleigh;
+    double largest = rayleigh;
+    for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+        const Beta beta = beta_of(model, static_cast<Row>(c), rayleigh);
+        largest = std::max({largest, beta.normal, beta.shear});
+    }
+    return largest;
+}
+
+BatchDashpots::BatchDashpots(Model& model, const Batch& batch)
+    : model_(model), batch_(batch), friction_(friction_room()) {
+    auto& s = model.sub_contacts;
+    taken_ = -0.5 * work();
+    if (friction_.size() < static_cast<std::size_t>(batch.count)) friction_.resize(static_cast<std::size_t>(batch.count));
+    for (Row i = 0; i < batch.count; ++i) {
+        const Row row = batch.first + i;
+        friction_[i] = s.frictional_work[row];
+        s.dashpot_normal[row] = -s.normal_force[row];
+        for (int k = 0; k < 3; ++k) s.dashpot_shear.component[k][row] = -s.shear_force.component[k][row];
+    }
+}
+
+double BatchDashpots::work() const {
+    const auto& s = model_.sub_contacts;
+    double sum = 0;
+    for (Row row = batch_.first; row < batch_.first + batch_.count; ++row)
+        sum += s.dashpot_normal[row] * s.normal_displacement_increment[row] +
+               s.dashpot_shear[row].dot(s.shear_displacement_increment[row]);
+    return sum;
+}
+
+double BatchDashpots::finish() {
+    auto& s = model_.sub_contacts;
+    const double rayleigh = stiffness_damping(model_.settings), step = model_.clock.time_step;
+    for (Row c = batch_.contacts.first; c < batch_.contacts.end(); ++c) {
+        const Beta beta = beta_of(model_, c, rayleigh);
+        const Span span = model_.contacts.sub_contacts[c];
+        for (Row row = span.first; row < span.end(); ++row) {
+            const bool open = s.normal_force[row] == 0 && s.shear_force[row].isZero(0);
+            // What has slipped or broken in this step is not elastic: friction alone takes energy up there.
+            const bool slips = s.frictional_work[row] != friction_[row - batch_.first];
+            const double normal = open ? 0 : beta.normal / step, shear = open || slips ? 0 : beta.shear / step;
+            s.dashpot_normal[row] = normal * (s.dashpot_normal[row] + s.normal_force[row]);
+            for (int k = 0; k < 3; ++k) {
+                double& force = s.dashpot_shear.component[k][row];
+                force = shear * (force + s.shear_force.component[k][row]);
+            }
+        }
+    }
+    return taken_ - 0.5 * work();
+}
+
+} // namespace kaya

@@ -1,0 +1,40 @@
+// Viscous forces that follow the stiffness of joints and zones: docs/theory/damping.md.
+#pragma once
+
+#include "mechanics/batches.hpp"
+#include "model/model.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+/// beta of C = alpha M + beta K, time; 0 when the damping of the settings has no such part.
+double stiffness_damping(const Settings& settings);
+
+/// alpha of C = alpha M + beta K, 1/time.
+double mass_damping(const Settings& settings);
+
+/// True when joints carry viscous forces besides those of their law.
+bool joints_are_damped(const Settings& settings);
+
+/// The largest beta in the model: of the settings and of the contacts' own dashpots.
+double largest_stiffness_damping(const Model& model);
+
+/// Dashpots of one batch in one step. The constructor is called when the increments are known and the joint
+/// model has not run yet, finish() when it has.
+class BatchDashpots {
+public:
+    BatchDashpots(Model& model, const Batch& batch);
+    /// Writes SubContacts::dashpot_normal and dashpot_shear. Returns the energy that was taken up in the step.
+    double finish();
+
+private:
+    double work() const;
+
+    Model& model_;
+    const Batch& batch_;
+    double taken_ = 0;
+    std::vector<double>& friction_;
+};
+
+} // namespace kaya
