@@ -78,7 +78,7 @@ CommandSpec damp() {
     entry.wrong("damp", "damp does not say how to damp");
     entry.wrong("damp 0.05", "a number is missing after '0.05'");
     entry.wrong("damp 0.05 0", "a part of critical damping needs a frequency above 0");
-    entry.wrong("damp contact 1", "contact must be less than 1, not 1");
+    entry.wrong("damp contact 1", "fraction must be less than 1, not 1");
     entry.wrong("damp local 2", "factor must be at most 1, not 2");
     entry.wrong("damp locla", "'locla' is not a keyword of damp");
     entry.wrong("damp local mass", "mass and stiff belong to damping by fraction and frequency");
