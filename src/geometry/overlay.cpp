@@ -242,6 +242,31 @@ Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance
     return result;
 }
 
+namespace {
+
+/// The shortest solution of a x = b for a symmetric matrix without negative eigenvalues, on the space where it has
+/// any: few points leave fewer than three things to choose.
+Vec3 least_squares(const Mat3& a, const Vec3& b) {
+    const double trace = a.trace();
+    if (trace * trace - a.squaredNorm() <= 1e-9 * trace * trace) {
+        // One eigenvalue only, as four points leave it; the longest column is its eigenvector.
+        int longest = 0;
+        a.diagonal().maxCoeff(&longest);
+        const Vec3 mode = a.col(longest).normalized();
+        return mode * (mode.dot(b) / trace);
+    }
+    const Eigen::SelfAdjointEigenSolver<Mat3> modes(a);
+    Vec3 x = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        if (modes.eigenvalues()[k] <= 1e-9 * modes.eigenvalues()[2]) continue;
+        const Vec3 mode = modes.eigenvectors().col(k);
+        x += mode * (mode.dot(b) / modes.eigenvalues()[k]);
+    }
+    return x;
+}
+
+} // namespace
+
 void balance_areas(Overlay& overlay) {
     auto& points = overlay.points;
     if (points.size() < 4) return; // the centre decides
@@ -291,16 +316,9 @@ void balance_areas(Overlay& overlay) {
         s.f -= mean + slope * s.u;
         effect += s.weight * s.f * s.f.transpose();
     }
-    // Least squares: few points leave fewer than three things to choose.
-    const Eigen::SelfAdjointEigenSolver<Mat3> modes(effect);
-    const double largest = modes.eigenvalues()[2];
-    if (!(largest > 1e-9)) return;
-    Vec3 amount = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) {
-        if (modes.eigenvalues()[k] <= 1e-9 * largest) continue;
-        const Vec3 mode = modes.eigenvectors().col(k);
-        amount -= mode * (mode.dot(wrong) / modes.eigenvalues()[k]);
-    }
+    const double trace = effect.trace();
+    if (!(trace > 1e-9)) return;
+    const Vec3 amount = -least_squares(effect, wrong);
 
     // No point may lose more than three quarters of its area, or come to own four times as much.
     double least = -0.75, most = 3;

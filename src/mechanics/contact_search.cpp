@@ -103,6 +103,20 @@ void find_touches(const Model& model, const Surfaces& surfaces, const std::vecto
     std::erase_if(drafts, [](const ContactDraft& d) { return d.kind == DraftKind::parted; });
 }
 
+/// The contacts that have not slid join those that have, which are as in `drafts` or have parted.
+template <class Slid>
+std::vector<ContactDraft> with_the_others(const Model& model, std::vector<ContactDraft> drafts, Slid slid) {
+    const auto& contacts = model.contacts;
+    std::vector<ContactDraft> all;
+    auto next = drafts.begin();
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const Row row = static_cast<Row>(c);
+        if (!slid(c)) all.push_back({contacts.block1[c], contacts.block2[c], row, DraftKind::as_it_was, {}});
+        else if (next != drafts.end() && next->old == row) all.push_back(std::move(*next++));
+    }
+    return all;
+}
+
 } // namespace
 
 bool ContactSearch::due(const Model& model) {
@@ -124,12 +138,13 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
             if (moved_[b]) blocks.travelled[b] = 0;
         }
     });
-    make_drafts(model, near_.of(boxes_), boxes_, moved_, drafts_);
+    std::vector<ContactDraft> drafts;
+    make_drafts(model, near_.of(boxes_), boxes_, moved_, drafts);
     wanted_.resize(blocks.size());
     std::iota(wanted_.begin(), wanted_.end(), Row{0});
     surfaces_.update(model, wanted_);
-    find_touches(model, surfaces_, ways_, drafts_);
-    return replace_contacts(model, joints, drafts_, moving);
+    find_touches(model, surfaces_, ways_, drafts);
+    return replace_contacts(model, joints, drafts, moving);
 }
 
 ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
@@ -137,26 +152,23 @@ ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
     const auto slid = [&](std::size_t c) {
         return contacts.slid[c] * contacts.slid[c] > slide_tolerance * slide_tolerance * contacts.area[c];
     };
-    std::size_t first_slid = 0;
-    while (first_slid < contacts.size() && !slid(first_slid)) ++first_slid;
-    if (first_slid == contacts.size()) return ContactChange::none;
-
-    ways_.resize(model.blocks.size());
-    drafts_.clear();
+    std::vector<ContactDraft> drafts;
     wanted_.clear();
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-        const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
-        drafts_.push_back({b1, b2, static_cast<Row>(c), DraftKind::as_it_was, {}});
         if (!slid(c)) continue;
-        drafts_.back().kind = DraftKind::new_geometry;
-        wanted_.insert(wanted_.end(), {b1, b2});
+        drafts.push_back({contacts.block1[c], contacts.block2[c], static_cast<Row>(c), DraftKind::new_geometry, {}});
+        wanted_.insert(wanted_.end(), {contacts.block1[c], contacts.block2[c]});
     }
+    if (drafts.empty()) return ContactChange::none;
     std::sort(wanted_.begin(), wanted_.end());
     wanted_.erase(std::unique(wanted_.begin(), wanted_.end()), wanted_.end());
+    ways_.resize(model.blocks.size());
     for (const Row b : wanted_) ways_[b] = way_of_a_step(model, b);
     surfaces_.update(model, wanted_);
-    find_touches(model, surfaces_, ways_, drafts_);
-    return replace_contacts(model, joints, drafts_, true);
+    const std::size_t slid_count = drafts.size();
+    find_touches(model, surfaces_, ways_, drafts);
+    if (drafts.size() == slid_count && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
+    return replace_contacts(model, joints, with_the_others(model, std::move(drafts), slid), true);
 }
 
 } // namespace kaya

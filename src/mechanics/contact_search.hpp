@@ -31,7 +31,6 @@ private:
     std::vector<double> ways_;
     std::vector<char> moved_;
     std::vector<Row> wanted_; ///< blocks whose surfaces are looked at
-    std::vector<ContactDraft> drafts_;
 };
 
 } // namespace kaya

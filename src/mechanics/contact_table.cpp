@@ -159,26 +159,32 @@ void clear_sub_contact(SubContacts& subs, Row s) {
 
 /// What passes through a contact.
 struct Load {
-    double normal = 0, shear = 0; ///< sums of the sizes of its sub-contacts' forces
+    double energy = 0; ///< in the normal springs of its sub-contacts
+    double shear = 0;  ///< sum of the sizes of their shear forces
 
     Load(const Model& model, Row c) {
         const auto& subs = model.sub_contacts;
         const Span span = model.contacts.sub_contacts[c];
         for (Row s = span.first; s < span.end(); ++s) {
-            normal += std::abs(subs.normal_force[s]);
+            const double stiffness = subs.normal_stiffness[s] * subs.area[s];
+            if (stiffness > 0) energy += 0.5 * subs.normal_force[s] * subs.normal_force[s] / stiffness;
             shear += subs.shear_force[s].norm();
         }
     }
 };
 
-/// New geometry must not make energy: it may move the force of a contact from point to point or take some away, but
-/// not raise it. What overlaps more than the force says stays so until it opens.
-void keep_load(Model& model, Row c, const Load& before) {
+/// New geometry must not make energy. It may give back what it has taken from this contact before, and no more: then
+/// what overlaps more than its force says stays so until it opens. (Hannaford and Ryu 2002, IEEE Trans. Robot. Autom.
+/// 18, keep a contact passive by such an account.)
+void keep_passive(Model& model, Row c, const Load& before) {
     const Load after(model, c);
-    const auto part = [](double old_load, double new_load) { return new_load > old_load ? old_load / new_load : 1.0; };
-    const double normal = part(before.normal, after.normal), shear = part(before.shear, after.shear);
-    if (normal == 1 && shear == 1) return;
     auto& subs = model.sub_contacts;
+    double& account = model.contacts.given_up[c];
+    const double gain = after.energy - before.energy, allowed = std::min(gain, account);
+    account -= allowed;
+    const double normal = gain > allowed ? std::sqrt((before.energy + allowed) / after.energy) : 1;
+    const double shear = after.shear > before.shear ? before.shear / after.shear : 1;
+    if (normal == 1 && shear == 1) return;
     const Span span = model.contacts.sub_contacts[c];
     for (Row s = span.first; s < span.end(); ++s) {
         subs.normal_force[s] *= normal;
@@ -195,34 +201,40 @@ std::vector<std::pair<Row, Load>> loads_of(const Model& model, const std::vector
     return loads;
 }
 
-/// Whether every row of the tables keeps its place and every point is nearest to the sub-contact of its own row.
-bool keeps_places(const Model& model, const std::vector<ContactDraft>& drafts) {
-    const auto& contacts = model.contacts;
-    if (drafts.size() != contacts.size()) return false;
-    for (std::size_t c = 0; c < drafts.size(); ++c) {
-        const auto& draft = drafts[c];
-        if (draft.old != static_cast<Row>(c)) return false;
-        if (draft.kind == DraftKind::as_it_was) continue;
-        const Span span = contacts.sub_contacts[c];
-        if (draft.geometry.normal.dot(contacts.normal[c]) < cos_of_other_touch) return false;
-        if (static_cast<Row>(draft.geometry.points.size()) != span.count) return false;
-        for (Row i = 0; i < span.count; ++i)
-            if (nearest(model.sub_contacts, span, draft.geometry.points[i].position) != span.first + i) return false;
-    }
+/// Whether the contact keeps as many points and every point is nearest to the sub-contact of its own row.
+bool keeps_places(const Model& model, const ContactDraft& draft) {
+    if (draft.kind == DraftKind::as_it_was) return true;
+    if (draft.geometry.normal.dot(model.contacts.normal[draft.old]) < cos_of_other_touch) return false;
+    const Span span = model.contacts.sub_contacts[draft.old];
+    if (static_cast<Row>(draft.geometry.points.size()) != span.count) return false;
+    for (Row i = 0; i < span.count; ++i)
+        if (nearest(model.sub_contacts, span, draft.geometry.points[i].position) != span.first + i) return false;
+    return true;
+}
+
+bool all_keep_places(const Model& model, const std::vector<ContactDraft>& drafts) {
+    return std::all_of(drafts.begin(), drafts.end(), [&](const auto& d) { return keeps_places(model, d); });
+}
+
+/// Whether the tables keep their rows.
+bool same_rows(const Model& model, const std::vector<ContactDraft>& drafts) {
+    if (drafts.size() != model.contacts.size()) return false;
+    for (std::size_t c = 0; c < drafts.size(); ++c)
+        if (drafts[c].old != static_cast<Row>(c)) return false;
     return true;
 }
 
 void refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Changes& changes) {
-    auto& blocks = model.blocks;
-    for (std::size_t c = 0; c < drafts.size(); ++c) {
-        if (drafts[c].kind == DraftKind::as_it_was) continue;
-        const auto& g = drafts[c].geometry;
-        write_contact(model, static_cast<Row>(c), g);
-        const Span span = model.contacts.sub_contacts[c];
+    const auto& blocks = model.blocks;
+    for (const auto& draft : drafts) {
+        if (draft.kind == DraftKind::as_it_was) continue;
+        const auto& g = draft.geometry;
+        write_contact(model, draft.old, g);
+        const Span span = model.contacts.sub_contacts[draft.old];
         for (Row i = 0; i < span.count; ++i)
             write_sub_contact(model, span.first + i, g.points[i], g.normal, false, g.touch == Touch::face_face, changes);
         // Weights of gridpoints are in the lists.
-        if (blocks.deformable[drafts[c].block1] || blocks.deformable[drafts[c].block2]) model.lists_changed = true;
+        if (blocks.deformable[draft.block1] || blocks.deformable[draft.block2]) model.lists_changed = true;
     }
 }
 
@@ -232,16 +244,22 @@ void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vec
     call_on_marked(model, joints, marked, initialise_batch);
 }
 
+bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts) {
+    if (!all_keep_places(model, drafts)) return false;
+    std::vector<Load> loads;
+    for (const auto& draft : drafts) loads.emplace_back(model, draft.old);
+    Changes changes(model.sub_contacts.size());
+    refresh_in_place(model, drafts, changes);
+    tell_joint_models(model, joints, changes, true);
+    for (std::size_t i = 0; i < drafts.size(); ++i)
+        if (drafts[i].kind == DraftKind::new_geometry) keep_passive(model, drafts[i].old, loads[i]);
+    return true;
+}
+
 ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
                                bool moving) {
+    if (moving && same_rows(model, drafts) && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
     const auto loads = loads_of(model, drafts);
-    if (keeps_places(model, drafts)) {
-        Changes changes(model.sub_contacts.size());
-        refresh_in_place(model, drafts, changes);
-        tell_joint_models(model, joints, changes, moving);
-        for (const auto& [row, load] : loads) keep_load(model, row, load);
-        return ContactChange::refreshed;
-    }
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
 
@@ -316,7 +334,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         if (!sub_kept[s]) subs.ids.destroy(old_sub_ids[s]);
 
     tell_joint_models(model, joints, changes, moving);
-    for (const auto& [row, load] : loads) keep_load(model, row, load);
+    for (const auto& [row, load] : loads) keep_passive(model, row, load);
     model.lists_changed = true;
     return ContactChange::replaced;
 }

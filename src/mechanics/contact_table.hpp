@@ -31,6 +31,10 @@ enum class ContactChange { none, refreshed, replaced };
 ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
                                bool moving);
 
+/// The same for a part of the contacts, if every row keeps its place; otherwise it does nothing and returns false.
+/// All drafts have an old contact.
+bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts);
+
 /// Lets the joint models of the marked sub-contacts make their history agree with the forces and the gap
 /// that are there.
 void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vector<char>& marked);
