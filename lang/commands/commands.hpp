@@ -101,6 +101,10 @@ struct JointSetCommand {
     RangePhrase range;
     Place place;
 };
+/// Joins blocks that touch into one body, or takes bodies apart.
+struct Join { bool on = true; RangePhrase range; Place place; };
+/// Joins the two blocks of each contact.
+struct JoinContact { RangePhrase range; Place place; };
 struct Hide { RangePhrase range; };
 struct Seek { RangePhrase range; };
 struct Delete { RangePhrase range; };

@@ -63,8 +63,30 @@ CommandSpec joint_set() {
     return entry;
 }
 
+CommandSpec join() {
+    Entry<Join> entry({"join"});
+    entry.help("makes one body of rigid blocks that lie face on face, or takes bodies apart");
+    entry.action({"on"}, [](Join& join) { join.on = true; }, "joins; so without a word");
+    entry.action({"off"}, [](Join& join) { join.on = false; }, "takes the bodies of these blocks apart");
+    entry.range(&Join::range);
+    entry.place(&Join::place);
+    entry.right("join").right("join on range group arch").right("join off range x 0 1");
+    entry.wrong("join of", "'of' is not a keyword of join");
+    return entry;
+}
+
+CommandSpec join_contact() {
+    Entry<JoinContact> entry({"join_contact", "join-contact"});
+    entry.help("joins the two blocks of each contact in the range");
+    entry.range(&JoinContact::range);
+    entry.place(&JoinContact::place);
+    entry.right("join_contact range jset 2").right("join_contact range plane dip 0 dd 0 org 0 0 1 distance 0.01");
+    entry.wrong("join_contact on", "'on' is not a keyword of join_contact");
+    return entry;
+}
+
 } // namespace
 
-std::vector<CommandSpec> cut_commands() { return {joint_set()}; }
+std::vector<CommandSpec> cut_commands() { return {joint_set(), join(), join_contact()}; }
 
 } // namespace kaya::lang

@@ -126,6 +126,7 @@ void reset_velocities(Session& session) {
             if ((blocks.fixed[row] & (fix_x << axis)) == 0) blocks.velocity[row][axis] = 0;
             if ((blocks.fixed[row] & (fix_rx << axis)) == 0) blocks.rotational_velocity[row][axis] = 0;
         }
+    std::ranges::fill(blocks.angular_momentum, Vec3::Zero());
 }
 
 void reset_joint_displacements(Session& session) {

@@ -1,12 +1,15 @@
-// jset: cutting blocks that are there.
+// jset, join: cutting blocks that are there, and putting them together.
 #include "commands/handlers.hpp"
 
 #include "geometry/joint_set.hpp"
+#include "mechanics/contact_properties.hpp"
 #include "model/build.hpp"
 #include "model/cut_blocks.hpp"
+#include "model/joined.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace kaya {
 
@@ -99,6 +102,47 @@ void run(Session& session, const lang::JointSetCommand& command) {
         mistake.at(command.place);
         throw;
     }
+}
+
+namespace {
+
+/// Joins the pairs and says in one line what came of it.
+void join(Session& session, const std::vector<std::pair<Row, Row>>& pairs, const Place& place) {
+    try {
+        join_pairs(session.model, pairs);
+    } catch (Diagnostic& mistake) {
+        mistake.at(place);
+        throw;
+    }
+    if (pairs.empty())
+        return session.warn(
+            Diagnostic("none of these blocks lie face on face", "nothing is joined").at(place));
+    std::set<std::int32_t> bodies;
+    std::set<Row> blocks;
+    for (const auto& pair : pairs) {
+        blocks.insert({pair.first, pair.second});
+        bodies.insert(session.model.blocks.body[pair.first]);
+    }
+    session.output.say(fmt::format("{} joined to {}", counted(blocks.size(), "block", "blocks"),
+                                   counted(bodies.size(), "body", "bodies")));
+}
+
+} // namespace
+
+void run(Session& session, const lang::Join& command) {
+    const auto rows = session.pick(ObjectKind::block, command.range);
+    if (rows.empty()) return;
+    if (command.on) return join(session, touching_pairs(session.model, rows), command.place);
+    unjoin(session.model, rows);
+}
+
+void run(Session& session, const lang::JoinContact& command) {
+    find_contacts(session.model, session.joints);
+    std::vector<std::pair<Row, Row>> pairs;
+    const auto& contacts = session.model.contacts;
+    for (const Row contact : session.pick(ObjectKind::contact, command.range))
+        pairs.emplace_back(contacts.block1[contact], contacts.block2[contact]);
+    if (!pairs.empty()) join(session, pairs, command.place);
 }
 
 } // namespace kaya

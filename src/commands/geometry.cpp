@@ -63,6 +63,11 @@ void run(Session& session, const lang::GenerateEdge& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
     if (blocks.empty()) return;
     try {
+        for (const Row block : blocks)
+            if (session.model.blocks.body[block] != 0)
+                throw Diagnostic(fmt::format("block {} is joined to others, and joined blocks cannot be given zones",
+                                             session.model.blocks.number[block]),
+                                 "leave it out of the range, or `join off` first");
         const std::size_t zoned = generate_zones(session.model, blocks, command.edge);
         if (zoned > 0)
             session.world.rows_moved();

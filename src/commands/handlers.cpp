@@ -46,6 +46,8 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::PolyDrum>(session, handlers, InCycle::waits);
     add<lang::PolyTunnel>(session, handlers, InCycle::waits);
     add<lang::JointSetCommand>(session, handlers, InCycle::waits);
+    add<lang::Join>(session, handlers, InCycle::waits);
+    add<lang::JoinContact>(session, handlers, InCycle::waits);
     add<lang::Hide>(session, handlers, InCycle::runs);
     add<lang::Seek>(session, handlers, InCycle::runs);
     add<lang::Delete>(session, handlers, InCycle::waits);

@@ -27,6 +27,8 @@ void run(Session&, const lang::PolyTunnel&);
 
 // cuts.cpp
 void run(Session&, const lang::JointSetCommand&);
+void run(Session&, const lang::Join&);
+void run(Session&, const lang::JoinContact&);
 
 // geometry.cpp
 void run(Session&, const lang::Hide&);

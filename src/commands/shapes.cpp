@@ -18,21 +18,20 @@ NewBlock block_of_command(const lang::BlockOptions& options) {
     return block;
 }
 
-/// Makes the shape and puts it into the model; a mistake points at the command.
+/// Makes the shapes and puts them into the model; a mistake points at the command.
 template <class Command, class Make> void make(Session& session, const Command& command, Make shape) {
     try {
         const NewBlock block = block_of_command(command.options);
-        for (const Polyhedron& part : shape()) add_block(session.model, part, block);
+        const auto made = shape();
+        if constexpr (std::same_as<std::remove_cv_t<decltype(made)>, Solid>) {
+            add_solid(session.model, made.parts, block);
+        } else {
+            for (const Polyhedron& part : made) add_block(session.model, part, block);
+        }
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
     }
-}
-
-std::vector<Polyhedron> convex(Solid&& solid) {
-    if (solid.parts.size() > 1)
-        throw Diagnostic("the block is concave", "make it of convex blocks");
-    return std::move(solid.parts);
 }
 
 } // namespace
@@ -46,7 +45,7 @@ void run(Session& session, const lang::PolyBrick& command) {
 }
 
 void run(Session& session, const lang::PolyPrism& command) {
-    make(session, command, [&] { return convex(make_prism(command.first, command.second)); });
+    make(session, command, [&] { return make_prism(command.first, command.second); });
 }
 
 void run(Session& session, const lang::PolyFace& command) {
@@ -70,7 +69,7 @@ void run(Session& session, const lang::PolyFace& command) {
             session.note_once("the polyhedron is inside out, and was turned: its faces run anticlockwise seen from "
                               "outside",
                               clockwise);
-        return convex(std::move(solid));
+        return solid;
     });
 }
 

@@ -1,6 +1,7 @@
 // Who acts on whom: forces are gathered through these lists, in the order of their rows.
 #pragma once
 
+#include "model/joined.hpp"
 #include "model/model.hpp"
 
 #include <vector>
@@ -32,6 +33,7 @@ struct ContactEntry {
 struct Adjacency {
     Lists<SideEntry> of_gridpoint; ///< gridpoints of deformable blocks
     Lists<ContactEntry> of_block;  ///< rigid blocks
+    JoinedBodies bodies;
     Lists<Row> corners;            ///< of each gridpoint: 4 zone + corner
 };
 

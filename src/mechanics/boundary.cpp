@@ -1,9 +1,11 @@
 #include "mechanics/boundary.hpp"
 
+#include "base/diagnostic.hpp"
 #include "mechanics/phases.hpp"
 #include "mechanics/rotation.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <map>
 #include <tuple>
 
@@ -187,6 +189,12 @@ void release_velocity(Model& model, const Bodies& bodies, int component) {
 void initialize_velocity(Model& model, const Bodies& bodies, int component, double value) {
     auto& blocks = model.blocks;
     if (is_rotation(component) && model.properties_changed) compute_masses(model);
+    if (is_rotation(component))
+        for (const Row b : bodies.blocks)
+            if (blocks.body[b] != 0)
+                throw Diagnostic(fmt::format("block {} is joined to others and has no rotation of its own",
+                                             blocks.number[b]),
+                                 "give it a rotation before `join`");
     each_body(
         model, bodies, component,
         [&](Row b) {

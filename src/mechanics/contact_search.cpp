@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "mechanics/contact_geometry.hpp"
+#include "model/joined.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +75,7 @@ void make_drafts(const Model& model, const std::vector<std::array<int, 2>>& near
     std::size_t c = 0;
     const auto pair_of = [&](std::size_t row) { return std::array<int, 2>{contacts.block1[row], contacts.block2[row]}; };
     const auto add = [&](const std::array<int, 2>& pair, Row old) {
+        if (joined(model, pair[0], pair[1])) return;
         if (moved[pair[0]] || moved[pair[1]]) drafts.push_back({pair[0], pair[1], old, DraftKind::new_geometry, {}});
         else if (old != no_row) drafts.push_back({pair[0], pair[1], old, DraftKind::as_it_was, {}});
     };

@@ -209,7 +209,7 @@ void Cycle::advance() {
     DriveSums driven;
     const MotionSums motion = s.timed(move, [&] {
         driven = drive_velocities(model_, s.drives, hooks);
-        MotionSums sums = move_blocks(model_);
+        MotionSums sums = move_blocks(model_, s.adjacency.bodies);
         sums.add(move_gridpoints(model_));
         return sums;
     });

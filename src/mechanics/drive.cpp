@@ -65,6 +65,7 @@ void spin_block(Model& model, Row b, int axis, double value, DriveSums& sums) {
     Vec3& momentum = model.blocks.angular_momentum[b];
     const double before = 0.5 * spin.dot(momentum), jump = value - spin[axis];
     spin[axis] = value;
+    if (model.blocks.body[b] != 0) return; // the momentum is that of the body, and follows when it moves
     momentum = inertia_now(model, b) * spin;
     const double gain = 0.5 * spin.dot(momentum) - before;
     sums.kinetic += gain;

@@ -44,6 +44,24 @@ Vec3 free_part(Vec3 force, std::uint8_t fixed) {
     return force;
 }
 
+/// Joined blocks count as one body, on which the forces of all of them act.
+void add_body(const Model& model, const Adjacency& adjacency, const JointForces& joints,
+              std::span<const Row> members, Balance& balance) {
+    const auto& blocks = model.blocks;
+    Vec3 force = Vec3::Zero();
+    double acting = 0;
+    std::uint8_t fixed = 0;
+    for (const Row row : members) {
+        const Vec3 weight = blocks.mass[row] * model.settings.gravity;
+        force += blocks.force[row] + blocks.load[row] + weight;
+        acting += blocks.load[row].norm() + weight.norm();
+        for (auto e = adjacency.of_block.begin(row); e != adjacency.of_block.end(row); ++e)
+            acting += joints.of_contact[e->contact].norm();
+        fixed |= blocks.fixed[row];
+    }
+    if ((fixed & 7) != 7) balance.add(free_part(force, fixed), acting);
+}
+
 } // namespace
 
 void gather_forces(Model& model, const Adjacency& adjacency, const JointForces& joints,
@@ -104,7 +122,7 @@ void gather_forces(Model& model, const Adjacency& adjacency, const JointForces& 
                 blocks.force[row] = sum;
                 blocks.moment[row] = moment;
                 const Vec3 weight = blocks.mass[row] * gravity;
-                if ((blocks.fixed[row] & 7) != 7)
+                if ((blocks.fixed[row] & 7) != 7 && blocks.body[row] == 0)
                     part.add(free_part(sum + blocks.load[row] + weight, blocks.fixed[row]),
                              acting + blocks.load[row].norm() + weight.norm());
             }
@@ -112,6 +130,8 @@ void gather_forces(Model& model, const Adjacency& adjacency, const JointForces& 
         },
         combine);
     combine(balance, of_blocks);
+    for (std::size_t i = 0; i < adjacency.bodies.size(); ++i)
+        add_body(model, adjacency, joints, adjacency.bodies.members(i), balance);
 
     Clock& clock = model.clock;
     clock.unbalanced_force = balance.largest;

@@ -16,13 +16,27 @@ constexpr std::size_t grain = 1024;
 /// w / sqrt(m) at a gridpoint, sqrt(1/m + r^2/I) at a rigid block with its least moment of inertia I.
 class NodeSize {
 public:
-    explicit NodeSize(const Model& model) : model_(model), least_inertia_(model.blocks.size(), 0) {
+    NodeSize(const Model& model, const JoinedBodies& bodies)
+        : model_(model), mass_(model.blocks.mass), centroid_(model.blocks.centroid),
+          least_inertia_(model.blocks.size(), 0) {
         const auto& blocks = model.blocks;
         for (std::size_t b = 0; b < blocks.size(); ++b) {
             if (blocks.deformable[b] || blocks.mass[b] <= 0) continue;
             Eigen::SelfAdjointEigenSolver<Mat3> solver;
             solver.computeDirect(blocks.inertia[b], Eigen::EigenvaluesOnly);
             least_inertia_[b] = solver.eigenvalues()[0] * blocks.mass[b] / blocks.volume[b];
+        }
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const BodyMass body = body_mass(model, bodies.members(i));
+            Eigen::SelfAdjointEigenSolver<Mat3> solver;
+            solver.computeDirect(body.inertia, Eigen::EigenvaluesOnly);
+            std::uint8_t fixed = 0;
+            for (const Row b : bodies.members(i)) fixed |= blocks.fixed[b];
+            for (const Row b : bodies.members(i)) {
+                mass_[b] = fixed == fix_all ? 0 : body.mass;
+                centroid_[b] = body.centroid;
+                least_inertia_[b] = solver.eigenvalues()[0];
+            }
         }
     }
 
@@ -32,9 +46,9 @@ public:
     }
     double block(Row b, Row sub_contact) const {
         const auto& blocks = model_.blocks;
-        if (blocks.fixed[b] == fix_all || blocks.mass[b] <= 0) return 0;
-        const double arm2 = (model_.sub_contacts.position[sub_contact] - blocks.centroid[b]).squaredNorm();
-        return std::sqrt(1 / blocks.mass[b] + arm2 / least_inertia_[b]);
+        if (blocks.fixed[b] == fix_all || mass_[b] <= 0) return 0;
+        const double arm2 = (model_.sub_contacts.position[sub_contact] - centroid_[b]).squaredNorm();
+        return std::sqrt(1 / mass_[b] + arm2 / least_inertia_[b]);
     }
     /// Over all nodes of a side.
     double side(Row block_row, const Attachment& attachment, Row sub_contact) const {
@@ -47,6 +61,8 @@ public:
 
 private:
     const Model& model_;
+    std::vector<double> mass_; ///< of a joined block: of the whole body, like the two below; 0 when it is held
+    std::vector<Vec3> centroid_;
     std::vector<double> least_inertia_;
 };
 
@@ -61,7 +77,7 @@ void take_larger(StepLimit& limit, const StepLimit& other) {
 // sum over sub-contacts of k s_i (sum over its nodes of s_j), to which the zones add theirs.
 StepLimit limit_of_step(const Model& model, const Adjacency& adjacency) {
     const auto& subs = model.sub_contacts;
-    const NodeSize size(model);
+    const NodeSize size(model, adjacency.bodies);
     std::vector<double> coupling(subs.size());
     for_chunks(subs.size(), grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -87,23 +103,31 @@ StepLimit limit_of_step(const Model& model, const Adjacency& adjacency) {
             return part;
         },
         take_larger);
+    const auto frequency_of = [&](Row row) {
+        double sum = 0;
+        for (auto e = adjacency.of_block.begin(row); e != adjacency.of_block.end(row); ++e) {
+            const Span span = model.contacts.sub_contacts[e->contact];
+            for (Row s = span.first; s < span.end(); ++s) sum += size.block(row, s) * coupling[s];
+        }
+        return sum;
+    };
     const StepLimit of_blocks = reduce_chunks(
         model.blocks.size(), grain, StepLimit{},
         [&](std::size_t first, std::size_t last) {
             StepLimit part;
             for (std::size_t i = first; i < last; ++i) {
                 const Row row = static_cast<Row>(i);
-                double sum = 0;
-                for (auto e = adjacency.of_block.begin(row); e != adjacency.of_block.end(row); ++e) {
-                    const Span span = model.contacts.sub_contacts[e->contact];
-                    for (Row s = span.first; s < span.end(); ++s) sum += size.block(row, s) * coupling[s];
-                }
-                take_larger(part, {sum, true, row});
+                if (model.blocks.body[row] == 0) take_larger(part, {frequency_of(row), true, row});
             }
             return part;
         },
         take_larger);
     take_larger(limit, of_blocks);
+    for (std::size_t i = 0; i < adjacency.bodies.size(); ++i) {
+        double sum = 0;
+        for (const Row row : adjacency.bodies.members(i)) sum += frequency_of(row);
+        take_larger(limit, {sum, true, adjacency.bodies.members(i).front()});
+    }
     return limit;
 }
 

@@ -31,7 +31,7 @@ void compute_masses(Model& model) {
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         const Row row = static_cast<Row>(b);
         const double density = material_of(model, row).density;
-        const bool held = !blocks.deformable[b] && blocks.fixed[b] == fix_all;
+        const bool held = !blocks.deformable[b] && blocks.fixed[b] == fix_all && blocks.body[b] == 0;
         if (!(density > 0) && !held) missing(model, row, density == 0 ? "mass: its density is 0" : "density", "dens 2600");
     }
     for (std::size_t b = 0; b < blocks.size(); ++b) {

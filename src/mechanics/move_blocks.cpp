@@ -98,35 +98,43 @@ double place_vertices(Model& model, std::size_t b) {
     return std::sqrt(travel);
 }
 
-/// One rigid block, one step.
-void move_block(Model& model, std::size_t b, const DampingFactors& damping, MotionSums& sums) {
-    auto& blocks = model.blocks;
-    const Settings& settings = model.settings;
-    const double step = model.clock.time_step;
-    const std::uint8_t fixed = blocks.fixed[b];
-    Vec3& v = blocks.velocity[b];
-    Vec3& w = blocks.rotational_velocity[b];
-    if (fixed == fix_all && v.isZero(0) && w.isZero(0)) return;
+/// One rigid block, or several that are joined: what acts on it and how it moves. Inertia is in the axes that
+/// the orientation turns.
+struct RigidBody {
+    double mass;
+    Mat3 inertia;
+    std::uint8_t fixed;
+    Vec3 force, load, moment, torque;
+    Vec3 &velocity, &spin, &momentum;
+    Vec3 &last_force, &last_moment; ///< for combined damping
+    Quaternion& orientation;
+};
 
-    const double mass = blocks.mass[b];
+/// Velocities and momentum after one step, and the orientation in large strain.
+inline void advance(const RigidBody& body, const Settings& settings, double step, const DampingFactors& damping,
+                    MotionSums& sums) {
+    const std::uint8_t fixed = body.fixed;
+    Vec3& v = body.velocity;
+    Vec3& w = body.spin;
+    const double mass = body.mass;
     const Vec3 weight = mass * settings.gravity;
-    const Vec3 force = blocks.force[b] + blocks.load[b] + weight;
+    const Vec3 force = body.force + body.load + weight;
     for (int k = 0; k < 3; ++k) {
         const bool held = fixed & (1 << k);
         const double before = v[k];
-        if (!held) v[k] = damping.advance(before, force[k], mass, step, blocks.last_force[b][k]);
-        sums.account(mass, before, v[k], weight[k], blocks.load[b][k], force[k] * step, held, step);
+        if (!held) v[k] = damping.advance(before, force[k], mass, step, body.last_force[k]);
+        sums.account(mass, before, v[k], weight[k], body.load[k], force[k] * step, held, step);
     }
-    const Vec3 way = v * step;
 
     // Moments act on the angular momentum; its viscous part decays like the velocity.
-    const Vec3 moment = blocks.moment[b] + blocks.torque[b];
-    Vec3& momentum = blocks.angular_momentum[b];
+    const Vec3 moment = body.moment + body.torque;
+    Vec3& momentum = body.momentum;
     const Vec3 momentum_before = momentum, spin_before = w;
-    for (int k = 0; k < 3; ++k) momentum[k] = damping.advance(momentum[k], moment[k], 1.0, step, blocks.last_moment[b][k]);
+    for (int k = 0; k < 3; ++k) momentum[k] = damping.advance(momentum[k], moment[k], 1.0, step, body.last_moment[k]);
     if (fixed & (fix_rx | fix_ry | fix_rz)) {
         // Prescribed components keep their velocity; the others follow from their momentum.
-        const Mat3 global = inertia_now(model, static_cast<Row>(b));
+        const Mat3 r = quaternion(body.orientation).toRotationMatrix();
+        const Mat3 global = r * body.inertia * r.transpose();
         Mat3 system = global;
         Vec3 right = momentum;
         for (int k = 0; k < 3; ++k)
@@ -139,27 +147,21 @@ void move_block(Model& model, std::size_t b, const DampingFactors& damping, Moti
             if (fixed & (fix_rx << k)) w[k] = right[k];
         momentum = global * w;
         if (settings.large_strain) {
-            const auto q = (turned_by(step * w) * quaternion(blocks.orientation[b])).normalized();
-            blocks.orientation[b] = Quaternion(q.w(), q.x(), q.y(), q.z());
+            const auto q = (turned_by(step * w) * quaternion(body.orientation)).normalized();
+            body.orientation = Quaternion(q.w(), q.x(), q.y(), q.z());
         }
     } else if (!momentum.isZero(0)) {
-        const Mat3 inertia = blocks.inertia[b] * (mass / blocks.volume[b]);
-        Quaternion turned = blocks.orientation[b];
-        w = turn(turned, inertia, momentum, step);
-        if (settings.large_strain) blocks.orientation[b] = turned;
+        Quaternion turned = body.orientation;
+        w = turn(turned, body.inertia, momentum, step);
+        if (settings.large_strain) body.orientation = turned;
     } else {
         w.setZero();
-    }
-    blocks.displacement[b] += way;
-    if (settings.large_strain) {
-        blocks.centroid[b] += way;
-        blocks.travelled[b] += place_vertices(model, b);
     }
     // The same account for rotation, component by component of the mean spin.
     const Vec3 mean = 0.5 * (spin_before + w);
     const Vec3 rest = momentum - momentum_before - moment * step;
     for (int k = 0; k < 3; ++k) {
-        sums.boundary += blocks.torque[b][k] * mean[k] * step;
+        sums.boundary += body.torque[k] * mean[k] * step;
         (fixed & (fix_rx << k) ? sums.boundary : sums.damped) +=
             (fixed & (fix_rx << k) ? 1 : -1) * rest[k] * mean[k];
     }
@@ -167,17 +169,100 @@ void move_block(Model& model, std::size_t b, const DampingFactors& damping, Moti
     sums.kinetic += 0.5 * w.dot(momentum);
 }
 
+/// One rigid block, one step.
+void move_block(Model& model, std::size_t b, const DampingFactors& damping, MotionSums& sums) {
+    auto& blocks = model.blocks;
+    if (blocks.fixed[b] == fix_all && blocks.velocity[b].isZero(0) && blocks.rotational_velocity[b].isZero(0)) return;
+    const double mass = blocks.mass[b], step = model.clock.time_step;
+    advance({mass, blocks.inertia[b] * (mass / blocks.volume[b]), blocks.fixed[b], blocks.force[b], blocks.load[b],
+             blocks.moment[b], blocks.torque[b], blocks.velocity[b], blocks.rotational_velocity[b],
+             blocks.angular_momentum[b], blocks.last_force[b], blocks.last_moment[b], blocks.orientation[b]},
+            model.settings, step, damping, sums);
+    const Vec3 way = blocks.velocity[b] * step;
+    blocks.displacement[b] += way;
+    if (!model.settings.large_strain) return;
+    blocks.centroid[b] += way;
+    blocks.travelled[b] += place_vertices(model, b);
+}
+
+/// Joined blocks, one step. The body's state is that of its members, so that nothing needs to be kept twice: centroid
+/// and velocity are means by mass, axes those of its first block.
+void move_body(Model& model, std::span<const Row> members, const DampingFactors& damping, MotionSums& sums) {
+    auto& blocks = model.blocks;
+    const BodyMass body = body_mass(model, members);
+    const Row first = members.front();
+    std::uint8_t fixed = 0;
+    Vec3 velocity = Vec3::Zero(), spin = blocks.rotational_velocity[first];
+    Vec3 force = Vec3::Zero(), load = Vec3::Zero(), moment = Vec3::Zero(), torque = Vec3::Zero();
+    for (const Row b : members) {
+        // What one block may not do none of them may; the first that is held says how fast.
+        for (int k = 0; k < 3; ++k) {
+            if ((blocks.fixed[b] & ~fixed) & (fix_rx << k)) spin[k] = blocks.rotational_velocity[b][k];
+        }
+        fixed |= blocks.fixed[b];
+        velocity += blocks.mass[b] / body.mass * blocks.velocity[b];
+        const Vec3 arm = blocks.centroid[b] - body.centroid;
+        force += blocks.force[b];
+        load += blocks.load[b];
+        moment += blocks.moment[b] + arm.cross(blocks.force[b]);
+        torque += blocks.torque[b] + arm.cross(blocks.load[b]);
+    }
+    for (int k = 0; k < 3; ++k)
+        for (const Row b : members)
+            if (blocks.fixed[b] & (fix_x << k)) {
+                velocity[k] = blocks.velocity[b][k];
+                break;
+            }
+    if (fixed == fix_all && velocity.isZero(0) && spin.isZero(0)) return;
+
+    const Quaternion before = blocks.orientation[first];
+    const Mat3 axes = quaternion(before).toRotationMatrix();
+    Quaternion after = before;
+    const double step = model.clock.time_step;
+    advance({body.mass, axes.transpose() * body.inertia * axes, fixed, force, load, moment, torque, velocity, spin,
+             blocks.angular_momentum[first], blocks.last_force[first], blocks.last_moment[first], after},
+            model.settings, step, damping, sums);
+    const Eigen::Quaterniond turn = quaternion(after) * quaternion(before).conjugate();
+    for (const Row b : members) {
+        const Vec3 arm = blocks.centroid[b] - body.centroid, arm_after = turned(turn, arm);
+        blocks.velocity[b] = velocity + spin.cross(arm_after);
+        blocks.rotational_velocity[b] = spin;
+        if (!model.settings.large_strain) {
+            blocks.displacement[b] += blocks.velocity[b] * step;
+            continue;
+        }
+        const Vec3 way = velocity * step + (arm_after - arm);
+        blocks.displacement[b] += way;
+        blocks.centroid[b] += way;
+        if (b == first) {
+            blocks.orientation[b] = after;
+        } else {
+            const Eigen::Quaterniond q = (turn * quaternion(blocks.orientation[b])).normalized();
+            blocks.orientation[b] = Quaternion(q.w(), q.x(), q.y(), q.z());
+        }
+        blocks.travelled[b] += place_vertices(model, static_cast<std::size_t>(b));
+    }
+}
+
 } // namespace
 
-MotionSums move_blocks(Model& model) {
+MotionSums move_blocks(Model& model, const JoinedBodies& bodies) {
     const auto& blocks = model.blocks;
     const DampingFactors damping(model.settings, model.clock);
+    MotionSums of_bodies = reduce_chunks(
+        bodies.size(), grain, MotionSums{},
+        [&](std::size_t first, std::size_t last) {
+            MotionSums sums;
+            for (std::size_t i = first; i < last; ++i) move_body(model, bodies.members(i), damping, sums);
+            return sums;
+        },
+        combine);
     return reduce_chunks(
-        blocks.size(), grain, MotionSums{},
+        blocks.size(), grain, of_bodies,
         [&](std::size_t first, std::size_t last) {
             MotionSums sums;
             for (std::size_t b = first; b < last; ++b)
-                if (!blocks.deformable[b]) move_block(model, b, damping, sums);
+                if (!blocks.deformable[b] && blocks.body[b] == 0) move_block(model, b, damping, sums);
             return sums;
         },
         combine);

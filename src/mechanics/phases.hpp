@@ -68,8 +68,8 @@ DriveSums drive_velocities(Model& model, DriveLists& lists, const Hooks& hooks);
 void drive_loads(Model& model, DriveLists& lists, const Hooks& hooks);
 
 /// Reads forces, loads, masses; writes velocities, positions, displacements, orientations of rigid blocks
-/// and the positions of their vertices.
-MotionSums move_blocks(Model& model);
+/// and the positions of their vertices. Joined blocks move as one.
+MotionSums move_blocks(Model& model, const JoinedBodies& bodies);
 
 /// The same for gridpoints of deformable blocks, and their blocks' centroids.
 MotionSums move_gridpoints(Model& model);

@@ -36,6 +36,7 @@ public:
     Column<std::int32_t> constitutive; ///< number of `change cons`
     Column<std::int32_t> region;
     Column<std::int32_t> group; ///< index into Model::group_names, 0 is none
+    Column<std::int32_t> body;  ///< blocks of equal body move as one (joined.hpp); 0: on its own
     Column<std::uint8_t> hidden;
     Column<std::uint8_t> deformable;
     Column<std::uint8_t> fixed;   ///< Fixity bits, rigid blocks
@@ -54,7 +55,8 @@ public:
     Column<Quaternion> orientation; ///< turns own axes into global ones
     Column<Vec3> velocity;          ///< rigid blocks, of the centroid
     Column<Vec3> rotational_velocity; ///< global axes, rad/time
-    Column<Vec3> angular_momentum;    ///< about the centroid, global axes; what free spin keeps
+    Column<Vec3> angular_momentum;    ///< about the centroid, global axes; what free spin keeps. Of a
+                                      ///< joined body: all of it, at its first block
     Column<Vec3> displacement;        ///< of the centroid
     Column<Vec3> force;               ///< sum of the last cycle, gravity and damping not included
     Column<Vec3> moment;
@@ -70,6 +72,7 @@ public:
         visit("constitutive", constitutive);
         visit("region", region);
         visit("group", group);
+        visit("body", body);
         visit("hidden", hidden);
         visit("deformable", deformable);
         visit("fixed", fixed);

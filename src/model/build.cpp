@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "geometry/mesh.hpp"
+#include "model/joined.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -189,6 +190,14 @@ Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& option
     return b;
 }
 
+Row add_solid(Model& model, const std::vector<Polyhedron>& parts, const NewBlock& options) {
+    const Row first = add_block(model, parts.front(), options);
+    std::vector<std::pair<Row, Row>> pairs;
+    for (std::size_t i = 1; i < parts.size(); ++i) pairs.emplace_back(first, add_block(model, parts[i], options));
+    if (!pairs.empty()) join_pairs(model, pairs);
+    return first;
+}
+
 Polyhedron shape_of(const Model& model, Row block) {
     // The loops of a face are the boundary edges of its triangles, walked once around.
     Polyhedron shape;
@@ -231,6 +240,18 @@ void delete_blocks(Model& model, const std::vector<Row>& rows) {
     auto& blocks = model.blocks;
     std::vector<bool> gone(blocks.size(), false);
     for (const Row row : rows) gone[row] = true;
+    const JoinedBodies bodies = joined_bodies(model);
+    std::vector<std::vector<Row>> left_of_bodies;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        std::vector<Row> left;
+        for (const Row row : bodies.members(i))
+            if (!gone[row]) left.push_back(row);
+        if (left.size() < bodies.members(i).size() && !left.empty()) left_of_bodies.push_back(std::move(left));
+    }
+    for (const auto& left : left_of_bodies) {
+        unjoin(model, left);
+        join_pairs(model, touching_pairs(model, left));
+    }
     std::vector<Row> kept, renamed(blocks.size(), no_row);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (gone[b]) {

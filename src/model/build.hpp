@@ -14,6 +14,9 @@ struct NewBlock {
 /// polyhedron has no volume.
 Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& options);
 
+/// Adds a solid of convex parts, which are joined when there are several. Returns the row of the first.
+Row add_solid(Model& model, const std::vector<Polyhedron>& parts, const NewBlock& options);
+
 /// A new row of the table of blocks, with a number and an id and nothing else. Returns it.
 Row add_block_row(Model& model);
 
@@ -29,7 +32,8 @@ void put_in_block_order(Model& model);
 /// The block's current shape (vertices where they are now).
 Polyhedron shape_of(const Model& model, Row block);
 
-/// Removes blocks with all that belongs to them; contacts are made anew before the next cycle.
+/// Removes blocks with all that belongs to them; contacts are made anew before the next cycle. What is left of a
+/// joined body stays joined where its parts touch.
 void delete_blocks(Model& model, const std::vector<Row>& blocks);
 
 /// A conforming mesh of tetrahedra of average edge `edge` in each of the blocks that has none; they

@@ -1,8 +1,11 @@
 #include "model/cut_blocks.hpp"
 
 #include "model/build.hpp"
+#include "model/joined.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
 
 namespace kaya {
 
@@ -12,12 +15,14 @@ namespace {
 struct Parent {
     NewBlock options;
     std::uint8_t hidden, fixed;
-    double volume, density;
+    FaceTriangles face_triangles;
+    double face_edge, volume, density;
     Vec3 centroid, velocity, rotational_velocity, displacement, load, torque;
 
     Parent(const Blocks& blocks, Row b)
         : options{blocks.material[b], blocks.constitutive[b], blocks.region[b], blocks.group[b]},
-          hidden(blocks.hidden[b]), fixed(blocks.fixed[b]), volume(blocks.volume[b]),
+          hidden(blocks.hidden[b]), fixed(blocks.fixed[b]),
+          face_triangles(blocks.face_triangles[b]), face_edge(blocks.face_edge[b]), volume(blocks.volume[b]),
           density(blocks.mass[b] / blocks.volume[b]), centroid(blocks.centroid[b]), velocity(blocks.velocity[b]),
           rotational_velocity(blocks.rotational_velocity[b]), displacement(blocks.displacement[b]),
           load(blocks.load[b]), torque(blocks.torque[b]) {}
@@ -31,6 +36,8 @@ struct Parent {
         blocks.group[b] = options.group;
         blocks.hidden[b] = hidden;
         blocks.fixed[b] = fixed;
+        blocks.face_triangles[b] = face_triangles;
+        blocks.face_edge[b] = face_edge;
         blocks.velocity[b] = velocity + rotational_velocity.cross(mass.centroid - centroid);
         blocks.rotational_velocity[b] = rotational_velocity;
         blocks.angular_momentum[b] = density * (mass.inertia * rotational_velocity);
@@ -42,18 +49,49 @@ struct Parent {
     }
 };
 
+/// Joins the pieces of bodies again, all but those of one block.
+void rejoin(Model& model, const std::vector<std::vector<Row>>& bodies, const std::vector<Row>& cut_from) {
+    for (const auto& rows : bodies) {
+        auto pairs = touching_pairs(model, rows);
+        std::erase_if(pairs, [&](const auto& pair) { return cut_from[pair.first] == cut_from[pair.second]; });
+        join_pairs(model, pairs);
+    }
+}
+
 } // namespace
 
 void replace_by_pieces(Model& model, const std::vector<Row>& rows, const CutBlocks& cut) {
+    // Bodies of which a block is cut come apart; their members, and later the pieces, are what may be joined again.
+    std::vector<std::vector<Row>> bodies;
+    std::vector<int> body_of(model.blocks.size(), -1);
+    {
+        const JoinedBodies joined = joined_bodies(model);
+        std::vector<bool> cut_row(model.blocks.size(), false);
+        for (const int parent : cut.parents) cut_row[rows[static_cast<std::size_t>(parent)]] = true;
+        for (std::size_t i = 0; i < joined.size(); ++i) {
+            const auto members = joined.members(i);
+            if (std::none_of(members.begin(), members.end(), [&](Row row) { return cut_row[row]; })) continue;
+            for (const Row row : members) body_of[row] = static_cast<int>(bodies.size());
+            bodies.emplace_back(members.begin(), members.end());
+        }
+        for (const auto& members : bodies) unjoin(model, members);
+    }
+    std::vector<Row> cut_from(model.blocks.size());
+    std::iota(cut_from.begin(), cut_from.end(), 0);
     for (std::size_t i = 0; i < cut.pieces.size();) {
         const int parent = cut.pieces[i].parent;
         const Row row = rows[static_cast<std::size_t>(parent)];
         const Parent from(model.blocks, row);
         from.give(model, row, cut.pieces[i].polyhedron);
-        for (++i; i < cut.pieces.size() && cut.pieces[i].parent == parent; ++i)
-            from.give(model, add_block_row(model), cut.pieces[i].polyhedron);
+        for (++i; i < cut.pieces.size() && cut.pieces[i].parent == parent; ++i) {
+            const Row piece = add_block_row(model);
+            from.give(model, piece, cut.pieces[i].polyhedron);
+            cut_from.push_back(row);
+            if (body_of[row] >= 0) bodies[static_cast<std::size_t>(body_of[row])].push_back(piece);
+        }
     }
     put_in_block_order(model);
+    rejoin(model, bodies, cut_from);
 }
 
 } // namespace kaya

@@ -89,6 +89,10 @@ Vec3 moments_of_inertia(const Model& model, Row block) { return inertia(model, b
 
 /// What the engine keeps is the angular momentum; the rotational velocity goes with it.
 void rotate(Model& model, Row block, const Vec3& velocity) {
+    if (model.blocks.body[block] != 0)
+        throw Diagnostic(fmt::format("block {} is joined to others and has no rotation of its own",
+                                     model.blocks.number[block]),
+                         "give it a rotation before `join`");
     const Vec3 momentum = inertia(model, block) * velocity;
     if (!momentum.allFinite())
         throw Diagnostic(fmt::format("block {} has no density yet and cannot be given a rotation",
@@ -116,6 +120,8 @@ const Fields& block_fields() {
         {table, "region", "b_region", "", "-", "region number", read<rows_of, &Blocks::region>,
          write<rows_of, &Blocks::region>},
         {table, "group", "b_group", "", "-", "name of its group, empty when it has none", group, set_group},
+        {table, "body", "b_ms", "", "-", "number of the joined body that it is part of, 0 on its own",
+         read<rows_of, &Blocks::body>, nullptr},
         {table, "hidden", "b_hidden", "", "-", "1 when hidden", read<rows_of, &Blocks::hidden>, nullptr},
         {table, "deformable", "", "", "-", "1 when it has zones", read<rows_of, &Blocks::deformable>, nullptr},
         {table, "fixed", "b_fix", "", "-", "1 when all of its motion is prescribed", call<fixed>, nullptr},

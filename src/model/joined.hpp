@@ -1,0 +1,49 @@
+// Rigid blocks that are joined and move as one body: concave solids, and what a deck joins.
+#pragma once
+
+#include "model/model.hpp"
+
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace kaya {
+
+/// Whether two blocks are parts of one body; between them there is no joint.
+inline bool joined(const Model& model, Row a, Row b) {
+    return model.blocks.body[a] != 0 && model.blocks.body[a] == model.blocks.body[b];
+}
+
+/// The bodies of more than one block; derived from Blocks::body. Members in ascending order.
+struct JoinedBodies {
+    std::vector<std::size_t> start{0}; ///< one more than bodies
+    std::vector<Row> rows;
+
+    std::size_t size() const { return start.size() - 1; }
+    std::span<const Row> members(std::size_t body) const {
+        return {rows.data() + start[body], start[body + 1] - start[body]};
+    }
+};
+JoinedBodies joined_bodies(const Model& model);
+
+/// Mass, centroid and inertia about it (global axes) of a body from those of its members. Without masses all
+/// densities are taken as 1.
+struct BodyMass {
+    double mass = 0;
+    Vec3 centroid = Vec3::Zero();
+    Mat3 inertia = Mat3::Zero();
+};
+BodyMass body_mass(const Model& model, std::span<const Row> members);
+
+/// Joins the pairs of blocks; those that are joined to them already come along. The body moves with the momentum
+/// and angular momentum of its parts. Throws Diagnostic, model unchanged, when one of the blocks has zones.
+void join_pairs(Model& model, const std::vector<std::pair<Row, Row>>& pairs);
+
+/// Pairs of the rows that lie face on face.
+std::vector<std::pair<Row, Row>> touching_pairs(const Model& model, const std::vector<Row>& rows);
+
+/// Takes apart the bodies that any of the rows belongs to; each part keeps its motion.
+void unjoin(Model& model, const std::vector<Row>& rows);
+
+} // namespace kaya

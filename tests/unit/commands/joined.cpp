@@ -1,0 +1,114 @@
+// Joined blocks: what they do together, and how they come apart.
+#include "running.hpp"
+
+#include "model/joined.hpp"
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+
+namespace kaya {
+namespace {
+
+using testing::HasSubstr;
+
+class Joined : public Running {
+protected:
+    void start() {
+        model().settings.given_time_step = 1e-3;
+        run("prop mat 1 dens 1000\ndamp none\ngravity 0 0 -10\n");
+        for (std::size_t b = 0; b < model().blocks.size(); ++b) {
+            const Vec3 arm = model().blocks.centroid[b] - Vec3(1, 0.5, 0.75);
+            model().blocks.rotational_velocity[b] = Vec3(0.1, 3, 0.2);
+            model().blocks.velocity[b] = Vec3(1, 0, 2) + Vec3(0.1, 3, 0.2).cross(arm);
+        }
+    }
+    Vec3 corner() {
+        const auto rows = select(model(), ObjectKind::gridpoint, {});
+        Vec3 found = Vec3::Zero();
+        for (const Row row : rows)
+            if (model().gridpoints.position[row] == Vec3(2, 1, 1.5)) corner_ = row;
+        if (corner_ != no_row) found = model().gridpoints.position[corner_];
+        return found;
+    }
+    Row corner_ = no_row;
+};
+
+TEST_F(Joined, PiecesPutTogetherSpinAsTheWholeBlockDoes) {
+    run("new\npoly brick 0 2 0 1 0 1.5");
+    start();
+    corner();
+    // The angular momentum of the whole, known before its first step.
+    const double mass = 3000;
+    model().blocks.mass[0] = mass;
+    const Vec3 momentum = mass / 3.0 * (model().blocks.inertia[0] * Vec3(0.1, 3, 0.2));
+    model().blocks.angular_momentum[0] = momentum;
+    run("cycle 2000");
+    const Vec3 whole = corner(), spin = model().blocks.rotational_velocity[0];
+    const double energy = model().energy.kinetic;
+
+    run("new\npoly brick 0 2 0 1 0 1.5\njset dip 60 dd 90 org 1 .5 .7\njset dip 50 dd 200 org 1 .5 .7");
+    ASSERT_EQ(model().blocks.size(), 4u);
+    corner_ = no_row;
+    start();
+    corner();
+    ASSERT_NE(corner_, no_row);
+    for (std::size_t b = 0; b < 4; ++b) model().blocks.mass[b] = 1000 * model().blocks.volume[b];
+    for (std::size_t b = 0; b < 4; ++b)
+        model().blocks.angular_momentum[b] = 1000 * (model().blocks.inertia[b] * Vec3(0.1, 3, 0.2));
+    run("join");
+    const JoinedBodies bodies = joined_bodies(model());
+    ASSERT_EQ(bodies.size(), 1u);
+    EXPECT_LT((model().blocks.angular_momentum[0] - momentum).norm(), 1e-9 * momentum.norm());
+    run("cycle 2000");
+    EXPECT_EQ(model().contacts.size(), 0u);
+    EXPECT_LT((corner() - whole).norm(), 1e-9);
+    EXPECT_LT((model().blocks.rotational_velocity[2] - spin).norm(), 1e-9);
+    EXPECT_NEAR(model().energy.kinetic, energy, 1e-9 * energy);
+    EXPECT_LT((model().blocks.angular_momentum[0] - momentum).norm(), 1e-9 * momentum.norm());
+}
+
+TEST_F(Joined, BlocksThatDoNotTouchStayApart) {
+    run("poly brick 0 1\npoly brick 1 2 0 1 0 1\npoly brick 3 4 0 1 0 1\npoly brick 3 4 1 2 1 2\njoin");
+    EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{1, 1, 0, 0}));
+    EXPECT_THAT(said(), HasSubstr("2 blocks joined to 1 body"));
+    run("join off range x 1 2");
+    EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{0, 0, 0, 0}));
+}
+
+TEST_F(Joined, AConcaveSolidIsOneBody) {
+    run("poly prism a 0 0 0 2 0 0 2 0 1 1 0 1 1 0 2 0 0 2 b 0 1 0 2 1 0 2 1 1 1 1 1 1 1 2 0 1 2");
+    ASSERT_GE(model().blocks.size(), 2u);
+    double volume = 0;
+    for (std::size_t b = 0; b < model().blocks.size(); ++b) {
+        EXPECT_EQ(model().blocks.body[b], 1);
+        volume += model().blocks.volume[b];
+    }
+    EXPECT_NEAR(volume, 3, 1e-12);
+}
+
+TEST_F(Joined, ACutPartsABodyOnItsTwoSides) {
+    // A bar of three bricks, cut across the middle of the second.
+    run("poly brick 0 1\npoly brick 1 2 0 1 0 1\npoly brick 2 3 0 1 0 1\njoin\njset dip 90 dd 90 org 1.5 0 0");
+    ASSERT_EQ(model().blocks.size(), 4u);
+    const auto& c = model().blocks.centroid;
+    for (std::size_t a = 0; a < 4; ++a)
+        for (std::size_t b = a + 1; b < 4; ++b)
+            EXPECT_EQ(joined(model(), static_cast<Row>(a), static_cast<Row>(b)), (c[a].x() < 1.5) == (c[b].x() < 1.5));
+}
+
+TEST_F(Joined, WhatIsLeftOfABodyStaysJoinedWhereItTouches) {
+    run("poly brick 0 1\npoly brick 1 2 0 1 0 1\npoly brick 2 3 0 1 0 1\npoly brick 3 4 0 1 0 1\njoin\n"
+        "delete range x 1 2");
+    EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{0, 3, 3}));
+}
+
+TEST_F(Joined, BlocksWithZonesAreRefused) {
+    run("poly brick 0 1\npoly brick 1 2 0 1 0 1\ngen edge 1 range x 0 1");
+    EXPECT_THAT(mistake("join").message, HasSubstr("block 1 has zones"));
+    EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{0, 0}));
+    run("new\npoly brick 0 1\npoly brick 1 2 0 1 0 1\njoin");
+    EXPECT_THAT(mistake("gen edge 1").message, HasSubstr("block 1 is joined to others"));
+}
+
+} // namespace
+} // namespace kaya
