@@ -101,6 +101,29 @@ struct JointSetCommand {
     RangePhrase range;
     Place place;
 };
+/// The outline of a tunnel: two polygons with matching corners.
+struct TunnelCommand {
+    std::vector<Vec3> first, second;
+    std::int64_t region = 0; ///< of the blocks inside; 0: as they were
+    bool radial = false;     ///< cuts the rock around through each corner, too
+    RangePhrase range;
+    Place place;
+};
+/// Cuts each block into equal parts along x, y and z.
+struct Densify {
+    std::array<std::int64_t, 3> parts{1, 1, 1};
+    bool join = false; ///< the parts stay one body
+    RangePhrase range;
+    Place place;
+};
+/// Blocks from a file: its suffix says the format.
+struct Import {
+    std::string file;
+    BlockOptions options;
+    Place place;
+};
+struct Export { std::string file; RangePhrase range; Place place; };
+struct Mark { std::int64_t region = 0; RangePhrase range; };
 /// Joins blocks that touch into one body, or takes bodies apart.
 struct Join { bool on = true; RangePhrase range; Place place; };
 /// Joins the two blocks of each contact.

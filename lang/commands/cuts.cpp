@@ -63,6 +63,68 @@ CommandSpec joint_set() {
     return entry;
 }
 
+CommandSpec tunnel() {
+    Entry<TunnelCommand> entry({"tunnel"});
+    entry.help("cuts the outline of a tunnel out of visible blocks; nothing is taken away");
+    const auto polygon = [&](const char* word, std::vector<Vec3> TunnelCommand::*member, std::string_view help) {
+        ArgumentSpec spec = vector("x y z ...").unit("length").spec;
+        spec.repeated = true;
+        entry.special({word}, {spec},
+                      [=](Reader& reader, TunnelCommand& command) {
+                          do (command.*member).push_back(reader.vector(spec));
+                          while (reader.at_number());
+                      },
+                      help);
+    };
+    polygon("a", &TunnelCommand::first, "corners of the outline at one end, in order around it");
+    polygon("b", &TunnelCommand::second, "corners at the other end, each opposite its partner");
+    entry.keyword({"region"}, integer("n").at_least(1), &TunnelCommand::region,
+                  "region number of the blocks inside; unchanged if not given");
+    entry.action({"radial"}, [](TunnelCommand& command) { command.radial = true; },
+                 "cuts the blocks around from the axis through each corner, too");
+    entry.range(&TunnelCommand::range);
+    entry.place(&TunnelCommand::place);
+    entry.finish([](const Reader& reader, TunnelCommand& command) {
+        if (command.first.empty() || command.second.empty())
+            incomplete_line(reader, "a tunnel needs two polygons", "write: tunnel a x y z ... b x y z ...");
+    });
+    entry.right("tunnel region 2 a 4,0,4 6,0,4 6,0,6 4,0,6 b 4,10,4 6,10,4 6,10,6 4,10,6");
+    entry.right("tunnel radial a 4,0,4 6,0,4 5,0,6 b 4,9,4 6,9,4 5,9,6 range region 1");
+    entry.wrong("tunnel a 4 0 4 6 0 4 5 0 6", "a tunnel needs two polygons");
+    entry.wrong("tunnel 4 0 4", "'4' stands where a keyword of tunnel must be");
+    return entry;
+}
+
+CommandSpec densify() {
+    Entry<Densify> entry({"densify"});
+    entry.help("cuts each block into equal parts along x, y and z");
+    const auto parts = [&](std::string_view name, std::size_t k, std::string_view help) {
+        entry.argument(integer(name).at_least(1).at_most(1000).help(help),
+                       [k](Densify& command, std::int64_t n) { command.parts[k] = n; });
+    };
+    parts("nx", 0, "parts along x");
+    parts("ny", 1, "parts along y");
+    parts("nz", 2, "parts along z");
+    entry.action({"join"}, [](Densify& command) { command.join = true; }, "the parts stay one body");
+    entry.range(&Densify::range);
+    entry.place(&Densify::place);
+    entry.right("densify 2 2 1").right("densify 1 1 4 join range group column");
+    entry.wrong("densify 2 2", "a number is missing after '2'");
+    entry.wrong("densify 0 1 1", "nx must be at least 1, not 0");
+    return entry;
+}
+
+CommandSpec mark() {
+    Entry<Mark> entry({"mark"}, {"region"});
+    entry.help("gives blocks a region number");
+    entry.argument(integer("n").at_least(0).help("region number"), &Mark::region);
+    entry.range(&Mark::range);
+    entry.right("mark region 2 range z 0 10");
+    entry.wrong("mark 2", "'2' stands where a kind of mark must be");
+    entry.wrong("mark region", "a number is missing after 'region'");
+    return entry;
+}
+
 CommandSpec join() {
     Entry<Join> entry({"join"});
     entry.help("makes one body of rigid blocks that lie face on face, or takes bodies apart");
@@ -71,7 +133,7 @@ CommandSpec join() {
     entry.range(&Join::range);
     entry.place(&Join::place);
     entry.right("join").right("join on range group arch").right("join off range x 0 1");
-    entry.wrong("join of", "'of' is not a keyword of join");
+    entry.wrong("join oof", "'oof' is not a keyword of join");
     return entry;
 }
 
@@ -87,6 +149,6 @@ CommandSpec join_contact() {
 
 } // namespace
 
-std::vector<CommandSpec> cut_commands() { return {joint_set(), join(), join_contact()}; }
+std::vector<CommandSpec> cut_commands() { return {joint_set(), tunnel(), densify(), mark(), join(), join_contact()}; }
 
 } // namespace kaya::lang

@@ -119,7 +119,7 @@ Family geometry() {
         }};
     auto& commands = family.commands;
     auto cuts = cut_commands(), shapes = shape_commands();
-    commands.insert(commands.begin(), cuts.begin(), cuts.end());
+    commands.insert(commands.end(), cuts.begin(), cuts.end());
     commands.insert(commands.begin(), shapes.begin(), shapes.end());
     return family;
 }

@@ -15,6 +15,7 @@ struct Listed {
 const std::vector<Listed>& listed() {
     static const std::vector<Listed> words = {
         {{"blocks"}, "blocks: place, mass, material, region"},
+        {{"quality"}, "blocks that will make trouble, and what helps; also `list blocks quality`"},
         {{"contacts"}, "contacts: blocks, normal, area"},
         {{"subcontacts"}, "sub-contacts: displacements, forces, state"},
         {{"gridpoints", "gp"}, "gridpoints: place, velocity, displacement, force"},
@@ -44,6 +45,7 @@ CommandSpec list() {
         const std::string what(item.words.front().word);
         entry.special(item.words, {},
                       [what](Reader& reader, List& command) {
+                          if (what == "quality" && command.what == "blocks") command.what.clear();
                           if (!command.what.empty() || !command.symbols.empty())
                               throw Diagnostic("one list command shows one thing",
                                                "write a second list command")
@@ -66,7 +68,8 @@ CommandSpec list() {
         .right("print @x")
         .right("print @a @b")
         .right("pri max")
-        .right("list contacts range z 0 1");
+        .right("list contacts range z 0 1")
+        .right("list blocks quality");
     entry.wrong("list", "list does not say what to show");
     entry.wrong("print blokcs", "'blokcs' is not a keyword of list");
     entry.wrong("list blocks zones", "one list command shows one thing");

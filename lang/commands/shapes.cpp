@@ -250,10 +250,41 @@ CommandSpec poly_tunnel() {
     return entry;
 }
 
+CommandSpec import_file() {
+    Entry<Import> entry({"import"});
+    entry.help("makes blocks of the closed surfaces or blocks in a file: .3dgrid, .stl, .obj, .ply, .wrl");
+    entry.argument(text("file").help("name with suffix, which says the format"), &Import::file);
+    const auto options = [](std::int64_t BlockOptions::*member) {
+        return [member](Import& command) -> auto& { return command.options.*member; };
+    };
+    entry.keyword({"region"}, integer("n").at_least(0), options(&BlockOptions::region),
+                  "region number of blocks to which the file gives none");
+    entry.keyword({"material", "mat"}, integer("n").at_least(1), options(&BlockOptions::material),
+                  "material number, 1 if not given");
+    entry.keyword({"constitutive", "cons"}, integer("n").at_least(1), options(&BlockOptions::constitutive),
+                  "constitutive number, 1 if not given");
+    entry.place(&Import::place);
+    entry.right("import 'vault.stl'").right("import wall.3dgrid mat 2").right("import stones.obj region 3");
+    entry.wrong("import", "a word is missing after 'import'");
+    entry.wrong("import a.stl regoin 2", "'regoin' is not a keyword of import");
+    return entry;
+}
+
+CommandSpec export_grid() {
+    Entry<Export> entry({"export"});
+    entry.help("writes visible blocks to a .3dgrid file");
+    entry.argument(text("file").help("name with the suffix .3dgrid"), &Export::file);
+    entry.range(&Export::range);
+    entry.place(&Export::place);
+    entry.right("export wall.3dgrid").right("export 'left half.3dgrid' range x 0 5");
+    entry.wrong("export", "a word is missing after 'export'");
+    return entry;
+}
+
 } // namespace
 
 std::vector<CommandSpec> shape_commands() {
-    return {poly_brick(), poly_prism(), poly_face(), poly_tet(), poly_cube(), poly_drum(), poly_tunnel()};
+    return {poly_brick(), poly_prism(), poly_face(), poly_tet(), poly_cube(), poly_drum(), poly_tunnel(), import_file(), export_grid()};
 }
 
 } // namespace kaya::lang

@@ -1,7 +1,7 @@
-// jset, join: cutting blocks that are there, and putting them together.
+// jset, tunnel, densify, mark, join: cutting blocks that are there, and putting them together.
 #include "commands/handlers.hpp"
 
-#include "geometry/joint_set.hpp"
+#include "geometry/block_cuts.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "model/build.hpp"
 #include "model/cut_blocks.hpp"
@@ -49,19 +49,22 @@ std::vector<Polyhedron> shapes_of(const Model& model, const std::vector<Row>& ro
 }
 
 /// Puts the pieces in place of their blocks and says in one line what was done.
-void apply(Session& session, const std::vector<Row>& rows, const CutBlocks& cut, double thinnest,
-           const std::string& by) {
+/// Returns the row of each piece.
+std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const CutBlocks& cut, double thinnest,
+                       const std::string& by) {
     const std::size_t whole = rows.size() - cut.parents.size();
     std::string line = fmt::format("{}: {} cut into {}, {} left whole", by,
                                    counted(cut.parents.size(), "block", "blocks"), cut.pieces.size(), whole);
     if (cut.slivers > 0)
         line += fmt::format("; {} not made: a piece would be thinner than {:.3g}",
                             counted(cut.slivers, "cut was", "cuts were"), thinnest);
+    std::vector<Row> pieces;
     if (!cut.parents.empty()) {
-        replace_by_pieces(session.model, rows, cut);
+        pieces = replace_by_pieces(session.model, rows, cut);
         session.world.rows_moved();
     }
     session.output.say(line);
+    return pieces;
 }
 
 } // namespace
@@ -102,6 +105,59 @@ void run(Session& session, const lang::JointSetCommand& command) {
         mistake.at(command.place);
         throw;
     }
+}
+
+void run(Session& session, const lang::TunnelCommand& command) {
+    try {
+        const std::vector<Row> rows =
+            rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+        if (rows.empty()) return;
+        const double thinnest = thinnest_part * model_size(session.model);
+        TunnelOutline outline{command.first, command.second, command.radial, next_joint_set(session.model)};
+        const TunnelCut cut = cut_tunnel(shapes_of(session.model, rows), outline, thinnest);
+        const std::vector<Row> pieces =
+            apply(session, rows, cut.blocks, thinnest, fmt::format("tunnel, joint set {}", outline.id));
+        if (cut.blocks.parents.empty() && cut.swallowed.empty())
+            session.warn(Diagnostic("no block lies in the tunnel", "look at the corners of its outline").at(command.place));
+        if (command.region == 0) return;
+        auto& region = session.model.blocks.region;
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            if (cut.inside[i]) region[pieces[i]] = static_cast<std::int32_t>(command.region);
+        for (const int block : cut.swallowed)
+            region[rows[static_cast<std::size_t>(block)]] = static_cast<std::int32_t>(command.region);
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+void run(Session& session, const lang::Densify& command) {
+    const std::vector<Row> rows =
+        rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+    if (rows.empty()) return;
+    constexpr double most_pieces = 5e6;
+    std::array<int, 3> parts{};
+    double count = static_cast<double>(rows.size());
+    for (std::size_t k = 0; k < 3; ++k) {
+        parts[k] = static_cast<int>(command.parts[k]);
+        count *= parts[k];
+    }
+    if (count > most_pieces)
+        throw Diagnostic(fmt::format("this would make {:.3g} blocks, more than {:.0e}", count, most_pieces),
+                         "give fewer parts or a smaller range")
+            .at(command.place);
+    const CutBlocks cut = densify(shapes_of(session.model, rows), parts);
+    const std::vector<Row> pieces = apply(session, rows, cut, 0, "densify");
+    if (!command.join) return;
+    std::vector<std::pair<Row, Row>> pairs;
+    for (std::size_t i = 1; i < pieces.size(); ++i)
+        if (cut.pieces[i].parent == cut.pieces[i - 1].parent) pairs.emplace_back(pieces[i - 1], pieces[i]);
+    join_pairs(session.model, pairs);
+}
+
+void run(Session& session, const lang::Mark& command) {
+    for (const Row block : session.pick(ObjectKind::block, command.range))
+        session.model.blocks.region[block] = static_cast<std::int32_t>(command.region);
 }
 
 namespace {

@@ -46,6 +46,11 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::PolyDrum>(session, handlers, InCycle::waits);
     add<lang::PolyTunnel>(session, handlers, InCycle::waits);
     add<lang::JointSetCommand>(session, handlers, InCycle::waits);
+    add<lang::Import>(session, handlers, InCycle::waits);
+    add<lang::Export>(session, handlers, InCycle::waits);
+    add<lang::TunnelCommand>(session, handlers, InCycle::waits);
+    add<lang::Densify>(session, handlers, InCycle::waits);
+    add<lang::Mark>(session, handlers, InCycle::runs);
     add<lang::Join>(session, handlers, InCycle::waits);
     add<lang::JoinContact>(session, handlers, InCycle::waits);
     add<lang::Hide>(session, handlers, InCycle::runs);

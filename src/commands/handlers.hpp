@@ -25,8 +25,15 @@ void run(Session&, const lang::PolyCube&);
 void run(Session&, const lang::PolyDrum&);
 void run(Session&, const lang::PolyTunnel&);
 
+// exchange.cpp
+void run(Session&, const lang::Import&);
+void run(Session&, const lang::Export&);
+
 // cuts.cpp
 void run(Session&, const lang::JointSetCommand&);
+void run(Session&, const lang::TunnelCommand&);
+void run(Session&, const lang::Densify&);
+void run(Session&, const lang::Mark&);
 void run(Session&, const lang::Join&);
 void run(Session&, const lang::JoinContact&);
 

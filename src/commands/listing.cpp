@@ -34,8 +34,8 @@ struct ListEntry {
     std::string_view word;
     std::string (*text)(Session&, const lang::List&);
 };
-constexpr std::array<ListEntry, 19> lists{{
-    {"blocks", list_blocks},         {"contacts", list_contacts}, {"subcontacts", list_sub_contacts},
+constexpr std::array<ListEntry, 20> lists{{
+    {"blocks", list_blocks}, {"quality", list_block_quality},         {"contacts", list_contacts}, {"subcontacts", list_sub_contacts},
     {"gridpoints", list_gridpoints}, {"zones", list_zones},       {"prop", list_properties},
     {"jmodel", list_joint_models},   {"hist", list_histories},    {"time", list_time},
     {"timestep", list_time_step},    {"max", list_extremes},      {"energy", list_energy},

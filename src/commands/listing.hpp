@@ -12,6 +12,7 @@ namespace kaya {
 inline constexpr std::size_t longest_table = 100;
 
 std::string list_blocks(Session&, const lang::List&);
+std::string list_block_quality(Session&, const lang::List&);
 std::string list_gridpoints(Session&, const lang::List&);
 std::string list_zones(Session&, const lang::List&);
 std::string list_contacts(Session&, const lang::List&);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "commands/model_world.hpp"
+#include "commands/occupied.hpp"
 #include "commands/output.hpp"
 #include "commands/ranges.hpp"
 #include "commands/text_table.hpp"
@@ -86,6 +87,7 @@ public:
     bool inside_cycle = false;                              ///< a hook is running: structure must not change
     std::vector<std::pair<Place, std::function<void()>>>
         deferred;                    ///< changes that wait for the end of the cycle
+    Occupied occupied;               ///< where blocks stand, for the warning about two in one place
     std::set<std::string> said_once; ///< notes that are not repeated
     std::map<std::pair<std::int32_t, std::string>, Place>
         property_places; ///< of `prop` words, for late messages

@@ -18,16 +18,34 @@ NewBlock block_of_command(const lang::BlockOptions& options) {
     return block;
 }
 
+/// Warns, the first time in a model, when one of the blocks from `first` on stands where another is.
+void look_for_overlaps(Session& session, Row first, const Place& place) {
+    static const std::string once = "two blocks in one place";
+    if (session.said_once.contains(once)) return;
+    const Model& model = session.model;
+    for (Row row = first; row < static_cast<Row>(model.blocks.size()); ++row) {
+        const Row other = session.occupied.overlapped_by(model, row);
+        if (other == no_row) continue;
+        session.said_once.insert(once);
+        return session.warn(Diagnostic(fmt::format("block {} stands where block {} is already",
+                                                   model.blocks.number[row], model.blocks.number[other]),
+                                       "they will be pressed apart; said once, `list blocks quality` shows all such pairs")
+                                .at(place));
+    }
+}
+
 /// Makes the shapes and puts them into the model; a mistake points at the command.
 template <class Command, class Make> void make(Session& session, const Command& command, Make shape) {
     try {
         const NewBlock block = block_of_command(command.options);
         const auto made = shape();
+        const auto first = static_cast<Row>(session.model.blocks.size());
         if constexpr (std::same_as<std::remove_cv_t<decltype(made)>, Solid>) {
             add_solid(session.model, made.parts, block);
         } else {
             for (const Polyhedron& part : made) add_block(session.model, part, block);
         }
+        look_for_overlaps(session, first, command.place);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;

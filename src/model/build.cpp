@@ -36,8 +36,9 @@ std::vector<std::array<int, 3>> fan(const Polyhedron& p, const std::vector<int>&
     return triangles;
 }
 
-/// Replaces the surface and gridpoints of a block by those of a mesh, appended at the end of the tables.
-void put_mesh(Model& model, Row block, const Polyhedron& shape, const TetMesh& mesh) {
+} // namespace
+
+void give_zones(Model& model, Row block, const Polyhedron& shape, const TetMesh& mesh) {
     auto& blocks = model.blocks;
     const Row g0 = append(model.gridpoints, mesh.points.size());
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
@@ -78,9 +79,8 @@ void put_mesh(Model& model, Row block, const Polyhedron& shape, const TetMesh& m
     blocks.deformable[block] = 1;
     blocks.face_triangles[block] = FaceTriangles::fan; // its zones cut its faces
     blocks.face_edge[block] = 0;
+    model.structure_changed = model.properties_changed = true;
 }
-
-} // namespace
 
 void put_in_block_order(Model& model) {
     auto& blocks = model.blocks;
@@ -313,7 +313,7 @@ std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double ed
         TetMesh mesh = make_mesh(shape, edge);
         meshed.push_back({block, std::move(shape), std::move(mesh)});
     }
-    for (const auto& m : meshed) put_mesh(model, m.block, m.shape, m.mesh);
+    for (const auto& m : meshed) give_zones(model, m.block, m.shape, m.mesh);
     if (!meshed.empty()) {
         put_in_block_order(model);
         model.structure_changed = model.properties_changed = true;

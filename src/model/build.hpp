@@ -1,7 +1,7 @@
 // Making and removing rows of the model: blocks and the zones in them.
 #pragma once
 
-#include "geometry/polyhedron.hpp"
+#include "geometry/mesh.hpp"
 #include "model/model.hpp"
 
 namespace kaya {
@@ -24,6 +24,10 @@ Row add_block_row(Model& model);
 /// rows of the shape stand at the ends of their tables; unless the block is the last one, the rows are out of
 /// order until put_in_block_order.
 void give_shape(Model& model, Row block, const Polyhedron& polyhedron);
+
+/// Replaces the surface and the gridpoints of a block by those of a mesh of its shape and gives it the zones. Rows stand
+/// at the ends of their tables and are out of order until put_in_block_order.
+void give_zones(Model& model, Row block, const Polyhedron& shape, const TetMesh& mesh);
 
 /// Sorts the rows of gridpoints, faces, triangles and zones by block and drops those that no block owns. Spans of
 /// `blocks` say which rows belong together.

@@ -60,7 +60,7 @@ void rejoin(Model& model, const std::vector<std::vector<Row>>& bodies, const std
 
 } // namespace
 
-void replace_by_pieces(Model& model, const std::vector<Row>& rows, const CutBlocks& cut) {
+std::vector<Row> replace_by_pieces(Model& model, const std::vector<Row>& rows, const CutBlocks& cut) {
     // Bodies of which a block is cut come apart; their members, and later the pieces, are what may be joined again.
     std::vector<std::vector<Row>> bodies;
     std::vector<int> body_of(model.blocks.size(), -1);
@@ -76,6 +76,7 @@ void replace_by_pieces(Model& model, const std::vector<Row>& rows, const CutBloc
         }
         for (const auto& members : bodies) unjoin(model, members);
     }
+    std::vector<Row> row_of_piece;
     std::vector<Row> cut_from(model.blocks.size());
     std::iota(cut_from.begin(), cut_from.end(), 0);
     for (std::size_t i = 0; i < cut.pieces.size();) {
@@ -83,8 +84,10 @@ void replace_by_pieces(Model& model, const std::vector<Row>& rows, const CutBloc
         const Row row = rows[static_cast<std::size_t>(parent)];
         const Parent from(model.blocks, row);
         from.give(model, row, cut.pieces[i].polyhedron);
+        row_of_piece.push_back(row);
         for (++i; i < cut.pieces.size() && cut.pieces[i].parent == parent; ++i) {
             const Row piece = add_block_row(model);
+            row_of_piece.push_back(piece);
             from.give(model, piece, cut.pieces[i].polyhedron);
             cut_from.push_back(row);
             if (body_of[row] >= 0) bodies[static_cast<std::size_t>(body_of[row])].push_back(piece);
@@ -92,6 +95,7 @@ void replace_by_pieces(Model& model, const std::vector<Row>& rows, const CutBloc
     }
     put_in_block_order(model);
     rejoin(model, bodies, cut_from);
+    return row_of_piece;
 }
 
 } // namespace kaya
