@@ -7,17 +7,28 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace kaya {
 
 namespace {
 
 /// Faces lie on each other up to this angle (2 degrees): beyond it a block stands on an edge or a corner, which owns
-/// its share of the block's surface and not of a common area.
-constexpr double cos_of_flat = 0.9993908270190958;
+/// its share of the block's surface and not of a common area. What lies or stands already does so up to half a degree
+/// more: a touch on the limit would go to and fro, and shake what it carries.
+constexpr double cos_of_flat = 0.9993908270190958, cos_of_still_flat = 0.9990482215818578,
+                 cos_of_flat_again = 0.9996573249755573;
+
+double flat_limit(const Model& model, Row old) {
+    if (old == no_row) return cos_of_flat;
+    return model.contacts.touch[old] == Touch::face_face ? cos_of_still_flat : cos_of_flat_again;
+}
+
 /// In parts of a block's margin: points that are one, and how narrow the common area of two faces may be. The blocks
 /// of a pile overlap a little, and so do their edges and corners: those contacts would carry nothing and cost as much.
 constexpr double coincidence = 2e-5, narrowest = 1e-2;
+/// Also in parts of the margin: how much better another axis must be than that of the contact so far.
+constexpr double persistence = 0.25;
 
 /// The face of a block that looks most against `direction`.
 Row facing(const Model& model, const Surfaces& surfaces, Row block, const Vec3& direction, double& cosine) {
@@ -96,64 +107,6 @@ double edge_between(const Model& model, Row block1, Row block2) {
     return a > 0 && b > 0 ? std::min(a, b) : std::max(a, b);
 }
 
-/// Sub-contacts at the vertices of the overlay of two faces.
-bool lay_faces(const Model& model, TouchGeometry& touch, bool rigid, double margin, double tolerance) {
-    const PlaneAxes axes = axes_of(touch.normal);
-    const Vec3 origin = model.gridpoints.position[model.triangles.gridpoints[model.faces.triangles[touch.face2].first][0]];
-    static thread_local FlatFace face1, face2; // kept, since a search lays very many
-    face1.lay(model, touch.face1, axes, origin);
-    face2.lay(model, touch.face2, axes, origin);
-    const double edge = edge_between(model, model.faces.block[touch.face1], model.faces.block[touch.face2]);
-    Vec3 centre = Vec3::Zero();
-    bool near = false;
-    Overlay laid = overlay(face1.laid(), face2.laid(), tolerance, edge);
-    touch.points.reserve(laid.points.size());
-    if (rigid) balance_areas(laid);
-    for (const auto& p : laid.points) {
-        TouchPoint point;
-        point.side1 = face1.attach(p.place, p.vertex1, p.triangle1, p.weights1);
-        point.side2 = face2.attach(p.place, p.vertex2, p.triangle2, p.weights2);
-        const Vec3 x1 = attached_position(model, point.side1), x2 = attached_position(model, point.side2);
-        point.position = 0.5 * (x1 + x2);
-        point.gap = touch.normal.dot(x2 - x1);
-        point.area = p.area;
-        point.meeting = p.vertex1 >= 0   ? Meeting::vertex_face
-                        : p.vertex2 >= 0 ? Meeting::face_vertex
-                                         : Meeting::edge_edge;
-        near = near || point.gap < margin;
-        touch.area += point.area;
-        centre += point.area * point.position;
-        touch.points.push_back(point);
-    }
-    if (!near) return false;
-    touch.position = centre / touch.area;
-    touch.touch = Touch::face_face;
-    return true;
-}
-
-/// Whether a point lies inside a face, seen along the normal; gives the triangle's gridpoints and weights.
-bool inside_face(const Model& model, Row face, const PlaneAxes& axes, const Vec3& place, Attachment& attachment) {
-    const Span span = model.faces.triangles[face];
-    for (Row t = span.first; t < span.end(); ++t) {
-        const auto& g = model.triangles.gridpoints[t];
-        std::array<Vec2, 3> c;
-        for (int k = 0; k < 3; ++k) {
-            const Vec3 d = model.gridpoints.position[g[k]] - place;
-            c[k] = {d.dot(axes.u), d.dot(axes.v)};
-        }
-        const auto cross = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); };
-        const double whole = cross(c[1] - c[0], c[2] - c[0]);
-        if (whole == 0) continue;
-        const std::array<double, 3> w{cross(c[1], c[2]) / whole, cross(c[2], c[0]) / whole,
-                                      cross(c[0], c[1]) / whole};
-        if (w[0] < -1e-9 || w[1] < -1e-9 || w[2] < -1e-9) continue;
-        attachment.gridpoints = g;
-        attachment.weights = w;
-        return true;
-    }
-    return false;
-}
-
 /// The part of a block's surface that belongs to a vertex, seen along a direction out of the block. It changes
 /// without a jump as the block turns: of a cube on its face a corner has a quarter of the face.
 double share_of_vertex(const Model& model, Row block, Row vertex, const Vec3& outward) {
@@ -182,11 +135,117 @@ double share_of_edge(const Model& model, Row block, const std::array<Row, 2>& en
     return 0.5 * (share_of_vertex(model, block, ends[0], outward) + share_of_vertex(model, block, ends[1], outward));
 }
 
+/// What a side of an overlay point has of its block's surface: at a vertex that of the vertex, on an edge between
+/// faces that of the edge, in the middle of a face nothing.
+double share_of_point(const Model& model, const Surfaces& surfaces, Row block, const Attachment& side,
+                      const Vec3& outward) {
+    constexpr double none = 1e-9;
+    if (side.weights[0] == 1) return share_of_vertex(model, block, side.gridpoints[0], outward);
+    for (int k = 0; k < 3; ++k) {
+        if (std::abs(side.weights[k]) > none) continue;
+        const auto [low, high] = std::minmax(side.gridpoints[(k + 1) % 3], side.gridpoints[(k + 2) % 3]);
+        for (const auto& e : surfaces.edges(block))
+            if (e.ends[0] == low && e.ends[1] == high) return share_of_edge(model, block, e.ends, outward);
+    }
+    return 0;
+}
+
+/// From half a degree to a degree and a half the areas go over from those of faces on each other to those of a block
+/// on its corners and edges, so that nothing jumps where one touch becomes the other.
+void go_over_to_corners(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, double angle) {
+    constexpr double first = 0.5 * std::numbers::pi / 180, last = 3 * first;
+    if (angle <= first) return;
+    const Row block1 = model.faces.block[touch.face1], block2 = model.faces.block[touch.face2];
+    static thread_local std::vector<double> shares;
+    shares.clear();
+    double whole = 0;
+    for (const auto& point : touch.points) {
+        const double one = share_of_point(model, surfaces, block1, point.side1, touch.normal);
+        const double two = share_of_point(model, surfaces, block2, point.side2, -touch.normal);
+        // A vertex counts for itself; where edges cross, or vertices meet, the smaller of the two.
+        const bool of_one = point.side1.weights[0] == 1, of_two = point.side2.weights[0] == 1;
+        shares.push_back(of_one == of_two ? std::min(one, two) : of_one ? one : two);
+        whole += shares.back();
+    }
+    if (whole == 0) return;
+    const double part = std::min(1.0, (angle - first) / (last - first)), scale = std::min(1.0, touch.area / whole);
+    touch.area = 0;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        double& area = touch.points[i].area;
+        area = (1 - part) * area + part * scale * shares[i];
+        touch.area += area;
+    }
+    std::erase_if(touch.points, [](const TouchPoint& point) { return !(point.area > 0); });
+}
+
+/// Sub-contacts at the vertices of the overlay of two faces.
+bool lay_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, bool rigid, double angle,
+               double margin, double tolerance) {
+    const PlaneAxes axes = axes_of(touch.normal);
+    const Vec3 origin = model.gridpoints.position[model.triangles.gridpoints[model.faces.triangles[touch.face2].first][0]];
+    static thread_local FlatFace face1, face2; // kept, since a search lays very many
+    face1.lay(model, touch.face1, axes, origin);
+    face2.lay(model, touch.face2, axes, origin);
+    const double edge = edge_between(model, model.faces.block[touch.face1], model.faces.block[touch.face2]);
+    bool near = false;
+    Overlay laid = overlay(face1.laid(), face2.laid(), tolerance, edge);
+    touch.points.reserve(laid.points.size());
+    if (rigid) balance_areas(laid);
+    for (const auto& p : laid.points) {
+        TouchPoint point;
+        point.side1 = face1.attach(p.place, p.vertex1, p.triangle1, p.weights1);
+        point.side2 = face2.attach(p.place, p.vertex2, p.triangle2, p.weights2);
+        const Vec3 x1 = attached_position(model, point.side1), x2 = attached_position(model, point.side2);
+        point.position = 0.5 * (x1 + x2);
+        point.gap = touch.normal.dot(x2 - x1);
+        point.area = p.area;
+        point.meeting = p.vertex1 >= 0   ? Meeting::vertex_face
+                        : p.vertex2 >= 0 ? Meeting::face_vertex
+                                         : Meeting::edge_edge;
+        near = near || point.gap < margin;
+        touch.area += point.area;
+        touch.points.push_back(point);
+    }
+    if (!near) return false;
+    go_over_to_corners(model, surfaces, touch, angle);
+    touch.touch = Touch::face_face;
+    touch.position.setZero();
+    for (const auto& point : touch.points) touch.position += point.area / touch.area * point.position;
+    return true;
+}
+
+/// Whether a point lies inside a face, seen along the normal; gives the triangle's gridpoints and weights.
+bool inside_face(const Model& model, Row face, const PlaneAxes& axes, const Vec3& place, Attachment& attachment) {
+    const Span span = model.faces.triangles[face];
+    for (Row t = span.first; t < span.end(); ++t) {
+        const auto& g = model.triangles.gridpoints[t];
+        std::array<Vec2, 3> c;
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 d = model.gridpoints.position[g[k]] - place;
+            c[k] = {d.dot(axes.u), d.dot(axes.v)};
+        }
+        const auto cross = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); };
+        const double whole = cross(c[1] - c[0], c[2] - c[0]);
+        if (whole == 0) continue;
+        const std::array<double, 3> w{cross(c[1], c[2]) / whole, cross(c[2], c[0]) / whole,
+                                      cross(c[0], c[1]) / whole};
+        if (w[0] < -1e-9 || w[1] < -1e-9 || w[2] < -1e-9) continue;
+        attachment.gridpoints = g;
+        attachment.weights = w;
+        return true;
+    }
+    return false;
+}
+
 Attachment on_edge(const std::array<Row, 2>& ends, double t) { return {{ends[0], ends[1], ends[1]}, {1 - t, t, 0}}; }
 
-/// Sums over the points of a touch.
-bool close_touch(TouchGeometry& touch) {
+/// Sums over the points of a touch. Together they own no more than `most`.
+bool close_touch(TouchGeometry& touch, double most) {
     if (touch.points.empty()) return false;
+    double whole = 0;
+    for (const auto& point : touch.points) whole += point.area;
+    if (whole > most)
+        for (auto& point : touch.points) point.area *= most / whole;
     Vec3 centre = Vec3::Zero();
     for (const auto& point : touch.points) {
         touch.area += point.area;
@@ -194,6 +253,22 @@ bool close_touch(TouchGeometry& touch) {
     }
     touch.position = centre / touch.area;
     return touch.area > 0;
+}
+
+/// The area of a face that the other block covers, seen along the normal of the face.
+double covered_area(const Model& model, const Surfaces& surfaces, Row face, Row other, const PlaneAxes& axes,
+                    const Vec3& out, double tolerance) {
+    static thread_local FlatFace own, above; // kept, since a search lays very many
+    const Vec3 origin = model.gridpoints.position[model.triangles.gridpoints[model.faces.triangles[face].first][0]];
+    own.lay(model, face, axes, origin);
+    double area = 0;
+    const Span faces = model.blocks.faces[other];
+    for (Row f = faces.first; f < faces.end(); ++f) {
+        if (surfaces.normal(f).dot(out) > -0.01) continue; // looks the other way, or along
+        above.lay(model, f, axes, origin);
+        for (const auto& point : overlay(own.mesh, above.mesh, tolerance).points) area += point.area;
+    }
+    return area;
 }
 
 /// One block on a face of the other that is not parallel to any of its own: its vertices over the face, and its edges
@@ -247,7 +322,7 @@ bool lay_on_face(const Model& model, const Surfaces& surfaces, TouchGeometry& to
     }
     touch.touch = touch.points.size() == 1 && touch.points[0].meeting != Meeting::edge_edge ? Touch::face_vertex
                                                                                           : Touch::face_edge;
-    return close_touch(touch);
+    return close_touch(touch, covered_area(model, surfaces, face, other, axes, out, tolerance));
 }
 
 /// Two edges that cross.
@@ -273,7 +348,7 @@ bool lay_edges(const Model& model, TouchGeometry& touch, const Separation& s, Ro
                           share_of_edge(model, block2, s.edge2, -touch.normal));
     touch.touch = Touch::edge_edge;
     touch.points.push_back(point);
-    return close_touch(touch);
+    return close_touch(touch, std::numeric_limits<double>::infinity());
 }
 
 } // namespace
@@ -285,13 +360,14 @@ Vec3 attached_position(const Model& model, const Attachment& side) {
            side.weights[2] * x[side.gridpoints[2]];
 }
 
-bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2, double margin,
+bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
                 TouchGeometry& touch) {
     // A block's margin is a small part of its size.
     const double size = std::min(model.blocks.margin[block1], model.blocks.margin[block2]);
     const double tolerance = coincidence * size, sliver = narrowest * size;
+    const double flat = flat_limit(model, old);
     const Separation separation =
-        find_separation(model, surfaces, block1, block2, {margin, 10 * tolerance, sliver, cos_of_flat});
+        find_separation(model, surfaces, block1, block2, {margin, 10 * tolerance, sliver, flat, persistence * size, old});
     if (separation.distance > margin || separation.normal.isZero(0)) return false;
 
     touch.normal = separation.normal;
@@ -305,11 +381,11 @@ bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row bl
     const bool face_of_first = touch.reference == 1;
     const Row opposite = facing(model, surfaces, face_of_first ? block2 : block1,
                                 face_of_first ? Vec3(-touch.normal) : touch.normal, cosine);
-    if (cosine < cos_of_flat) return lay_on_face(model, surfaces, touch, block1, block2, margin, tolerance);
+    if (cosine < flat) return lay_on_face(model, surfaces, touch, block1, block2, margin, tolerance);
     if (separation.width <= sliver) return false; // an edge or a corner beside another
     (face_of_first ? touch.face2 : touch.face1) = opposite;
     const bool rigid = !model.blocks.deformable[block1] && !model.blocks.deformable[block2];
-    return lay_faces(model, touch, rigid, margin, tolerance);
+    return lay_faces(model, surfaces, touch, rigid, std::acos(std::min(1.0, cosine)), margin, tolerance);
 }
 
 } // namespace kaya

@@ -28,7 +28,8 @@ struct TouchGeometry {
 
 /// The touch of two blocks whose surfaces are nearer than `margin`; nothing when they are farther apart
 /// or touch in an edge or corner of parallel faces without area. Returns whether there is one.
-bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2, double margin,
+/// `old` is the contact that they have so far, if any.
+bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
                 TouchGeometry& touch);
 
 /// Where a sub-contact's side is now.

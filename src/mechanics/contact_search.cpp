@@ -99,7 +99,7 @@ void find_touches(const Model& model, const Surfaces& surfaces, const std::vecto
             auto& d = drafts[i];
             if (d.kind != DraftKind::new_geometry) continue;
             const double margin = reach(model, ways, d.block1, d.block2, d.old);
-            if (!find_touch(model, surfaces, d.block1, d.block2, margin, d.geometry)) d.kind = DraftKind::parted;
+            if (!find_touch(model, surfaces, d.block1, d.block2, d.old, margin, d.geometry)) d.kind = DraftKind::parted;
         }
     });
     std::erase_if(drafts, [](const ContactDraft& d) { return d.kind == DraftKind::parted; });

@@ -181,7 +181,8 @@ void keep_passive(Model& model, Row c, const Load& before) {
     auto& subs = model.sub_contacts;
     double& account = model.contacts.given_up[c];
     const double gain = after.energy - before.energy, allowed = std::min(gain, account);
-    account -= allowed;
+    // Old debts of a hard blow are not paid to what rests there now.
+    account = std::min(account - allowed, before.energy);
     const double normal = gain > allowed ? std::sqrt((before.energy + allowed) / after.energy) : 1;
     const double shear = after.shear > before.shear ? before.shear / after.shear : 1;
     if (normal == 1 && shear == 1) return;

@@ -59,6 +59,27 @@ bool faces_along(const Model& model, const Surfaces& surfaces, Row block, const 
     return false;
 }
 
+/// The face or the edges that gave a contact its normal.
+struct OldAxis {
+    Row face = no_row;
+    std::array<Row, 2> edge1{no_row, no_row}, edge2{no_row, no_row};
+
+    OldAxis(const Model& model, Row contact) {
+        if (contact == no_row) return;
+        const auto& contacts = model.contacts;
+        const int reference = contacts.reference[contact];
+        if (reference == 1) face = contacts.face1[contact];
+        if (reference == 2) face = contacts.face2[contact];
+        if (reference != 0 || contacts.sub_contacts[contact].count == 0) return;
+        const Row s = contacts.sub_contacts[contact].first;
+        const auto &one = model.sub_contacts.side1[s].gridpoints, &two = model.sub_contacts.side2[s].gridpoints;
+        edge1 = {one[0], one[1]};
+        edge2 = {two[0], two[1]};
+    }
+    bool is(Row f) const { return f == face; }
+    bool is(const std::array<Row, 2>& one, const std::array<Row, 2>& two) const { return one == edge1 && two == edge2; }
+};
+
 /// How far the other block is from the plane of a face.
 double distance_from(const Model& model, const Surfaces& surfaces, Row face, Row other) {
     const Vec3& n = surfaces.normal(face);
@@ -72,8 +93,10 @@ double distance_from(const Model& model, const Surfaces& surfaces, Row face, Row
 
 Separation find_separation(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
                            const SeparationLimits& limits) {
-    const auto [enough, tie, sliver, flat] = limits;
+    const auto [enough, tie, sliver, flat, stay, old] = limits;
+    const OldAxis old_axis(model, old);
     Separation best;
+    double best_score = best.distance; // distance, and more for the axis that was the best before
     static thread_local std::vector<double> at_most; // distances along the faces' normals, block 2 first
     at_most.clear();
     const Vec3 towards = model.blocks.centroid[block2] - model.blocks.centroid[block1];
@@ -85,9 +108,11 @@ Separation find_separation(const Model& model, const Surfaces& surfaces, Row blo
             const Vec3& outward = surfaces.normal(f);
             // No vertex needs to be looked at where the centroid of the other block is near enough already.
             at_most.push_back(outward.dot(to_other) + outward.dot(centre) - surfaces.reach(f));
-            if (at_most.back() <= best.distance) continue;
+            const double bonus = old_axis.is(f) ? stay : 0;
+            if (at_most.back() + bonus <= best_score && at_most.back() <= enough) continue;
             const double distance = at_most.back() = distance_from(model, surfaces, f, other);
-            if (distance > best.distance + (best.normal.isZero(0) ? 0 : tie)) {
+            if (distance > enough || distance + bonus > best_score + (best.normal.isZero(0) ? 0 : tie)) {
+                best_score = distance + bonus;
                 best.distance = distance;
                 best.normal = of_first ? outward : Vec3(-outward);
                 best.face1 = of_first ? f : no_row;
@@ -115,10 +140,9 @@ Separation find_separation(const Model& model, const Surfaces& surfaces, Row blo
     find_width(false, 0);
     find_width(true, of_first);
 
-    // Two faces on each other: no pair of edges can separate the blocks better.
-    constexpr double parallel = 1 - 1e-9;
-    if (best.face1 == no_row ? faces_along(model, surfaces, block1, best.normal, parallel)
-                             : faces_along(model, surfaces, block2, -best.normal, parallel))
+    // Two faces on each other: no pair of edges separates the blocks much better.
+    if (best.face1 == no_row ? faces_along(model, surfaces, block1, best.normal, flat)
+                             : faces_along(model, surfaces, block2, -best.normal, flat))
         return best;
 
     static thread_local std::vector<Arc> arcs1, arcs2;
@@ -139,8 +163,10 @@ Separation find_separation(const Model& model, const Surfaces& surfaces, Row blo
             if (axis.dot(x[e1.ends[0]]) < high1 - tie) continue; // not an outermost edge
             const double low2 = support(model, block2, axis).low;
             if (axis.dot(x[e2.ends[0]]) > low2 + tie) continue;
-            if (low2 - high1 > best.distance + (best.edge1[0] == no_row ? enough : tie)) {
-                best.distance = low2 - high1;
+            const double distance = low2 - high1, score = distance + (old_axis.is(e1.ends, e2.ends) ? stay : 0);
+            if (distance > enough || score > best_score + (best.edge1[0] == no_row ? enough : tie)) {
+                best_score = score;
+                best.distance = distance;
                 best.normal = axis;
                 best.face1 = best.face2 = no_row;
                 best.edge1 = e1.ends;

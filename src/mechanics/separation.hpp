@@ -24,6 +24,8 @@ struct SeparationLimits {
     double tie;    ///< an axis must beat those before it by this
     double sliver; ///< where faces lie on each other, a common area narrower than this is none
     double flat;   ///< cosine of the angle up to which faces lie on each other
+    double stay;   ///< by so much another axis must beat the old one: two that are equal would take turns
+    Row old;       ///< the contact of the blocks so far, with its axis, or no_row
 };
 
 /// Separating axes: face normals, then cross products of edges (Gottschalk, Lin and Manocha 1996), of which only
