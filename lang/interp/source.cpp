@@ -96,7 +96,9 @@ Source read_source(const fs::path& path, std::string name) {
                                          largest_deck >> 20));
     }
     if (in.bad()) throw Diagnostic(fmt::format("reading '{}' failed: {}", name, std::strerror(errno)));
-    return source_from_text(std::move(name), text);
+    SourceText source = *source_from_text(std::move(name), text);
+    source.is_file = true;
+    return std::make_shared<const SourceText>(std::move(source));
 }
 
 fs::path find_deck(const std::string& name, const std::vector<fs::path>& folders) {

@@ -13,6 +13,7 @@ namespace kaya {
 struct SourceText {
     std::string name;               ///< as the user wrote it
     std::vector<std::string> lines; ///< without line ends
+    bool is_file = false;           ///< otherwise a line that was typed or that a script gave
 };
 
 /// A piece of one line. Line and column count from 1; line 0 means "no place known".

@@ -85,9 +85,10 @@ lang::Ended Session::run_deck(const std::string& file) {
 void Session::show_command(const lang::BoundCommand& command) {
     stop_if_interrupted();
     last_place = command.place;
-    if (sources.empty() || sources.back() != command.place.source)
-        if (std::ranges::find(sources, command.place.source) == sources.end())
-            sources.push_back(command.place.source);
+    const auto& source = command.place.source;
+    // What a script gives is part of a deck that has been read; it may be very many texts.
+    if (source->is_file && (sources.empty() || sources.back() != source))
+        if (std::ranges::find(sources, source) == sources.end()) sources.push_back(source);
     if (!options.echo && !output.logging()) return;
     const std::string text = command.text();
     const std::string line = fmt::format("{}> {}", here(), text.substr(0, text.find('\n')));

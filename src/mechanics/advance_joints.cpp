@@ -114,7 +114,8 @@ JointSums advance_joints(Model& model, const std::vector<Batch>& batches, JointF
 }
 
 void joint_forces(const Model& model, JointForces& forces) {
-    forces.of_sub_contact.assign(model.sub_contacts.size(), Vec3::Zero());
+    const bool any_deformable = model.zones.size() > 0;
+    forces.of_sub_contact.assign(any_deformable ? model.sub_contacts.size() : 0, Vec3::Zero());
     forces.of_contact.assign(model.contacts.size(), Vec3::Zero());
     forces.moment.assign(model.contacts.size(), Vec3::Zero());
     for (std::size_t c = 0; c < model.contacts.size(); ++c) sum_contact(model, static_cast<Row>(c), forces);

@@ -5,7 +5,7 @@
 
 namespace kaya {
 
-std::vector<Batch> make_batches(const Model& model, JointRegistry& joints, Row most) {
+std::vector<Batch> make_batches(Model& model, JointRegistry& joints, Row most) {
     std::vector<Batch> batches;
     for (std::size_t c = 0; c < model.contacts.size(); ++c) {
         const Span span = model.contacts.sub_contacts[c];
@@ -18,6 +18,7 @@ std::vector<Batch> make_batches(const Model& model, JointRegistry& joints, Row m
             continue;
         }
         const JointModel& joint = joints.get(model.joint_properties[properties].model);
+        model.sub_contacts.keep_history(joint.history.size());
         batches.push_back({&joint, properties, span.first, span.count, {static_cast<Row>(c), 1}});
     }
     return batches;

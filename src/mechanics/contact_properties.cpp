@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace kaya {
 
@@ -73,6 +76,13 @@ void check(const JointModel& joint, const std::vector<double>& values) {
 
 void initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts);
 
+/// A search of all contacts takes much for a moment, and the columns made meanwhile stand behind it on the heap.
+void give_back_memory() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
+
 } // namespace
 
 std::string default_joint_model(const Model& model) {
@@ -95,7 +105,9 @@ Row property_set(Model& model, JointRegistry& joints, const std::string& name, s
 
 void find_contacts(Model& model, JointRegistry& joints) {
     if (!model.structure_changed) return;
+    model.tables([](const char*, auto& table) { table.trim(); });
     ContactSearch{}.search(model, joints, false);
+    give_back_memory();
     model.structure_changed = false;
     model.properties_changed = model.lists_changed = true;
 }
@@ -117,7 +129,7 @@ void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<R
     for (const Row c : contacts) {
         const Span span = model.contacts.sub_contacts[c];
         for (Row s = span.first; s < span.end(); ++s) {
-            for (auto& column : subs.history) column[s] = 0;
+            for (std::int32_t k = 0; k < subs.history_columns; ++k) subs.history[k][s] = 0;
             subs.state[s] = 0;
         }
     }

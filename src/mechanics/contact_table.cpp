@@ -154,7 +154,7 @@ void clear_sub_contact(SubContacts& subs, Row s) {
     subs.shear_force.set(s, Vec3::Zero());
     subs.shear_displacement.set(s, Vec3::Zero());
     subs.state[s] = 0;
-    for (auto& column : subs.history) column[s] = 0;
+    for (std::int32_t k = 0; k < subs.history_columns; ++k) subs.history[k][s] = 0;
 }
 
 /// What passes through a contact.

@@ -60,6 +60,11 @@ public:
         size_ = rows.size();
     }
 
+    /// Gives back the room that growing has taken in advance.
+    void trim() {
+        derived().columns([](const std::string&, auto& column) { column.shrink_to_fit(); });
+    }
+
 private:
     Derived& derived() { return static_cast<Derived&>(*this); }
     std::size_t size_ = 0;

@@ -139,6 +139,8 @@ void check_attachments(Findings& findings, const Column<Attachment>& side, std::
 void check_sub_contacts(Findings& findings, const Model& model) {
     const auto& sub = model.sub_contacts;
     check_ids(findings, "sub_contacts", sub.ids, sub.id);
+    findings.require(sub.history_columns >= 0 && sub.history_columns <= KAYA_JMODEL_MAX_HISTORY,
+                     "the history columns of sub-contacts are not counted right");
     check_attachments(findings, sub.side1, model.gridpoints.size());
     check_attachments(findings, sub.side2, model.gridpoints.size());
     for (std::size_t i = 0; i < sub.size() && findings.clean(); ++i) {

@@ -101,7 +101,13 @@ public:
     Column<double> shear_stiffness;
     Column<double> frictional_work;
     Column<std::uint32_t> state;
-    std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY> history;
+    std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY> history; ///< those behind `history_columns` are empty
+    std::int32_t history_columns = 0; ///< as many as the joint model has that keeps most
+
+    /// Makes room for a joint model that keeps that many; it stays.
+    void keep_history(std::size_t columns) {
+        while (static_cast<std::size_t>(history_columns) < columns) history[history_columns++].assign(size(), 0.0);
+    }
 
     template <class Visit> void columns(Visit&& visit) {
         visit("id", id);
@@ -125,7 +131,8 @@ public:
         visit("shear_stiffness", shear_stiffness);
         visit("frictional_work", frictional_work);
         visit("state", state);
-        for (std::size_t k = 0; k < history.size(); ++k) visit("history_" + std::to_string(k), history[k]);
+        for (std::size_t k = 0; k < history.size() && static_cast<std::int32_t>(k) < history_columns; ++k)
+            visit("history_" + std::to_string(k), history[k]);
     }
 };
 

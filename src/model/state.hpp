@@ -185,6 +185,7 @@ void visit_column(Archive& archive, const std::string& name, Column<Attachment>&
 
 template <class Archive, class T> void visit_table(Archive& archive, const char* name, T& table) {
     archive.section(name, [&] {
+        if constexpr (requires { table.history_columns; }) archive.value("history_columns", table.history_columns);
         archive.rows(table);
         table.columns([&](const std::string& column_name, auto& column) {
             visit_column(archive, column_name, column);

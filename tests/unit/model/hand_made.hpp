@@ -79,6 +79,7 @@ inline void add_contact(Model& model, double x1, double x2) {
 
     auto& sub = model.sub_contacts;
     sub.resize(2);
+    sub.keep_history(16);
     for (Row i = 0; i < 2; ++i) {
         sub.id[i] = sub.ids.create(i);
         sub.number[i] = model.next_sub_contact_number++;
