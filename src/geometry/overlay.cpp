@@ -2,7 +2,7 @@
 
 #include "base/vector.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -29,27 +29,27 @@ struct Line {
     Vec2 point = Vec2::Zero(), along = Vec2::Zero();
 };
 
-/// The part of a convex polygon on the left of a line (Sutherland and Hodgman 1974). Points within `tolerance` of
-/// the line count as on it.
-Polygon clipped(const Polygon& polygon, const Line& line, double tolerance) {
-    if (line.along.isZero(0) || polygon.size == 0) return polygon;
-    const auto height = [&](const Vec2& p) {
-        const double h = cross(line.along, p - line.point);
-        return std::abs(h) <= tolerance ? 0.0 : h;
-    };
-    Polygon left;
-    const double first = height(polygon.corners[0]);
-    double hp = first;
+/// Leaves the part of a convex polygon on the left of a line (Sutherland and Hodgman 1974). Points within `tolerance`
+/// of the line count as on it.
+void clip(Polygon& polygon, const Line& line, double tolerance) {
+    if (line.along.isZero(0)) return;
+    std::array<double, 8> heights;
+    bool all_left = true; // more often than not
     for (int i = 0; i < polygon.size; ++i) {
-        const bool last = i + 1 == polygon.size;
-        const Vec2& p = polygon.corners[i];
-        const Vec2& q = polygon.corners[last ? 0 : i + 1];
-        const double hq = last ? first : height(q);
+        const double h = cross(line.along, polygon.corners[i] - line.point);
+        heights[i] = std::abs(h) <= tolerance ? 0.0 : h;
+        all_left = all_left && heights[i] >= 0;
+    }
+    if (all_left) return;
+    Polygon left;
+    for (int i = 0; i < polygon.size; ++i) {
+        const int next = i + 1 == polygon.size ? 0 : i + 1;
+        const Vec2 &p = polygon.corners[i], &q = polygon.corners[next];
+        const double hp = heights[i], hq = heights[next];
         if (hp >= 0) left.push_back(p);
         if ((hp > 0 && hq < 0) || (hp < 0 && hq > 0)) left.push_back(p + (q - p) * (hp / (hp - hq)));
-        hp = hq;
     }
-    return left;
+    polygon = left;
 }
 
 std::array<double, 3> barycentric(const PlaneMesh& mesh, int triangle, const Vec2& p) {
@@ -123,14 +123,16 @@ private:
 struct SweepItem {
     Vec2 low, high;
     std::array<Vec2, 3> corners;
-    std::array<Line, 3> sides;
+    std::array<Line, 3> sides; ///< of the side that cuts the other
     int triangle;
 
-    SweepItem(const PlaneMesh& mesh, int t, double tolerance) : triangle(t) {
+    SweepItem(const PlaneMesh& mesh, int t) : triangle(t) {
         for (int k = 0; k < 3; ++k) corners[k] = mesh.points[mesh.triangles[t][k]];
         if (cross(corners[1] - corners[0], corners[2] - corners[0]) < 0) std::swap(corners[1], corners[2]);
         low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
         high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+    }
+    void find_sides(double tolerance) {
         for (int k = 0; k < 3; ++k) {
             const Vec2 direction = corners[(k + 1) % 3] - corners[k];
             const double length = direction.norm();
@@ -140,9 +142,9 @@ struct SweepItem {
 };
 
 /// Triangles of a mesh ordered by their least x, so that pairs that cannot meet are skipped.
-void sweep_of(const PlaneMesh& mesh, double tolerance, std::vector<SweepItem>& items) {
+void sweep_of(const PlaneMesh& mesh, std::vector<SweepItem>& items) {
     items.clear();
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) items.emplace_back(mesh, static_cast<int>(t), tolerance);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) items.emplace_back(mesh, static_cast<int>(t));
     // By number at a tie: a stable order without the memory that a stable sort takes.
     std::sort(items.begin(), items.end(), [](const SweepItem& a, const SweepItem& b) {
         return a.low.x() != b.low.x() ? a.low.x() < b.low.x() : a.triangle < b.triangle;
@@ -171,10 +173,11 @@ Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance
     static thread_local std::vector<int> ring;
     Overlay result;
     std::vector<OverlayPoint>& points = result.points;
-    points.reserve(2 * (side1.points.size() + side2.points.size()));
+    points.reserve(side1.points.size() + side2.points.size() + 3);
     PointFinder finder(points, tolerance);
-    sweep_of(side1, tolerance, sweep1);
-    sweep_of(side2, tolerance, sweep2);
+    sweep_of(side1, sweep1);
+    sweep_of(side2, sweep2);
+    for (auto& item : sweep2) item.find_sides(tolerance);
 
     // Widest triangle of side 2: how far back in the sweep one that still meets can start.
     double widest = 0;
@@ -188,8 +191,7 @@ Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance
             if (two->high.x() <= one.low.x() || two->high.y() <= one.low.y() || two->low.y() >= one.high.y()) continue;
             Polygon polygon;
             for (const auto& corner : one.corners) polygon.push_back(corner);
-            for (int k = 0; k < 3 && polygon.size >= 3; ++k)
-                polygon = clipped(polygon, two->sides[k], tolerance);
+            for (int k = 0; k < 3 && polygon.size >= 3; ++k) clip(polygon, two->sides[k], tolerance);
             if (polygon.size < 3) continue;
 
             // Points of the piece, merged with those of its neighbours.
@@ -247,22 +249,29 @@ namespace {
 /// The shortest solution of a x = b for a symmetric matrix without negative eigenvalues, on the space where it has
 /// any: few points leave fewer than three things to choose.
 Vec3 least_squares(const Mat3& a, const Vec3& b) {
+    constexpr double nothing = 1e-9; // an eigenvalue, in parts of the largest
     const double trace = a.trace();
-    if (trace * trace - a.squaredNorm() <= 1e-9 * trace * trace) {
+    const double pairs = 0.5 * (trace * trace - a.squaredNorm()); // sum of the products of two eigenvalues
+    if (pairs <= nothing * trace * trace) {
         // One eigenvalue only, as four points leave it; the longest column is its eigenvector.
         int longest = 0;
         a.diagonal().maxCoeff(&longest);
         const Vec3 mode = a.col(longest).normalized();
         return mode * (mode.dot(b) / trace);
     }
-    const Eigen::SelfAdjointEigenSolver<Mat3> modes(a);
-    Vec3 x = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) {
-        if (modes.eigenvalues()[k] <= 1e-9 * modes.eigenvalues()[2]) continue;
-        const Vec3 mode = modes.eigenvectors().col(k);
-        x += mode * (mode.dot(b) / modes.eigenvalues()[k]);
-    }
-    return x;
+    Mat3 adjoint; // its eigenvalues are those products
+    adjoint << a.col(1).cross(a.col(2)), a.col(2).cross(a.col(0)), a.col(0).cross(a.col(1));
+    const double determinant = a.col(0).dot(adjoint.col(0));
+    // Rounding makes a determinant of 1e-16 trace^3.
+    if (determinant > nothing * trace * std::max(pairs, 1e-6 * trace * trace)) return adjoint * b / determinant;
+    // Two, as five points leave them: the adjoint matrix is along the third eigenvector, which gets an eigenvalue.
+    int longest = 0;
+    adjoint.diagonal().maxCoeff(&longest);
+    const Vec3 none = adjoint.col(longest).normalized();
+    const Mat3 whole = a + trace * none * none.transpose();
+    const Vec3 right = b - none * none.dot(b);
+    adjoint << whole.col(1).cross(whole.col(2)), whole.col(2).cross(whole.col(0)), whole.col(0).cross(whole.col(1));
+    return adjoint * right / whole.col(0).dot(adjoint.col(0));
 }
 
 } // namespace

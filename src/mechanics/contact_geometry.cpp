@@ -61,14 +61,16 @@ struct FlatFace {
     PlaneMesh radial; ///< those that contacts are made with, if they are others
     bool is_radial;
     std::vector<Row> rows; ///< the gridpoint of each point of its own
+    static constexpr Row few = 8; ///< triangles whose gridpoints are quicker looked through than sorted
 
     void lay(const Model& model, Row face, const PlaneAxes& axes, const Vec3& origin) {
         const Span span = model.faces.triangles[face];
         rows.clear();
         for (Row t = span.first; t < span.end(); ++t)
-            for (const Row g : model.triangles.gridpoints[t]) rows.push_back(g);
+            for (const Row g : model.triangles.gridpoints[t])
+                if (span.count > few || std::find(rows.begin(), rows.end(), g) == rows.end()) rows.push_back(g);
         std::sort(rows.begin(), rows.end());
-        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+        if (span.count > few) rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
         mesh.points.clear();
         for (const Row g : rows) {
             const Vec3 d = model.gridpoints.position[g] - origin;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -65,44 +66,64 @@ bool apart(const Box& a, const Box& b) {
     return (a.low.array() > b.high.array()).any() || (b.low.array() > a.high.array()).any();
 }
 
-/// Pairs that must be looked at, with the contact that they have, and contacts that stay as they are; sorted like the
-/// contacts and the pairs.
+/// Two blocks that may touch, with the contact that they have so far.
+struct Pair {
+    Row block1, block2;
+    Row old = no_row;
+    bool to_be_looked_at = true; ///< otherwise the contact stays as it is
+};
+
+/// Pairs that must be looked at and contacts that stay as they are; sorted like the contacts and the near pairs.
 template <class Boxes, class Moved>
-void make_drafts(const Model& model, const std::vector<std::array<int, 2>>& near, const Boxes& boxes,
-                 const Moved& moved, std::vector<ContactDraft>& drafts) {
+std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int, 2>>& near, const Boxes& boxes,
+                           const Moved& moved) {
     const auto& contacts = model.contacts;
-    drafts.clear();
+    std::vector<Pair> pairs;
+    pairs.reserve(near.size() + contacts.size());
     std::size_t c = 0;
-    const auto pair_of = [&](std::size_t row) { return std::array<int, 2>{contacts.block1[row], contacts.block2[row]}; };
+    const auto blocks_of = [&](std::size_t row) { return std::array<int, 2>{contacts.block1[row], contacts.block2[row]}; };
     const auto add = [&](const std::array<int, 2>& pair, Row old) {
         if (joined(model, pair[0], pair[1])) return;
-        if (moved[pair[0]] || moved[pair[1]]) drafts.push_back({pair[0], pair[1], old, DraftKind::new_geometry, {}});
-        else if (old != no_row) drafts.push_back({pair[0], pair[1], old, DraftKind::as_it_was, {}});
+        const bool look = moved[pair[0]] || moved[pair[1]];
+        if (look || old != no_row) pairs.push_back({pair[0], pair[1], old, look});
     };
     for (const auto& pair : near) {
-        for (; c < contacts.size() && pair_of(c) < pair; ++c) add(pair_of(c), static_cast<Row>(c));
-        if (c < contacts.size() && pair_of(c) == pair) {
+        for (; c < contacts.size() && blocks_of(c) < pair; ++c) add(blocks_of(c), static_cast<Row>(c));
+        if (c < contacts.size() && blocks_of(c) == pair) {
             add(pair, static_cast<Row>(c));
             ++c;
         } else if (!apart(boxes[pair[0]], boxes[pair[1]])) {
             add(pair, no_row);
         }
     }
-    for (; c < contacts.size(); ++c) add(pair_of(c), static_cast<Row>(c));
+    for (; c < contacts.size(); ++c) add(blocks_of(c), static_cast<Row>(c));
+    return pairs;
 }
 
-/// Finds the touch of each pair that is to be looked at and drops those that do not touch.
-void find_touches(const Model& model, const Surfaces& surfaces, const std::vector<double>& ways,
-                  std::vector<ContactDraft>& drafts) {
-    for_chunks(drafts.size(), grain, [&](std::size_t first, std::size_t last) {
+/// The drafts of those pairs that touch.
+std::vector<ContactDraft> find_touches(const Model& model, const Surfaces& surfaces, const std::vector<double>& ways,
+                                       const std::vector<Pair>& pairs) {
+    std::vector<std::vector<ContactDraft>> found((pairs.size() + grain - 1) / grain);
+    for_chunks(pairs.size(), grain, [&](std::size_t first, std::size_t last) {
+        static thread_local TouchGeometry touch; // kept, so that few of the pairs take memory
+        auto& drafts = found[first / grain];
         for (std::size_t i = first; i < last; ++i) {
-            auto& d = drafts[i];
-            if (d.kind != DraftKind::new_geometry) continue;
-            const double margin = reach(model, ways, d.block1, d.block2, d.old);
-            if (!find_touch(model, surfaces, d.block1, d.block2, d.old, margin, d.geometry)) d.kind = DraftKind::parted;
+            const auto& [block1, block2, old, look] = pairs[i];
+            if (!look) drafts.push_back({block1, block2, old, DraftKind::as_it_was, {}});
+            else if (const double margin = reach(model, ways, block1, block2, old);
+                     find_touch(model, surfaces, block1, block2, old, margin, touch))
+                drafts.push_back({block1, block2, old, DraftKind::new_geometry, touch});
         }
     });
-    std::erase_if(drafts, [](const ContactDraft& d) { return d.kind == DraftKind::parted; });
+    std::size_t count = 0;
+    for (const auto& part : found) count += part.size();
+    std::vector<ContactDraft> drafts;
+    drafts.reserve(count);
+    for (auto& part : found) {
+        std::move(part.begin(), part.end(), std::back_inserter(drafts));
+        part = {};
+    }
+    return drafts;
 }
 
 /// The contacts that have not slid join those that have, which are as in `drafts` or have parted.
@@ -140,13 +161,11 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
             if (moved_[b]) blocks.travelled[b] = 0;
         }
     });
-    std::vector<ContactDraft> drafts;
-    make_drafts(model, near_.of(boxes_), boxes_, moved_, drafts);
+    const std::vector<Pair> pairs = pairs_of(model, near_.of(boxes_), boxes_, moved_);
     wanted_.resize(blocks.size());
     std::iota(wanted_.begin(), wanted_.end(), Row{0});
     surfaces_.update(model, wanted_);
-    find_touches(model, surfaces_, ways_, drafts);
-    return replace_contacts(model, joints, drafts, moving);
+    return replace_contacts(model, joints, find_touches(model, surfaces_, ways_, pairs), moving);
 }
 
 ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
@@ -154,22 +173,21 @@ ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
     const auto slid = [&](std::size_t c) {
         return contacts.slid[c] * contacts.slid[c] > slide_tolerance * slide_tolerance * contacts.area[c];
     };
-    std::vector<ContactDraft> drafts;
+    std::vector<Pair> pairs;
     wanted_.clear();
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         if (!slid(c)) continue;
-        drafts.push_back({contacts.block1[c], contacts.block2[c], static_cast<Row>(c), DraftKind::new_geometry, {}});
+        pairs.push_back({contacts.block1[c], contacts.block2[c], static_cast<Row>(c)});
         wanted_.insert(wanted_.end(), {contacts.block1[c], contacts.block2[c]});
     }
-    if (drafts.empty()) return ContactChange::none;
+    if (pairs.empty()) return ContactChange::none;
     std::sort(wanted_.begin(), wanted_.end());
     wanted_.erase(std::unique(wanted_.begin(), wanted_.end()), wanted_.end());
     ways_.resize(model.blocks.size());
     for (const Row b : wanted_) ways_[b] = way_of_a_step(model, b);
     surfaces_.update(model, wanted_);
-    const std::size_t slid_count = drafts.size();
-    find_touches(model, surfaces_, ways_, drafts);
-    if (drafts.size() == slid_count && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
+    std::vector<ContactDraft> drafts = find_touches(model, surfaces_, ways_, pairs);
+    if (drafts.size() == pairs.size() && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
     return replace_contacts(model, joints, with_the_others(model, std::move(drafts), slid), true);
 }
 

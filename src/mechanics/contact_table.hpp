@@ -10,7 +10,7 @@
 
 namespace kaya {
 
-enum class DraftKind : std::uint8_t { as_it_was, new_geometry, parted };
+enum class DraftKind : std::uint8_t { as_it_was, new_geometry };
 
 /// One row of the contact table to be.
 struct ContactDraft {
@@ -23,7 +23,7 @@ struct ContactDraft {
 /// What became of the contact tables.
 enum class ContactChange { none, refreshed, replaced };
 
-/// Makes the contact tables from drafts (sorted by block1, block2; none of them parted). A sub-contact of a contact
+/// Makes the contact tables from drafts (sorted by block1, block2). A sub-contact of a contact
 /// with new geometry takes traction, displacement, history and state from the nearest old one of that contact.
 /// Sub-contacts of new contacts are initialised by their joint model; `moving` says that what overlaps
 /// already has been closed since the last search, so that the force of the overlap is taken up at once.
