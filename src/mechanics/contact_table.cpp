@@ -160,6 +160,7 @@ void clear_sub_contact(SubContacts& subs, Row s) {
 /// What passes through a contact.
 struct Load {
     double energy = 0; ///< in the normal springs of its sub-contacts
+    double normal = 0; ///< sum of their normal forces
     double shear = 0;  ///< sum of the sizes of their shear forces
 
     Load(const Model& model, Row c) {
@@ -168,14 +169,40 @@ struct Load {
         for (Row s = span.first; s < span.end(); ++s) {
             const double stiffness = subs.normal_stiffness[s] * subs.area[s];
             if (stiffness > 0) energy += 0.5 * subs.normal_force[s] * subs.normal_force[s] / stiffness;
+            normal += subs.normal_force[s];
             shear += subs.shear_force[s].norm();
         }
     }
 };
 
-/// New geometry must not make energy. It may give back what it has taken from this contact before, and no more: then
-/// what overlaps more than its force says stays so until it opens. (Hannaford and Ryu 2002, IEEE Trans. Robot. Autom.
-/// 18, keep a contact passive by such an account.)
+/// In parts of a block's margin: an overlap beyond what the force says that is not worth looking at.
+constexpr double negligible = 1e-3;
+/// The part of it that comes back each time the contact is looked at.
+constexpr double recovery = 5e-3;
+
+/// A contact that overlaps more than its force says pushes the blocks apart so slowly that it shakes nothing.
+void recover(Model& model, Row c) {
+    auto& contacts = model.contacts;
+    auto& subs = model.sub_contacts;
+    double& sunk = contacts.sunk[c];
+    if (sunk <= 0) return;
+    const auto& margin = model.blocks.margin;
+    if (sunk < negligible * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]])) {
+        sunk = 0;
+        return;
+    }
+    const double closed = recovery * sunk;
+    sunk -= closed;
+    contacts.slid[c] = std::numeric_limits<double>::max(); // to be looked at again in the next cycle
+    const Span span = contacts.sub_contacts[c];
+    for (Row s = span.first; s < span.end(); ++s)
+        if (subs.normal_force[s] > 0 || subs.normal_displacement[s] < 0)
+            subs.normal_force[s] += subs.normal_stiffness[s] * subs.area[s] * closed;
+}
+
+/// New geometry must not make energy. It may give back what it has taken from this contact before, and no more
+/// (Hannaford and Ryu 2002, IEEE Trans. Robot. Autom. 18, keep a contact passive by such an account). What then
+/// overlaps more than its force says is noted.
 void keep_passive(Model& model, Row c, const Load& before) {
     const Load after(model, c);
     auto& subs = model.sub_contacts;
@@ -185,12 +212,16 @@ void keep_passive(Model& model, Row c, const Load& before) {
     account = std::min(account - allowed, before.energy);
     const double normal = gain > allowed ? std::sqrt((before.energy + allowed) / after.energy) : 1;
     const double shear = after.shear > before.shear ? before.shear / after.shear : 1;
-    if (normal == 1 && shear == 1) return;
-    const Span span = model.contacts.sub_contacts[c];
-    for (Row s = span.first; s < span.end(); ++s) {
-        subs.normal_force[s] *= normal;
-        subs.shear_force.set(s, shear * subs.shear_force[s]);
+    if (normal != 1 || shear != 1) {
+        const Span span = model.contacts.sub_contacts[c];
+        for (Row s = span.first; s < span.end(); ++s) {
+            subs.normal_force[s] *= normal;
+            subs.shear_force.set(s, shear * subs.shear_force[s]);
+        }
+        // The mean closure that belongs to the force which is not there now.
+        if (after.normal > 0) model.contacts.sunk[c] += (1 - normal) * 2 * after.energy / after.normal;
     }
+    recover(model, c);
 }
 
 /// The loads of contacts that get new geometry, by row of the draft.

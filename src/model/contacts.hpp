@@ -45,6 +45,7 @@ public:
     Column<std::int32_t> joint_set;
     Column<Span> sub_contacts; ///< a contact's rows are contiguous and in contact order
     Column<double> slid;       ///< relative tangential motion since the geometry was made anew
+    Column<double> sunk;       ///< overlap beyond that which its force belongs to
     Column<double> given_up;   ///< energy that new geometry has taken from it, less what it has given back
 
     template <class Visit> void columns(Visit&& visit) {
@@ -65,6 +66,7 @@ public:
         visit("sub_contacts", sub_contacts);
         visit("slid", slid);
         visit("given_up", given_up);
+        visit("sunk", sunk);
     }
 };
 
