@@ -256,7 +256,8 @@ struct Damp {
     bool mass = true, stiffness = true;
     std::optional<double> contact;       ///< dashpots of contacts, of critical damping
 };
-struct MassScale { bool on = true; std::optional<double> value; };
+/// One of the three: all masses, none, or what the step asks for.
+struct MassScale { bool on = false, off = false; std::optional<double> step; };
 struct Fraction { double value = 0; };
 
 // --- scripts -----------------------------------------------------------------------------------------

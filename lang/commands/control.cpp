@@ -121,12 +121,13 @@ Family control() {
                         {"hist", "history", "histories"}, [](Reset& r) { r.what.emplace_back("hist"); },
                         "all histories")
                     .action(
-                        {"disp", "displacement"}, [](Reset& r) { r.what.emplace_back("disp"); },
+                        {"disp", "displacements"}, [](Reset& r) { r.what.emplace_back("disp"); },
                         "displacements of gridpoints and blocks")
                     .action(
-                        {"vel", "velocity"}, [](Reset& r) { r.what.emplace_back("vel"); }, "velocities")
+                        {"vel", "velocity", "velocities"}, [](Reset& r) { r.what.emplace_back("vel"); },
+                        "velocities and spins")
                     .action(
-                        {"jdisp", "jdisplacement"}, [](Reset& r) { r.what.emplace_back("jdisp"); },
+                        {"jdisp", "jdisplacements"}, [](Reset& r) { r.what.emplace_back("jdisp"); },
                         "displacements of joints")
                     .action(
                         {"energy"}, [](Reset& r) { r.what.emplace_back("energy"); },
@@ -141,6 +142,7 @@ Family control() {
                     })
                     .right("reset disp jdisp")
                     .right("reset time hist")
+                    .right("RESET displacements velocities jdisplacements")
                     .wrong("reset", "reset does not say what to reset")
                     .wrong("reset dsip", "'dsip' is not a keyword of reset")
                     .wrong("reset 5", "'5' stands where a keyword of reset must be"),

@@ -131,19 +131,27 @@ CommandSpec solve() {
 }
 
 CommandSpec mass_scale() {
-    Entry<MassScale> entry({"mscale"});
-    entry.help("scales masses so that all bodies allow the same time step; for static models only");
-    const auto value = real("mass").above(0).optional();
-    entry.action({"on"}, [](MassScale& m) { m.on = true; }, "masses are scaled");
-    entry.action({"off"}, [](MassScale& m) { m.on = false; }, "true masses");
-    entry.otherwise({value.spec}, [=](Reader& reader, MassScale& m) {
-        if (!reader.at_number() || m.value) return false;
-        m.value = reader.real(value.spec);
-        return true;
-    });
-    entry.right("mscale on").right("mscale off").right("mscale");
-    entry.wrong("mscale maybe", "'maybe' is not a keyword of mscale");
-    return entry;
+    return Entry<MassScale>({"mscale"})
+        .help("density scaling: bodies move with another mass than they weigh, for a longer time step")
+        .action({"on", "full"}, [](MassScale& m) { m.on = true; },
+                "all bodies, so that all allow the same time step; for static solution")
+        .keyword({"partial"}, real("dt").unit("time").above(0), &MassScale::step,
+                 "more mass for the bodies that allow a time step below dt only")
+        .action({"off"}, [](MassScale& m) { m.off = true; }, "true masses")
+        .finish([](const Reader& reader, MassScale& m) {
+            const int given = m.on + m.off + m.step.has_value();
+            if (given == 0)
+                incomplete_line(reader, "mscale does not say what to scale", "expected: on, part dt or off");
+            if (given > 1) incomplete_line(reader, "on, part and off exclude each other", "keep one of them");
+        })
+        .right("mscale on")
+        .right("mscale part 1e-4")
+        .right("mscale off")
+        .wrong("mscale", "mscale does not say what to scale")
+        .wrong("mscale part", "a number is missing after 'part'")
+        .wrong("mscale part 0", "dt must be greater than 0, not 0")
+        .wrong("mscale on off", "on, part and off exclude each other")
+        .wrong("mscale maybe", "'maybe' is not a keyword of mscale");
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // kaya: runs command files. Exit status 0 done, 1 the deck is wrong, 2 the run failed, 3 our own fault.
 #include "app/interrupt.hpp"
+#include "commands/progress.hpp"
 #include "commands/session.hpp"
 
 #include "lang/commands/language.hpp"
@@ -77,7 +78,7 @@ void run_decks(Session& session, const std::vector<std::string>& decks) {
     const auto& clock = session.model.clock;
     if (clock.cycle > 0)
         session.output.say(
-            fmt::format("done: {} cycles, time {}, hash {:016x}{}", clock.cycle, number_text(clock.time),
+            fmt::format("done: {} cycles, time {}, hash {:016x}{}", clock.cycle, time_text(session.model),
                         state_hash(session.model),
                         session.warnings == 0 ? "" : fmt::format(", {} warnings", session.warnings)));
     session.output.stop_log();

@@ -32,6 +32,12 @@ constexpr std::array<ConfigEntry, 10> config_words{{
     {"creep", ConfigEntry::Effect::missing},
 }};
 
+void refuse_scaled_dynamics(const Session& session) {
+    if (session.model.settings.mass_scaling == MassScaling::full)
+        throw Diagnostic("full density scaling changes the motion, and the model is to be dynamic",
+                         "write 'mscale off' or 'mscale part dt' before");
+}
+
 /// Dynamic runs start without damping, static ones with the default; what `damp` has asked for stays.
 void set_dynamic(Session& session, bool on) {
     auto& settings = session.model.settings;
@@ -79,7 +85,10 @@ void run(Session& session, const lang::Config& command) {
                              near.empty() ? fmt::format("options are: {}", fmt::join(known, ", "))
                                           : fmt::format("did you mean '{}'?", near));
         }
-        if (found->effect == ConfigEntry::Effect::dynamic) set_dynamic(session, true);
+        if (found->effect == ConfigEntry::Effect::dynamic) {
+            refuse_scaled_dynamics(session);
+            set_dynamic(session, true);
+        }
         if (found->effect == ConfigEntry::Effect::missing)
             session.warn(
                 Diagnostic(fmt::format("'config {}' asks for something that kaya does not have", found->word),
@@ -99,6 +108,7 @@ void run(Session& session, const lang::Pause&) {
 
 void run(Session& session, const lang::Set& command) {
     auto& settings = session.model.settings;
+    if (command.dynamic.value_or(false)) refuse_scaled_dynamics(session);
     if (command.default_joint_constitutive) {
         const auto number = static_cast<std::int32_t>(*command.default_joint_constitutive);
         if (number != 1 && !session.model.joint_constitutive.contains(number))

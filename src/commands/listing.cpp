@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 #include "commands/handlers.hpp"
 #include "commands/materials.hpp"
+#include "commands/progress.hpp"
 #include "model/measure.hpp"
 
 #include <algorithm>
@@ -99,13 +100,14 @@ std::string list_histories(Session& session, const lang::List&) {
 }
 
 std::string list_time(Session& session, const lang::List&) {
-    return fmt::format("time = {}\ncycle = {}", number_text(session.model.clock.time),
+    return fmt::format("time = {}\ncycle = {}", time_text(session.model),
                        session.model.clock.cycle);
 }
 
 std::string list_time_step(Session& session, const lang::List&) {
     session.cycle->prepare();
-    return session.cycle->time_step_report();
+    const std::string scaling = scaling_text(session.model);
+    return session.cycle->time_step_report() + (scaling.empty() ? "" : "\n" + scaling);
 }
 
 std::string list_extremes(Session& session, const lang::List&) {
@@ -205,6 +207,9 @@ std::string list_settings(Session& session, const lang::List&) {
                                              s.rayleigh_stiffness ? "stiffness" : "")});
     table.add({"contact dashpots", number_text(s.contact_damping)});
     table.add({"time step fraction", number_text(s.time_step_fraction)});
+    table.add({"density scaling", s.mass_scaling == MassScaling::partial
+                                      ? "for a step of " + number_text(s.scaled_time_step)
+                                      : yes(s.mass_scaling == MassScaling::full)});
     table.add({"dynamic", yes(s.dynamic)});
     table.add({"large strain", yes(s.large_strain)});
     table.add({"jmat of new contacts", std::to_string(s.default_joint_material)});

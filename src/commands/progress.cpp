@@ -2,11 +2,27 @@
 
 #include "commands/text_table.hpp"
 
+#include "mechanics/phases.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
 namespace kaya {
+
+std::string time_text(const Model& model) {
+    const bool scaled = model.settings.mass_scaling != MassScaling::none && scaled_masses(model).scaled > 0;
+    return number_text(model.clock.time) + (scaled ? " (scaled)" : "");
+}
+
+std::string scaling_text(const Model& model) {
+    if (model.settings.mass_scaling == MassScaling::none) return {};
+    const ScaledMasses masses = scaled_masses(model);
+    if (masses.scaled == 0) return {};
+    const double added = masses.inertial - masses.real;
+    return fmt::format("density scaling: {} of {} bodies have another mass, {} is added to {} ({:.3g} %)", masses.scaled,
+                       masses.bodies, number_text(added), number_text(masses.real), 100 * added / masses.real);
+}
 
 std::string duration_text(double seconds) {
     const auto whole = static_cast<std::int64_t>(std::llround(seconds));
@@ -61,7 +77,7 @@ std::string Progress::line() const {
     const double rate = static_cast<double>(clock.cycle - first_cycle_) / std::max(seconds_, 1e-9);
     std::string text = fmt::format("cycle {}", clock.cycle);
     if (target_.cycle) text += fmt::format(" of {}", *target_.cycle);
-    text += fmt::format("  time {}  ratio {:.2e}  {:.0f} cycles/s", number_text(clock.time),
+    text += fmt::format("  time {}  ratio {:.2e}  {:.0f} cycles/s", time_text(model_),
                         clock.average_ratio, rate);
     if (const double seconds = left(); seconds >= 0) text += fmt::format("  {} left", duration_text(seconds));
     return text;
@@ -73,8 +89,9 @@ void Progress::finish() {
     const auto& clock = model_.clock;
     const std::int64_t cycles = clock.cycle - first_cycle_;
     output_.say(fmt::format("cycle {}  time {}  ratio {:.2e}  ({} cycles in {:.2f} s, {:.0f} cycles/s)",
-                            clock.cycle, number_text(clock.time), clock.average_ratio, cycles, seconds_,
+                            clock.cycle, time_text(model_), clock.average_ratio, cycles, seconds_,
                             static_cast<double>(cycles) / std::max(seconds_, 1e-9)));
+    if (const std::string scaling = scaling_text(model_); !scaling.empty()) output_.say(scaling);
 }
 
 } // namespace kaya

@@ -47,6 +47,12 @@ private:
 };
 
 /// 75 -> "1:15", 4000 -> "1:06:40".
+/// The time of the model, with "(scaled)" behind it where density scaling has changed masses.
+std::string time_text(const Model& model);
+
+/// What density scaling has done, in words; empty where it has changed no mass.
+std::string scaling_text(const Model& model);
+
 std::string duration_text(double seconds);
 
 } // namespace kaya

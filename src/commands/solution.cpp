@@ -5,6 +5,7 @@
 #include "commands/tables.hpp"
 
 #include "mechanics/dashpots.hpp"
+#include "mechanics/phases.hpp"
 
 #include <algorithm>
 #include <array>
@@ -56,7 +57,7 @@ void advance(Session& session) {
     } catch (Diagnostic& failure) {
         session.deferred.clear();
         const std::string here = session.here();
-        failure.add(fmt::format("in cycle {}, at time {}{}", number, number_text(clock.time),
+        failure.add(fmt::format("in cycle {}, at time {}{}", number, time_text(session.model),
                                 here.empty() ? "" : ", run by the command at " + here));
         if (failure.fault == Fault::deck) failure.fault = Fault::run;
         throw;
@@ -64,7 +65,8 @@ void advance(Session& session) {
 }
 
 /// Why the run stops here; empty when it goes on.
-std::string reached(const Limits& limits, const Clock& start, const Clock& now, double seconds) {
+std::string reached(const Limits& limits, const Clock& start, const Model& model, double seconds) {
+    const Clock& now = model.clock;
     struct Ratio {
         const char* name;
         const std::optional<double>& limit;
@@ -82,7 +84,7 @@ std::string reached(const Limits& limits, const Clock& start, const Clock& now, 
         return fmt::format("{} cycles", *limits.cycles);
     // Half a step of slack: a sum of steps misses the limit by rounding.
     if (limits.time && now.time - start.time >= *limits.time - 0.5 * now.time_step && now.cycle > start.cycle)
-        return fmt::format("time {}", number_text(now.time));
+        return fmt::format("time {}", time_text(model));
     if (limits.clock && seconds >= *limits.clock)
         return fmt::format("{} minutes", number_text(*limits.clock / 60));
     return {};
@@ -99,7 +101,7 @@ std::string advance_until(Session& session, const Limits& limits) {
     if (limits.time) target.time = start.time + *limits.time;
 
     Progress progress(session.output, session.model, target);
-    std::string why = reached(limits, start, session.model.clock, 0);
+    std::string why = reached(limits, start, session.model, 0);
     while (why.empty()) {
         try {
             advance(session);
@@ -109,7 +111,7 @@ std::string advance_until(Session& session, const Limits& limits) {
             throw;
         }
         progress.advanced();
-        why = reached(limits, start, session.model.clock, progress.seconds());
+        why = reached(limits, start, session.model, progress.seconds());
     }
     progress.finish();
     return why;
@@ -217,7 +219,17 @@ void run(Session& session, const lang::Damp& command) {
 }
 
 void run(Session& session, const lang::MassScale& command) {
-    if (command.on) session.warn(Diagnostic("density scaling is not there yet", "the real masses are used"));
+    auto& model = session.model;
+    auto& settings = model.settings;
+    if (command.on && settings.dynamic)
+        throw Diagnostic("full density scaling changes the motion, and the model is dynamic",
+                         "write 'mscale part dt' for the few bodies with a short time step, or 'set dyn off' before");
+    settings.mass_scaling = command.on     ? MassScaling::full
+                            : command.step ? MassScaling::partial
+                                           : MassScaling::none;
+    settings.scaled_time_step = command.step.value_or(0);
+    if (command.off) restore_masses(model);
+    model.properties_changed = true;
 }
 
 void run(Session& session, const lang::Fraction& command) {

@@ -50,7 +50,9 @@ std::string describe_save_file(const std::string& path) {
     add_line(text, "written by", "kaya " + extras.program_version);
     if (!extras.title.empty()) add_line(text, "title", extras.title);
     add_line(text, "cycle", std::to_string(model.clock.cycle));
-    add_line(text, "time", fmt::format("{:g}, step {:g}", model.clock.time, model.clock.time_step));
+    add_line(text, "time", fmt::format("{:g}{}, step {:g}", model.clock.time,
+                                       model.settings.mass_scaling == MassScaling::none ? "" : " (density is scaled)",
+                                       model.clock.time_step));
     add_line(text, "unbalanced", fmt::format("force {:g}, average ratio {:g}", model.clock.unbalanced_force,
                                              model.clock.average_ratio));
     add_line(text, "blocks", describe_blocks(model));

@@ -21,6 +21,8 @@ namespace {
 constexpr std::int64_t growth_interval = 100;
 /// The step shrinks a little more than it must, so that it does not have to again in the next cycle.
 constexpr double shrink = 0.9;
+/// Masses that were scaled for a step give it back but for rounding.
+constexpr double rounding = 1e-8;
 
 enum Phase { move, joint, zone, search, gather, step, script, phase_count };
 
@@ -55,6 +57,9 @@ void check_properties(const Model& model, JointRegistry& joints) {
     }
 }
 
+/// Full density scaling makes no body lighter than this part of its mass: gravity would throw one that is hardly held.
+constexpr double lightest = 0.1;
+
 /// The largest stable step, 0 when nothing is elastic. Viscous forces that follow the stiffness are those of the
 /// half step before, which shortens the step (Belytschko 1983): docs/theory/time-step.md.
 double stable_step(const Model& model, const StepLimit& limit) {
@@ -62,6 +67,11 @@ double stable_step(const Model& model, const StepLimit& limit) {
     const double frequency = std::sqrt(limit.frequency_squared);
     const double part = 0.5 * largest_stiffness_damping(model) * frequency;
     return 2 / frequency * (std::sqrt(1 + part * part) - part);
+}
+
+/// The square of the frequency for which `step` is the largest stable one: the inverse of the above.
+double stable_frequency_squared(const Model& model, double step) {
+    return 4 / (step * (step + 2 * largest_stiffness_damping(model)));
 }
 
 Diagnostic motion_lost() {
@@ -141,9 +151,39 @@ void Cycle::make_lists() {
     zone_forces(model_, s.corner_forces);
 }
 
+/// Density scaling. `anew`: masses may also become smaller and the step another; otherwise the step stays, and
+/// bodies that have become too stiff for it get more mass.
+void Cycle::fit_masses(bool anew) {
+    const Settings& settings = model_.settings;
+    const Adjacency& adjacency = scratch_->adjacency;
+    const double fraction = settings.time_step_fraction;
+    const auto allows = [&](double step) { return stable_frequency_squared(model_, step / fraction); };
+    const auto reached = [&](Masses masses) {
+        const double stable = stable_step(model_, limit_of_step(model_, adjacency, masses));
+        return stable == 0 || fraction * stable >= settings.scaled_time_step;
+    };
+    const BodyStiffness stiffness = body_stiffness(model_, adjacency);
+    if (settings.mass_scaling == MassScaling::full) {
+        if (!anew) return raise_masses(model_, stiffness, allows(model_.clock.time_step));
+        const double given = settings.given_time_step;
+        const double target = given > 0 ? allows(given) : mean_frequency_squared(model_, stiffness);
+        if (target > 0) scale_masses(model_, stiffness, target, lightest);
+        return;
+    }
+    if (anew && reached(Masses::real)) return restore_masses(model_);
+    // The dashpots of contacts follow the masses and shorten the step in turn.
+    for (int i = 0; i < 20 && (anew || !reached(Masses::inertial)); ++i) {
+        const double target = allows(settings.scaled_time_step);
+        if (anew) scale_masses(model_, stiffness, target, 1);
+        else raise_masses(model_, stiffness, target);
+        anew = false;
+    }
+}
+
 void Cycle::limit_step(bool may_grow) {
     Clock& clock = model_.clock;
     const Settings& settings = model_.settings;
+    if (settings.mass_scaling != MassScaling::none) fit_masses(may_grow || clock.time_step == 0);
     const StepLimit limit = limit_of_step(model_, scratch_->adjacency);
     const double stable = stable_step(model_, limit);
     if (settings.given_time_step > 0) {
@@ -166,8 +206,9 @@ void Cycle::limit_step(bool may_grow) {
         return;
     }
     const double wanted = settings.time_step_fraction * stable;
+    const double least = settings.mass_scaling == MassScaling::partial ? settings.scaled_time_step : 0;
     if (clock.time_step == 0) clock.time_step = wanted;
-    else if (wanted < clock.time_step) clock.time_step = shrink * wanted;
+    else if (wanted < (1 - rounding) * clock.time_step) clock.time_step = std::max(shrink * wanted, std::min(wanted, least));
     else if (may_grow && wanted * shrink * shrink > clock.time_step) clock.time_step = wanted;
 }
 
@@ -266,7 +307,9 @@ std::string Cycle::time_step_report() {
         return fmt::format("largest stable step {:.6g}, set by block {} and the joints on it", stable,
                            model_.blocks.number[limit.row]);
     const Vec3& x = model_.gridpoints.position[limit.row];
-    const double zones = model_.gridpoints.zone_frequency[limit.row] / limit.frequency_squared;
+    const auto& points = model_.gridpoints;
+    const double zones = points.zone_frequency[limit.row] * (points.mass[limit.row] / points.inertial_mass[limit.row]) /
+                         limit.frequency_squared;
     return fmt::format("largest stable step {:.6g}, set by the gridpoint of block {} at ({:.6g}, {:.6g}, {:.6g}): "
                        "{:.0f} % by its zones, {:.0f} % by joints",
                        stable, model_.blocks.number[model_.gridpoints.block[limit.row]], x.x(), x.y(), x.z(),

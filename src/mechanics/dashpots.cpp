@@ -17,7 +17,7 @@ double share(const Settings& settings) { return settings.rayleigh_mass && settin
 double inverse_mass(const Model& model, Row block) {
     const auto& blocks = model.blocks;
     const bool held = !blocks.deformable[block] && (blocks.fixed[block] & 7) == 7;
-    return held || blocks.mass[block] <= 0 ? 0 : 1 / blocks.mass[block];
+    return held || blocks.inertial_mass[block] <= 0 ? 0 : 1 / blocks.inertial_mass[block];
 }
 
 /// Times by which the rates of normal and shear force are multiplied in one contact.

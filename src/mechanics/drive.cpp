@@ -76,7 +76,7 @@ void move_block(Model& model, Row b, int component, double value, DriveSums& sum
     auto& blocks = model.blocks;
     if (component >= 3) return spin_block(model, b, component - 3, value, sums);
     const double weight = blocks.mass[b] * model.settings.gravity[component];
-    const Jump jump{blocks.mass[b], blocks.force[b][component], weight};
+    const Jump jump{blocks.inertial_mass[b], blocks.force[b][component], weight};
     jump.set(blocks.velocity[b][component], value, model.clock.time_step, sums);
 }
 
@@ -84,7 +84,7 @@ void move_gridpoint(Model& model, Row g, int component, double value, DriveSums&
     auto& points = model.gridpoints;
     if (!(points.fixed[g] & (1 << component))) return;
     const double weight = points.mass[g] * model.settings.gravity[component];
-    const Jump jump{points.mass[g], points.force[g][component], weight};
+    const Jump jump{points.inertial_mass[g], points.force[g][component], weight};
     jump.set(points.velocity[g][component], value, model.clock.time_step, sums);
 }
 

@@ -22,6 +22,9 @@ const Material& material_of(const Model& model, Row block) {
     throw d;
 }
 
+/// How many times its mass a body's inertial mass is.
+double inertial_factor(double inertial, double mass) { return inertial > 0 && mass > 0 ? inertial / mass : 1; }
+
 } // namespace
 
 void compute_masses(Model& model) {
@@ -36,13 +39,19 @@ void compute_masses(Model& model) {
     }
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         const double density = material_of(model, static_cast<Row>(b)).density;
+        const double factor = inertial_factor(blocks.inertial_mass[b], blocks.mass[b]);
         blocks.mass[b] = density > 0 ? density * blocks.volume[b] : 0;
+        blocks.inertial_mass[b] = factor * blocks.mass[b];
         const Span span = blocks.gridpoints[b];
-        for (Row row = span.first; row < span.end(); ++row) g.mass[row] = 0;
+        for (Row row = span.first; row < span.end(); ++row) {
+            g.inertial_mass[row] = inertial_factor(g.inertial_mass[row], g.mass[row]);
+            g.mass[row] = 0;
+        }
         if (!blocks.deformable[b]) continue;
         const Span zones = blocks.zones[b];
         for (Row z = zones.first; z < zones.end(); ++z)
             for (const Row row : model.zones.gridpoints[z]) g.mass[row] += 0.25 * density * model.zones.volume[z];
+        for (Row row = span.first; row < span.end(); ++row) g.inertial_mass[row] *= g.mass[row];
     }
 }
 

@@ -101,7 +101,8 @@ double place_vertices(Model& model, std::size_t b) {
 /// One rigid block, or several that are joined: what acts on it and how it moves. Inertia is in the axes that
 /// the orientation turns.
 struct RigidBody {
-    double mass;
+    double mass;          ///< in the weight
+    double inertial_mass; ///< in the equation of motion, as in the inertia
     Mat3 inertia;
     std::uint8_t fixed;
     Vec3 force, load, moment, torque;
@@ -116,8 +117,8 @@ inline void advance(const RigidBody& body, const Settings& settings, double step
     const std::uint8_t fixed = body.fixed;
     Vec3& v = body.velocity;
     Vec3& w = body.spin;
-    const double mass = body.mass;
-    const Vec3 weight = mass * settings.gravity;
+    const double mass = body.inertial_mass;
+    const Vec3 weight = body.mass * settings.gravity;
     const Vec3 force = body.force + body.load + weight;
     for (int k = 0; k < 3; ++k) {
         const bool held = fixed & (1 << k);
@@ -173,8 +174,8 @@ inline void advance(const RigidBody& body, const Settings& settings, double step
 void move_block(Model& model, std::size_t b, const DampingFactors& damping, MotionSums& sums) {
     auto& blocks = model.blocks;
     if (blocks.fixed[b] == fix_all && blocks.velocity[b].isZero(0) && blocks.rotational_velocity[b].isZero(0)) return;
-    const double mass = blocks.mass[b], step = model.clock.time_step;
-    advance({mass, blocks.inertia[b] * (mass / blocks.volume[b]), blocks.fixed[b], blocks.force[b], blocks.load[b],
+    const double mass = blocks.inertial_mass[b], step = model.clock.time_step;
+    advance({blocks.mass[b], mass, blocks.inertia[b] * (mass / blocks.volume[b]), blocks.fixed[b], blocks.force[b], blocks.load[b],
              blocks.moment[b], blocks.torque[b], blocks.velocity[b], blocks.rotational_velocity[b],
              blocks.angular_momentum[b], blocks.last_force[b], blocks.last_moment[b], blocks.orientation[b]},
             model.settings, step, damping, sums);
@@ -219,7 +220,9 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
     const Mat3 axes = quaternion(before).toRotationMatrix();
     Quaternion after = before;
     const double step = model.clock.time_step;
-    advance({body.mass, axes.transpose() * body.inertia * axes, fixed, force, load, moment, torque, velocity, spin,
+    // Density scaling gives all members the same factor.
+    const double factor = blocks.mass[first] > 0 ? blocks.inertial_mass[first] / blocks.mass[first] : 1;
+    advance({body.mass, factor * body.mass, factor * (axes.transpose() * body.inertia * axes), fixed, force, load, moment, torque, velocity, spin,
              blocks.angular_momentum[first], blocks.last_force[first], blocks.last_moment[first], after},
             model.settings, step, damping, sums);
     const Eigen::Quaterniond turn = quaternion(after) * quaternion(before).conjugate();

@@ -41,8 +41,8 @@ MotionSums move_gridpoints(Model& model) {
             MotionSums sums;
             for (std::size_t row = first; row < last; ++row) {
                 if (!model.blocks.deformable[g.block[row]]) continue;
-                const double mass = g.mass[row];
-                const Vec3 weight = mass * settings.gravity;
+                const double mass = g.inertial_mass[row];
+                const Vec3 weight = g.mass[row] * settings.gravity;
                 const Vec3 force = g.force[row] + g.load[row] + weight;
                 Vec3& v = g.velocity[row];
                 for (int k = 0; k < 3; ++k) {

@@ -153,7 +153,42 @@ struct StepLimit {
     Row row = no_row; ///< gridpoint or rigid block
 };
 
-/// A bound on the highest frequency of the system: docs/theory/time-step.md.
-StepLimit limit_of_step(const Model& model, const Adjacency& adjacency);
+/// Masses that a bound of the frequency goes by; unit: 1 for all.
+enum class Masses { real, inertial, unit };
+
+/// A bound on the highest frequency of the system: docs/theory/time-step.md. Where density is scaled it is the
+/// smaller one of equations (4) and (8).
+StepLimit limit_of_step(const Model& model, const Adjacency& adjacency, Masses masses = Masses::inertial);
+
+/// Stiffness of each body by equation (8) of docs/theory/time-step.md: force/length, 0 for what cannot move. The
+/// frequency of a model stays below the root of the largest ratio of stiffness to inertial mass.
+struct BodyStiffness {
+    std::vector<double> of_gridpoint, of_block; ///< gridpoints of deformable blocks, rigid blocks; by row; joined blocks share that
+                                               ///< of their body by mass
+};
+
+BodyStiffness body_stiffness(const Model& model, const Adjacency& adjacency);
+
+/// What density scaling has done: docs/theory/time-step.md.
+struct ScaledMasses {
+    std::size_t bodies = 0; ///< rigid blocks and gridpoints that have mass and may move
+    std::size_t scaled = 0; ///< of them with another inertial mass than their own
+    double real = 0, inertial = 0; ///< sums over those bodies
+};
+
+ScaledMasses scaled_masses(const Model& model);
+
+/// Gives inertial masses so that every body allows the step for which `frequency_squared` is the highest that is
+/// stable, none below `least` times its mass. Velocities stay. Masses that are enough and not much too large stay as well.
+void scale_masses(Model& model, const BodyStiffness& stiffness, double frequency_squared, double least);
+
+/// The same, only upwards from what the masses are: for stiffnesses that grow between two scalings.
+void raise_masses(Model& model, const BodyStiffness& stiffness, double frequency_squared);
+
+/// All inertial masses are the true ones again.
+void restore_masses(Model& model);
+
+/// The square of the frequency at which full density scaling leaves the sum of all masses as it is.
+double mean_frequency_squared(const Model& model, const BodyStiffness& stiffness);
 
 } // namespace kaya

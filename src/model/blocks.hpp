@@ -50,6 +50,7 @@ public:
     Column<double> margin;        ///< how near another surface counts as touching: a small part of its size
     Column<double> travelled;     ///< longest way of one of its points since its contacts were looked at
     Column<double> mass;          ///< 0 until the density is known (at the first cycle)
+    Column<double> inertial_mass; ///< in the equation of motion; another than `mass` where density is scaled
     Column<Mat3> inertia;         ///< of unit density, about the centroid, in the block's own axes
     Column<Vec3> centroid;
     Column<Quaternion> orientation; ///< turns own axes into global ones
@@ -86,6 +87,7 @@ public:
         visit("margin", margin);
         visit("travelled", travelled);
         visit("mass", mass);
+        visit("inertial_mass", inertial_mass);
         visit("inertia", inertia);
         visit("centroid", centroid);
         visit("orientation", orientation);
@@ -108,6 +110,7 @@ public:
     Column<Row> block;
     Column<std::uint8_t> fixed; ///< Fixity bits x y z
     Column<double> mass;
+    Column<double> inertial_mass; ///< in the equation of motion
     Column<Vec3> position;
     Column<Vec3> reference; ///< position when the zones were made; of a rigid block's vertex: in own axes
     Column<Vec3> velocity;
@@ -115,12 +118,13 @@ public:
     Column<Vec3> force; ///< sum of the last cycle, gravity and damping not included
     Column<Vec3> load;  ///< applied force
     Column<Vec3> last_force; ///< sum of all forces one step ago, for combined damping
-    Column<double> zone_frequency; ///< bound of the zones' part of its frequency, (rad/time)^2
+    Column<double> zone_frequency; ///< bound of the zones' part of its frequency with its true mass, (rad/time)^2
 
     template <class Visit> void columns(Visit&& visit) {
         visit("block", block);
         visit("fixed", fixed);
         visit("mass", mass);
+        visit("inertial_mass", inertial_mass);
         visit("position", position);
         visit("reference", reference);
         visit("velocity", velocity);

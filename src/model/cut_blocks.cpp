@@ -41,6 +41,7 @@ struct Parent {
         blocks.velocity[b] = velocity + rotational_velocity.cross(mass.centroid - centroid);
         blocks.rotational_velocity[b] = rotational_velocity;
         blocks.angular_momentum[b] = density * (mass.inertia * rotational_velocity);
+        blocks.mass[b] = blocks.inertial_mass[b] = density * mass.volume;
         blocks.displacement[b] = displacement;
         // Moments of the shares about the old centroid cancel, as that is the mean of the pieces' centroids.
         blocks.load[b] = mass.volume / volume * load;

@@ -93,7 +93,9 @@ void rotate(Model& model, Row block, const Vec3& velocity) {
         throw Diagnostic(fmt::format("block {} is joined to others and has no rotation of its own",
                                      model.blocks.number[block]),
                          "give it a rotation before `join`");
-    const Vec3 momentum = inertia(model, block) * velocity;
+    const double mass = model.blocks.mass[block];
+    const double factor = mass > 0 ? model.blocks.inertial_mass[block] / mass : 1; // of density scaling
+    const Vec3 momentum = factor * (inertia(model, block) * velocity);
     if (!momentum.allFinite())
         throw Diagnostic(fmt::format("block {} has no density yet and cannot be given a rotation",
                                      model.blocks.number[block]),

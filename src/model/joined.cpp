@@ -44,6 +44,7 @@ void share_motion(Model& model, std::span<const Row> members) {
         blocks.velocity[b] = velocity + spin.cross(blocks.centroid[b] - body.centroid);
         blocks.rotational_velocity[b] = spin;
         blocks.angular_momentum[b] = Vec3::Zero();
+        blocks.inertial_mass[b] = blocks.mass[b]; // the momentum below is that of true masses
     }
     if (known) blocks.angular_momentum[members.front()] = angular;
 }
@@ -148,6 +149,7 @@ void unjoin(Model& model, const std::vector<Row>& rows) {
         const Row row = static_cast<Row>(b);
         blocks.body[b] = 0;
         blocks.angular_momentum[b] = block_inertia(model, row, blocks.mass[b]) * blocks.rotational_velocity[b];
+        blocks.inertial_mass[b] = blocks.mass[b];
     }
     model.structure_changed = model.properties_changed = true;
 }

@@ -17,6 +17,13 @@ enum class Water : std::int32_t {
     field  ///< linear in space
 };
 
+/// Density scaling: which bodies have another mass in the equation of motion than in their weight.
+enum class MassScaling : std::int32_t {
+    none,
+    full,   ///< all, so that all allow the same step; for static solution
+    partial ///< those that allow a shorter step than Settings::scaled_time_step get more
+};
+
 struct Settings {
     Vec3 gravity = Vec3::Zero();
     Damping damping = Damping::local;
@@ -29,6 +36,8 @@ struct Settings {
     double contact_damping = 0;      ///< of critical damping, in a dashpot at every contact
     double time_step_fraction = 0.25; ///< of the largest stable step; about what 3DEC takes
     double given_time_step = 0;      ///< 0: computed
+    MassScaling mass_scaling = MassScaling::none;
+    double scaled_time_step = 0;     ///< of partial density scaling
     Water water = Water::none;
     double water_value = 0;                ///< of a table: density; of a field: pressure at the origin
     Vec3 water_origin = Vec3::Zero();      ///< of a table: a point of the plane

@@ -23,7 +23,7 @@ namespace kaya {
 
 template <class Archive> void visit_state(Archive& archive, Settings& settings) {
     auto& [gravity, damping, local_factor, global_ratio, rayleigh_fraction, rayleigh_frequency, rayleigh_mass, rayleigh_stiffness,
-           contact_damping, time_step_fraction, given_time_step, water, water_value, water_origin, water_direction, dynamic, large_strain, energy,
+           contact_damping, time_step_fraction, given_time_step, mass_scaling, scaled_time_step, water, water_value, water_origin, water_direction, dynamic, large_strain, energy,
            default_joint_material, default_joint_constitutive, default_properties] = settings;
     archive.value("gravity", gravity);
     archive.value("damping", damping);
@@ -36,6 +36,8 @@ template <class Archive> void visit_state(Archive& archive, Settings& settings) 
     archive.value("contact_damping", contact_damping);
     archive.value("time_step_fraction", time_step_fraction);
     archive.value("given_time_step", given_time_step);
+    archive.value("mass_scaling", mass_scaling);
+    archive.value("scaled_time_step", scaled_time_step);
     archive.value("water", water);
     archive.value("water_value", water_value);
     archive.value("water_origin", water_origin);
