@@ -309,11 +309,11 @@ TEST(Fields, ARotationIsGivenWithItsAngularMomentum) {
     model.blocks.inertia[1] = Vec3(1, 2, 3).asDiagonal();
     set(model, "b_rvel", 1, Vec3(0, 0.5, 0)); // before the first cycle: density 2000 of the material
     EXPECT_EQ(model.blocks.angular_momentum[1], Vec3(0, 2000, 0));
-    model.blocks.mass[1] = 10 * model.blocks.volume[1];
+    model.blocks.mass[1] = model.blocks.inertial_mass[1] = 10 * model.blocks.volume[1];
     set(model, "b_rzvel", 1, 2.0);
     EXPECT_LT((model.blocks.angular_momentum[1] - Vec3(0, 10, 60)).norm(), 1e-12);
     EXPECT_EQ(model.blocks.rotational_velocity[1], Vec3(0, 0.5, 2));
-    model.blocks.mass[1] = 0;
+    model.blocks.mass[1] = model.blocks.inertial_mass[1] = 0;
     model.blocks.material[1] = 3; // has no density
     EXPECT_THROW(set(model, "b_rxvel", 1, 1.0), Diagnostic);
     EXPECT_EQ(model.blocks.rotational_velocity[1], Vec3(0, 0.5, 2));
