@@ -118,7 +118,9 @@ void joint_forces(const Model& model, JointForces& forces) {
     forces.of_sub_contact.assign(any_deformable ? model.sub_contacts.size() : 0, Vec3::Zero());
     forces.of_contact.assign(model.contacts.size(), Vec3::Zero());
     forces.moment.assign(model.contacts.size(), Vec3::Zero());
-    for (std::size_t c = 0; c < model.contacts.size(); ++c) sum_contact(model, static_cast<Row>(c), forces);
+    for_chunks(model.contacts.size(), 256, [&](std::size_t first, std::size_t last) {
+        for (std::size_t c = first; c < last; ++c) sum_contact(model, static_cast<Row>(c), forces);
+    });
 }
 
 } // namespace kaya
