@@ -55,23 +55,32 @@ void add_increments(SubContacts& subs, const Batch& batch) {
 
 /// Rate of work of the joints on the blocks with the forces as they are, times the step.
 struct Work {
-    double joint = 0, fluid = 0, friction = 0;
+    double joint = 0, friction = 0;
 
     Work(const SubContacts& subs, const Batch& batch) {
-        Lanes joints = Lanes::Zero(), fluids = Lanes::Zero(), frictions = Lanes::Zero();
+        Lanes joints = Lanes::Zero(), frictions = Lanes::Zero();
         for (Row i = batch.first; i < batch.first + batch.count; i += lane_count) {
             const LaneGroup group(batch.first + batch.count - i);
             const Lanes opening = group.load(subs.normal_displacement_increment.data() + i);
             joints += group.load(subs.normal_force.data() + i) * opening +
                       group.load(subs.shear_force, i).dot(group.load(subs.shear_displacement_increment, i));
-            fluids += group.load(subs.pore_pressure.data() + i) * group.load(subs.area.data() + i) * opening;
             frictions += group.load(subs.frictional_work.data() + i);
         }
         joint = sum(joints);
-        fluid = sum(fluids);
         friction = sum(frictions);
     }
 };
+
+/// Work of the pore pressure on the blocks; a joint model does not change it.
+double fluid_work(const SubContacts& subs, const Batch& batch) {
+    Lanes work = Lanes::Zero();
+    for (Row i = batch.first; i < batch.first + batch.count; i += lane_count) {
+        const LaneGroup group(batch.first + batch.count - i);
+        work += group.load(subs.pore_pressure.data() + i) * group.load(subs.area.data() + i) *
+                group.load(subs.normal_displacement_increment.data() + i);
+    }
+    return sum(work);
+}
 
 void combine(JointSums& sum, const JointSums& part) {
     sum.work += part.work;
@@ -96,7 +105,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         const Work after(model.sub_contacts, batch);
         sums.work = -0.5 * (before->joint + after.joint);
         sums.friction = after.friction - before->friction;
-        sums.fluid = after.fluid;
+        sums.fluid = fluid_work(model.sub_contacts, batch);
     }
     if (dashpots) sums.damped = dashpots->finish();
     sums.stiffness_changed = columns.stiffness_changed;

@@ -17,7 +17,8 @@ struct Batch {
     Span contacts;
 };
 
-/// All batches, in row order; what their models keep of each sub-contact gets its columns. One has whole contacts and, if it has several, at most `most` rows: few
+/// All batches, in row order; what their models keep of each sub-contact gets its columns. One has whole contacts
+/// and, if it has several, at most `most` rows: few
 /// enough that what a cycle reads and writes of them stays near the processor.
 std::vector<Batch> make_batches(Model& model, JointRegistry& joints, Row most = 512);
 

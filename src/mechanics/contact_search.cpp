@@ -74,9 +74,8 @@ struct Pair {
 };
 
 /// Pairs that must be looked at and contacts that stay as they are; sorted like the contacts and the near pairs.
-template <class Boxes, class Moved>
-std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int, 2>>& near, const Boxes& boxes,
-                           const Moved& moved) {
+std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int, 2>>& near,
+                           const std::vector<Box>& boxes, const std::vector<char>& moved) {
     const auto& contacts = model.contacts;
     std::vector<Pair> pairs;
     pairs.reserve(near.size() + contacts.size());
