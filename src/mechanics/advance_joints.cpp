@@ -4,12 +4,39 @@
 #include "model/lanes.hpp"
 #include "mechanics/phases.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
 namespace kaya {
 
 namespace {
+
+constexpr std::size_t grain = 256; ///< contacts
+
+/// In parts of a block's margin: an overlap beyond what the force says that is not worth looking at.
+constexpr double negligible = 1e-3;
+/// The part of it that comes back in each cycle.
+constexpr double recovery = 5e-3;
+
+/// A contact that overlaps more than its force says pushes the blocks apart so slowly that it shakes nothing.
+void recover(Model& model, Row c) {
+    auto& contacts = model.contacts;
+    auto& subs = model.sub_contacts;
+    double& sunk = contacts.sunk[c];
+    if (sunk <= 0) return;
+    const auto& margin = model.blocks.margin;
+    if (sunk < negligible * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]])) {
+        sunk = 0;
+        return;
+    }
+    const double closed = recovery * sunk;
+    sunk -= closed;
+    const Span span = contacts.sub_contacts[c];
+    for (Row s = span.first; s < span.end(); ++s)
+        if (subs.normal_force[s] > 0 || subs.normal_displacement[s] < 0)
+            subs.normal_force[s] += subs.normal_stiffness[s] * subs.area[s] * closed;
+}
 
 /// Sums of one contact's sub-contacts; pore pressure acts on both sides besides the effective stress.
 void sum_contact(const Model& model, Row c, JointForces& forces) {
@@ -39,6 +66,27 @@ void sum_contact(const Model& model, Row c, JointForces& forces) {
     }
     forces.of_contact[c] = sum(force);
     forces.moment[c] = sum(moment);
+}
+
+/// Marks a contact whose stiffness is another than it was.
+void note_stiffness(const Model& model, Row c, JointForces& forces) {
+    const auto& subs = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[c];
+    double sum = 0;
+    for (Row s = span.first; s < span.end(); ++s)
+        sum += std::max(subs.normal_stiffness[s], subs.shear_stiffness[s]) * subs.area[s];
+    if (sum == forces.stiffness[c]) return;
+    forces.stiffness[c] = sum;
+    forces.stiffness_changed[c] = 1;
+}
+
+/// Geometry that was made after the last motion has not slid.
+bool has_new_geometry(const Model& model, Row c) { return model.contacts.slid[c] == 0; }
+
+void take_contact(const Model& model, Row c, JointForces& forces) {
+    sum_contact(model, c, forces);
+    note_stiffness(model, c, forces);
+    if (has_new_geometry(model, c)) forces.stiffness_changed[c] = 1;
 }
 
 /// A joint model sees displacements at the start of the step; now they are those of its end.
@@ -94,7 +142,10 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     JointSums sums;
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
     const bool energy = model.settings.energy;
-    for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) move_contact(model, c);
+    for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
+        recover(model, c);
+        move_contact(model, c);
+    }
     auto columns = columns_of(model, batch, model.clock.time_step, history.data());
     std::optional<Work> before;
     if (energy) before.emplace(model.sub_contacts, batch);
@@ -110,7 +161,10 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     if (dashpots) sums.damped = dashpots->finish();
     sums.stiffness_changed = columns.stiffness_changed;
     add_increments(model.sub_contacts, batch);
-    for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) sum_contact(model, c, forces);
+    for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
+        sum_contact(model, c, forces);
+        if (columns.stiffness_changed) note_stiffness(model, c, forces);
+    }
     return sums;
 }
 
@@ -127,8 +181,17 @@ void joint_forces(const Model& model, JointForces& forces) {
     forces.of_sub_contact.assign(any_deformable ? model.sub_contacts.size() : 0, Vec3::Zero());
     forces.of_contact.assign(model.contacts.size(), Vec3::Zero());
     forces.moment.assign(model.contacts.size(), Vec3::Zero());
-    for_chunks(model.contacts.size(), 256, [&](std::size_t first, std::size_t last) {
-        for (std::size_t c = first; c < last; ++c) sum_contact(model, static_cast<Row>(c), forces);
+    forces.stiffness.assign(model.contacts.size(), 0);
+    forces.stiffness_changed.assign(model.contacts.size(), 0);
+    for_chunks(model.contacts.size(), grain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t c = first; c < last; ++c) take_contact(model, static_cast<Row>(c), forces);
+    });
+}
+
+void joint_forces_of_new(const Model& model, JointForces& forces) {
+    for_chunks(model.contacts.size(), grain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t c = first; c < last; ++c)
+            if (has_new_geometry(model, static_cast<Row>(c))) take_contact(model, static_cast<Row>(c), forces);
     });
 }
 

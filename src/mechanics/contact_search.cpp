@@ -14,8 +14,11 @@ namespace kaya {
 
 namespace {
 
-/// Sliding farther than this fraction of the contact's size makes its geometry anew.
+/// Contacts that have slid farther than this fraction of their size get new geometry together in every so many
+/// cycles: tables that change cost as much for one as for many. One that has slid far for its blocks does at once.
 constexpr double slide_tolerance = 1e-3;
+constexpr std::int64_t slide_interval = 8;
+constexpr double far_slide = 2; ///< in parts of the margin
 /// Blocks that have gone this part of their margins are looked at together in every so many cycles. When a block is
 /// looked at depends on itself and the cycle only: an unrelated block far away does not change a bit of its motion.
 constexpr double moved_part = 0.35;
@@ -169,8 +172,12 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
 
 ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
     const auto& contacts = model.contacts;
+    const auto& margin = model.blocks.margin;
+    const bool all_together = model.clock.cycle % slide_interval == 0;
     const auto slid = [&](std::size_t c) {
-        return contacts.slid[c] * contacts.slid[c] > slide_tolerance * slide_tolerance * contacts.area[c];
+        if (contacts.slid[c] * contacts.slid[c] <= slide_tolerance * slide_tolerance * contacts.area[c]) return false;
+        return all_together ||
+               contacts.slid[c] > far_slide * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]]);
     };
     std::vector<Pair> pairs;
     wanted_.clear();

@@ -175,31 +175,6 @@ struct Load {
     }
 };
 
-/// In parts of a block's margin: an overlap beyond what the force says that is not worth looking at.
-constexpr double negligible = 1e-3;
-/// The part of it that comes back each time the contact is looked at.
-constexpr double recovery = 5e-3;
-
-/// A contact that overlaps more than its force says pushes the blocks apart so slowly that it shakes nothing.
-void recover(Model& model, Row c) {
-    auto& contacts = model.contacts;
-    auto& subs = model.sub_contacts;
-    double& sunk = contacts.sunk[c];
-    if (sunk <= 0) return;
-    const auto& margin = model.blocks.margin;
-    if (sunk < negligible * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]])) {
-        sunk = 0;
-        return;
-    }
-    const double closed = recovery * sunk;
-    sunk -= closed;
-    contacts.slid[c] = std::numeric_limits<double>::max(); // to be looked at again in the next cycle
-    const Span span = contacts.sub_contacts[c];
-    for (Row s = span.first; s < span.end(); ++s)
-        if (subs.normal_force[s] > 0 || subs.normal_displacement[s] < 0)
-            subs.normal_force[s] += subs.normal_stiffness[s] * subs.area[s] * closed;
-}
-
 /// New geometry must not make energy. It may give back what it has taken from this contact before, and no more
 /// (Hannaford and Ryu 2002, IEEE Trans. Robot. Autom. 18, keep a contact passive by such an account). What then
 /// overlaps more than its force says is noted.
@@ -221,7 +196,6 @@ void keep_passive(Model& model, Row c, const Load& before) {
         // The mean closure that belongs to the force which is not there now.
         if (after.normal > 0) model.contacts.sunk[c] += (1 - normal) * 2 * after.energy / after.normal;
     }
-    recover(model, c);
 }
 
 /// The loads of contacts that get new geometry, by row of the draft.

@@ -91,6 +91,7 @@ struct Cycle::Scratch {
     std::vector<Batch> batches;
     std::vector<ElasticConstants> elastic;
     DriveLists drives;
+    StepBounds bounds;
     JointForces joints;
     std::vector<Vec3> corner_forces;
     std::vector<PhaseTime> timing = phase_names();
@@ -155,14 +156,14 @@ void Cycle::make_lists() {
 /// bodies that have become too stiff for it get more mass.
 void Cycle::fit_masses(bool anew) {
     const Settings& settings = model_.settings;
-    const Adjacency& adjacency = scratch_->adjacency;
+    StepBounds& bounds = scratch_->bounds;
     const double fraction = settings.time_step_fraction;
     const auto allows = [&](double step) { return stable_frequency_squared(model_, step / fraction); };
     const auto reached = [&](Masses masses) {
-        const double stable = stable_step(model_, limit_of_step(model_, adjacency, masses));
+        const double stable = stable_step(model_, bounds.limit(model_, scratch_->adjacency, masses));
         return stable == 0 || fraction * stable >= settings.scaled_time_step;
     };
-    const BodyStiffness stiffness = body_stiffness(model_, adjacency);
+    const BodyStiffness& stiffness = bounds.stiffness();
     if (settings.mass_scaling == MassScaling::full) {
         if (!anew) return raise_masses(model_, stiffness, allows(model_.clock.time_step));
         const double given = settings.given_time_step;
@@ -183,8 +184,13 @@ void Cycle::fit_masses(bool anew) {
 void Cycle::limit_step(bool may_grow) {
     Clock& clock = model_.clock;
     const Settings& settings = model_.settings;
+    StepBounds& bounds = scratch_->bounds;
+    auto& changed = scratch_->joints.stiffness_changed;
+    if (may_grow || settings.mass_scaling != MassScaling::none) bounds.update(model_, scratch_->adjacency);
+    else bounds.update_at(model_, scratch_->adjacency, changed);
+    std::fill(changed.begin(), changed.end(), 0);
     if (settings.mass_scaling != MassScaling::none) fit_masses(may_grow || clock.time_step == 0);
-    const StepLimit limit = limit_of_step(model_, scratch_->adjacency);
+    const StepLimit limit = bounds.limit(model_, scratch_->adjacency);
     const double stable = stable_step(model_, limit);
     if (settings.given_time_step > 0) {
         if (stable > 0 && settings.given_time_step > stable) {
@@ -269,7 +275,7 @@ void Cycle::advance() {
         if (change == ContactChange::replaced)
             check_properties(model_, joints_); // a contact that is new may have a joint material of its own
         if (model_.lists_changed) make_lists();
-        else joint_forces(model_, s.joints);
+        else joint_forces_of_new(model_, s.joints);
         model_.lists_changed = false;
         return change;
     });
@@ -300,7 +306,8 @@ void Cycle::run_hooks(const std::vector<std::function<void()>>& list) {
 }
 
 std::string Cycle::time_step_report() {
-    const StepLimit limit = limit_of_step(model_, scratch_->adjacency);
+    scratch_->bounds.update(model_, scratch_->adjacency);
+    const StepLimit limit = scratch_->bounds.limit(model_, scratch_->adjacency);
     if (limit.row == no_row || limit.frequency_squared <= 0) return "nothing limits the time step: no stiffness acts";
     const double stable = stable_step(model_, limit);
     if (limit.of_block)

@@ -4,6 +4,7 @@
 
 #include "mechanics/adjacency.hpp"
 #include "mechanics/batches.hpp"
+#include "mechanics/step_bounds.hpp"
 #include "model/model.hpp"
 
 #include <vector>
@@ -79,6 +80,8 @@ struct JointForces {
     std::vector<Vec3> of_sub_contact; ///< on the second side, of contacts with a deformable block
     std::vector<Vec3> of_contact;     ///< sum on the second block
     std::vector<Vec3> moment;         ///< of that sum about Contacts::position
+    std::vector<double> stiffness;    ///< sum over the contact's sub-contacts of the larger tangent stiffness
+    std::vector<char> stiffness_changed; ///< of contacts whose stiffness or geometry has, until someone clears it
 };
 
 /// What a step has done to the joints.
@@ -95,8 +98,11 @@ struct JointSums {
 /// stiffnesses. One batch after another goes through all of it.
 JointSums advance_joints(Model& model, const std::vector<Batch>& batches, JointForces& forces);
 
-/// Forces of the contacts as they are, without a step.
+/// Forces of the contacts as they are, without a step. Contacts with geometry made anew are marked as changed.
 void joint_forces(const Model& model, JointForces& forces);
+
+/// The same for those contacts only; the others have kept their rows and forces.
+void joint_forces_of_new(const Model& model, JointForces& forces);
 
 /// Turns the plane of a contact with its blocks and writes the displacement increments of its
 /// sub-contacts; turns their shear forces with the plane.
@@ -145,29 +151,6 @@ void compute_masses(Model& model);
 
 /// Writes Gridpoints::zone_frequency.
 void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic);
-
-/// The body that limits the time step.
-struct StepLimit {
-    double frequency_squared = 0; ///< upper bound of the highest, (rad/time)^2
-    bool of_block = false;
-    Row row = no_row; ///< gridpoint or rigid block
-};
-
-/// Masses that a bound of the frequency goes by; unit: 1 for all.
-enum class Masses { real, inertial, unit };
-
-/// A bound on the highest frequency of the system: docs/theory/time-step.md. Where density is scaled it is the
-/// smaller one of equations (4) and (8).
-StepLimit limit_of_step(const Model& model, const Adjacency& adjacency, Masses masses = Masses::inertial);
-
-/// Stiffness of each body by equation (8) of docs/theory/time-step.md: force/length, 0 for what cannot move. The
-/// frequency of a model stays below the root of the largest ratio of stiffness to inertial mass.
-struct BodyStiffness {
-    std::vector<double> of_gridpoint, of_block; ///< gridpoints of deformable blocks, rigid blocks; by row; joined blocks share that
-                                               ///< of their body by mass
-};
-
-BodyStiffness body_stiffness(const Model& model, const Adjacency& adjacency);
 
 /// What density scaling has done: docs/theory/time-step.md.
 struct ScaledMasses {
