@@ -26,6 +26,11 @@ enum Property {
     mpa,
     mm,
     delta_peak_lo,
+    stepped_mobilisation,
+    loading_hyperbola,
+    residual_at_slip,
+    contraction,
+    dilation_jcso,
     property_count
 };
 
@@ -47,6 +52,11 @@ constexpr kaya_jproperty properties[] = {
     {"mpa", "", "stress", "1 MPa in the deck's unit of stress", 1, 0, INFINITY, 0},
     {"mm", "", "length", "1 mm in the deck's unit of length", 1e-3, 0, INFINITY, 0},
     {"delta-peak-lo", "", "-", "1: peak displacement with the sample's length in the root", 0, 0, 1, 0},
+    {"stepped-mobilisation", "", "-", "1: B of the table is held from each row to the next", 0, 0, 1, 0},
+    {"loading-hyperbola", "", "-", "1: the shear stress climbs with (2.28), not along the mobilised curve", 0, 0, 1, 0},
+    {"residual-at-slip", "", "-", "1: the strength is the residual one after the first slip", 0, 0, 1, 0},
+    {"contraction", "", "-", "1: negative mobilised roughness closes the joint", 0, 0, 1, 0},
+    {"dilation-jcso", "", "-", "1: dilation from the wall strength of the sample, JCS_o", 0, 0, 1, 0},
 };
 static_assert(std::size(properties) == property_count);
 
@@ -61,8 +71,8 @@ constexpr kaya_jhistory history[] = {
 };
 static_assert(std::size(history) == history_count);
 
-constexpr const char* state_names = "open slipping past-peak unloading";
-constexpr uint32_t is_open = 1, is_slipping = 2, is_past_peak = 4, is_unloading = 8;
+constexpr const char* state_names = "open slipping past-peak unloading fallen";
+constexpr uint32_t is_open = 1, is_slipping = 2, is_past_peak = 4, is_unloading = 8, has_fallen = 16;
 
 Given given(const double* p) {
     const double sample = std::isnan(p[lo]) ? 100 * p[mm] : p[lo];
@@ -79,7 +89,12 @@ Given given(const double* p) {
             p[large] != 0,
             p[delta_peak_lo] != 0,
             p[mpa],
-            p[mm]};
+            p[mm],
+            p[stepped_mobilisation] != 0,
+            p[loading_hyperbola] != 0,
+            p[residual_at_slip] != 0,
+            p[contraction] != 0,
+            p[dilation_jcso] != 0};
 }
 
 /// What the normal stress decides.
@@ -87,15 +102,25 @@ struct Strength {
     double stress, ruff, stiffness, peak;
 };
 
+/// The steepest rise that the mobilised curve has at a normal stress.
+[[gnu::always_inline]] inline double steepest_rise(const Law& law, double stress, double ruff, double peak) {
+    const double tangent = peak / std::max(stress, law.lowest_stress);
+    const double degrees = std::max(0.75 / 0.20 * law.residual_friction, 0.50 / 0.15 * ruff);
+    return stress * (1 + tangent * tangent) * degrees * law.radians_per_degree_and_peak;
+}
+
 [[gnu::always_inline]] inline Strength strength_at(const Law& law, double log_jcs, double closure_) {
     const double stress = normal_stress(law, closure_);
     const double log_stress = logarithm(std::max(stress, law.lowest_stress));
     const double ruff = roughness_angle(law, log_stress, log_jcs);
+    const double peak = stress * tangent_of_degrees(law.residual_friction + ruff);
     // K_j sigma_n^n_j (2.28), sigma_n in MPa; 0 when open, where the logarithm was cut.
     const double power_of_stress =
         exponential(law.stiffness_exponent * (log_stress + logarithm(law.per_mpa)));
-    return {stress, ruff, stress > 0 ? law.shear_stiffness * power_of_stress : 0,
-            stress * tangent_of_degrees(law.residual_friction + ruff)};
+    const double given = stress > 0 ? law.shear_stiffness * power_of_stress : 0;
+    // Unloading with (2.28) gives back at most 0.773 tau^2/K, loading along the curve takes at least
+    // tau^2/(2 rise): with K at least twice the rise no cycle makes energy.
+    return {stress, ruff, std::max(given, 2 * steepest_rise(law, stress, ruff, peak)), peak};
 }
 
 /// The shear path of one step, in stresses: where it starts and how far it goes.
@@ -104,13 +129,15 @@ struct Path {
     double motion_x, motion_y, motion_z; ///< shear displacement increment
     double motion;                       ///< its length
     double swing;                        ///< stress since the last reversal
-    double friction0, roughness0;        ///< mobilised before
-    double friction1, roughness1;        ///< mobilised if all of the motion is spent on the curve
+    double stiffness;                    ///< K_j sigma_n^n_j before the step
+    Mobilised before, after;             ///< if all of the motion is spent on the curve
     double on_curve; ///< 1: the motion follows the mobilised curve; 0: unloading or reloading
+    double fallen;   ///< 1: the residual strength holds
 };
 
 /// The elastic trial and what of the motion is spent on the mobilised curve.
 struct Trial {
+    double kept; ///< part of the stress before that is left
     double x, y, z, size;
     double stiffness;
     double limit0, limit1; ///< mobilised strength before, and if all of the motion is spent
@@ -119,42 +146,53 @@ struct Trial {
     double dilation; ///< tangent of the mean dilation angle
 };
 
+template <bool thesis>
+[[gnu::always_inline]] inline double mobilised_strength(const Law& law, const Strength& s, const Mobilised& m,
+                                                        double fallen) {
+    const double angle = law.residual_friction * m.friction + s.ruff * m.roughness;
+    if constexpr (thesis) return s.stress * tangent_of_degrees(fallen > 0 ? law.residual_friction : angle);
+    return s.stress * tangent_of_degrees(angle);
+}
+
+template <bool thesis>
 [[gnu::always_inline]] inline Trial trial_at(const Law& law, const Strength& s, const Path& path) {
     constexpr double tiny = std::numeric_limits<double>::min();
     Trial t;
-    t.limit0 =
-        s.stress * tangent_of_degrees(law.residual_friction * path.friction0 + s.ruff * path.roughness0);
-    t.limit1 =
-        s.stress * tangent_of_degrees(law.residual_friction * path.friction1 + s.ruff * path.roughness1);
+    t.limit0 = mobilised_strength<thesis>(law, s, path.before, path.fallen);
+    t.limit1 = mobilised_strength<thesis>(law, s, path.after, path.fallen);
+    // A normal stress that falls takes shear stress with its stiffness; one that rises adds none.
+    t.kept = std::min(1.0, s.stiffness / std::max(path.stiffness, tiny));
     // On the curve the trial is at least as steep as the curve, so that the strength is what limits it.
     const double slope = (t.limit1 - t.limit0) / std::max(path.motion, tiny);
-    const double left = 1 - law.half_failure_ratio * path.swing / std::max(s.peak, tiny);
+    const double left = 1 - law.half_failure_ratio * path.swing * t.kept / std::max(s.peak, tiny);
     const double hyperbola = std::max(0.0, left);
     t.stiffness =
         path.on_curve > 0 ? std::max(s.stiffness, slope) : s.stiffness * hyperbola * hyperbola; // (2.28)
-    t.x = path.start_x - t.stiffness * path.motion_x;
-    t.y = path.start_y - t.stiffness * path.motion_y;
-    t.z = path.start_z - t.stiffness * path.motion_z;
+    if constexpr (thesis) {
+        const double start = t.kept * std::sqrt(path.start_x * path.start_x + path.start_y * path.start_y +
+                                                path.start_z * path.start_z);
+        const double loading = std::max(0.0, 1 - 2 * law.half_failure_ratio * start / std::max(s.peak, tiny));
+        t.stiffness = law.hyperbolic && path.on_curve > 0 ? s.stiffness * loading * loading : t.stiffness;
+    }
+    t.x = t.kept * path.start_x - t.stiffness * path.motion_x;
+    t.y = t.kept * path.start_y - t.stiffness * path.motion_y;
+    t.z = t.kept * path.start_z - t.stiffness * path.motion_z;
     t.size = std::sqrt(t.x * t.x + t.y * t.y + t.z * t.z);
     t.excess = std::max(0.0, t.size - t.limit0);
     const double part = std::min(1.0, t.excess / std::max(t.stiffness * path.motion, tiny));
     t.spent = path.motion * (path.on_curve > 0 ? 1 : part);
     // Half of the mobilised roughness angle (2.20); while B is negative there is none.
-    t.dilation = tangent_of_degrees(0.25 * s.ruff * (path.roughness0 + path.roughness1));
+    double angle = 0.25 * s.ruff * (path.before.roughness + path.after.roughness);
+    if constexpr (thesis) {
+        angle = 0.25 * (s.ruff + law.more_dilation) * (path.before.roughness + path.after.roughness);
+        angle -= law.contracts ? 0.25 * law.residual_friction * (2 - path.before.friction - path.after.friction) : 0;
+    }
+    t.dilation = tangent_of_degrees(angle);
     return t;
 }
 
-/// The steepest rise that the mobilised curve has at this normal stress: for the time step.
-[[gnu::always_inline]] inline double steepest_rise(const Law& law, const Strength& s) {
-    const double tangent = s.peak / std::max(s.stress, law.lowest_stress);
-    const double degrees = std::max(0.75 / 0.20 * law.residual_friction, 0.50 / 0.15 * s.ruff);
-    return s.stress * (1 + tangent * tangent) * degrees * law.radians_per_degree_and_peak;
-}
-
-ptrdiff_t run(kaya_jbatch* batch) {
-    const Law law(given(batch->properties));
+template <bool thesis> void run_rows(kaya_jbatch* batch, const Law& law) {
     const double log_jcs = logarithm(law.jcs);
-    const double per_peak = 1 / law.peak_displacement;
 
     const double* areas = batch->area;
     const double* opening = batch->normal_disp_inc;
@@ -202,52 +240,50 @@ ptrdiff_t run(kaya_jbatch* batch) {
         const double from_x = turns ? path.start_x : turn_x[i];
         const double from_y = turns ? path.start_y : turn_y[i];
         const double from_z = turns ? path.start_z : turn_z[i];
+        path.stiffness = strength_at(law, log_jcs, closures[i]).stiffness;
         path.swing = turns ? 0 : std::sqrt(since_x * since_x + since_y * since_y + since_z * since_z);
         const double was_on_curve = (states[i] & is_unloading) != 0 ? 0 : 1;
         path.on_curve = turns ? 0 : was_on_curve;
 
         // Dilation can keep a joint closed whose sides move apart; it cannot close an open one.
         const double touching_motion = std::max(closures[i], free_closure) > 0 ? path.motion : 0;
-        path.friction0 = mobilised_friction(before * per_peak);
-        path.roughness0 = mobilised_roughness(before * per_peak);
-        path.friction1 = mobilised_friction((before + touching_motion) * per_peak);
-        path.roughness1 = mobilised_roughness((before + touching_motion) * per_peak);
+        path.before = mobilised_at<thesis>(law, before);
+        path.after = mobilised_at<thesis>(law, before + touching_motion);
         path.motion = touching_motion;
+        path.fallen = thesis && (states[i] & has_fallen) != 0 ? 1 : 0;
 
         // Dilation closes the joint further, which changes the normal stress, which changes dilation
         // and slip: two passes bring the error to a millionth of the dilation of the step.
-        const Trial first = trial_at(law, strength_at(law, log_jcs, free_closure), path);
+        const Trial first = trial_at<thesis>(law, strength_at(law, log_jcs, free_closure), path);
         const Trial second =
-            trial_at(law, strength_at(law, log_jcs, free_closure + first.dilation * first.spent), path);
+            trial_at<thesis>(law, strength_at(law, log_jcs, free_closure + first.dilation * first.spent), path);
         const double new_closure = free_closure + second.dilation * second.spent;
         const Strength strength = strength_at(law, log_jcs, new_closure);
-        const Trial last = trial_at(law, strength, path);
+        const Trial last = trial_at<thesis>(law, strength, path);
 
         const double spent = new_closure > 0 ? last.spent : 0;
         const double after = before + spent;
-        const double limit = strength.stress *
-                             tangent_of_degrees(law.residual_friction * mobilised_friction(after * per_peak) +
-                                                strength.ruff * mobilised_roughness(after * per_peak));
+        const double limit = mobilised_strength<thesis>(law, strength, mobilised_at<thesis>(law, after), path.fallen);
         const double size = std::min(last.size, limit);
         const double scale = size / std::max(last.size, std::numeric_limits<double>::min());
+        const double end_x = last.x * scale, end_y = last.y * scale, end_z = last.z * scale;
 
-        // Work of the plastic part of the slip, less what dilation lifts.
-        const double start = std::sqrt(path.start_x * path.start_x + path.start_y * path.start_y +
-                                       path.start_z * path.start_z);
-        const double old_stress = normal_force[i] * per_area;
-        const double elastic =
-            (limit - last.limit0) / std::max(std::max(strength.stiffness, last.stiffness), law.lowest_stress);
-        const double plastic = std::max(0.0, spent - elastic);
-        const double taken_up =
-            0.5 * (start + size) * plastic - 0.5 * (old_stress + strength.stress) * last.dilation * spent;
-        work[i] += spent > 0 ? area * std::max(0.0, taken_up) : 0;
+        // What is put in and neither stored in the springs nor spent on dilation.
+        constexpr double tiny = std::numeric_limits<double>::min();
+        const double old_square = path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z;
+        const double worked = -0.5 * ((path.start_x + end_x) * path.motion_x + (path.start_y + end_y) * path.motion_y +
+                                      (path.start_z + end_z) * path.motion_z);
+        const double stored = 0.5 * size * size / std::max(strength.stiffness, tiny) -
+                              0.5 * old_square / std::max(path.stiffness, tiny);
+        const double lifted = 0.5 * (normal_force[i] * per_area + strength.stress) * last.dilation * spent;
+        work[i] += area * (worked - stored - lifted);
 
         normal_force[i] = strength.stress * area;
-        force_x[i] = last.x * scale * area;
-        force_y[i] = last.y * scale * area;
-        force_z[i] = last.z * scale * area;
+        force_x[i] = end_x * area;
+        force_y[i] = end_y * area;
+        force_z[i] = end_z * area;
         normal_stiffness[i] = normal_tangent(law, new_closure);
-        shear_stiffness[i] = std::max(strength.stiffness, steepest_rise(law, strength));
+        shear_stiffness[i] = strength.stiffness;
         closures[i] = new_closure;
         spent_before[i] = after;
 
@@ -257,13 +293,20 @@ ptrdiff_t run(kaya_jbatch* batch) {
         const double reaches = last.excess > 0 ? 1 : path.on_curve;
         const double continues = touches > 0 ? reaches : worn;
         const double unloads = touches > 0 ? 1 - continues : 0;
-        turn_x[i] = unloads * from_x;
-        turn_y[i] = unloads * from_y;
-        turn_z[i] = unloads * from_z;
+        turn_x[i] = unloads * last.kept * from_x;
+        turn_y[i] = unloads * last.kept * from_y;
+        turn_z[i] = unloads * last.kept * from_z;
         states[i] = (touches > 0 ? 0 : is_open) | (spent > 0 ? is_slipping : 0) |
-                    (after > law.peak_displacement ? is_past_peak : 0) | (continues > 0 ? 0 : is_unloading);
+                    (after > law.peak_displacement ? is_past_peak : 0) | (continues > 0 ? 0 : is_unloading) |
+                    (thesis ? (states[i] & has_fallen) | (law.falls && last.excess > 0 ? has_fallen : 0) : 0);
     }
     batch->stiffness_changed = 1;
+}
+
+ptrdiff_t run(kaya_jbatch* batch) {
+    const Law law(given(batch->properties));
+    if (law.plain()) run_rows<false>(batch, law);
+    else run_rows<true>(batch, law);
     return -1;
 }
 
@@ -272,9 +315,9 @@ double displacement_of_stress(const Law& law, const Strength& s, double shear_st
     if (!(shear_stress > 0 && s.stress > 0)) return 0;
     double low = 0, high = law.peak_displacement;
     for (int k = 0; k < 60; ++k) {
-        const double middle = 0.5 * (low + high), x = middle / law.peak_displacement;
-        const double angle = law.residual_friction * mobilised_friction(x) + s.ruff * mobilised_roughness(x);
-        (s.stress * tangent_of_degrees(angle) < shear_stress ? low : high) = middle;
+        const double middle = 0.5 * (low + high);
+        const Mobilised there = mobilised_at<true>(law, middle);
+        (mobilised_strength<true>(law, s, there, 0) < shear_stress ? low : high) = middle;
     }
     return high;
 }
@@ -298,7 +341,7 @@ ptrdiff_t initialise(kaya_jbatch* batch) {
         double& spent = batch->history[mobilised][i];
         spent = std::max(spent, displacement_of_stress(law, strength, shear_stress));
         batch->normal_stiffness[i] = normal_tangent(law, closed);
-        batch->shear_stiffness[i] = std::max(strength.stiffness, steepest_rise(law, strength));
+        batch->shear_stiffness[i] = strength.stiffness;
     }
     return -1;
 }

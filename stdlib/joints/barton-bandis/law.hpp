@@ -20,6 +20,7 @@ struct Given {
     bool unscaled;    ///< JRC and JCS are those of the joint itself
     bool peak_by_lab; ///< L_o instead of L_n in the root of the peak displacement
     double mpa, mm;   ///< 1 MPa in the deck's unit of stress, 1 mm in its unit of length
+    bool stepped, hyperbolic, falls, contracts, dilates_by_lab; ///< choices of the thesis, see Law
 };
 
 /// Aperture a_j in mm (2.26).
@@ -36,7 +37,15 @@ struct Law {
     double knee_closure, knee_stress, knee_stiffness; ///< beyond it the closure curve is straight
     double shear_stiffness, stiffness_exponent, per_mpa, half_failure_ratio;
     double residual_friction, jrc, jcs, roughest, lowest_stress;
-    double peak_displacement, radians_per_degree_and_peak;
+    double peak_displacement, per_peak, radians_per_degree_and_peak;
+    // What Koçal's listing does and this model does not unless it is told to.
+    bool stepped;            ///< B of Table 2.2 is held from each row to the next
+    bool hyperbolic;         ///< the stress climbs with (2.28) and not along the mobilised curve
+    bool falls;              ///< the strength is the residual one after the first slip
+    bool contracts;          ///< negative JRC_mob closes the joint
+    double more_dilation;    ///< degrees that JCS_o in place of JCS_n adds to RUFF in (2.20)
+
+    bool plain() const { return !(stepped || hyperbolic || falls || contracts || more_dilation != 0); }
 
     explicit Law(const Given& g) {
         constexpr double knee = 0.98;       // of V_m
@@ -61,7 +70,13 @@ struct Law {
         stiffness_exponent = g.stiffness_exponent;
         per_mpa = 1 / g.mpa;
         half_failure_ratio = 0.5 * g.failure_ratio;
+        per_peak = 1 / peak_displacement;
         radians_per_degree_and_peak = std::numbers::pi / 180 / peak_displacement;
+        stepped = g.stepped;
+        hyperbolic = g.hyperbolic;
+        falls = g.falls;
+        contracts = g.contracts;
+        more_dilation = g.dilates_by_lab ? jrc * std::log10(g.jcs_lab / jcs) : 0;
     }
 };
 
@@ -92,7 +107,7 @@ struct Piece {
 
 /// JRC_mob / JRC_n over displacement / peak displacement where it is positive (Table 2.2); from
 /// 100 on nothing is left of the roughness. A sum of clamped pieces needs no search.
-[[gnu::always_inline]] inline double mobilised_roughness(double x) {
+template <bool in_steps> [[gnu::always_inline]] inline double mobilised_roughness(double x) {
     constexpr Piece pieces[] = {
         {0.30, 0.15, 0.50},  {0.45, 0.15, 0.25},  {0.60, 0.20, 0.15},  {0.80, 0.20, 0.10},
         {1.00, 0.50, -0.10}, {1.50, 0.50, -0.05}, {2.00, 1.00, -0.10}, {3.00, 1.00, -0.05},
@@ -101,14 +116,35 @@ struct Piece {
     };
     double sum = 0;
 #pragma GCC unroll 16
-    for (const auto& p : pieces) sum += std::clamp(x - p.x, 0.0, p.length) * (p.rise / p.length);
+    for (const auto& p : pieces) {
+        if constexpr (in_steps)
+            sum += x >= p.x + p.length ? p.rise : 0;
+        else
+            sum += std::clamp(x - p.x, 0.0, p.length) * (p.rise / p.length);
+    }
     return std::max(0.0, sum);
 }
 
 /// The part of the residual friction angle that is mobilised: the first three rows of Table 2.2, in
 /// which B is a multiple of -phi_r/RUFF, so that roughness itself drops out of (2.17).
-[[gnu::always_inline]] inline double mobilised_friction(double x) {
+template <bool in_steps> [[gnu::always_inline]] inline double mobilised_friction(double x) {
+    if constexpr (in_steps) return (x >= 0.20 ? 0.75 : 0) + (x >= 0.30 ? 0.25 : 0);
     return 0.75 / 0.20 * std::clamp(x, 0.0, 0.20) + 0.25 / 0.10 * std::clamp(x - 0.20, 0.0, 0.10);
+}
+
+/// What of friction and roughness is mobilised at a displacement.
+struct Mobilised {
+    double friction, roughness;
+};
+
+/// `thesis`: whether Law's choices are looked at; without them the loop over rows is a third shorter.
+template <bool thesis> [[gnu::always_inline]] inline Mobilised mobilised_at(const Law& law, double displacement) {
+    const double x = displacement * law.per_peak;
+    Mobilised m{mobilised_friction<false>(x), mobilised_roughness<false>(x)};
+    if constexpr (thesis)
+        m = {law.stepped ? mobilised_friction<true>(x) : m.friction,
+             law.stepped ? mobilised_roughness<true>(x) : m.roughness};
+    return m;
 }
 
 /// RUFF (2.18) in degrees: 0 from JCS_n on, and cut where the peak friction angle is 70 degrees.

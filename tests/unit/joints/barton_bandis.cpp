@@ -486,6 +486,54 @@ TEST(BartonBandis, AnAreaOfZeroCarriesNothing) {
     EXPECT_EQ(joint.shear_force[0][0], 0);
 }
 
+TEST(BartonBandis, ChoicesOfTheThesisDoWhatTheyAreNamedFor) {
+    const auto stress_at = [](const Values& choice, double ratio) {
+        auto joint = joint_of(choice);
+        joint.load(5);
+        shear(joint, 5, ratio, 0.002);
+        return joint.shear_stress();
+    };
+    // B of the first row is held up to 0.2: no strength; from there on the curve is below the interpolated one.
+    EXPECT_NEAR(stress_at({{"stepped-mobilisation", 1}}, 0.19), 0, 1e-9);
+    EXPECT_NEAR(stress_at({{"stepped-mobilisation", 1}}, 0.25) / (5 * std::tan(radians(15))), 1, 1e-6);
+    EXPECT_NEAR(stress_at({{"stepped-mobilisation", 1}}, 1.2) / 2.7486, 1, 1e-4);
+    // The listing as printed: slip at the first step, and the residual strength ever after.
+    EXPECT_NEAR(stress_at({{"stepped-mobilisation", 1}, {"residual-at-slip", 1}}, 1.0), 5 * std::tan(radians(20)), 1e-9);
+    // d tau = K (1 - tau/tau_p)^2 du has tau = K u / (1 + K u/tau_p), which nears the peak from below; the mobilised
+    // strength holds it back at first.
+    const double stiffness = 1e4 * std::pow(5, 0.8), way = 1.0 * peak_displacement;
+    EXPECT_LT(stress_at({{"loading-hyperbola", 1}}, 1.0), stiffness * way / (1 + stiffness * way / 2.7486));
+    EXPECT_GT(stress_at({{"loading-hyperbola", 1}}, 1.0), 0.9 * 2.7486);
+}
+
+TEST(BartonBandis, ContractionAndDilationOfTheThesis) {
+    const auto rise = [](const Values& choice, double from, double to) {
+        auto joint = joint_of(choice);
+        joint.load(5);
+        shear(joint, 5, from, 0.002);
+        const double before = joint.normal_disp[0];
+        shear(joint, 5, to - from, 0.002);
+        return (joint.normal_disp[0] - before) / ((to - from) * peak_displacement);
+    };
+    EXPECT_NEAR(rise({}, 0, 0.1), 0, 1e-9);
+    // B = -phi_r/RUFF at first and three quarters of the way to its 0 at 0.2: half the angle, -10 to -6.25 at 0.1.
+    EXPECT_NEAR(rise({{"contraction", 1}}, 0, 0.1), -std::tan(radians(8.125)), 1e-3);
+    EXPECT_NEAR(rise({}, 0.99, 1.01), std::tan(radians(4.398)), 1e-3);
+    EXPECT_NEAR(rise({{"dilation-jcso", 1}}, 0.99, 1.01), std::tan(radians(4.657)), 1e-3);
+}
+
+TEST(BartonBandis, ANormalStressThatSwingsMakesNoShearStress) {
+    auto joint = joint_of();
+    joint.load(5);
+    shear(joint, 5, 0.3);
+    joint.step(0, {-2e-5, 0, 0});
+    const double before = joint.shear_stress();
+    joint.load(2);
+    joint.load(5);
+    EXPECT_LE(joint.shear_stress(), before * std::pow(2.0 / 5, 0.8) * (1 + 1e-9));
+    EXPECT_GE(joint.shear_stress(), 0.9 * before * std::pow(2.0 / 5, 0.8));
+}
+
 TEST(BartonBandis, RefusesValuesWithoutAClosureCurve) {
     const auto& model = shipped("barton-bandis");
     const auto complaint = [&](const Values& changes) {

@@ -53,7 +53,7 @@ kaya_jbatch TestJoint::batch() {
     kaya_jbatch b{};
     b.n = area.size();
     b.properties = values.data();
-    b.time_step = 1e-5;
+    b.time_step = time_step;
     b.area = area.data();
     b.normal_disp = normal_disp.data();
     b.normal_disp_inc = normal_disp_inc.data();

@@ -53,6 +53,7 @@ public:
     kaya_jbatch batch();
 
     const JointModel* model;
+    double time_step = 1e-5;
     std::vector<double> values;
     std::vector<double> area, normal_disp, normal_disp_inc, pore_pressure, normal_force;
     std::vector<double> normal_stiffness, shear_stiffness, frictional_work;

@@ -1,0 +1,170 @@
+// Joint models whose stiffness follows the normal stress: nonlinear and continuously-yielding.
+#include "test_joint.hpp"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace kaya {
+namespace {
+
+using test::shipped;
+using test::TestJoint;
+using test::Values;
+
+double tan_degrees(double angle) { return std::tan(angle * std::numbers::pi / 180); }
+
+TestJoint yielding(Values more = {}) {
+    Values values = {{"kn-initial", 2e4}, {"ks-initial", 1e4}, {"friction", 30}, {"friction-initial", 50}, {"roughness", 3e-3}};
+    for (const auto& [word, value] : more) values[word] = value;
+    return TestJoint(shipped("continuously-yielding"), values, 0.04);
+}
+
+TEST(ContinuouslyYielding, FollowsTheReferenceIntegration) {
+    // Normal stress 2 MPa, ks 10 GPa/m, phi_m from 50 to 30 degrees with R = 3 mm; integrated with 1e-7 m steps of
+    // (2), (3), (5), (6) of the page.
+    const std::map<int, double> stresses = {{1000, 2.08115}, {2000, 1.77629}, {5000, 1.35621}, {10000, 1.19097},
+                                            {20000, 1.15598}};
+    auto joint = yielding();
+    joint.load(2);
+    double peak = 0, at = 0;
+    for (int k = 1; k <= 20000; ++k) {
+        joint.step(0, {1e-6, 0, 0});
+        if (joint.shear_stress() > peak) peak = joint.shear_stress(), at = 1e-6 * k;
+        if (stresses.contains(k)) {
+            EXPECT_NEAR(joint.shear_stress(), stresses.at(k), 2e-5 * stresses.at(k)) << k;
+        }
+        if (k == 5000) {
+            EXPECT_NEAR(joint.history_value("friction-current"), 33.952, 1e-3);
+        }
+    }
+    EXPECT_NEAR(peak, 2.12223, 1e-5);
+    EXPECT_NEAR(at, 0.7535e-3, 2e-6);
+    EXPECT_NEAR(joint.normal_stress(), 2, 1e-12);
+}
+
+TEST(ContinuouslyYielding, LargeStepsGiveNearlyTheSame) {
+    auto fine = yielding(), coarse = yielding();
+    fine.load(2);
+    coarse.load(2);
+    for (int k = 0; k < 5000; ++k) fine.step(0, {1e-6, 0, 0});
+    for (int k = 0; k < 50; ++k) coarse.step(0, {1e-4, 0, 0});
+    EXPECT_NEAR(coarse.shear_stress() / fine.shear_stress(), 1, 2e-3);
+}
+
+TEST(ContinuouslyYielding, TurnsBackWithItsFullStiffness) {
+    auto joint = yielding();
+    joint.load(2);
+    for (int k = 0; k < 600; ++k) joint.step(0, {1e-6, 0, 0});
+    const double before = joint.shear_stress();
+    joint.step(0, {-1e-8, 0, 0});
+    EXPECT_NEAR((before - joint.shear_stress()) / 1e-8, 1e4, 1e2);
+    EXPECT_LT(joint.history_value("reversal-ratio"), 0);
+    for (int k = 0; k < 300; ++k) joint.step(0, {-1e-6, 0, 0});
+    const double low = joint.shear_stress();
+    joint.step(0, {1e-8, 0, 0}); // and so it does when it turns again
+    EXPECT_NEAR(std::abs(low - joint.shear_stress()) / 1e-8, 1e4, 1e2);
+}
+
+TEST(ContinuouslyYielding, IsTheSameInEveryDirection) {
+    auto along = yielding(), turned = yielding();
+    along.load(2);
+    turned.load(2);
+    const double c = std::cos(0.7), s = std::sin(0.7);
+    for (int k = 0; k < 3000; ++k) {
+        const double way = k < 1000 || k > 1800 ? 1e-6 : -1e-6;
+        along.step(0, {way, 0, 0});
+        turned.step(0, {way * c, way * s, 0});
+    }
+    EXPECT_NEAR(turned.shear_stress(), along.shear_stress(), 1e-9);
+    // Sheared on in another direction, the resistance ends up in that direction.
+    for (int k = 0; k < 30000; ++k) along.step(0, {0, 1e-6, 0});
+    EXPECT_NEAR(along.shear_force[0][0], 0, 1e-9);
+    EXPECT_NEAR(along.shear_stress() / (2 * tan_degrees(30)), 1, 2e-3);
+}
+
+TEST(ContinuouslyYielding, StiffnessesAreItsPowersOfTheNormalStress) {
+    auto joint = yielding({{"exponent-normal", 0.4}, {"exponent-shear", 0.7}});
+    for (const double stress : {0.1, 1.0, 4.0}) {
+        joint.load(stress);
+        EXPECT_NEAR(joint.normal_stiffness[0] / (2e4 * std::pow(stress, 0.4)), 1, 1e-9);
+        EXPECT_NEAR(joint.shear_stiffness[0] / (1e4 * std::pow(stress, 0.7)), 1, 1e-9);
+        auto more = joint;
+        more.step(-1e-9);
+        EXPECT_NEAR((more.normal_stress() - stress) / 1e-9 / joint.normal_stiffness[0], 1, 1e-4);
+    }
+}
+
+TEST(ContinuouslyYielding, DilatesByTheAngleAboveItsIntrinsicFriction) {
+    auto joint = yielding({{"dilation", 1}});
+    joint.load(2);
+    double lifted = 0;
+    for (int k = 0; k < 5000; ++k) {
+        const double worn = joint.history_value("plastic-strain"), closed = joint.normal_disp[0];
+        joint.slip_at_stress(2, {1e-6, 0, 0});
+        const double angle = std::atan(joint.shear_stress() / 2) * 180 / std::numbers::pi - 30;
+        lifted += tan_degrees(std::max(0.0, angle)) * (joint.history_value("plastic-strain") - worn);
+        ASSERT_GE(joint.normal_disp[0], closed - 1e-12);
+    }
+    EXPECT_NEAR(joint.normal_disp[0] - (-2 / 2e4), lifted, 1e-3 * lifted);
+    EXPECT_GT(lifted, 1e-4);
+}
+
+TEST(Nonlinear, ClosesOnItsCurve) {
+    // sigma^(1-e) = (1-e) k_1 c for a power alone; here it begins at sigma_1 = (k_min/k_1)^(1/e) and ends at k_max.
+    const Values values = {{"jkn", 1e4}, {"jks", 5e3}, {"exponent-normal", 0.5}, {"kn-minimum", 1e3}, {"kn-maximum", 2e4}};
+    auto joint = TestJoint(shipped("nonlinear"), values);
+    const double stress_1 = 0.01, closure_1 = stress_1 / 1e3, stress_2 = 4;
+    const double closure_2 = closure_1 + 2 * (std::sqrt(stress_2) - std::sqrt(stress_1)) / 1e4;
+    for (const double closure : {0.5e-5, 1e-4, 3e-4, 8e-4}) {
+        const double expected = closure < closure_1 ? 1e3 * closure
+                                : closure < closure_2
+                                    ? std::pow(std::sqrt(stress_1) + 0.5e4 * (closure - closure_1), 2)
+                                    : stress_2 + 2e4 * (closure - closure_2);
+        joint.step(-closure - joint.normal_disp[0]);
+        EXPECT_NEAR(joint.normal_stress() / expected, 1, 1e-12) << closure;
+        EXPECT_NEAR(joint.normal_stiffness[0] / std::clamp(1e4 * std::sqrt(expected), 1e3, 2e4), 1, 1e-9);
+    }
+    auto loaded = TestJoint(shipped("nonlinear"), values);
+    loaded.normal_force[0] = 3;
+    loaded.initialise();
+    loaded.step(0);
+    EXPECT_NEAR(loaded.normal_stress(), 3, 1e-12);
+}
+
+TEST(Nonlinear, IsMohrWhereItsExponentsAreZero) {
+    const Values values = {{"jkn", 1e4}, {"jks", 5e3}, {"friction", 35}, {"cohesion", 0.3}, {"dilation", 7}, {"dilation-zero", 4e-4}};
+    auto mohr = TestJoint(shipped("mohr"), values), same = TestJoint(shipped("nonlinear"), values);
+    for (int k = 0; k < 3000; ++k) {
+        const double opening = 1e-6 * std::sin(0.01 * k) - 2e-7;
+        const test::Vector slip = {2e-6 * std::cos(0.007 * k), 1e-6 * std::sin(0.011 * k), 0};
+        mohr.step(opening, slip);
+        same.step(opening, slip);
+        ASSERT_NEAR(same.normal_stress(), mohr.normal_stress(), 1e-9) << k;
+        ASSERT_NEAR(same.shear_stress(), mohr.shear_stress(), 1e-9) << k;
+    }
+    EXPECT_NEAR(same.history_value("slip") / mohr.history_value("slip"), 1, 1e-9);
+}
+
+TEST(Nonlinear, FallingNormalStressTakesShearStressWithIt) {
+    auto joint = TestJoint(shipped("nonlinear"), {{"jkn", 1e4}, {"jks", 5e3}, {"exponent-shear", 1}, {"friction", 60}});
+    joint.load(4);
+    joint.step(0, {1e-5, 0, 0});
+    EXPECT_NEAR(joint.shear_stress(), 4 * 5e3 * 1e-5, 1e-12);
+    joint.load(2);
+    EXPECT_NEAR(joint.shear_stress(), 2 * 5e3 * 1e-5, 1e-9);
+    joint.load(4); // and a rising one does not bring it back
+    EXPECT_NEAR(joint.shear_stress(), 2 * 5e3 * 1e-5, 1e-9);
+}
+
+TEST(Nonlinear, StrengthHoldsExactlyWhileItDilates) {
+    auto joint = TestJoint(shipped("nonlinear"), {{"jkn", 1e4}, {"jks", 5e3}, {"exponent-normal", 0.6}, {"exponent-shear", 0.4},
+                                                  {"friction", 35}, {"dilation", 10}});
+    joint.load(1);
+    for (int k = 0; k < 1000; ++k) joint.step(0, {3e-6, 0, 0});
+    EXPECT_GT(joint.normal_stress(), 2);
+    EXPECT_NEAR(joint.shear_stress() / (joint.normal_stress() * tan_degrees(35)), 1, 1e-12);
+}
+
+} // namespace
+} // namespace kaya
