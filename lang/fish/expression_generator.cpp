@@ -1,5 +1,7 @@
 #include "lang/fish/expression_generator.hpp"
 
+#include "lang/fish/reserved.hpp"
+
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -11,6 +13,9 @@ namespace {
 constexpr std::array<std::string_view, 22> lua_words{
     "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
     "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
+
+/// Lua allows 255 values from outside in a function, and 200 locals around it.
+constexpr std::size_t most_shared = 150;
 
 /// How tightly Lua binds: an operand that binds less needs parentheses.
 enum Strength { weakest = 0, truth = 1, compare = 3, sum = 6, product = 7, sign = 8 };
@@ -154,19 +159,41 @@ void ExpressionGenerator::check_arguments(const Node& node, const Meaning& meani
         .at(node.place);
 }
 
+Meaning ExpressionGenerator::meaning_of(const Node& name) const {
+    Meaning meaning = dictionary_(name.text);
+    if (meaning.kind == NameKind::variable)
+        if (const auto* reserved = find_reserved(name.text))
+            throw reserved_message(name.text, *reserved).at(name.place);
+    return meaning;
+}
+
+std::string ExpressionGenerator::built_in(char table, const std::string& name) const {
+    const bool shared =
+        is_plain_name(name) && (shared_.contains({table, name}) || shared_.size() < most_shared);
+    if (!shared) return fmt::format("{}{}", table, member(name));
+    shared_.emplace(table, name);
+    return fmt::format("{}_{}", table, name);
+}
+
+std::string ExpressionGenerator::shared_built_ins() const {
+    std::string text;
+    for (const auto& [table, name] : shared_) text += fmt::format("local {0}_{1} = {0}.{1}; ", table, name);
+    return text;
+}
+
 std::string ExpressionGenerator::name(const Node& node) const {
     if (scope_.is_local(node.text)) {
         if (!node.parentheses) return variable(node);
         if (node.text != scope_.function) return indexed(node);
     }
-    const Meaning meaning = dictionary_(node.text);
+    const Meaning meaning = meaning_of(node);
     if (meaning.kind == NameKind::function) {
         check_arguments(node, meaning);
         return fmt::format("F{}({})", member(node.text), list(node.children));
     }
     if (meaning.kind == NameKind::built_in) {
         check_arguments(node, meaning);
-        return fmt::format("A{}({})", member(node.text), list(node.children));
+        return fmt::format("{}({})", built_in('A', node.text), list(node.children));
     }
     if (!node.parentheses)
         for (const auto& constant : constants)
@@ -184,7 +211,7 @@ std::string ExpressionGenerator::indexed(const Node& node) const {
 
 std::string ExpressionGenerator::assignment(const Node& target, const std::string& value) const {
     const bool local = scope_.is_local(target.text);
-    const Meaning meaning = local ? Meaning{} : dictionary_(target.text);
+    const Meaning meaning = local ? Meaning{} : meaning_of(target);
     if (meaning.kind == NameKind::function)
         throw Diagnostic(fmt::format("'{}' is a function: a value cannot be given to it here", target.text),
                          "use another name for the variable")
@@ -198,11 +225,11 @@ std::string ExpressionGenerator::assignment(const Node& target, const std::strin
         const bool component = target.text == "xcomp" || target.text == "ycomp" || target.text == "zcomp";
         if (component) { // vectors are values: a new one takes the place of the old one
             const std::string whole =
-                fmt::format("W{}({}, {})", member(target.text), this->value(target.children[0]), value);
+                fmt::format("{}({}, {})", built_in('W', target.text), this->value(target.children[0]), value);
             return assignment(target.children[0], whole);
         }
         const std::string arguments = list(target.children);
-        return fmt::format("W{}({}{}{})", member(target.text), arguments, arguments.empty() ? "" : ", ",
+        return fmt::format("{}({}{}{})", built_in('W', target.text), arguments, arguments.empty() ? "" : ", ",
                            value);
     }
     if (target.parentheses && target.text == scope_.function)

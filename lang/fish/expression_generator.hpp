@@ -6,6 +6,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 
 namespace kaya::fish {
 
@@ -35,6 +36,9 @@ public:
     std::string variable(const Node& name) const;
     /// "a, b, c"
     std::string list(const std::vector<Node>& nodes) const;
+    /// Lua statements that make locals of the built-ins used so far, to stand in front of the function: a call
+    /// of a local costs a look-up less than a call of a table's member.
+    std::string shared_built_ins() const;
 
 private:
     std::string generated(const Node& node, int strength) const;
@@ -42,9 +46,14 @@ private:
     std::string name(const Node& node) const;
     std::string indexed(const Node& node) const;
     void check_arguments(const Node& node, const Meaning& meaning) const;
+    /// Throws Diagnostic for a name that is reserved.
+    Meaning meaning_of(const Node& name) const;
+    /// How the function calls `name` of the table A or W.
+    std::string built_in(char table, const std::string& name) const;
 
     const Scope& scope_;
     const Dictionary& dictionary_;
+    mutable std::set<std::pair<char, std::string>> shared_; ///< table and name of built-ins that are locals
 };
 
 /// `.name`, or `["name"]` where the name is no Lua name.

@@ -17,7 +17,7 @@ public:
         : tree_(tree), scope_(scope_of(tree)), expressions_(scope_, dictionary), line_(tree.place.line) {}
 
     std::string generate() {
-        text_ = "local G, F, A, W, R = ...; return function(";
+        text_ = "return function(";
         bool first = true;
         for (const auto& argument : tree_.arguments) {
             text_ += (first ? "" : ", ") + parameter(argument);
@@ -38,7 +38,7 @@ public:
         block(tree_.body);
         at_line(tree_.last_line);
         text_ += "return v_return end";
-        return std::move(text_);
+        return fmt::format("local G, F, A, W, R = ...; {}{}", expressions_.shared_built_ins(), text_);
     }
 
 private:
@@ -313,11 +313,16 @@ std::string generate_function(const FunctionTree& tree, const Dictionary& dictio
 std::string generate_expression(const ExpressionTree& tree, const Dictionary& dictionary) {
     const Scope scope;
     const ExpressionGenerator expressions(scope, dictionary);
-    const std::string head = "local G, F, A, W, R = ...; return function() ";
-    if (tree.assignment.empty()) return head + fmt::format("return {} end", expressions.value(tree.value));
-    const Statement& s = tree.assignment.front();
-    return head + fmt::format("local given = {}; {}; return given end", expressions.value(s.value),
-                              expressions.assignment(s.target, "given"));
+    std::string body;
+    if (tree.assignment.empty()) {
+        body = fmt::format("return {}", expressions.value(tree.value));
+    } else {
+        const Statement& s = tree.assignment.front();
+        body = fmt::format("local given = {}; {}; return given", expressions.value(s.value),
+                           expressions.assignment(s.target, "given"));
+    }
+    return fmt::format("local G, F, A, W, R = ...; {}return function() {} end", expressions.shared_built_ins(),
+                       body);
 }
 
 std::vector<std::string> outside_names(const FunctionTree& tree) {

@@ -46,6 +46,8 @@ Machine::Machine(World& the_world, Options the_options)
         add_files(*this);
         add_accessors(*this);
         add_walkers(*this);
+        add_materials(*this);
+        add_modern_names(*this);
         open_library(*this);
     } catch (...) {
         lua_close(lua);

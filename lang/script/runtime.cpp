@@ -1,5 +1,6 @@
 #include "lang/script/runtime.hpp"
 
+#include "lang/fish/reserved.hpp"
 #include "lang/script/arithmetic.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/machine.hpp"
@@ -22,6 +23,11 @@ int fail_not_array(lua_State* L) {
     const bool zero = lua_isinteger(L, 1) && lua_tointeger(L, 1) == 0;
     if (!zero)
         throw Diagnostic(fmt::format("'{}' is no array but {}", name, describe_value(L, 1)), {}, Fault::run);
+    if (const auto* reserved = fish::find_reserved_family(name)) {
+        Diagnostic unsupported = fish::reserved_message(name, *reserved);
+        unsupported.fault = Fault::run;
+        throw unsupported;
+    }
     std::vector<std::string_view> candidates;
     for (const auto& [known, built_in] : machine.fish.built_ins) candidates.push_back(known);
     for (const auto& [known, function] : machine.fish.functions) candidates.push_back(known);

@@ -134,6 +134,12 @@ bool Scripts::knows(const std::string& name) const {
 
 std::vector<std::string> Scripts::symbols() const { return fish_symbols(*impl_->machine); }
 
+std::vector<std::pair<std::string, bool>> Scripts::built_in_names() const {
+    std::vector<std::pair<std::string, bool>> names;
+    for (const auto& [name, built_in] : impl_->machine->fish.built_ins) names.emplace_back(name, built_in.writable);
+    return names;
+}
+
 bool Scripts::has_hooks(Moment moment) const {
     const Machine& machine = *impl_->machine;
     if (moment == Moment::after_cycle && !machine.fish.whilestepping.empty()) return true;

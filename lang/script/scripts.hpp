@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kaya::script {
@@ -58,6 +59,9 @@ public:
     bool knows(const std::string& name) const;
     /// Names of all FISH variables and functions, sorted (for `list fish`, and for "did you mean").
     std::vector<std::string> symbols() const;
+
+    /// Names that FISH knows without a definition, sorted; true for those that can also be set.
+    std::vector<std::pair<std::string, bool>> built_in_names() const;
 
     /// Hooks, in the order in which they were defined. `cycle` decides for hooks with an interval.
     bool has_hooks(Moment moment) const;

@@ -93,12 +93,28 @@ int size(lua_State* L) {
     return 1;
 }
 
+/// table_id(n): the number again when the table has points, else 0.
+int identify(lua_State* L) {
+    const Tables& tables = machine_of(L).tables;
+    const std::int64_t number = integer_argument(L, 1, "table_id");
+    lua_pushinteger(L, tables.contains(number) ? number : 0);
+    return 1;
+}
+
+int remove(lua_State* L) {
+    lua_pushinteger(L, static_cast<lua_Integer>(
+                           machine_of(L).tables.erase(integer_argument(L, 1, "del_table"))));
+    return 1;
+}
+
 constexpr std::array functions{
     BuiltInFunction{"table", 2, 2, guarded<read_table>, guarded<write_table>},
     BuiltInFunction{"xtable", 2, 2, guarded<read_x>, guarded<write_x>},
     BuiltInFunction{"ytable", 2, 2, guarded<read_y>, guarded<write_y>},
     BuiltInFunction{"vtable", 2, 2, guarded<read_vector>, guarded<write_vector>},
     BuiltInFunction{"table_size", 1, 1, guarded<size>},
+    BuiltInFunction{"table_id", 1, 1, guarded<identify>},
+    BuiltInFunction{"del_table", 1, 1, guarded<remove>},
 };
 
 } // namespace

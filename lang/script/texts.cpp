@@ -18,6 +18,7 @@ namespace {
 void push_text(lua_State* L, std::string_view text) { lua_pushlstring(L, text.data(), text.size()); }
 
 constexpr std::int64_t widest_field = 1000;
+constexpr int most_values = 50; ///< of buildstr
 
 /// string(value [, width [, fill [, digits]]])
 int string(lua_State* L) {
@@ -132,10 +133,8 @@ int character(lua_State* L) {
     return 1;
 }
 
-/// parse(text, i): the i-th word, as a number when it is one; 0 when there are fewer words.
-int parse(lua_State* L) {
-    const std::string text = text_argument(L, 1, "parse");
-    std::int64_t wanted = integer_argument(L, 2, "parse");
+/// The i-th word of a text into `word`; false when there are fewer words.
+bool find_word(const std::string& text, std::int64_t wanted, std::string_view& word) {
     constexpr std::string_view blanks = " \t,()=\r\n";
     std::size_t at = 0;
     while ((at = text.find_first_not_of(blanks, at)) != std::string::npos) {
@@ -148,15 +147,79 @@ int parse(lua_State* L) {
             end = text.find_first_of(blanks, at);
             at = end;
         }
-        const std::string_view word =
-            std::string_view(text).substr(from, end == std::string::npos ? end : end - from);
-        if (--wanted == 0) {
-            if (!push_number(L, word)) push_text(L, word);
-            return 1;
-        }
+        word = std::string_view(text).substr(from, end == std::string::npos ? end : end - from);
+        if (--wanted == 0) return true;
         if (at == std::string::npos) break;
     }
+    return false;
+}
+
+/// parse(text, i): the i-th word, as a number when it is one; 0 when there are fewer words.
+int parse(lua_State* L) {
+    const std::string text = text_argument(L, 1, "parse");
+    std::string_view word;
+    if (!find_word(text, integer_argument(L, 2, "parse"), word))
+        lua_pushinteger(L, 0);
+    else if (!push_number(L, word))
+        push_text(L, word);
+    return 1;
+}
+
+/// pre_parse(text, i): the i-th word as a text; empty when there are fewer words.
+int pre_parse(lua_State* L) {
+    const std::string text = text_argument(L, 1, "pre_parse");
+    std::string_view word;
+    push_text(L, find_word(text, integer_argument(L, 2, "pre_parse"), word) ? word : std::string_view{});
+    return 1;
+}
+
+/// buildstr(pattern, a, b, ...): %1, %2, ... in the pattern become the values; %% is a %.
+int build_text(lua_State* L) {
+    const std::string pattern = text_argument(L, 1, "buildstr");
+    const int values = lua_gettop(L) - 1;
+    std::string text;
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        const char next = i + 1 < pattern.size() ? pattern[i + 1] : '\0';
+        if (pattern[i] != '%' || (next != '%' && (next < '1' || next > '9'))) {
+            text += pattern[i];
+            continue;
+        }
+        ++i;
+        if (next == '%') {
+            text += '%';
+            continue;
+        }
+        int number = next - '0';
+        while (i + 1 < pattern.size() && pattern[i + 1] >= '0' && pattern[i + 1] <= '9' && number < most_values)
+            number = 10 * number + (pattern[++i] - '0');
+        if (number > values)
+            throw Diagnostic(fmt::format("'buildstr' has no value for %{}: it is given {}", number, values), {},
+                             Fault::run);
+        text += text_at(L, number + 1);
+    }
+    push_text(L, text);
+    return 1;
+}
+
+/// get_array(n [, m ...]): a new array, filled with 0.
+int new_array(lua_State* L) {
+    const int sizes = lua_gettop(L);
+    push_anchor(L, machine_of(L).anchors.runtime);
+    lua_getfield(L, -1, "array");
+    lua_pushstring(L, "get_array");
+    for (int i = 1; i <= sizes; ++i) lua_pushvalue(L, i);
+    lua_call(L, sizes + 1, 1);
+    return 1;
+}
+
+/// Arrays go by themselves when nothing holds them.
+int lose_array(lua_State* L) {
     lua_pushinteger(L, 0);
+    return 1;
+}
+
+int code_name(lua_State* L) {
+    push_text(L, "kaya");
     return 1;
 }
 
@@ -235,6 +298,12 @@ constexpr std::array functions{
     BuiltInFunction{"index", 2, 2, guarded<find>},
     BuiltInFunction{"char", 1, 1, guarded<character>},
     BuiltInFunction{"parse", 2, 2, guarded<parse>},
+    BuiltInFunction{"pre_parse", 2, 2, guarded<pre_parse>},
+    BuiltInFunction{"buildstr", 1, most_values, guarded<build_text>},
+    BuiltInFunction{"get_array", 1, 10, guarded<new_array>},
+    BuiltInFunction{"lose_array", 1, 1, guarded<lose_array>},
+    BuiltInFunction{"code_name", 0, 0, guarded<code_name>},
+    BuiltInFunction{"notify", 1, 1, guarded<out>},
     BuiltInFunction{"type", 1, 1, guarded<type>},
     BuiltInFunction{"out", 1, 1, guarded<out>},
     BuiltInFunction{"error", 0, 0, guarded<no_error>, guarded<raise>},

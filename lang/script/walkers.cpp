@@ -13,7 +13,7 @@ namespace kaya::script {
 
 namespace {
 
-enum class Walk { head, next, child, nearest, extra };
+enum class Walk { head, next, child, nearest, gridpoint, property, extra };
 
 struct Walker {
     const char* name;
@@ -22,7 +22,7 @@ struct Walker {
     const char* child = "";
 };
 
-constexpr std::array<Walker, 24> walkers{{
+constexpr std::array<Walker, 39> walkers{{
     {"block_head", Walk::head, "block"},
     {"contact_head", Walk::head, "contact"},
     {"b_next", Walk::next, "block"},
@@ -41,12 +41,27 @@ constexpr std::array<Walker, 24> walkers{{
     {"gp_near", Walk::nearest, "gridpoint"},
     {"z_near", Walk::nearest, "zone"},
     {"face_near", Walk::nearest, "face"},
+    {"z_gp", Walk::gridpoint, "zone"},
+    {"face_gp", Walk::gridpoint, "face"},
+    {"c_prop", Walk::property, "contact"},
+    {"cx_prop", Walk::property, "sub_contact"},
+    {"z_prop", Walk::property, "zone"},
     {"b_extra", Walk::extra, "block"},
     {"c_extra", Walk::extra, "contact"},
     {"cx_extra", Walk::extra, "sub_contact"},
     {"gp_extra", Walk::extra, "gridpoint"},
     {"z_extra", Walk::extra, "zone"},
     {"face_extra", Walk::extra, "face"},
+    {"b_ispare", Walk::extra, "block"},
+    {"b_rspare", Walk::extra, "block"},
+    {"c_ispare", Walk::extra, "contact"},
+    {"c_rspare", Walk::extra, "contact"},
+    {"cx_ispare", Walk::extra, "sub_contact"},
+    {"cx_rspare", Walk::extra, "sub_contact"},
+    {"gp_ispare", Walk::extra, "gridpoint"},
+    {"gp_rspare", Walk::extra, "gridpoint"},
+    {"z_ispare", Walk::extra, "zone"},
+    {"z_rspare", Walk::extra, "zone"},
 }};
 
 const Walker& walker_of(lua_State* L) {
@@ -111,6 +126,24 @@ int nearest(lua_State* L) {
     return 1;
 }
 
+/// (object, number from 1)
+int gridpoint(lua_State* L) {
+    const Handle owner = pointer_argument(L);
+    const std::int64_t number = integer_argument(L, 2, walker_of(L).name);
+    if (number < 1)
+        throw Diagnostic(fmt::format("'{}' counts gridpoints from 1, not {}", walker_of(L).name, number), {},
+                         Fault::run);
+    push_handle(L, machine_of(L).world.gridpoint_of(owner, static_cast<std::size_t>(number - 1)));
+    return 1;
+}
+
+/// (object, name)
+int property(lua_State* L) {
+    const Handle owner = pointer_argument(L);
+    push_fish_value(L, machine_of(L).world.property(owner, text_argument(L, 2, walker_of(L).name)));
+    return 1;
+}
+
 /// "b_extra", or "b_extra 2" for a second value: `index` is the stack place of its number.
 std::string extra_name(lua_State* L, int index, bool given) {
     const char* name = walker_of(L).name;
@@ -164,6 +197,10 @@ Kind kind_of(Walk walk) {
         return {guarded<child>, 1, 1};
     case Walk::nearest:
         return {guarded<nearest>, 1, 3};
+    case Walk::gridpoint:
+        return {guarded<gridpoint>, 2, 2};
+    case Walk::property:
+        return {guarded<property>, 2, 2};
     case Walk::extra:
         break;
     }

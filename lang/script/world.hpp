@@ -58,6 +58,14 @@ public:
     /// First child: the sub-contacts of a contact, gridpoints and zones of a block.
     virtual Handle first_child(Handle parent, std::int32_t child_table) = 0;
     virtual Handle nearest(std::int32_t table, const Vec3& place) = 0;
+    /// The i-th gridpoint (from 0) of a zone or a face. Throws Diagnostic when there is none.
+    virtual Handle gridpoint_of(Handle object, std::size_t index) = 0;
+
+    /// A property by its name: of the joint model of a contact or sub-contact, of the material of a zone.
+    virtual Value property(Handle object, const std::string& name) = 0;
+    /// What the command `prop` has given to the material of that number, by the word of `prop`; 0 when nothing.
+    virtual double material_value(std::int64_t number, const std::string& word) = 0;
+    virtual void set_material_value(std::int64_t number, const std::string& word, double value) = 0;
 
     /// Quantities of the whole model: time, cycle, unbalanced force, ... by name or classic FISH name.
     virtual const std::vector<FieldInfo>& globals() const = 0;

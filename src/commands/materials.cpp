@@ -247,6 +247,21 @@ void run(Session& session, const lang::JointModelCommand& command) {
     });
 }
 
+double material_value(const Model& model, const JointRegistry& joints, std::int64_t number, std::string_view word) {
+    const BlockProperty* property = find_block_property(word);
+    if (property == nullptr && !is_joint_word(joints, word))
+        throw Diagnostic(fmt::format("'{}' is not a property of blocks, nor of joints", word), {}, Fault::run);
+    const auto found = model.materials.find(static_cast<std::int32_t>(number));
+    if (found == model.materials.end()) return 0;
+    if (property != nullptr) {
+        const double value = found->second.*property->value;
+        return std::isnan(value) ? 0 : value;
+    }
+    for (const auto& [name, value] : found->second.joint)
+        if (name == word || whole_word(name) == whole_word(word)) return value;
+    return 0;
+}
+
 std::set<Row> property_sets_in_use(const Model& model) {
     std::set<Row> rows(model.contacts.properties.begin(), model.contacts.properties.end());
     rows.erase(no_row);

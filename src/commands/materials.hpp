@@ -9,6 +9,10 @@ namespace kaya {
 /// not the other; warns, once each, about joint properties that no joint model in use knows.
 void check_materials(Session& session);
 
+/// What `prop` gave to a material, by any spelling of the word: density, bulk, jkn, jfric, ...; 0 when it was
+/// not given. Throws Diagnostic for a word that `prop` does not know.
+double material_value(const Model& model, const JointRegistry& joints, std::int64_t number, std::string_view word);
+
 /// Rows of Model::joint_properties that contacts use; others are left from earlier commands.
 std::set<Row> property_sets_in_use(const Model& model);
 

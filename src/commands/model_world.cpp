@@ -95,7 +95,8 @@ Span siblings(const Model& model, ScriptTable table, Row row) {
 
 } // namespace
 
-ModelWorld::ModelWorld(Model& model) : model_(model), fields_(entries.size()) {
+ModelWorld::ModelWorld(Model& model, JointRegistry& joints)
+    : model_(model), joints_(joints), fields_(entries.size()) {
     for (const auto& entry : entries) infos_.push_back({entry.name, {}});
     for (const Field& field : fields()) {
         if (field.table == FieldTable::global) {

@@ -1,6 +1,7 @@
 // The model as scripts see it: tables of named fields, and handles that say when an object is gone.
 #pragma once
 
+#include "joints/joint_model.hpp"
 #include "lang/script/world.hpp"
 #include "model/field.hpp"
 #include "model/selection.hpp"
@@ -16,7 +17,7 @@ enum class ScriptTable : std::int32_t { block, gridpoint, zone, face, contact, s
 
 class ModelWorld : public script::World {
 public:
-    explicit ModelWorld(Model& model);
+    ModelWorld(Model& model, JointRegistry& joints);
 
     const std::vector<script::TableInfo>& tables() const override { return infos_; }
     script::Value get(script::Handle object, std::size_t field) override;
@@ -28,6 +29,10 @@ public:
     script::Handle first_child(script::Handle parent, std::int32_t child_table) override;
     script::Handle nearest(std::int32_t table, const Vec3& place) override;
     const std::vector<script::FieldInfo>& globals() const override { return global_infos_; }
+    script::Handle gridpoint_of(script::Handle object, std::size_t index) override;
+    script::Value property(script::Handle object, const std::string& name) override;
+    double material_value(std::int64_t number, const std::string& word) override;
+    void set_material_value(std::int64_t number, const std::string& word, double value) override;
     script::Value get_global(std::size_t index) override;
     void set_global(std::size_t index, const script::Value& value) override;
     double reduce(std::int32_t table, std::size_t field, std::string_view how) override;
@@ -51,6 +56,7 @@ private:
     script::Value script_value(const FieldValue& value) const;
 
     Model& model_;
+    JointRegistry& joints_;
     std::uint32_t generation_ = 1;
     std::vector<script::TableInfo> infos_;
     std::vector<std::vector<const Field*>> fields_; ///< of each table, in the order of its FieldInfo

@@ -32,7 +32,7 @@ lang::Value command_value(const script::Value& value, const std::string& express
 } // namespace
 
 Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
-    : options(given), output(results, messages), world(model), interpreter(lang::classic(), handlers) {
+    : options(given), output(results, messages), world(model, joints), interpreter(lang::classic(), handlers) {
     output.quiet = options.quiet;
     set_threads(options.threads > 0 ? options.threads
                                     : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
@@ -177,9 +177,12 @@ void Session::clear() {
 
 lang::Checks deck_checks() {
     lang::Checks checks;
-    // A function that does not compile is found before the first command runs, not hours later.
-    checks.on<lang::FishDefinition>(
-        [](const lang::FishDefinition& command) { fish::read_function(command.text, command.place); });
+    // A function that does not compile is found before the first command runs, not hours later. What its names
+    // mean is known when it is defined; names that are not supported are refused whatever they mean.
+    checks.on<lang::FishDefinition>([](const lang::FishDefinition& command) {
+        fish::generate(fish::read_function(command.text, command.place),
+                       [](std::string_view) { return fish::Meaning{}; });
+    });
     return checks;
 }
 

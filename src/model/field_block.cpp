@@ -24,6 +24,30 @@ std::int64_t fixed(const Model& model, Row block) {
     return span.count > 0;
 }
 
+std::int64_t kind(const Model& model, Row block) { return model.blocks.deformable[block] ? 2 : 1; }
+
+double surface_area(const Model& model, Row block) {
+    double area = 0;
+    const Span span = model.blocks.faces[block];
+    for (Row face = span.first; face < span.end(); ++face) area += face_area_vector(model, face).norm();
+    return area;
+}
+
+/// Mass in the equation of motion over true mass; 1 before masses are known.
+double density_scaling(const Model& model, Row block) {
+    const double mass = model.blocks.mass[block];
+    return mass > 0 ? model.blocks.inertial_mass[block] / mass : 1;
+}
+
+/// The next block that is joined with this one.
+FieldValue next_joined(const Model& model, Row block) {
+    const auto& body = model.blocks.body;
+    Row next = block + 1;
+    const auto rows = static_cast<Row>(body.size());
+    while (next < rows && body[next] != body[block]) ++next;
+    return Link{FieldTable::block, body[block] != 0 && next < rows ? next : no_row};
+}
+
 FieldValue group(const Model& model, Row block) {
     return model.group_names[static_cast<std::size_t>(model.blocks.group[block])];
 }
@@ -124,6 +148,12 @@ const Fields& block_fields() {
         {table, "group", "b_group", "", "-", "name of its group, empty when it has none", group, set_group},
         {table, "body", "b_ms", "", "-", "number of the joined body that it is part of, 0 on its own",
          read<rows_of, &Blocks::body>, nullptr},
+        {table, "next_joined", "b_msnext", "", "-", "next block of the same joined body, null at the end", next_joined,
+         nullptr},
+        {table, "type", "b_type", "", "-", "1 rigid, 2 deformable", call<kind>, nullptr},
+        {table, "surface_area", "b_area", "", "area", "sum of the areas of its faces", call<surface_area>, nullptr},
+        {table, "density_scaling", "b_dsf", "", "-", "mass in the equation of motion over true mass",
+         call<density_scaling>, nullptr},
         {table, "hidden", "b_hidden", "", "-", "1 when hidden", read<rows_of, &Blocks::hidden>, nullptr},
         {table, "deformable", "", "", "-", "1 when it has zones", read<rows_of, &Blocks::deformable>, nullptr},
         {table, "fixed", "b_fix", "", "-", "1 when all of its motion is prescribed", call<fixed>, nullptr},

@@ -42,6 +42,16 @@ FieldValue joint_model(const Model& model, Row contact) {
     return model.joint_properties[static_cast<std::size_t>(properties)].model;
 }
 
+/// Number that `change jcons` would give it; 0 when its model has none.
+std::int64_t constitutive(const Model& model, Row contact) {
+    const Row properties = model.contacts.properties[contact];
+    if (properties == no_row) return 0;
+    const std::string& name = model.joint_properties[static_cast<std::size_t>(properties)].model;
+    for (const auto& [number, joint_model] : model.joint_constitutive)
+        if (joint_model == name) return number;
+    return 0;
+}
+
 } // namespace
 
 const Fields& contact_fields() {
@@ -69,6 +79,8 @@ const Fields& contact_fields() {
         {table, "area", "c_area", "", "area", "area of the overlap", read<rows_of, &Contacts::area>, nullptr},
         {table, "material", "c_mat", "", "-", "number of its joint material", read<rows_of, &Contacts::material>,
          nullptr},
+        {table, "constitutive", "c_cons", "", "-", "number of its joint model, 0 when that has none",
+         call<constitutive>, nullptr},
         {table, "joint_set", "c_jset", "", "-", "joint set that made it, 0 for none",
          read<rows_of, &Contacts::joint_set>, nullptr},
         {table, "model", "c_model", "", "-", "name of its joint model, empty when it has none", joint_model,

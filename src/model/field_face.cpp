@@ -17,6 +17,10 @@ Vec3 normal(const Model& model, Row face) {
     return length > 0 ? Vec3(area_vector / length) : area_vector;
 }
 
+std::int64_t vertex_count(const Model& model, Row face) {
+    return static_cast<std::int64_t>(face_gridpoints(model, face).size());
+}
+
 } // namespace
 
 const Fields& face_fields() {
@@ -35,6 +39,7 @@ const Fields& face_fields() {
         {table, "x_normal", "face_nx", "", "-", "x of the normal", call<normal, 0>, nullptr},
         {table, "y_normal", "face_ny", "", "-", "y of the normal", call<normal, 1>, nullptr},
         {table, "z_normal", "face_nz", "", "-", "z of the normal", call<normal, 2>, nullptr},
+        {table, "vertex_count", "face_ngp", "", "-", "number of gridpoints on it", call<vertex_count>, nullptr},
         {table, "area", "face_area", "", "area", "area", call<area>, nullptr},
     };
     return rows;

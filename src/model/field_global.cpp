@@ -1,6 +1,8 @@
 // Quantities of the whole model. The row that getters take has no meaning here.
 #include "model/field_rows.hpp"
 
+#include <fmt/format.h>
+
 namespace kaya::field_rows {
 
 namespace {
@@ -16,6 +18,19 @@ template <int k> void set_gravity(Model& model, Row, const FieldValue& value) {
     model.settings.gravity[k] = number(value);
 }
 void set_gravity_vector(Model& model, Row, const FieldValue& value) { model.settings.gravity = vector(value); }
+void set_fraction(Model& model, Row, const FieldValue& value) {
+    const double fraction = number(value);
+    if (!(fraction > 0 && fraction <= 1))
+        throw Diagnostic(fmt::format("the time step cannot be {} of the largest stable one", fraction),
+                         "give a number above 0 and at most 1");
+    model.settings.time_step_fraction = fraction;
+    model.properties_changed = true;
+}
+
+template <Damping way> FieldValue damped_by(const Model& model, Row) {
+    return static_cast<std::int64_t>(model.settings.damping == way);
+}
+
 template <auto rows> FieldValue count(const Model& model, Row) {
     return static_cast<std::int64_t>((model.*rows).size());
 }
@@ -62,6 +77,13 @@ const Fields& global_fields() {
         {table, "gravity_x", "grav_x", "", "acceleration", "the same as x_gravity", gravity<0>, set_gravity<0>},
         {table, "gravity_y", "grav_y", "", "acceleration", "the same as y_gravity", gravity<1>, set_gravity<1>},
         {table, "gravity_z", "grav_z", "", "acceleration", "the same as z_gravity", gravity<2>, set_gravity<2>},
+        {table, "time_step_fraction", "fracb", "", "-", "time step as a part of the largest stable one",
+         setting<&Settings::time_step_fraction>, set_fraction},
+        {table, "zone_time_step_fraction", "fracz", "", "-", "the same as time_step_fraction",
+         setting<&Settings::time_step_fraction>, set_fraction},
+        {table, "globally_damped", "damp_auto", "", "-", "1 with adaptive global damping", damped_by<Damping::global>,
+         nullptr},
+        {table, "locally_damped", "damp_local", "", "-", "1 with local damping", damped_by<Damping::local>, nullptr},
         {table, "block_count", "nblock", "", "-", "number of blocks", count<&Model::blocks>, nullptr},
         {table, "gridpoint_count", "", "", "-", "number of gridpoints and vertices", count<&Model::gridpoints>,
          nullptr},

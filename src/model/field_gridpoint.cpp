@@ -23,6 +23,26 @@ template <int k> void set_velocity_component(Model& model, Row gridpoint, const 
     model.gridpoints.velocity[gridpoint][k] = number(value);
 }
 
+double density_scaling(const Model& model, Row gridpoint) {
+    const double mass = model.gridpoints.mass[gridpoint];
+    return mass > 0 ? model.gridpoints.inertial_mass[gridpoint] / mass : 1;
+}
+
+/// What holds the components whose velocity is prescribed: it balances all other forces.
+Vec3 reaction(const Model& model, Row row) {
+    const auto& g = model.gridpoints;
+    Vec3 force = Vec3::Zero();
+    if (!model.blocks.deformable[g.block[row]]) return force;
+    for (int k = 0; k < 3; ++k)
+        if (g.fixed[row] & (1 << k))
+            force[k] = -(g.force[row][k] + g.load[row][k] + g.mass[row] * model.settings.gravity[k]);
+    return force;
+}
+
+FieldValue group(const Model& model, Row gridpoint) {
+    return find_field(FieldTable::block, "group")->get(model, model.gridpoints.block[gridpoint]);
+}
+
 } // namespace
 
 const Fields& gridpoint_fields() {
@@ -38,6 +58,9 @@ const Fields& gridpoint_fields() {
         {table, "z", "gp_z", "", "length", "z", read<rows_of, &Gridpoints::position, 2>, nullptr},
         {table, "mass", "gp_mass", "", "mass", "mass, 0 before the first cycle", read<rows_of, &Gridpoints::mass>,
          nullptr},
+        {table, "density_scaling", "gp_dsf", "", "-", "mass in the equation of motion over true mass",
+         call<density_scaling>, nullptr},
+        {table, "group", "gp_group", "", "-", "group of its block", group, nullptr},
         {table, "fixed", "", "", "-", "sum of 1, 2, 4 for x, y, z velocities that are prescribed",
          read<rows_of, &Gridpoints::fixed>, nullptr},
         {table, "velocity", "gp_vel", "", "length/time", "velocity", read<rows_of, &Gridpoints::velocity>,
@@ -64,6 +87,11 @@ const Fields& gridpoint_fields() {
          nullptr},
         {table, "z_force", "gp_zforce", "", "force", "z unbalanced force", read<rows_of, &Gridpoints::force, 2>,
          nullptr},
+        {table, "reaction", "gp_reaction", "", "force",
+         "force that holds the components whose velocity is prescribed, of deformable blocks", call<reaction>, nullptr},
+        {table, "x_reaction", "gp_xreaction", "", "force", "x reaction", call<reaction, 0>, nullptr},
+        {table, "y_reaction", "gp_yreaction", "", "force", "y reaction", call<reaction, 1>, nullptr},
+        {table, "z_reaction", "gp_zreaction", "", "force", "z reaction", call<reaction, 2>, nullptr},
         {table, "load", "gp_load", "", "force", "applied force", read<rows_of, &Gridpoints::load>,
          write<rows_of, &Gridpoints::load>},
         {table, "x_load", "gp_xload", "", "force", "x applied force", read<rows_of, &Gridpoints::load, 0>,

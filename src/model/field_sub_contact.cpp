@@ -1,6 +1,8 @@
 // Quantities of sub-contacts. Normal force: compression positive; normal displacement: opening positive.
 #include "model/field_rows.hpp"
 
+#include <algorithm>
+
 namespace kaya::field_rows {
 
 namespace {
@@ -34,6 +36,31 @@ template <auto column> FieldValue of_contact(const Model& model, Row row) {
 template <auto column, int k> FieldValue of_contact(const Model& model, Row row) {
     return (model.contacts.*column)[contact_of(model, row)][k];
 }
+FieldValue constitutive(const Model& model, Row row) {
+    return find_field(FieldTable::contact, "constitutive")->get(model, contact_of(model, row));
+}
+double pressure_force(const Model& model, Row row) {
+    return model.sub_contacts.pore_pressure[row] * model.sub_contacts.area[row];
+}
+
+/// The vertex that meets a face, null where two edges meet.
+FieldValue vertex(const Model& model, Row row) {
+    const auto& subs = model.sub_contacts;
+    if (subs.meeting[row] == Meeting::edge_edge) return Link{FieldTable::gridpoint, no_row};
+    const Attachment& side = subs.meeting[row] == Meeting::vertex_face ? subs.side1[row] : subs.side2[row];
+    const auto heaviest = std::max_element(side.weights.begin(), side.weights.end()) - side.weights.begin();
+    return Link{FieldTable::gridpoint, side.gridpoints[static_cast<std::size_t>(heaviest)]};
+}
+
+/// The face that the vertex meets, null when the blocks do not touch with faces.
+FieldValue face(const Model& model, Row row) {
+    const auto& subs = model.sub_contacts;
+    const Row contact = contact_of(model, row);
+    if (subs.meeting[row] == Meeting::edge_edge) return Link{FieldTable::face, no_row};
+    return Link{FieldTable::face, subs.meeting[row] == Meeting::vertex_face ? model.contacts.face2[contact]
+                                                                            : model.contacts.face1[contact]};
+}
+
 FieldValue joint_model(const Model& model, Row row) {
     return find_field(FieldTable::contact, "model")->get(model, contact_of(model, row));
 }
@@ -62,6 +89,12 @@ const Fields& sub_contact_fields() {
         {table, "area", "cx_area", "", "area", "part of the contact's area", read<rows_of, &SubContacts::area>,
          nullptr},
         {table, "material", "cx_mat", "", "-", "number of its joint material", of_contact<&Contacts::material>,
+         nullptr},
+        {table, "constitutive", "cx_cons", "", "-", "number of its joint model, 0 when that has none", constitutive,
+         nullptr},
+        {table, "vertex", "cx_vertex", "", "-", "vertex that meets a face, null between two edges", vertex, nullptr},
+        {table, "face", "cx_face", "", "-", "face that a vertex meets, null when there is none", face, nullptr},
+        {table, "pressure_force", "cx_ppforce", "", "force", "pore pressure times area", call<pressure_force>,
          nullptr},
         {table, "model", "cx_model", "", "-", "name of its joint model, empty when it has none", joint_model,
          nullptr},

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace kaya {
 
@@ -61,6 +62,15 @@ Vec3 face_centroid(const Model& model, Row face) {
     }
     if (area > 0) return weighted / area;
     return span.count > 0 ? Vec3(plain / span.count) : Vec3(Vec3::Zero());
+}
+
+std::vector<Row> face_gridpoints(const Model& model, Row face) {
+    std::vector<Row> rows;
+    const Span span = model.faces.triangles[face];
+    for (Row t = span.first; t < span.end(); ++t)
+        for (const Row corner : model.triangles.gridpoints[t])
+            if (std::find(rows.begin(), rows.end(), corner) == rows.end()) rows.push_back(corner);
+    return rows;
 }
 
 double zone_volume(const Model& model, Row zone) {

@@ -14,6 +14,9 @@ Vec3 face_area_vector(const Model& model, Row face);
 /// Mean of the triangles' centroids, weighted with their areas.
 Vec3 face_centroid(const Model& model, Row face);
 
+/// All gridpoints on it, each once; of a rigid block its corners.
+std::vector<Row> face_gridpoints(const Model& model, Row face);
+
 double zone_volume(const Model& model, Row zone);
 Vec3 zone_centroid(const Model& model, Row zone);
 

@@ -199,9 +199,9 @@ TEST(FishCompiler, arithmetic_is_plain_lua_where_both_agree) {
     };
     EXPECT_THAT(expression("a + b * (c - 1)"), HasSubstr("return G.a + G.b * (G.c - 1) end"));
     EXPECT_THAT(expression("a / 2.5 - a / 2"), HasSubstr("return G.a / 2.5 - R.divide(G.a, 2) end"));
-    EXPECT_THAT(expression("gp_xvel(p) = -1"), HasSubstr("W.gp_xvel(G.p, given)"));
+    EXPECT_THAT(expression("gp_xvel(p) = -1"), HasSubstr("W_gp_xvel(G.p, given)"));
     EXPECT_THAT(expression("0.1 + 1e300 + 3."), HasSubstr("return 0.1 + 1e+300 + 3.0 end"));
-    EXPECT_THAT(expression("while + time"), HasSubstr("return G[\"while\"] + A.time() end"));
+    EXPECT_THAT(expression("while + time"), HasSubstr("return G[\"while\"] + A_time() end"));
 }
 
 TEST(FishCompiler, a_function_tells_what_it_uses) {

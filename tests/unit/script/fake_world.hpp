@@ -5,6 +5,7 @@
 #include "lang/script/scripts.hpp"
 
 #include <cmath>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -115,6 +116,19 @@ public:
         asked = place;
         return {table, 0, generation};
     }
+    Handle gridpoint_of(Handle object, std::size_t index) override {
+        return {object.table, static_cast<std::uint32_t>(index), generation};
+    }
+    Value property(Handle object, const std::string& name) override {
+        check(object);
+        return name + " of it";
+    }
+    double material_value(std::int64_t number, const std::string& word) override {
+        return materials[{number, word}];
+    }
+    void set_material_value(std::int64_t number, const std::string& word, double value) override {
+        materials[{number, word}] = value;
+    }
     Value get_global(std::size_t index) override {
         if (index == 0) return 0.25;
         if (index == 1) return std::int64_t{100};
@@ -136,6 +150,7 @@ public:
     double damping = 0.8;
     std::vector<double> normal_force, shear_force, normal_displacement, shear_displacement;
     std::vector<FakeCommand> commands;
+    std::map<std::pair<std::int64_t, std::string>, double> materials;
     std::function<void(const std::string&)> on_command;
 
 private:

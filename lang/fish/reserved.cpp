@@ -1,0 +1,100 @@
+#include "lang/fish/reserved.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <vector>
+
+namespace kaya::fish {
+
+namespace {
+
+/// Names with the same reason, with blanks between.
+struct Group {
+    bool planned;
+    std::string_view names;
+    std::string_view instead;
+};
+
+constexpr Group groups[] = {
+    {true, "c_link1 c_link2", "walk the list of contact_head and compare c_b1 and c_b2 with the block"},
+    {true, "c_group cx_group face_group", "groups belong to blocks: b_group"},
+    {true, "find_range in_range inbox", "compare coordinates, or select with the range of a command"},
+    {true, "gp_pp gp_temp z_pp", "pore pressure belongs to sub-contacts: cx_pp"},
+    {true, "z_fsi z_fsr z_fri z_frr z_ssi z_ssr z_vsi z_vsr z_total_strain", "there are no strains of zones yet"},
+    {true, "z_state z_model", "all zones are of the one model that their block's material gives"},
+    {true, "z_sig from_principal principal_stress b_moitensor",
+     "there are no tensors: z_sxx and so on, z_sig1 to z_sig3, b_xmoi to b_zmoi"},
+    {true, "apply_head bou_head bou_new gp_bou", "use the command bound, and gp_xload for loads"},
+    {true, "face_vlist vl_next vl_vertex vl_gp", "use face_ngp(f) and face_gp(f,i)"},
+    {true, "cx_edge1 cx_edge2", "there are no pointers to edges"},
+    {true, "fc_arg", "the function is called without an argument"},
+    {true, "j_model j_prop", "use c_model(c) and c_prop(c,'jkn')"},
+    {true, "water_table_head", "use the command water"},
+    {true, "damp_alpha damp_beta", "the command damp takes the fraction and the frequency"},
+    {true, "fos", "there is no factor of safety yet"},
+    {true, "table_name get_table", "tables have numbers only"},
+    {false, "atol btol ctol dtol etol", "tolerances follow from the size of the blocks"},
+    {false, "ftime ftdel flow_head flowrate flowvel fluid_density c_flowplane face_flow gp_fk z_perm z_poros",
+     "there is no flow of fluids"},
+    {false, "crtdel crtime", "there is no creep"},
+    {false, "thdt thtime", "there is no heat"},
+    {false, "cable_head liner_head beam_head knot_head knot_near", "there are no structural elements"},
+    {false, "imem fmem xmem mem get_mem lose_mem", "use an array"},
+    {false, "b_inside", "use b_near and compare coordinates"},
+    {false, "b_face2 b_wall", "blocks have one list of faces, and none is a wall"},
+    {false, "c_obj_type c_fid c_cid cx_fid face_fracid face_sreg r_head",
+     "there are no fracture sets; c_jset and face_jset are the numbers of joint sets"},
+    {false, "face_zone z_geo_metric z_sonplane", "a face has many zones; walk b_zone and z_next"},
+    {false, "sopen sread swrite sclose", "a deck cannot speak with other programs"},
+    {false, "input msgbox environment sleep", "a run does not ask and does not wait; use set @name = value"},
+    {false, "output realtime normfromdip code_majorversion", "use out, clock, normfromdipdd, code_name"},
+    {false, "cable_* liner_* le_* beam_* knot_*", "there are no structural elements"},
+    {false, "fk_* fp_* fpx_* fpz_*", "there is no flow of fluids"},
+    {false, "cf_*", "config asks for nothing here"},
+    {false, "zfd_*", "use z_near and the fields of the zone"},
+    {true, "bou_*", "use the command bound"},
+};
+
+std::vector<ReservedName> all_names() {
+    std::vector<ReservedName> names;
+    for (const auto& group : groups)
+        for (std::string_view rest = group.names; !rest.empty();) {
+            const auto end = std::min(rest.find(' '), rest.size());
+            names.push_back({rest.substr(0, end), group.planned, group.instead});
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+        }
+    return names;
+}
+
+} // namespace
+
+std::span<const ReservedName> reserved_names() {
+    static const std::vector<ReservedName> names = all_names();
+    return names;
+}
+
+const ReservedName* find_reserved(std::string_view name) {
+    const auto names = reserved_names();
+    const auto found = std::ranges::find(names, name, &ReservedName::name);
+    return found == names.end() ? nullptr : &*found;
+}
+
+const ReservedName* find_reserved_family(std::string_view name) {
+    if (const auto* exact = find_reserved(name)) return exact;
+    const auto names = reserved_names();
+    const auto found = std::ranges::find_if(names, [name](const ReservedName& reserved) {
+        const std::string_view family = reserved.name;
+        return family.back() == '*' && name.starts_with(family.substr(0, family.size() - 1));
+    });
+    return found == names.end() ? nullptr : &*found;
+}
+
+Diagnostic reserved_message(std::string_view name, const ReservedName& reserved) {
+    Diagnostic diagnostic(fmt::format("'{}' of 3DEC is not {}", name,
+                                      reserved.planned ? "supported yet" : "supported by kaya"),
+                          std::string(reserved.instead));
+    diagnostic.code = "unsupported-fish-name";
+    return diagnostic;
+}
+
+} // namespace kaya::fish

@@ -1,0 +1,64 @@
+// What scripts ask by the name of a property, and corners of zones and faces.
+#include "commands/materials.hpp"
+#include "commands/model_world.hpp"
+
+#include "base/diagnostic.hpp"
+#include "model/measure.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace kaya {
+
+script::Handle ModelWorld::gridpoint_of(script::Handle object, std::size_t index) {
+    const Row row = living_row(object);
+    std::vector<Row> gridpoints;
+    if (static_cast<ScriptTable>(object.table) == ScriptTable::zone)
+        gridpoints.assign(model_.zones.gridpoints[row].begin(), model_.zones.gridpoints[row].end());
+    else
+        gridpoints = face_gridpoints(model_, row);
+    if (index >= gridpoints.size())
+        throw Diagnostic(fmt::format("it has gridpoints 1 to {}, not {}", gridpoints.size(), index + 1), {},
+                         Fault::run);
+    return handle(ScriptTable::gridpoint, gridpoints[index]);
+}
+
+script::Value ModelWorld::property(script::Handle object, const std::string& name) {
+    const Row row = living_row(object);
+    const auto table = static_cast<ScriptTable>(object.table);
+    if (table == ScriptTable::zone)
+        return kaya::material_value(model_, joints_, model_.blocks.material[model_.zones.block[row]], name);
+    const Row contact = table == ScriptTable::contact ? row : model_.sub_contacts.contact[row];
+    const Row set_row = model_.contacts.properties[contact];
+    if (set_row == no_row)
+        throw Diagnostic(fmt::format("contact {} has no joint model yet", model_.contacts.number[contact]),
+                         "assign one: jmodel model NAME", Fault::run);
+    const JointProperties& set = model_.joint_properties[static_cast<std::size_t>(set_row)];
+    const JointModel& joint = joints_.get(set.model);
+    const auto found = joint.find_property(name);
+    if (!found) {
+        std::vector<std::string_view> names;
+        std::string list;
+        for (const auto& property : joint.properties) {
+            names.push_back(property.name);
+            list += (list.empty() ? "" : ", ") + property.name;
+        }
+        const auto meant = did_you_mean(name, names);
+        throw Diagnostic(fmt::format("joint model '{}' has no property '{}'", set.model, name),
+                         meant.empty() ? "it has: " + list : fmt::format("did you mean '{}'?", meant), Fault::run);
+    }
+    const double value = set.values[*found];
+    return std::isnan(value) ? 0.0 : value;
+}
+
+double ModelWorld::material_value(std::int64_t number, const std::string& word) {
+    return kaya::material_value(model_, joints_, number, word);
+}
+
+/// The command itself, so that its checks and its way to the contacts are the same.
+void ModelWorld::set_material_value(std::int64_t number, const std::string& word, double value) {
+    const bool joint = word.starts_with('j');
+    run_command(fmt::format("prop {} {} {} {}", joint ? "jmat" : "mat", number, word, value), "script", 1);
+}
+
+} // namespace kaya
