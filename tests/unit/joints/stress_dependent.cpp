@@ -21,7 +21,7 @@ TestJoint yielding(Values more = {}) {
 }
 
 TEST(ContinuouslyYielding, FollowsTheReferenceIntegration) {
-    // Normal stress 2 MPa, ks 10 GPa/m, phi_m from 50 to 30 degrees with R = 3 mm; integrated with 1e-7 m steps of
+    // Normal stress 2 MPa, ks 10 GPa/m, phi_m from 50 to 30 degrees with R = 3 mm; a reference integration of
     // (2), (3), (5), (6) of the page.
     const std::map<int, double> stresses = {{1000, 2.08115}, {2000, 1.77629}, {5000, 1.35621}, {10000, 1.19097},
                                             {20000, 1.15598}};
