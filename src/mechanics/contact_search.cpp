@@ -50,6 +50,19 @@ double reach(const Model& model, const std::vector<double>& way, Row b1, Row b2,
     return std::min(margin[b1], margin[b2]) + 2 * (way[b1] + way[b2]) + 2 * gap;
 }
 
+/// How far the two sides of a contact have come from each other in its plane since its geometry was made.
+double way_slid(const Model& model, Row contact) {
+    const auto& s = model.sub_contacts;
+    const Vec3& n = model.contacts.normal[contact];
+    double farthest = 0;
+    const Span span = model.contacts.sub_contacts[contact];
+    for (Row row = span.first; row < span.end(); ++row) {
+        const Vec3 between = attached_position(model, s.side2[row]) - attached_position(model, s.side1[row]);
+        farthest = std::max(farthest, (between - between.dot(n) * n).squaredNorm());
+    }
+    return std::sqrt(farthest);
+}
+
 Box box_of(const Model& model, Row b, double margin) {
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (Row g = model.blocks.gridpoints[b].first; g < model.blocks.gridpoints[b].end(); ++g) {
@@ -171,7 +184,7 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
 }
 
 ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
-    const auto& contacts = model.contacts;
+    auto& contacts = model.contacts;
     const auto& margin = model.blocks.margin;
     const bool all_together = model.clock.cycle % slide_interval == 0;
     const auto slid = [&](std::size_t c) {
@@ -179,6 +192,11 @@ ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
         return all_together ||
                contacts.slid[c] > far_slide * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]]);
     };
+    // Going to and fro is no sliding.
+    for_chunks(contacts.size(), 8 * grain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t c = first; c < last; ++c)
+            if (slid(c)) contacts.slid[c] = way_slid(model, static_cast<Row>(c));
+    });
     std::vector<Pair> pairs;
     wanted_.clear();
     for (std::size_t c = 0; c < contacts.size(); ++c) {

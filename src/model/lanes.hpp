@@ -6,6 +6,9 @@
 
 #include <array>
 #include <cstddef>
+#if defined(__AVX512VL__)
+#include <immintrin.h>
+#endif
 
 namespace kaya {
 
@@ -34,7 +37,11 @@ public:
     Lanes load(const double* column) const {
         if (rows_ == lane_count) return Eigen::Map<const Lanes>(column);
         Lanes lanes = Lanes::Zero();
+#if defined(__AVX512VL__)
+        _mm256_store_pd(lanes.data(), _mm256_maskz_loadu_pd(mask(), column));
+#else
         for (std::ptrdiff_t i = 0; i < rows_; ++i) lanes[i] = column[i];
+#endif
         return lanes;
     }
     Lanes3 load(const VectorColumn& column, std::ptrdiff_t first) const {
@@ -42,11 +49,16 @@ public:
         return {load(c[0].data() + first), load(c[1].data() + first), load(c[2].data() + first)};
     }
     void store(double* column, const Lanes& lanes) const {
-        if (rows_ == lane_count) Eigen::Map<Lanes>{column} = lanes;
-        else
-            for (std::ptrdiff_t i = 0; i < rows_; ++i) column[i] = lanes[i];
+        if (rows_ == lane_count) {
+            Eigen::Map<Lanes>{column} = lanes;
+            return;
+        }
+#if defined(__AVX512VL__)
+        _mm256_mask_storeu_pd(column, mask(), _mm256_load_pd(lanes.data()));
+#else
+        for (std::ptrdiff_t i = 0; i < rows_; ++i) column[i] = lanes[i];
+#endif
     }
-
     void store(VectorColumn& column, std::ptrdiff_t first, const Lanes3& lanes) const {
         auto& c = column.component;
         store(c[0].data() + first, lanes.x);
@@ -56,6 +68,9 @@ public:
     std::ptrdiff_t rows() const { return rows_; }
 
 private:
+#if defined(__AVX512VL__)
+    __mmask8 mask() const { return static_cast<__mmask8>((1u << rows_) - 1u); }
+#endif
     std::ptrdiff_t rows_;
 };
 
