@@ -102,6 +102,15 @@ CommandSpec bound() {
     entry.keyword({"zgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"),
                   &Boundary::z_gradient, "change of the stress with z");
     add_multiplier(entry);
+    for (const char* word : {"xviscous", "yviscous", "zviscous", "nviscous", "sviscous"})
+        entry.not_yet({Spelling{word, 3}}, "quiet boundaries, which swallow waves");
+    for (const char* word : {"xreaction", "yreaction", "zreaction"})
+        entry.not_yet({Spelling{word, 3}}, "forces in place of what holds a boundary");
+    entry.not_yet({"ff", "freefield"}, "free fields at the sides of a model");
+    entry.not_yet({"nvel", "nvelocity"}, "velocities along the normals of faces");
+    entry.not_yet({"pp"}, "pore pressure at a boundary: see water");
+    entry.not_yet({"point", "nload", "sload"}, "loads on faces");
+    entry.not_yet({"temperature", "flux"}, "heat and flow");
     entry.range(&Boundary::range);
     entry.finish([](const Reader& reader, Boundary& b) {
         const bool driven = b.stress || any(b.velocity) || any(b.load);
@@ -124,6 +133,7 @@ CommandSpec bound() {
     entry.right("bound str 0 0 -1e6 0 0 0 hist @wave range z 10");
     entry.wrong("bound", "bound does not say what acts on the boundary");
     entry.wrong("bound xvel range x 0", "'range' stands where a number must be");
+    entry.wrong("bound xvisc", "'boundary xviscous' is known, but kaya does not support it yet");
     entry.wrong("bound xvle 0", "'xvle' is not a keyword of boundary");
     entry.wrong("bound stress 0 0 -5", "a number is missing after '-5'");
     entry.wrong("bound stress 0 0 -5 0 0 0 0", "'0' stands where a keyword of boundary must be");
@@ -162,17 +172,26 @@ CommandSpec apply() {
 
 CommandSpec initialize() {
     Entry<Initialize> entry({"initialize"});
-    entry.help("gives gridpoints and rigid blocks a velocity to start with");
+    entry.help("gives gridpoints and rigid blocks a velocity or a displacement to start with");
     add_velocities(entry, "velocity", "rotation of rigid blocks");
+    static constexpr const char* displacement[][2] = {
+        {"xdis", "xdisplacement"}, {"ydis", "ydisplacement"}, {"zdis", "zdisplacement"}};
+    for (std::size_t i = 0; i < 3; ++i)
+        entry.keyword({displacement[i][0], displacement[i][1]}, real("d").unit("length"),
+                      [i](Initialize& c) -> auto& { return c.displacement[i]; },
+                      "displacement that is counted from; nothing moves");
+    for (const char* word : {"sxx", "syy", "szz", "sxy", "sxz", "syz", "pp", "temperature"})
+        entry.not_yet({Spelling{word, 2}}, "single components of stress, pore pressure or heat: see insitu and water");
     entry.range(&Initialize::range);
     entry.finish([](const Reader& reader, Initialize& c) {
-        if (!any(c.velocity))
+        if (!any(c.velocity) && !any(c.displacement))
             incomplete_line(reader, "initialize does not say what to set",
-                            "expected: xvel, yvel or zvel and a number");
+                            "expected: xvel, rxvel or xdis (or y, z) and a number");
     });
     entry.right("ini xvel 1").right("initialize xvel 0 yvel 0 zvel -2 range group ball");
-    entry.right("ini rzvel 0.5 range id 2");
+    entry.right("ini rzvel 0.5 range id 2").right("ini xdis 0 ydis 0 zdis 0 range z 0 1");
     entry.wrong("ini", "initialize does not say what to set");
+    entry.wrong("ini sxx -1e6", "'initialize sxx' is known, but kaya does not support it yet");
     entry.wrong("ini xvel", "a number is missing after 'xvel'");
     entry.wrong("ini zval 1", "'zval' is not a keyword of initialize");
     return entry;
@@ -292,6 +311,7 @@ Family boundary() {
                     .wrong("gravity 0 0", "a number is missing after '0'")
                     .wrong("gravity 0 0 -9.81 1", "'1' is left over at the end of the line"),
                 initialize(),
+                insitu(),
                 table(),
                 water(),
             }};

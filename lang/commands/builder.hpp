@@ -95,6 +95,15 @@ public:
         return *this;
     }
 
+    /// The words added last are read without effect.
+    Keywords& ignored() { return list_.back().support = Support::ignored, *this; }
+
+    /// Words that are known and refused; `help` says what they are about.
+    Keywords& not_yet(std::vector<Spelling> words, std::string_view help) {
+        list_.push_back({std::move(words), {}, help, {}, {}, Support::not_yet});
+        return *this;
+    }
+
     std::vector<KeywordSpec> list() && { return std::move(list_); }
     std::vector<KeywordSpec> list() const& { return list_; }
 
@@ -143,6 +152,15 @@ public:
         keywords_.special(std::move(words), std::move(arguments), read, help, std::move(keywords));
         return *this;
     }
+
+    /// The keyword added last is read without effect.
+    Entry& ignored() { return keywords_.ignored(), *this; }
+    /// Keywords that are known and refused; `help` says what they are about.
+    Entry& not_yet(std::vector<Spelling> words, std::string_view help) {
+        keywords_.not_yet(std::move(words), help);
+        return *this;
+    }
+    Entry& support(Support support) { return spec_.support = support, *this; }
 
     /// For words that are no keyword: names of properties, @names. `read` gives false when the word is not
     /// its own, and has then taken nothing.

@@ -16,7 +16,7 @@ namespace kaya::lang {
 
 // --- model control ------------------------------------------------------------------------------
 struct New {};
-struct Config { std::vector<std::string> options; };
+struct Config { bool dynamic = false; };
 struct CallFile { std::string file; };
 struct Return {};
 struct Quit {};
@@ -196,7 +196,15 @@ struct Apply {
 };
 struct Initialize {
     std::array<std::optional<double>, 6> velocity;
+    std::array<std::optional<double>, 3> displacement;
     RangePhrase range;
+};
+/// insitu stress sxx syy szz sxy sxz syz [xgrad ..] [ygrad ..] [zgrad ..]
+struct InSitu {
+    std::optional<std::array<double, 6>> stress;
+    std::array<double, 6> x_gradient{}, y_gradient{}, z_gradient{};
+    RangePhrase range;
+    Place place;
 };
 /// table n x y ... | table n read file | table n clear
 struct TableCommand {
@@ -224,6 +232,8 @@ struct HistoryItem {
 struct HistoryAdd {
     std::vector<HistoryItem> items;
     std::optional<std::int64_t> interval; ///< ncyc
+    std::optional<std::int64_t> number;   ///< of the first item, where the deck says it
+    Place place;
 };
 struct HistoryLabel { std::int64_t number = 0; std::string text; Place place; };
 struct HistoryWrite {

@@ -36,7 +36,7 @@ CommandSpec set() {
                               (void)reader.any(value);
                           }
                       },
-                      "accepted, without effect");
+                      "accepted, without effect").ignored();
     entry.otherwise({text("@name value").optional().spec}, [](Reader& reader, Set& set) {
         if (reader.peek()->kind != WordKind::symbol) return false;
         const std::string name = reader.symbol(text("@name").spec);
@@ -58,6 +58,24 @@ CommandSpec set() {
     entry.wrong("set jmatdf 1.5", "jmatdf takes a whole number, not 1.5");
     entry.wrong("set fraction 0", "fraction must be greater than 0, not 0");
     entry.wrong("set thraeds 2", "'thraeds' is not a keyword of set");
+    return entry;
+}
+
+CommandSpec config() {
+    Entry<Config> entry({"config"});
+    entry.help("asks for options of the program");
+    entry.action({"dynamic"}, [](Config& c) { c.dynamic = true; }, "the same as set dyn on");
+    for (const char* word : {"cppudm", "rhs"})
+        entry.action({word}, [](Config&) {}, "there without being asked for").ignored();
+    static constexpr std::pair<const char*, const char*> missing[] = {
+        {"lhs", "axes that are left-handed"}, {"thermal", "heat"},
+        {"gw", "flow of water"},              {"fluid", "flow of water"},
+        {"feblock", "blocks of finite elements"}, {"highorder", "zones of higher order"},
+        {"creep", "creep"}};
+    for (const auto& [word, about] : missing) entry.not_yet({word}, about);
+    entry.right("config dyn").right("CONFIG CPPUDM").right("config");
+    entry.wrong("config dny", "'dny' is not a keyword of config");
+    entry.wrong("config thermal", "'config thermal' is known, but kaya does not support it yet");
     return entry;
 }
 
@@ -96,15 +114,7 @@ Family control() {
                     .right("call @name")
                     .wrong("call", "a word is missing after 'call'")
                     .wrong("call a.dat b.dat", "'b.dat' is left over at the end of the line"),
-                Entry<Config>({"config"})
-                    .help("asks for options of the program; none is needed here")
-                    .otherwise({text("option").optional().spec},
-                               [](Reader& reader, Config& config) {
-                                   config.options.push_back(reader.text(text("option").spec));
-                                   return true;
-                               })
-                    .right("config dyn")
-                    .right("config cppudm"),
+                config(),
                 set(),
                 Entry<Save>({"save"})
                     .help("writes the whole model to a file")

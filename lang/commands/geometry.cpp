@@ -53,6 +53,12 @@ Family geometry() {
                 .right("delete range mat 1 union region 3 not")
                 .wrong("delete range plane dip 30", "the plane does not say which part is meant")
                 .wrong("delete range not z 0 1", "'not' stands before the element that it turns round"),
+            Entry<Delete>({"remove", "excavate"})
+                .help("takes blocks out of the model for good, as delete does; nothing can be filled again")
+                .range(&Delete::range)
+                .right("remove region 3")
+                .right("excavate range group tunnel")
+                .wrong("remove reigon 3", "'reigon' is not a keyword of remove"),
             Entry<Group>({"group"}, {"block"})
                 .help("gives blocks a name by which a range finds them")
                 .argument(text("name").help("name of the group"),

@@ -63,9 +63,17 @@ CommandSpec history_add() {
                       },
                       item.help);
     }
+    for (const char* axis : {"xacceleration", "yacceleration", "zacceleration"})
+        entry.not_yet({Spelling{axis, 4}}, "accelerations: take the velocity, and its slope");
     entry.keyword({"ncyc", "ncycle"}, integer("n").at_least(1), &HistoryAdd::interval,
                   "cycles from one record to the next, for all histories");
-    entry.otherwise({text("@name").optional().spec}, [](Reader& reader, HistoryAdd& history) {
+    entry.place(&HistoryAdd::place);
+    const auto number = integer("n").at_least(1);
+    entry.otherwise({text("@name").optional().spec}, [number](Reader& reader, HistoryAdd& history) {
+        if (reader.peek()->kind == WordKind::number && reader.peek() == &reader.statement().words[1]) {
+            history.number = reader.integer(number.spec);
+            return true;
+        }
         if (reader.peek()->kind != WordKind::symbol) return false;
         const std::string name = reader.symbol(text("@name").spec);
         history.items.push_back({"@" + name, Vec3::Zero(), reader.previous().place});
@@ -76,7 +84,7 @@ CommandSpec history_add() {
             incomplete_line(reader, "history does not say what to record", "write for example: hist unbal");
     });
     entry.right("hist unbal ncyc 5").right("hist @sstav @nstav").right("hist sdis -1 -1 0 ndis -1 -1 0");
-    entry.right("hist ekinetic eerror");
+    entry.right("hist ekinetic eerror").right("hist 1 unbal");
     entry.right("hist zdisp 0 0 0.1")
         .right("his xvel (0,0,1)")
         .right("hist szz 0 0 0.1")
@@ -84,6 +92,7 @@ CommandSpec history_add() {
     entry.wrong("hist", "history does not say what to record");
     entry.wrong("hist xdis 0 0", "a number is missing after '0'");
     entry.wrong("hist xids 0 0 0", "'xids' is not a keyword of history");
+    entry.wrong("hist xacc 0 0 0", "'history xacceleration' is known, but kaya does not support it yet");
     entry.wrong("hist ncyc 0", "ncyc must be at least 1, not 0");
     entry.wrong("hist unbal 5", "'5' stands where a keyword of history must be");
     return entry;

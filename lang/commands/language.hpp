@@ -13,10 +13,13 @@ Family history();
 Family output();
 Family solution();
 Family script();
+Family not_supported_yet(); ///< known words, refused
 
 /// Parts of the family geometry.
 std::vector<CommandSpec> shape_commands(); ///< poly ...
 std::vector<CommandSpec> cut_commands();   ///< jset
+
+CommandSpec insitu(); ///< part of the family boundary
 
 /// Built once, on first use.
 const Language& classic();

@@ -78,11 +78,20 @@ CommandSpec list() {
     return entry;
 }
 
+CommandSpec find() {
+    return Entry<List>({"find"})
+        .help("lists the blocks of a range")
+        .start([](const Statement&, List& command) { command.what = "blocks"; })
+        .range(&List::range)
+        .right("find range sphere center 0 0 0 radius 1")
+        .right("find region 2")
+        .wrong("find reigon 2", "'reigon' is not a keyword of find");
+}
+
 CommandSpec ignored(const char* word, const char* help) {
     Entry<Ignored> entry({word});
     entry.help(help);
-    std::string dropped;
-    entry.raw(&Ignored::word);
+    entry.raw(&Ignored::word).support(Support::ignored);
     entry.start([name = std::string(word)](const Statement&, Ignored& command) { command.word = name; });
     return entry;
 }
@@ -101,6 +110,7 @@ Family output() {
             "lists, pictures, files for other programs",
             {
                 list(),
+                find(),
                 std::move(plot),
                 Entry<VtkWrite>({"vtk"}, {"write"})
                     .help("writes the model as it stands for ParaView; files of one name make a series")

@@ -67,6 +67,18 @@ void named(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind,
                   help);
 }
 
+void flag(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
+    table.special(std::move(words), {},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      add(reader, phrase, kind);
+                      const Word* word = reader.peek();
+                      const bool on = word && word->folded == "on", off = word && word->folded == "off";
+                      if (on || off) reader.take();
+                      phrase.elements.back().negated = off;
+                  },
+                  help);
+}
+
 /// Number, or a name that stands for one (a joint set, a region by name).
 void numbered(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
     const auto number = integer("n").spec;
@@ -89,9 +101,8 @@ void both_sides(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind 
                   help);
 }
 
-/// An element that lacks a part: a misspelt word in its place is what the message is about.
-[[noreturn]] void lacks_part(const Reader& reader, std::string_view element,
-                             const std::vector<KeywordSpec>& words, std::string message, std::string hint) {
+/// Throws when the next word is no element, but nearly a word of the present one.
+void misspelt_part(const Reader& reader, std::string_view element, const std::vector<KeywordSpec>& words) {
     const Word* next = reader.peek();
     std::vector<std::string_view> candidates;
     for (const auto& keyword : words)
@@ -99,6 +110,12 @@ void both_sides(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind 
     if (next && next->kind == WordKind::word && !find_keyword(range_elements(), next->folded) &&
         !did_you_mean(next->folded, candidates).empty())
         reader.unknown(fmt::format("a word of {}", element), candidates);
+}
+
+/// An element that lacks a part: a misspelt word in its place is what the message is about.
+[[noreturn]] void lacks_part(const Reader& reader, std::string_view element,
+                             const std::vector<KeywordSpec>& words, std::string message, std::string hint) {
+    misspelt_part(reader, element, words);
     incomplete_line(reader, std::move(message), std::move(hint));
 }
 
@@ -232,6 +249,100 @@ void box(Keywords<RangePhrase>& table) {
                   "inside a box, given by two corners");
 }
 
+/// `group NAME [slot s] [matches n]`, or NAME alone with its slot in it.
+void group(Keywords<RangePhrase>& table) {
+    const auto name = text("name").spec;
+    const auto matches = integer("n").at_least(1).at_most(2).spec;
+    static const std::vector<KeywordSpec> words = [&] {
+        Keywords<RangeElement> list;
+        list.special({Spelling{"matches", 3}}, {matches},
+                     [matches](Reader& reader, RangeElement& e) { e.both = reader.integer(matches) == 2; },
+                     "of contacts: 1, one of the two blocks is enough (if not given); 2, both must belong");
+        list.action({Spelling{"only", 3}}, [](RangeElement&) {}, "a block is in one group only: without effect").ignored();
+        list.special({Spelling{"slot", 3}}, {name},
+                     [name](Reader& reader, RangeElement&) {
+                         const Place place = reader.peek() ? reader.peek()->place : Place{};
+                         const std::string slot = fold(reader.text(name));
+                         if (slot != "any" && slot != "default" && slot != "1")
+                             lang::not_supported_yet("slot " + slot, "several groups of one block", place);
+                     },
+                     "any or default: there is one slot");
+        return std::move(list).list();
+    }();
+    table.special({"group"}, {name},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      add(reader, phrase, Kind::group);
+                      phrase.elements.back().name = reader.text(name);
+                      read_keywords(reader, words, &phrase.elements.back());
+                      misspelt_part(reader, "group", words);
+                  },
+                  "members of a group", words);
+}
+
+void group_intersection(Keywords<RangePhrase>& table) {
+    const auto first = text("name").spec, second = text("other").spec;
+    table.special({"gintersection", "group-intersection"}, {first, second},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      RangeElement& element = add(reader, phrase, Kind::group_intersection);
+                      element.name = reader.text(first);
+                      element.second_name = reader.text(second);
+                  },
+                  "contacts between blocks of two groups");
+}
+
+void volume(Keywords<RangePhrase>& table) {
+    const auto low = real("low").unit("volume").at_least(0).spec, high = real("high").unit("volume").spec;
+    table.special({"volume"}, {low, high},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      RangeElement& element = add(reader, phrase, Kind::volume);
+                      if (reader.at_end()) reader.missing(low);
+                      element.low = reader.real(low);
+                      element.high = reader.real(high);
+                      if (element.low > element.high && !reader.wildcards())
+                          throw Diagnostic(fmt::format("the lower limit {:g} is greater than the upper limit {:g}",
+                                                       element.low, element.high),
+                                           "write the smaller one first")
+                              .at(reader.previous().place);
+                  },
+                  "blocks of a volume between two limits");
+}
+
+void id_list(Keywords<RangePhrase>& table) {
+    ArgumentSpec number = integer("n").spec;
+    number.repeated = true;
+    table.special({"id-list", "idlist"}, {number},
+                  [=](Reader& reader, RangePhrase& phrase) {
+                      RangeElement& element = add(reader, phrase, Kind::id_list);
+                      do element.numbers.push_back(reader.integer(number));
+                      while (reader.at_number());
+                  },
+                  "identity numbers, one by one");
+}
+
+/// Elements of 3DEC that have no meaning in this engine yet.
+void elements_to_come(Keywords<RangePhrase>& table) {
+    static constexpr std::pair<const char*, const char*> known[] = {
+        {"jgroup", "groups of contacts"},
+        {"sregion", "regions of surfaces"},
+        {"fid", "fractures of a network"},
+        {"dfn", "fractures of a network"},
+        {"state", "the state of zones and joints"},
+        {"surface", "faces on the surface of the model"},
+        {"excavated", "blocks that may be filled again"},
+        {"concave", "the shape of blocks"},
+        {"edge-length", "the shape of blocks"},
+        {"aspect-ratio", "the shape of blocks"},
+        {"orientation", "the orientation of faces"},
+        {"leader-id", "joined blocks by their leader"},
+        {"rectangle", "plane figures in a range"},
+        {"polygon", "plane figures in a range"},
+        {"ellipse", "plane figures in a range"},
+        {"geometry-space", "surfaces in a range"},
+        {"geometry-distance", "surfaces in a range"},
+    };
+    for (const auto& [word, help] : known) table.not_yet({Spelling{word, 4}}, help);
+}
+
 /// `block id 5`: the old long form of `bid 5`.
 void block_id(Keywords<RangePhrase>& table) {
     const auto low = integer("n").spec, high = integer("m").optional().spec;
@@ -267,13 +378,13 @@ void named_ranges(Keywords<RangePhrase>& table) {
 
 std::vector<KeywordSpec> all_elements() {
     Keywords<RangePhrase> table;
-    coordinate(table, {"x", "xr", "position-x"}, Kind::x, "x between two limits, or at one value");
-    coordinate(table, {"y", "yr", "position-y"}, Kind::y, "y between two limits, or at one value");
-    coordinate(table, {"z", "zr", "position-z"}, Kind::z, "z between two limits, or at one value");
+    coordinate(table, {"x", "xr", Spelling{"position-x", 10}}, Kind::x, "x between two limits, or at one value");
+    coordinate(table, {"y", "yr", Spelling{"position-y", 10}}, Kind::y, "y between two limits, or at one value");
+    coordinate(table, {"z", "zr", Spelling{"position-z", 10}}, Kind::z, "z between two limits, or at one value");
     box(table);
     plane(table);
     round_elements(table);
-    named(table, {"group"}, Kind::group, "members of a group");
+    group(table);
     numbered(table, {"material", "mat"}, Kind::material, "blocks of a material number");
     numbered(table, {"constitutive", "cons"}, Kind::constitutive, "blocks of a constitutive number");
     numbered(table, {"jmaterial", "jmat"}, Kind::joint_material, "contacts of a joint material number");
@@ -285,6 +396,14 @@ std::vector<KeywordSpec> all_elements() {
     both_sides(table, {"mintersection"}, Kind::material_intersection, "contacts between two materials");
     both_sides(table, {"rintersection"}, Kind::region_intersection, "contacts between two regions");
     named_ranges(table);
+    group_intersection(table);
+    named(table, {"jmodel"}, Kind::joint_model, "contacts that have a joint model");
+    volume(table);
+    flag(table, {"deformable"}, Kind::deformable, "blocks with zones, and what belongs to them");
+    flag(table, {"visible"}, Kind::visible, "blocks that are not hidden");
+    id_list(table);
+    table.action({"extent"}, [](RangePhrase& phrase) { phrase.whole = true; },
+                 "all corners of a block, a face or a zone must lie inside, not only its centroid");
     table.action({"union"}, [](RangePhrase& phrase) { phrase.any = true; },
                  "one element is enough, not all are needed");
     table.special({Spelling{"not", 3}}, {},
@@ -298,13 +417,17 @@ std::vector<KeywordSpec> all_elements() {
                           .at(reader.previous().place);
                   },
                   "turns the element before it round");
+    elements_to_come(table);
     return std::move(table).list();
 }
 
 [[noreturn]] void unknown_element(const Reader& reader) {
+    const bool asked = reader.peek()->text == "?";
     std::vector<std::string_view> candidates, listed;
     for (const auto& element : range_elements()) {
-        listed.push_back(element.words.front().word);
+        const bool there = element.support != Support::not_yet;
+        if (there) listed.push_back(element.words.front().word);
+        if (!there && asked) continue;
         for (const Spelling& s : element.words) candidates.push_back(s.word);
     }
     reader.unknown("a range element", candidates, listed);

@@ -4,6 +4,7 @@
 #include "base/diagnostic.hpp"
 #include "base/vector.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,14 +22,22 @@ struct RangeElement {
         id,           ///< low..high
         block_id,     ///< low..high, of the block the object belongs to
         material_intersection, region_intersection, ///< low and high are the two numbers
-        named         ///< `range nrange NAME`: name
+        named,        ///< `range nrange NAME`: name
+        volume,       ///< low..high, of blocks
+        deformable,   ///< blocks with zones
+        visible,      ///< objects of blocks that are not hidden
+        group_intersection, ///< contacts between the groups name and second_name
+        joint_model,  ///< contacts that have the joint model name
+        id_list       ///< numbers
     };
     Kind kind = Kind::x;
     double low = 0, high = 0;
     Vec3 centre = Vec3::Zero(), end2 = Vec3::Zero(), normal = Vec3::UnitZ();
     double radius1 = 0, radius2 = 0, distance = 0;
     int side = 0;
-    std::string name;
+    std::string name, second_name;
+    std::vector<std::int64_t> numbers;
+    bool both = false;  ///< `matches 2`: both blocks of a contact
     bool negated = false;
     Place place;
 };
@@ -37,6 +46,7 @@ struct RangePhrase {
     std::vector<RangeElement> elements; ///< none: everything visible
     bool any = false;                   ///< `union`: one element is enough
     Place place;                        ///< of the word `range`; none when there is no phrase
+    bool whole = false;                 ///< `extent`: all corners of an object, not only its place
 };
 
 } // namespace kaya::lang

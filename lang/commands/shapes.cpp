@@ -89,7 +89,7 @@ CommandSpec poly_prism() {
             incomplete_line(reader, "a prism needs two polygons", "write: poly prism a x y z ... b x y z ...");
     });
     entry.right("poly prism a 0,0,0 1,0,0 1,1,0 b 0,0,1 1,0,1 1,1,1");
-    entry.right("poly region 2 prism a (0,0,0) (4,0,0) (4,1,0) (0,1,0) b (0,0,2) (4,0,2.2) (4,1,2) (0,1,2)");
+    entry.right("poly region 2 prism a (0,0,0) (4,0,0) (4,1,0) (0,1,0) b (0,0,2) (4,0,2.2) (4,1,2.2) (0,1,2)");
     entry.right("poly prism a @v1 @v2 @v3 b @w1 @w2 @w3");
     entry.wrong("poly prism a 0 0 0 1 0 0 1 1 0", "a prism needs two polygons");
     entry.wrong("poly prism a 0 0 0 1 0 0 1 1 b 0 0 1", "'b' stands where a number must be");

@@ -31,14 +31,17 @@ void add_words(std::vector<std::string_view>& to, const std::vector<Spelling>& w
         if (std::find(to.begin(), to.end(), s.word) == to.end()) to.push_back(s.word);
 }
 
-void add_words(std::vector<std::string_view>& to, const std::vector<KeywordSpec>& keywords) {
-    for (const auto& k : keywords) add_words(to, k.words);
+/// Also words that are not supported yet, unless only those that run are `offered`.
+void add_words(std::vector<std::string_view>& to, const std::vector<KeywordSpec>& keywords, bool offered = false) {
+    for (const auto& k : keywords)
+        if (!offered || k.support != Support::not_yet) add_words(to, k.words);
 }
 
 /// The canonical spellings: enough for a list of what may be typed.
 std::vector<std::string_view> first_words(const std::vector<KeywordSpec>& keywords) {
     std::vector<std::string_view> words;
-    for (const auto& k : keywords) words.push_back(k.words.front().word);
+    for (const auto& k : keywords)
+        if (k.support != Support::not_yet) words.push_back(k.words.front().word);
     return words;
 }
 
@@ -88,18 +91,20 @@ std::size_t wrong_word(const CommandSpec& spec, const Statement& statement) {
 [[noreturn]] void unknown_keyword(const Language& language, const CommandSpec& spec, const Reader& reader) {
     std::vector<std::string_view> candidates, listed = first_words(spec.keywords);
     for (const auto& argument : spec.otherwise_arguments) listed.push_back(argument.name);
-    add_words(candidates, spec.keywords);
+    const bool asked = reader.peek() && reader.peek()->text == "?";
+    add_words(candidates, spec.keywords, asked);
     if (reader.statement().words.size() > 1 && reader.peek() == &reader.statement().words[1])
         for (const auto* other : commands_called(language, spec.words.front().word)) {
-            add_words(candidates, other->form);
-            if (!other->form.empty()) listed.push_back(other->form.front().word);
+            if (!asked || other->support != Support::not_yet) add_words(candidates, other->form);
+            if (!other->form.empty() && other->support != Support::not_yet)
+                listed.push_back(other->form.front().word);
         }
     if (spec.range_elements) {
         candidates.push_back("range");
         listed.push_back("range");
     }
     // Suggested when near, not listed: the list of keywords is long enough.
-    if (spec.range_without_word) add_words(candidates, *spec.range_elements);
+    if (spec.range_without_word) add_words(candidates, *spec.range_elements, asked);
     reader.unknown(fmt::format("a keyword of {}", spec.name()), candidates, listed);
 }
 
@@ -112,12 +117,17 @@ bool at_range(const CommandSpec& spec, Reader& reader) {
     return spec.range_without_word && find_keyword(*spec.range_elements, word->folded);
 }
 
+/// `ignored` gets the keywords that are without effect.
 void read_rest(const Language& language, const CommandSpec& spec, Reader& reader, void* target,
-               bool range_allowed) {
+               bool range_allowed, std::vector<std::string_view>& ignored) {
     while (const Word* word = reader.peek()) {
         const KeywordSpec* keyword =
             word->kind == WordKind::word ? find_keyword(spec.keywords, word->folded) : nullptr;
         if (keyword) {
+            if (keyword->support == Support::not_yet)
+                not_supported_yet(fmt::format("{} {}", spec.name(), keyword->words.front().word), keyword->help,
+                                  word->place);
+            if (keyword->support == Support::ignored) ignored.push_back(keyword->words.front().word);
             reader.take();
             keyword->read(reader, target);
         } else if (range_allowed && at_range(spec, reader)) {
@@ -157,12 +167,15 @@ FoundCommand find_command(const Language& language, const Statement& statement) 
     }
     if (plain) return {plain, 0};
 
-    std::vector<std::string_view> forms;
-    for (const auto* spec : commands) add_words(forms, spec->form);
+    std::vector<std::string_view> forms, all_forms;
+    for (const auto* spec : commands) {
+        add_words(all_forms, spec->form);
+        if (spec->support != Support::not_yet) add_words(forms, spec->form);
+    }
     const std::string_view name = commands.front()->words.front().word;
     Reader reader(statement, wrong_word(*commands.front(), statement), statement.words.size(), nullptr);
     if (!reader.at_end()) {
-        std::vector<std::string_view> candidates = forms;
+        std::vector<std::string_view> candidates = reader.peek()->text == "?" ? forms : all_forms;
         if (commands.front()->options_before_form) add_words(candidates, commands.front()->keywords);
         reader.unknown(fmt::format("a kind of {}", name), candidates, forms);
     }
@@ -180,6 +193,8 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
     const FoundCommand found = find_command(language, statement);
     const CommandSpec& spec = *found.spec;
 
+    if (spec.support == Support::not_yet)
+        not_supported_yet(spec.name(), spec.help, statement.words[found.form_at].place);
     BoundCommand bound;
     bound.spec = &spec;
     bound.place = statement.words.front().place;
@@ -190,7 +205,7 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
     if (spec.raw) return bound;
 
     Reader before_form(statement, 1, std::max<std::size_t>(found.form_at, 1), values);
-    read_rest(language, spec, before_form, target, false);
+    read_rest(language, spec, before_form, target, false, bound.ignored);
 
     Reader reader(statement, found.form_at + 1, statement.words.size(), values);
     for (const auto& positional : spec.arguments) {
@@ -199,7 +214,7 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
         if (positional.argument.optional && !(number ? reader.at_number() : reader.at_value())) continue;
         positional.read(reader, target);
     }
-    read_rest(language, spec, reader, target, true);
+    read_rest(language, spec, reader, target, true, bound.ignored);
     if (spec.finish) spec.finish(reader, target);
     bound.late = before_form.late() || reader.late();
     return bound;

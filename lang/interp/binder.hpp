@@ -14,6 +14,7 @@ struct BoundCommand {
     int last_line = 0;
     std::any command;  ///< the struct of lang/commands/commands.hpp
     bool late = false; ///< holds wildcards: to be bound again with values when it is reached
+    std::vector<std::string_view> ignored; ///< its words that are without effect, in whole
 
     /// The statement in one line, words as typed and single blanks between them; a body follows as it is.
     std::string text() const;

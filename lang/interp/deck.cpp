@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 namespace kaya::lang {
 
@@ -14,8 +15,9 @@ using SharedFile = std::shared_ptr<const BoundFile>;
 /// Binds a file and, through its calls, the files below it.
 class DeckReader {
 public:
-    DeckReader(const Language& language, const std::vector<fs::path>& folders, const Checks* checks)
-        : language_(language), folders_(folders), checks_(checks) {}
+    DeckReader(const Language& language, const std::vector<fs::path>& folders, const Checks* checks,
+               std::size_t most_problems = most_errors_shown)
+        : language_(language), folders_(folders), checks_(checks), most_problems_(most_problems) {}
 
     SharedFile file(const std::string& name) {
         const fs::path path = find_deck(name, searched());
@@ -36,7 +38,7 @@ public:
         bound->path = path;
         Lexer lexer(source);
         Statement statement;
-        while (problems_.size() < most_errors_shown) {
+        while (problems_.size() < most_problems_) {
             try {
                 if (!next_statement(language_, lexer, statement)) break;
                 bound->steps.push_back(step(statement));
@@ -52,6 +54,7 @@ public:
     void throw_problems() {
         if (!problems_.empty()) throw DeckErrors(std::move(problems_));
     }
+    std::vector<Diagnostic> take_problems() { return std::move(problems_); }
 
 private:
     BoundFile::Step step(const Statement& statement) {
@@ -106,6 +109,7 @@ private:
     const Language& language_;
     const std::vector<fs::path>& folders_;
     const Checks* checks_;
+    std::size_t most_problems_;
     std::vector<std::pair<fs::path, std::string>> chain_; ///< files being read, with their names as written
     std::vector<std::pair<fs::path, SharedFile>> done_;
     std::vector<Diagnostic> problems_;
@@ -120,6 +124,15 @@ SharedFile bind_deck(const Language& language, const std::string& name, const st
     const SharedFile bound = reader.file(name);
     reader.throw_problems();
     return bound;
+}
+
+ReadDeck read_deck(const Language& language, const std::string& name, const std::vector<fs::path>& folders,
+                   const Checks* checks) {
+    DeckReader reader(language, folders, checks, std::numeric_limits<std::size_t>::max());
+    ReadDeck deck;
+    deck.file = reader.file(name);
+    deck.problems = reader.take_problems();
+    return deck;
 }
 
 SharedFile bind_text(const Language& language, Source source, const std::vector<fs::path>& folders,

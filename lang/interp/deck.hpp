@@ -50,6 +50,17 @@ std::shared_ptr<const BoundFile> bind_text(const Language& language, Source sour
                                            const std::vector<std::filesystem::path>& folders,
                                            const Checks* checks = nullptr);
 
+/// A deck that may hold mistakes: what was bound, and what was not.
+struct ReadDeck {
+    std::shared_ptr<const BoundFile> file;
+    std::vector<Diagnostic> problems; ///< in the order in which they were met
+};
+
+/// The same as bind_deck for `kaya check`: however many mistakes there are, they are given back, not thrown.
+/// Throws Diagnostic when the deck cannot be read at all.
+ReadDeck read_deck(const Language& language, const std::string& name,
+                   const std::vector<std::filesystem::path>& folders, const Checks* checks = nullptr);
+
 /// True when the text ends inside something: a line to be continued, def without end.
 /// The prompt then asks for the next line.
 bool needs_more(const Language& language, std::string_view text);

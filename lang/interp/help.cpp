@@ -46,6 +46,7 @@ void add_line(std::string& text, const std::string& left, std::string_view right
 void add_keywords(std::string& text, const std::vector<KeywordSpec>& keywords) {
     for (const auto& keyword : keywords) {
         std::string right(keyword.help);
+        if (keyword.support == Support::not_yet) right = "not supported yet: " + right;
         for (const auto& argument : keyword.arguments)
             if (!argument.unit.empty() && right.find('[') == std::string::npos)
                 right += fmt::format(" [{}]", argument.unit);
@@ -140,7 +141,8 @@ std::string usage(const CommandSpec& command) {
     for (const auto& argument : command.otherwise_arguments)
         text += fmt::format(" [{} ...]", argument.name);
     for (const auto& keyword : command.keywords)
-        text += fmt::format(" [{}{}]", keyword.words.front().word, arguments_of(keyword));
+        if (keyword.support != Support::not_yet)
+            text += fmt::format(" [{}{}]", keyword.words.front().word, arguments_of(keyword));
     if (command.range_elements) text += " [range ...]";
     if (!command.body_end.empty()) text += fmt::format(" ... {}", command.body_end);
     return text;

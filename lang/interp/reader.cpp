@@ -275,6 +275,8 @@ void read_keywords(Reader& reader, const std::vector<KeywordSpec>& keywords, voi
         const KeywordSpec* found =
             word->kind == WordKind::word ? find_keyword(keywords, word->folded) : nullptr;
         if (!found) return;
+        if (found->support == Support::not_yet)
+            not_supported_yet(found->words.front().word, found->help, word->place);
         reader.take();
         found->read(reader, target);
     }

@@ -15,6 +15,13 @@ const KeywordSpec* find_keyword(const std::vector<KeywordSpec>& keywords, std::s
     return resolve(keywords, typed, [](const KeywordSpec& k) -> const auto& { return k.words; });
 }
 
+void not_supported_yet(std::string_view name, std::string_view help, const Place& place) {
+    Diagnostic d(fmt::format("'{}' is known, but kaya does not support it yet", name),
+                 fmt::format("it is about {}", help));
+    d.code = "not-supported-yet";
+    throw d.at(place);
+}
+
 std::string describe(const ArgumentSpec& argument) {
     static constexpr const char* kinds[] = {"a number", "a whole number", "a word or a text in quotes",
                                             "on or off"};

@@ -57,6 +57,13 @@ struct Spelling {
     }
 };
 
+/// What becomes of a word that the tables know.
+enum class Support {
+    runs,
+    ignored, ///< read, and without effect here
+    not_yet  ///< refused with a message that says so: better than "unknown" for somebody who knows that it exists
+};
+
 /// A word inside a command with what follows it. `target` of read is the struct of the command.
 struct KeywordSpec {
     std::vector<Spelling> words; ///< the first is the canonical one
@@ -64,6 +71,7 @@ struct KeywordSpec {
     std::string_view help;
     std::function<void(Reader&, void* target)> read;
     std::vector<KeywordSpec> keywords; ///< that belong to this one: sphere center .. radius ..
+    Support support = Support::runs;
 };
 
 /// What stands in front of the keywords, in order.
@@ -94,6 +102,7 @@ struct CommandSpec {
     std::vector<KeywordSpec> keywords;
     std::vector<Example> right, wrong;
 
+    Support support = Support::runs;
     bool options_before_form = false; ///< poly region 1 brick ...
     Flow flow = Flow::next;
     std::string_view body_end;   ///< "end": the lines up to this word belong to the command
@@ -142,6 +151,10 @@ template <class Table, class WordsOf> auto* resolve(Table& table, std::string_vi
 }
 
 const KeywordSpec* find_keyword(const std::vector<KeywordSpec>& keywords, std::string_view typed);
+
+/// Throws the Diagnostic of a word that is known and not supported yet. `name` is what the user typed, in whole
+/// words; `help` says what it is about.
+[[noreturn]] void not_supported_yet(std::string_view name, std::string_view help, const Place& place);
 
 /// "edge, a number greater than 0 [length]"
 std::string describe(const ArgumentSpec& argument);

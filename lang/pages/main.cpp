@@ -29,6 +29,7 @@ std::vector<Page> pages(const Language& language) {
     std::vector<Page> all;
     for (const auto& family : language.families)
         for (const auto& command : family.commands) {
+            if (command.support == Support::not_yet) continue;
             std::string file(command.words.front().word);
             if (file == "@") file = "call-of-a-function";
             file += ".md";
@@ -64,7 +65,8 @@ void argument_rows(std::string& out, const std::vector<KeywordSpec>& keywords, c
         std::string words;
         for (const auto& spelling : keyword.words)
             words += fmt::format("{}`{}{}`", words.empty() ? "" : ", ", before, spelling.word);
-        out += fmt::format("| {} | {} | {} |\n", words, cell(values_of(keyword)), cell(keyword.help));
+        const char* support = keyword.support == Support::not_yet ? "not supported yet: " : "";
+        out += fmt::format("| {} | {} | {}{} |\n", words, cell(values_of(keyword)), support, cell(keyword.help));
         argument_rows(out, keyword.keywords, fmt::format("{}{} ", before, keyword.words.front().word));
     }
 }
@@ -157,6 +159,25 @@ std::string range_page(const Language& language) {
            rows;
 }
 
+std::string not_yet_page(const Language& language) {
+    std::string text = "# Known, not supported yet\n\n"
+                       "A deck that uses one of these stops before its first command runs, with the line; `kaya check` lists\n"
+                       "the lines.\n\n| command | what it is about |\n|---|---|\n";
+    for (const auto& family : language.families)
+        for (const auto& command : family.commands) {
+            if (command.support == Support::not_yet)
+                text += fmt::format("| `{}` | {} |\n", command.name(), command.help);
+            for (const auto& keyword : command.keywords)
+                if (keyword.support == Support::not_yet)
+                    text += fmt::format("| `{} ... {}` | {} |\n", command.name(), keyword.words.front().word,
+                                        cell(keyword.help));
+        }
+    for (const auto& element : language.range_elements)
+        if (element.support == Support::not_yet)
+            text += fmt::format("| `range {}` | {} |\n", element.words.front().word, element.help);
+    return text;
+}
+
 std::string contents(const fs::path& file) {
     std::ifstream stream(file);
     return {std::istreambuf_iterator<char>(stream), {}};
@@ -181,6 +202,8 @@ int main(int argc, char** argv) {
             index += fmt::format("* [{}]({}): {}\n", command->name(), page.file, command->help);
     }
     wanted[folder / ".." / "range-phrase.md"] = range_page(language);
+    index += "\n[Known, not supported yet](../not-supported-yet.md)\n";
+    wanted[folder / ".." / "not-supported-yet.md"] = not_yet_page(language);
     wanted[folder / "README.md"] = index;
     int status = 0;
     for (const auto& [file, text] : wanted) {

@@ -1,5 +1,6 @@
 // kaya: runs command files. Exit status 0 done, 1 the deck is wrong, 2 the run failed, 3 our own fault.
 #include "app/interrupt.hpp"
+#include "commands/deck_report.hpp"
 #include "commands/progress.hpp"
 #include "commands/session.hpp"
 
@@ -52,17 +53,14 @@ std::vector<fs::path> joint_folders(const CommandLine& line, const fs::path& pro
     return folders;
 }
 
-/// Binds decks without running them.
+/// Says what would become of each statement of the decks.
 int check(const std::vector<std::string>& decks, Output& output) {
-    const lang::Checks checks = deck_checks();
     int status = 0;
     for (const auto& deck : decks) {
         try {
-            const auto bound = lang::bind_deck(lang::classic(), deck, {"."}, &checks);
-            output.print(fmt::format("{}: {} commands, all understood", deck, bound->steps.size()));
-        } catch (const lang::DeckErrors& errors) {
-            for (const auto& error : errors.all) output.message(error);
-            status = static_cast<int>(Fault::deck);
+            const DeckReport report = check_deck(deck, {"."});
+            output.print(report.text(deck));
+            if (!report.can_run()) status = static_cast<int>(Fault::deck);
         } catch (const Diagnostic& error) {
             output.message(error);
             status = static_cast<int>(error.fault);

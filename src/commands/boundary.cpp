@@ -4,6 +4,7 @@
 
 #include "mechanics/boundary.hpp"
 #include "mechanics/contact_properties.hpp"
+#include "mechanics/insitu.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::array axis_names{"x", "y", "z"};
 
-StressField stress_field(const lang::Boundary& command) {
+template <class Command> StressField stress_field(const Command& command) {
     const auto stress = [](const std::array<double, 6>& six) { return Stress(six.data()); };
     StressField field;
     field.at_origin = stress(*command.stress);
@@ -232,6 +233,22 @@ void run(Session& session, const lang::Initialize& command) {
     const Bodies bodies = pick_bodies(session, command.range);
     for (int k = 0; k < components; ++k)
         if (command.velocity[k]) initialize_velocity(session.model, bodies, k, *command.velocity[k]);
+    for (int axis = 0; axis < 3; ++axis)
+        if (command.displacement[axis]) initialize_displacement(session.model, bodies, axis, *command.displacement[axis]);
+}
+
+void run(Session& session, const lang::InSitu& command) {
+    auto& model = session.model;
+    find_contacts(model, session.joints);
+    const auto test = [&](ObjectKind kind) { return range_test(model, session.ranges, command.range, kind); };
+    const auto zones = select(model, ObjectKind::zone, test(ObjectKind::zone));
+    const auto points = select(model, ObjectKind::sub_contact, test(ObjectKind::sub_contact));
+    if (zones.empty() && points.empty()) {
+        session.warn(Diagnostic("no zone and no joint is in range", "the command has no effect")
+                         .at(command.range.place ? command.range.place : command.place));
+        return;
+    }
+    set_insitu_stress(model, session.joints, zones, points, stress_field(command));
 }
 
 void run(Session& session, const lang::Reset& command) {

@@ -2,9 +2,9 @@
 #include "commands/handlers.hpp"
 
 #include "base/parallel.hpp"
+#include "mechanics/contact_properties.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <fmt/format.h>
 #include <iostream>
@@ -13,24 +13,6 @@
 namespace kaya {
 
 namespace {
-
-/// What `config` may ask for, and whether it changes anything here.
-struct ConfigEntry {
-    std::string_view word;
-    enum class Effect { none, dynamic, missing } effect;
-};
-constexpr std::array<ConfigEntry, 10> config_words{{
-    {"cppudm", ConfigEntry::Effect::none},
-    {"dynamic", ConfigEntry::Effect::dynamic},
-    {"lhs", ConfigEntry::Effect::missing},
-    {"rhs", ConfigEntry::Effect::none},
-    {"thermal", ConfigEntry::Effect::missing},
-    {"gw", ConfigEntry::Effect::missing},
-    {"fluid", ConfigEntry::Effect::missing},
-    {"feblock", ConfigEntry::Effect::missing},
-    {"highorder", ConfigEntry::Effect::missing},
-    {"creep", ConfigEntry::Effect::missing},
-}};
 
 void refuse_scaled_dynamics(const Session& session) {
     if (session.model.settings.mass_scaling == MassScaling::full)
@@ -74,26 +56,9 @@ void give_time_step(Session& session, double step) {
 void run(Session& session, const lang::New&) { session.clear(); }
 
 void run(Session& session, const lang::Config& command) {
-    for (const auto& option : command.options) {
-        const auto found =
-            std::ranges::find_if(config_words, [&](const auto& e) { return e.word.starts_with(option); });
-        if (found == config_words.end()) {
-            std::vector<std::string_view> known;
-            for (const auto& entry : config_words) known.push_back(entry.word);
-            const auto near = did_you_mean(option, known);
-            throw Diagnostic(fmt::format("'{}' is nothing that can be configured", option),
-                             near.empty() ? fmt::format("options are: {}", fmt::join(known, ", "))
-                                          : fmt::format("did you mean '{}'?", near));
-        }
-        if (found->effect == ConfigEntry::Effect::dynamic) {
-            refuse_scaled_dynamics(session);
-            set_dynamic(session, true);
-        }
-        if (found->effect == ConfigEntry::Effect::missing)
-            session.warn(
-                Diagnostic(fmt::format("'config {}' asks for something that kaya does not have", found->word),
-                           "the run goes on without it"));
-    }
+    if (!command.dynamic) return;
+    refuse_scaled_dynamics(session);
+    set_dynamic(session, true);
 }
 
 void run(Session& session, const lang::Title& command) { session.title = command.text; }
@@ -111,9 +76,7 @@ void run(Session& session, const lang::Set& command) {
     if (command.dynamic.value_or(false)) refuse_scaled_dynamics(session);
     if (command.default_joint_constitutive) {
         const auto number = static_cast<std::int32_t>(*command.default_joint_constitutive);
-        if (number != 1 && !session.model.joint_constitutive.contains(number))
-            throw Diagnostic(fmt::format("no joint model has the number jcons {}", number),
-                             "assign one by name: jmodel model NAME");
+        (void)joint_model_of_number(session.model, number); // says when there is none
         settings.default_joint_constitutive = number;
     }
     if (command.default_joint_material)

@@ -70,6 +70,7 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::Boundary>(session, handlers, InCycle::waits);
     add<lang::Apply>(session, handlers, InCycle::waits);
     add<lang::Initialize>(session, handlers, InCycle::runs);
+    add<lang::InSitu>(session, handlers, InCycle::waits);
     add<lang::Reset>(session, handlers, InCycle::waits);
 
     add<lang::TableCommand>(session, handlers, InCycle::runs);

@@ -57,6 +57,7 @@ void run(Session&, const lang::Gravity&);
 void run(Session&, const lang::Boundary&);
 void run(Session&, const lang::Apply&);
 void run(Session&, const lang::Initialize&);
+void run(Session&, const lang::InSitu&);
 void run(Session&, const lang::Reset&);
 
 // tables.cpp

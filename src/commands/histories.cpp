@@ -72,6 +72,12 @@ History& history_of(Session& session, std::int64_t number, const Place& place) {
 } // namespace
 
 void run(Session& session, const lang::HistoryAdd& command) {
+    const auto& all = session.model.histories.all;
+    const std::int64_t next = all.empty() ? 1 : all.back().number + 1;
+    if (command.number && *command.number != next)
+        session.warn(Diagnostic(fmt::format("this becomes history {}, not {}", next, *command.number),
+                                "histories are counted in the order in which they are made")
+                         .at(command.place));
     for (const auto& item : command.items) {
         try {
             add_history(session.model, source_of(session, item));

@@ -205,11 +205,7 @@ void run(Session& session, const lang::Change& command) {
     if (contacts.empty()) return;
     if (command.joint_constitutive) {
         const auto number = static_cast<std::int32_t>(*command.joint_constitutive);
-        const auto found = model.joint_constitutive.find(number);
-        if (found == model.joint_constitutive.end())
-            throw Diagnostic(fmt::format("no joint model has the number jcons {}", number),
-                             "assign one by name: jmodel model NAME");
-        assign_joint_model(model, session.joints, contacts, found->second, session.here());
+        assign_joint_model(model, session.joints, contacts, joint_model_of_number(model, number), session.here());
     }
     if (command.joint_material)
         change_joint_material(model, session.joints, contacts,

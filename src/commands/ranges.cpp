@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <fmt/format.h>
+#include <utility>
 
 namespace kaya {
 
@@ -19,6 +20,7 @@ struct Context {
     const NamedRanges& named;
     ObjectKind kind;
     double tolerance;
+    bool whole = false; ///< all corners of an object must lie inside
     std::vector<std::string> open; ///< named ranges that are being looked into, against circles
 };
 
@@ -34,16 +36,54 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// True when the block, or one of the two blocks of a contact, passes.
-template <class Passes> RangeTest on_blocks(Passes passes) {
-    return [passes](const Model& model, ObjectKind kind, Row row) {
+/// True when the block, or one of the two blocks of a contact, passes; or both of them.
+template <class Passes> RangeTest on_blocks(Passes passes, bool both = false) {
+    return [passes, both](const Model& model, ObjectKind kind, Row row) {
         if (!is_contact(kind)) return passes(model, block_of(model, kind, row));
         const Row contact = contact_of(model, kind, row);
-        return passes(model, model.contacts.block1[contact]) || passes(model, model.contacts.block2[contact]);
+        const bool one = passes(model, model.contacts.block1[contact]);
+        const bool two = passes(model, model.contacts.block2[contact]);
+        return both ? one && two : one || two;
     };
 }
 
-template <class Passes> RangeTest on_place(Passes passes) {
+/// Calls `passes` with the corners of an object, until one does not pass. What has no corners has its place.
+template <class Passes> bool all_corners(const Model& model, ObjectKind kind, Row row, Passes passes) {
+    const auto& position = model.gridpoints.position;
+    const auto all = [&](const auto& rows) {
+        return std::ranges::all_of(rows, [&](Row g) { return passes(position[g]); });
+    };
+    switch (kind) {
+    case ObjectKind::block: {
+        const Span span = model.blocks.gridpoints[row];
+        return std::all_of(&position[span.first], &position[span.first] + span.count, passes);
+    }
+    case ObjectKind::zone:
+        return all(model.zones.gridpoints[row]);
+    case ObjectKind::triangle:
+        return all(model.triangles.gridpoints[row]);
+    case ObjectKind::face: {
+        const Span span = model.faces.triangles[row];
+        for (Row t = span.first; t < span.end(); ++t)
+            if (!all(model.triangles.gridpoints[t])) return false;
+        return true;
+    }
+    case ObjectKind::contact: {
+        const Span span = model.contacts.sub_contacts[row];
+        for (Row s = span.first; s < span.end(); ++s)
+            if (!passes(model.sub_contacts.position[s])) return false;
+        return true;
+    }
+    case ObjectKind::gridpoint:
+    case ObjectKind::sub_contact:
+        break;
+    }
+    return passes(reference_point(model, kind, row));
+}
+
+template <class Passes> RangeTest on_place(const Context& context, Passes passes) {
+    if (context.whole)
+        return [passes](const Model& model, ObjectKind kind, Row row) { return all_corners(model, kind, row, passes); };
     return [passes](const Model& model, ObjectKind kind, Row row) {
         return passes(reference_point(model, kind, row));
     };
@@ -52,21 +92,21 @@ template <class Passes> RangeTest on_place(Passes passes) {
 RangeTest along_axis(const RangeElement& e, const Context& context, int axis) {
     const double low = std::min(e.low, e.high) - context.tolerance;
     const double high = std::max(e.low, e.high) + context.tolerance;
-    return on_place([=](const Vec3& p) { return p[axis] >= low && p[axis] <= high; });
+    return on_place(context, [=](const Vec3& p) { return p[axis] >= low && p[axis] <= high; });
 }
 
 RangeTest in_box(const RangeElement& e, const Context& context) {
     const Vec3 slack = Vec3::Constant(context.tolerance);
     const Vec3 low = e.centre.cwiseMin(e.end2) - slack, high = e.centre.cwiseMax(e.end2) + slack;
     return on_place(
-        [=](const Vec3& p) { return (p.array() >= low.array()).all() && (p.array() <= high.array()).all(); });
+        context, [=](const Vec3& p) { return (p.array() >= low.array()).all() && (p.array() <= high.array()).all(); });
 }
 
 RangeTest by_plane(const RangeElement& e, const Context& context) {
     const Vec3 normal = e.normal.normalized(), origin = e.centre;
     const double slack = context.tolerance, limit = e.distance + slack;
     const int side = e.side;
-    return on_place([=](const Vec3& p) {
+    return on_place(context, [=](const Vec3& p) {
         const double height = normal.dot(p - origin);
         if (side > 0) return height >= -slack;
         if (side < 0) return height <= slack;
@@ -77,7 +117,7 @@ RangeTest by_plane(const RangeElement& e, const Context& context) {
 RangeTest in_sphere(const RangeElement& e, const Context& context) {
     const Vec3 centre = e.centre;
     const double inner = e.radius1 - context.tolerance, outer = e.radius2 + context.tolerance;
-    return on_place([=](const Vec3& p) {
+    return on_place(context, [=](const Vec3& p) {
         const double distance = (p - centre).norm();
         return distance >= inner && distance <= outer;
     });
@@ -91,28 +131,29 @@ RangeTest in_cylinder(const RangeElement& e, const Context& context) {
     const Vec3 axis = (e.end2 - e.centre) / length;
     const double inner = e.radius1 - context.tolerance, outer = e.radius2 + context.tolerance,
                  slack = context.tolerance;
-    return on_place([=](const Vec3& p) {
+    return on_place(context, [=](const Vec3& p) {
         const double along = axis.dot(p - end1);
         const double distance = (p - end1 - along * axis).norm();
         return along >= -slack && along <= length + slack && distance >= inner && distance <= outer;
     });
 }
 
-RangeTest in_group(const RangeElement& e, const Context& context) {
+std::int32_t group_number(const RangeElement& e, const std::string& name, const Context& context) {
     const auto& names = context.model.group_names;
-    const std::string wanted = lower(e.name);
-    for (std::size_t i = 1; i < names.size(); ++i) {
-        if (lower(names[i]) != wanted) continue;
-        const auto group = static_cast<std::int32_t>(i);
-        return on_blocks(
-            [group](const Model& model, Row block) { return model.blocks.group[block] == group; });
-    }
+    const std::string wanted = lower(name);
+    for (std::size_t i = 1; i < names.size(); ++i)
+        if (lower(names[i]) == wanted) return static_cast<std::int32_t>(i);
     const std::vector<std::string_view> known(names.begin() + 1, names.end());
-    const auto near = did_you_mean(e.name, known);
+    const auto near = did_you_mean(name, known);
     std::string hint = known.empty()  ? "no group has been made yet"
                        : near.empty() ? fmt::format("groups are: {}", fmt::join(known, ", "))
                                       : fmt::format("did you mean '{}'?", near);
-    throw Diagnostic(fmt::format("there is no group '{}'", e.name), std::move(hint)).at(e.place);
+    throw Diagnostic(fmt::format("there is no group '{}'", name), std::move(hint)).at(e.place);
+}
+
+RangeTest in_group(const RangeElement& e, const Context& context) {
+    const auto group = group_number(e, e.name, context);
+    return on_blocks([group](const Model& model, Row block) { return model.blocks.group[block] == group; }, e.both);
 }
 
 /// Numbers of blocks: the column is picked by `column`.
@@ -126,12 +167,11 @@ RangeTest by_block_number(const RangeElement& e, Column<std::int32_t> Blocks::*c
 
 /// Contacts between a block of one number and a block of the other.
 RangeTest between(const RangeElement& e, const Context& context, const char* word,
-                  Column<std::int32_t> Blocks::*column) {
+                  Column<std::int32_t> Blocks::*column, double a, double b) {
     if (!is_contact(context.kind))
         throw Diagnostic(
             fmt::format("'{}' picks contacts, but this command acts on {}", word, plural_of(context.kind)))
             .at(e.place);
-    const double a = e.low, b = e.high;
     return [=](const Model& model, ObjectKind kind, Row row) {
         const Row contact = contact_of(model, kind, row);
         const double one = (model.blocks.*column)[model.contacts.block1[contact]];
@@ -151,6 +191,25 @@ RangeTest by_joint_material(const RangeElement& e, const Context& context) {
         const double number = model.contacts.material[contact_of(model, kind, row)];
         return number >= low && number <= high;
     };
+}
+
+RangeTest by_joint_model(const RangeElement& e, const Context& context) {
+    if (!is_contact(context.kind))
+        throw Diagnostic(
+            fmt::format("'jmodel' picks contacts, but this command acts on {}", plural_of(context.kind)))
+            .at(e.place);
+    return [name = lower(e.name)](const Model& model, ObjectKind kind, Row row) {
+        const Row set = model.contacts.properties[contact_of(model, kind, row)];
+        return set != no_row && lower(model.joint_properties[set].model) == name;
+    };
+}
+
+RangeTest by_volume(const RangeElement& e) {
+    // As wide as two numbers that were meant to be the same are apart.
+    const double low = e.low * (1 - 1e-6), high = e.high * (1 + 1e-6);
+    return on_blocks([=](const Model& model, Row block) {
+        return model.blocks.volume[block] >= low && model.blocks.volume[block] <= high;
+    });
 }
 
 RangeTest by_joint_set(const RangeElement& e, const Context& context) {
@@ -195,6 +254,14 @@ RangeTest by_id(const RangeElement& e) {
     return [=](const Model& model, ObjectKind kind, Row row) {
         const double number = number_of(model, kind, row);
         return number >= low && number <= high;
+    };
+}
+
+RangeTest by_id_list(const RangeElement& e) {
+    std::vector<double> numbers(e.numbers.begin(), e.numbers.end());
+    std::ranges::sort(numbers);
+    return [numbers](const Model& model, ObjectKind kind, Row row) {
+        return std::ranges::binary_search(numbers, number_of(model, kind, row));
     };
 }
 
@@ -253,9 +320,22 @@ RangeTest element_test(const RangeElement& e, Context& context) {
     case Kind::id:
         return by_id(e);
     case Kind::material_intersection:
-        return between(e, context, "mintersection", &Blocks::material);
+        return between(e, context, "mintersection", &Blocks::material, e.low, e.high);
     case Kind::region_intersection:
-        return between(e, context, "rintersection", &Blocks::region);
+        return between(e, context, "rintersection", &Blocks::region, e.low, e.high);
+    case Kind::group_intersection:
+        return between(e, context, "gintersection", &Blocks::group, group_number(e, e.name, context),
+                       group_number(e, e.second_name, context));
+    case Kind::joint_model:
+        return by_joint_model(e, context);
+    case Kind::volume:
+        return by_volume(e);
+    case Kind::deformable:
+        return on_blocks([](const Model& model, Row block) { return model.blocks.deformable[block] != 0; });
+    case Kind::visible:
+        return on_blocks([](const Model& model, Row block) { return model.blocks.hidden[block] == 0; });
+    case Kind::id_list:
+        return by_id_list(e);
     case Kind::named:
         return by_name(e, context);
     }
@@ -263,9 +343,11 @@ RangeTest element_test(const RangeElement& e, Context& context) {
 }
 
 RangeTest phrase_test(const lang::RangePhrase& phrase, Context& context) {
+    const bool whole_outside = std::exchange(context.whole, context.whole || phrase.whole);
     std::vector<std::pair<RangeTest, bool>> tests;
     for (const auto& element : phrase.elements)
         tests.emplace_back(element_test(element, context), element.negated);
+    context.whole = whole_outside;
     if (phrase.any)
         return [tests](const Model& model, ObjectKind kind, Row row) {
             return std::ranges::any_of(tests,
@@ -282,7 +364,7 @@ RangeTest phrase_test(const lang::RangePhrase& phrase, Context& context) {
 RangeTest range_test(const Model& model, const NamedRanges& named, const lang::RangePhrase& phrase,
                      ObjectKind kind) {
     if (phrase.elements.empty()) return {};
-    Context context{model, named, kind, 1e-6 * model_size(model), {}};
+    Context context{model, named, kind, 1e-6 * model_size(model), false, {}};
     return phrase_test(phrase, context);
 }
 

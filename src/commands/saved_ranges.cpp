@@ -22,9 +22,11 @@ template <class Element, class Visit> void visit_numbers(Element& e, Visit visit
 }
 
 std::string element_text(const RangeElement& e) {
-    std::string text = fmt::format("{} {} {}", static_cast<int>(e.kind), e.side, e.negated ? 1 : 0);
+    std::string text = fmt::format("{} {} {} {}", static_cast<int>(e.kind), e.side, e.negated ? 1 : 0, e.both ? 1 : 0);
     visit_numbers(e, [&](double value) { text += fmt::format(" {:a}", value); });
-    return text + fmt::format(" {} {}\n", e.name.size(), e.name);
+    text += fmt::format(" {}", e.numbers.size());
+    for (const auto number : e.numbers) text += fmt::format(" {}", number);
+    return text + fmt::format(" {} {} {} {}\n", e.name.size(), e.name, e.second_name.size(), e.second_name);
 }
 
 [[noreturn]] void refuse() {
@@ -54,13 +56,20 @@ std::string read_name(std::istream& stream) {
 
 RangeElement read_element(std::istream& stream) {
     RangeElement e;
-    int kind = -1, negated = 0;
-    stream >> kind >> e.side >> negated;
-    if (!stream || kind < 0 || kind > static_cast<int>(RangeElement::Kind::named)) refuse();
+    int kind = -1, negated = 0, both = 0;
+    stream >> kind >> e.side >> negated >> both;
+    if (!stream || kind < 0 || kind > static_cast<int>(RangeElement::Kind::id_list)) refuse();
     e.kind = static_cast<RangeElement::Kind>(kind);
     e.negated = negated != 0;
+    e.both = both != 0;
     visit_numbers(e, [&](double& value) { value = read_number(stream); });
+    std::size_t count = 0;
+    stream >> count;
+    if (!stream || count > 1 << 20) refuse();
+    e.numbers.resize(count);
+    for (auto& number : e.numbers) stream >> number;
     e.name = read_name(stream);
+    e.second_name = read_name(stream);
     return e;
 }
 
@@ -69,7 +78,7 @@ RangeElement read_element(std::istream& stream) {
 std::string ranges_text(const NamedRanges& ranges) {
     std::string text = fmt::format("{}\n", ranges.size());
     for (const auto& [name, phrase] : ranges) {
-        text += fmt::format("{} {} {} {}\n", phrase.elements.size(), phrase.any ? 1 : 0, name.size(), name);
+        text += fmt::format("{} {} {} {} {}\n", phrase.elements.size(), phrase.any ? 1 : 0, phrase.whole ? 1 : 0, name.size(), name);
         for (const auto& element : phrase.elements) text += element_text(element);
     }
     return text;
@@ -83,11 +92,12 @@ NamedRanges ranges_from_text(const std::string& text) {
     NamedRanges ranges;
     for (std::size_t i = 0; i < count; ++i) {
         std::size_t elements = 0;
-        int any = 0;
-        stream >> elements >> any;
+        int any = 0, whole = 0;
+        stream >> elements >> any >> whole;
         if (!stream) refuse();
         lang::RangePhrase phrase;
         phrase.any = any != 0;
+        phrase.whole = whole != 0;
         const std::string name = read_name(stream);
         for (std::size_t k = 0; k < elements; ++k) phrase.elements.push_back(read_element(stream));
         ranges[name] = std::move(phrase);

@@ -213,6 +213,18 @@ void initialize_velocity(Model& model, const Bodies& bodies, int component, doub
         });
 }
 
+void initialize_displacement(Model& model, const Bodies& bodies, int axis, double value) {
+    auto& points = model.gridpoints;
+    each_body(
+        model, bodies, axis,
+        [&](Row b) {
+            model.blocks.displacement[b][axis] = value;
+            const Span span = model.blocks.gridpoints[b];
+            for (Row g = span.first; g < span.end(); ++g) points.displacement[g][axis] = value;
+        },
+        [&](Row g) { points.displacement[g][axis] = value; });
+}
+
 void add_load(Model& model, const std::vector<Row>& gridpoints, int axis, double value, std::int32_t function) {
     LoadSums sums(model, function);
     for (const Row g : gridpoints) sums.at_gridpoint(g, axis, value);

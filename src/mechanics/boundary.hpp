@@ -37,6 +37,9 @@ void release_velocity(Model& model, const Bodies& bodies, int component);
 /// Throws Diagnostic for the rotation of a block whose density is not known.
 void initialize_velocity(Model& model, const Bodies& bodies, int component, double value);
 
+/// Sets the displacement that is counted from now on; nothing moves.
+void initialize_displacement(Model& model, const Bodies& bodies, int axis, double value);
+
 /// Adds a force to every gridpoint given; of a rigid block's vertex to the block, with its moment.
 void add_load(Model& model, const std::vector<Row>& gridpoints, int axis, double value,
               std::int32_t function = constant_in_time);

@@ -6,6 +6,7 @@
 #include "mechanics/property_sets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <map>
 #ifdef __GLIBC__
@@ -74,6 +75,9 @@ void check(const JointModel& joint, const std::vector<double>& values) {
     if (!complaint.empty()) throw Diagnostic(fmt::format("joint model '{}': {}", joint.name, complaint));
 }
 
+/// Classic constitutive numbers of contacts. What others mean is not certain; a wrong guess would run unnoticed.
+constexpr std::array<std::pair<std::int32_t, const char*>, 2> numbered_models{{{1, "mohr"}, {7, "elastic"}}};
+
 void initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts);
 
 /// A search of all contacts takes much for a moment, and the columns made meanwhile stand behind it on the heap.
@@ -85,9 +89,17 @@ void give_back_memory() {
 
 } // namespace
 
+std::string joint_model_of_number(const Model& model, std::int32_t number) {
+    const auto given = model.joint_constitutive.find(number);
+    if (given != model.joint_constitutive.end()) return given->second;
+    for (const auto& [known, name] : numbered_models)
+        if (known == number) return name;
+    throw Diagnostic(fmt::format("no joint model has the number jcons {}", number),
+                     "1 is mohr and 7 is elastic; others are assigned by name: jmodel model NAME");
+}
+
 std::string default_joint_model(const Model& model) {
-    const auto found = model.joint_constitutive.find(model.settings.default_joint_constitutive);
-    return found == model.joint_constitutive.end() ? "mohr" : found->second;
+    return joint_model_of_number(model, model.settings.default_joint_constitutive);
 }
 
 Row property_set(Model& model, JointRegistry& joints, const std::string& name, std::int32_t material,

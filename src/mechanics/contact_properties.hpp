@@ -35,4 +35,8 @@ void set_joint_material(Model& model, JointRegistry& joints, std::int32_t materi
 void change_joint_material(Model& model, JointRegistry& joints, const std::vector<Row>& contacts,
                            std::int32_t material, const std::string& place);
 
+/// The joint model that a constitutive number (`change jcons n`) stands for. Throws Diagnostic for a number that
+/// stands for none.
+std::string joint_model_of_number(const Model& model, std::int32_t number);
+
 } // namespace kaya

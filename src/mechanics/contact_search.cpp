@@ -42,7 +42,7 @@ double reach(const Model& model, const std::vector<double>& way, Row b1, Row b2,
         const auto& s = model.sub_contacts;
         const Span span = model.contacts.sub_contacts[contact];
         for (Row row = span.first; row < span.end(); ++row) {
-            if (s.normal_force[row] == 0) continue;
+            if (s.normal_force[row] == 0 || !s.side1[row].attached() || !s.side2[row].attached()) continue;
             const Vec3 between = attached_position(model, s.side2[row]) - attached_position(model, s.side1[row]);
             gap = std::max(gap, between.dot(model.contacts.normal[contact]));
         }

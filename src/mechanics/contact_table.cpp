@@ -133,9 +133,11 @@ void write_sub_contact(Model& model, Row s, const TouchPoint& point, const Vec3&
         const Vec3 shear = subs.shear_force[s];
         subs.shear_force.set(s, scale * (shear - shear.dot(n) * n));
         // The joint is opener or closer here than where the old one was: its law is told.
-        const double old_gap =
-            n.dot(attached_position(model, subs.side2[s]) - attached_position(model, subs.side1[s]));
-        const double more = point.gap - old_gap;
+        // Where the old one was is not known when its block got another shape meanwhile.
+        const bool known = subs.side1[s].attached() && subs.side2[s].attached();
+        const double more =
+            known ? point.gap - n.dot(attached_position(model, subs.side2[s]) - attached_position(model, subs.side1[s]))
+                  : 0;
         if (std::abs(more) > same_gap * std::sqrt(area)) {
             changes.moved[s] = 1;
             subs.normal_displacement_increment[s] = more;

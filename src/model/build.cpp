@@ -82,6 +82,29 @@ void give_zones(Model& model, Row block, const Polyhedron& shape, const TetMesh&
     model.structure_changed = model.properties_changed = true;
 }
 
+namespace {
+
+/// Contacts are told where the gridpoints and faces went on which they lie. A side that lost one of its gridpoints,
+/// because its block got another shape, is attached nowhere until its geometry is made anew.
+void rename_in_contacts(Model& model, const std::vector<Row>& gridpoint_of, const std::vector<Row>& face_of) {
+    const auto rename = [](Row& row, const std::vector<Row>& renamed) {
+        if (row != no_row) row = renamed[row];
+    };
+    for (auto* column : {&model.contacts.face1, &model.contacts.face2})
+        for (Row& face : *column) rename(face, face_of);
+    for (auto* column : {&model.sub_contacts.side1, &model.sub_contacts.side2})
+        for (Attachment& side : *column) {
+            bool lost = false;
+            for (std::size_t k = 0; k < side.gridpoints.size(); ++k) {
+                rename(side.gridpoints[k], gridpoint_of);
+                lost = lost || (side.weights[k] != 0 && side.gridpoints[k] == no_row);
+            }
+            if (lost) side = Attachment{};
+        }
+}
+
+} // namespace
+
 void put_in_block_order(Model& model) {
     auto& blocks = model.blocks;
     std::vector<Row> gridpoints, faces, triangles, zones;
@@ -106,6 +129,7 @@ void put_in_block_order(Model& model) {
     model.faces.gather(faces);
     model.triangles.gather(triangles);
     model.zones.gather(zones);
+    rename_in_contacts(model, gridpoint_of, face_of);
 
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         const Row row = static_cast<Row>(b);

@@ -74,6 +74,9 @@ public:
 struct Attachment {
     std::array<Row, 3> gridpoints{no_row, no_row, no_row};
     std::array<double, 3> weights{0, 0, 0};
+
+    /// False when its block got another shape and the contact has not been looked at since.
+    bool attached() const { return gridpoints[0] != no_row; }
 };
 
 class SubContacts : public Table<SubContacts> {

@@ -50,6 +50,7 @@ std::optional<std::string> behind(std::string_view line, std::string_view mark) 
     if (!line.starts_with(mark)) return std::nullopt;
     line.remove_prefix(mark.size());
     if (!line.empty() && line.front() == ' ') line.remove_prefix(1);
+    if (line.ends_with('\r')) line.remove_suffix(1);
     return std::string(line);
 }
 
@@ -181,7 +182,8 @@ Outcome run(const fs::path& program, const fs::path& deck, const Expected& expec
 }
 
 /// Lines of output by the line of the command that printed them, from the echo "name.3dd:12> ...".
-/// What a called file or a script prints belongs to the command of this deck that runs it.
+/// What a called file or a function prints belongs to the command of this deck that runs it: the lines of a function
+/// stand above that command.
 struct Printed {
     int line;
     Lines text;
@@ -194,10 +196,13 @@ std::vector<Printed> split(const Lines& output, const std::string& name) {
         const auto colon = line.find(':');
         const bool echo = mark != std::string::npos && colon != std::string::npos && colon < mark &&
                           line.find_first_not_of("0123456789", colon + 1) == mark;
-        if (!echo)
+        if (!echo) {
             printed.back().text.push_back(line);
-        else if (line.compare(0, colon, name) == 0)
-            printed.push_back({std::stoi(line.substr(colon + 1)), {}});
+            continue;
+        }
+        if (line.compare(0, colon, name) != 0) continue;
+        const int number = std::stoi(line.substr(colon + 1));
+        if (number > printed.back().line) printed.push_back({number, {}});
     }
     return printed;
 }
@@ -214,28 +219,56 @@ private:
     bool failed_ = false;
 };
 
+/// One row of a comparison: either side may be missing.
+struct Row {
+    const std::string *expected = nullptr, *printed = nullptr;
+    bool equal() const { return expected && printed && matches(*expected, *printed); }
+};
+
+/// Lines that belong together stand in one row: the longest common part of both lists decides.
+std::vector<Row> side_by_side(const Lines& expected, const Lines& printed) {
+    const std::size_t n = expected.size(), m = printed.size();
+    std::vector<std::vector<std::size_t>> common(n + 1, std::vector<std::size_t>(m + 1, 0));
+    for (std::size_t i = n; i-- > 0;)
+        for (std::size_t j = m; j-- > 0;)
+            common[i][j] = matches(expected[i], printed[j]) ? common[i + 1][j + 1] + 1
+                                                            : std::max(common[i + 1][j], common[i][j + 1]);
+    std::vector<Row> rows;
+    std::size_t i = 0, j = 0;
+    while (i < n || j < m) {
+        if (i < n && j < m && (matches(expected[i], printed[j]) || common[i + 1][j + 1] == common[i][j]))
+            rows.push_back({&expected[i++], &printed[j++]});
+        else if (j < m && (i == n || common[i][j + 1] == common[i][j]))
+            rows.push_back({nullptr, &printed[j++]});
+        else rows.push_back({&expected[i++], nullptr});
+    }
+    return rows;
+}
+
+/// The rows of one command in two columns; `!` marks those that differ.
+std::string shown(int line, const std::vector<Row>& rows) {
+    std::size_t width = 8;
+    for (const auto& row : rows)
+        if (row.expected) width = std::max(width, row.expected->size());
+    const auto padded = [width](const std::string& text) { return text + std::string(width - text.size(), ' '); };
+    std::string text = "line " + std::to_string(line) + "\n    " + padded("expected") + " | printed\n";
+    for (const auto& row : rows)
+        text += std::string(row.equal() ? "    " : "  ! ") + padded(row.expected ? *row.expected : "") + " | " +
+                (row.printed ? *row.printed : "") + "\n";
+    return text;
+}
+
 void compare_printed(Comparison& comparison, const Expected& expected, const std::vector<Printed>& printed) {
-    std::vector<std::pair<int, std::string>> wanted;
-    for (const auto& [line, texts] : expected.printed)
-        for (const auto& text : texts) wanted.emplace_back(line, text);
-    std::size_t next = 0;
+    auto wanted = expected.printed.begin();
     for (std::size_t i = 0; i < printed.size(); ++i) {
         const int until = i + 1 < printed.size() ? printed[i + 1].line : 1 << 30;
-        for (const auto& text : printed[i].text) {
-            const bool here = next < wanted.size() && wanted[next].first > printed[i].line &&
-                              (wanted[next].first < until || until < printed[i].line);
-            if (here && matches(wanted[next].second, text)) {
-                ++next;
-                continue;
-            }
-            comparison.fail("line " + std::to_string(printed[i].line) + " prints\n    " + text +
-                            "\n  but expected is\n    " + (here ? wanted[next].second : "nothing"));
-            if (here) ++next;
-        }
+        Lines lines;
+        for (; wanted != expected.printed.end() && wanted->first < until; ++wanted)
+            lines.insert(lines.end(), wanted->second.begin(), wanted->second.end());
+        const auto rows = side_by_side(lines, printed[i].text);
+        if (std::ranges::any_of(rows, [](const Row& row) { return !row.equal(); }))
+            comparison.fail(shown(printed[i].line, rows));
     }
-    for (; next < wanted.size(); ++next)
-        comparison.fail("line " + std::to_string(wanted[next].first) + ": not printed\n    " +
-                        wanted[next].second);
 }
 
 void compare_messages(Comparison& comparison, const Expected& expected, const Lines& messages,
@@ -299,22 +332,21 @@ void bless(const fs::path& file, const Lines& deck, const Expected& expected,
            const std::vector<Printed>& printed) {
     std::map<int, Lines> behind_line;
     for (std::size_t i = 0; i < printed.size(); ++i) {
-        const int until = i + 1 < printed.size() && printed[i + 1].line > printed[i].line
-                              ? printed[i + 1].line
-                              : static_cast<int>(deck.size()) + 1;
+        const int until = i + 1 < printed.size() ? printed[i + 1].line : static_cast<int>(deck.size()) + 1;
         int last = printed[i].line;
         for (int line = printed[i].line + 1; line < until; ++line) {
-            const auto first = deck[line - 1].find_first_not_of(" \t");
+            const auto first = deck[line - 1].find_first_not_of(" \t\r");
             if (first != std::string::npos && deck[line - 1][first] != ';') last = line;
         }
-        auto& lines = behind_line[last];
+        auto& lines = behind_line[printed[i].line == 0 ? 0 : last];
         lines.insert(lines.end(), printed[i].text.begin(), printed[i].text.end());
     }
-    std::ofstream stream(file);
-    for (std::size_t i = 0; i < deck.size(); ++i) {
-        if (!behind(deck[i], ";>")) stream << deck[i] << '\n';
-        for (const auto& text : behind_line[static_cast<int>(i) + 1])
-            stream << ";> " << kept_pattern(expected, text) << '\n';
+    const std::string ending = !deck.empty() && deck.front().ends_with('\r') ? "\r\n" : "\n";
+    std::ofstream stream(file, std::ios::binary);
+    for (std::size_t i = 0; i <= deck.size(); ++i) {
+        if (i > 0 && !behind(deck[i - 1], ";>")) stream << deck[i - 1] << '\n';
+        for (const auto& text : behind_line[static_cast<int>(i)])
+            stream << ";> " << kept_pattern(expected, text) << ending;
     }
 }
 

@@ -1,0 +1,61 @@
+// Commands of 3DEC that kaya knows by name only: a deck that uses one gets told so, with its line.
+#include "lang/commands/builder.hpp"
+#include "lang/commands/language.hpp"
+
+namespace kaya::lang {
+
+namespace {
+
+struct Known {
+    std::vector<Spelling> words, form;
+    const char* about;
+};
+
+/// Of `generate` and `group` the forms that are missing; of the others the whole command.
+const std::vector<Known>& known() {
+    static const std::vector<Known> commands = {
+        {{"generate"}, {"quad", "hexahedra"}, "zones with eight corners"},
+        {{"generate"}, {"center"}, "zones whose size varies"},
+        {{"generate"}, {"grade"}, "zones whose size varies"},
+        {{"generate"}, {"fix"}, "zones whose size varies"},
+        {{"group"}, {"face"}, "groups of faces"},
+        {{"group"}, {"joint"}, "groups of joints"},
+        {{"group"}, {"zone"}, "groups of zones"},
+        {{"history"}, {"delete"}, "taking single histories out: reset hist takes out all"},
+        {{"copy"}, {}, "copies of blocks"},
+        {{"fill"}, {}, "putting excavated blocks back"},
+        {{"pfix"}, {}, "a pore pressure that is held"},
+        {{"pfree"}, {}, "a pore pressure that is held"},
+        {{"ffield"}, {}, "free fields at the sides of a model"},
+        {{"feblock", Spelling{"feb", 3}}, {}, "blocks of finite elements"},
+        {{"structure", Spelling{"struct", 4}}, {}, "cables, beams and liners"},
+        {{"thermal"}, {}, "heat"},
+        {{"gwater", Spelling{"gw", 2}}, {}, "flow of water"},
+        {{"flow", "fluid"}, {}, "flow in joints"},
+        {{"fknot", "knot", "flowknot"}, {}, "flow in joints"},
+        {{"flowplane", "fplane"}, {}, "flow in joints"},
+        {{"creep"}, {}, "creep"},
+        {{"dfn", "fracture"}, {}, "networks of fractures"},
+        {{"geometry"}, {}, "surfaces as objects of their own"},
+        {{Spelling{"zone", 4}}, {}, "zone models with a name; the zones of now are elastic"},
+        {{"topography"}, {}, "stresses below a hilly surface"},
+        {{"factor", "fos"}, {}, "factors of safety by reducing the strength"},
+        {{"pstress", "prestress"}, {}, "prestress"},
+    };
+    return commands;
+}
+
+} // namespace
+
+Family not_supported_yet() {
+    Family family{"not supported yet", "known by name; a deck that uses them is told so", {}};
+    struct Nothing {};
+    for (const auto& command : known()) {
+        Entry<Nothing> entry(command.words, command.form);
+        entry.help(command.about).support(Support::not_yet);
+        family.commands.push_back(entry);
+    }
+    return family;
+}
+
+} // namespace kaya::lang

@@ -1,0 +1,42 @@
+// `kaya check`: what would become of each statement of a deck, without running it.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// What becomes of a statement.
+enum class Outlook {
+    runs,
+    ignored,       ///< it, or one of its words, is read and without effect
+    not_supported, ///< known, and not supported yet
+    unknown,       ///< a word that is in no table
+    wrong          ///< any other mistake
+};
+
+/// One statement that does not simply run.
+struct ReportLine {
+    std::string file; ///< as the deck or the call names it
+    int line = 0, column = 0;
+    Outlook outlook = Outlook::runs;
+    std::string text; ///< what is ignored, or the message
+    std::string hint;
+};
+
+struct DeckReport {
+    std::vector<ReportLine> lines; ///< files in the order of their first call, lines ascending
+    std::size_t statements = 0;    ///< of all files, those inside FISH functions too
+    std::size_t count(Outlook outlook) const; ///< of lines
+    bool can_run() const;
+    /// "deck.3dd:12:5: not supported yet: ...", one for each line, and the counts.
+    std::string text(const std::string& deck) const;
+};
+
+/// Reads a deck, the files that it calls, and the bodies of its FISH functions. Throws Diagnostic when the deck
+/// itself cannot be read.
+DeckReport check_deck(const std::string& deck, const std::vector<std::filesystem::path>& folders);
+
+} // namespace kaya

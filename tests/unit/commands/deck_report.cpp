@@ -1,0 +1,130 @@
+// kaya check, and that the decks of the tests use every command.
+#include "commands/deck_report.hpp"
+
+#include "commands/session.hpp"
+#include "lang/commands/commands.hpp"
+#include "lang/commands/language.hpp"
+#include "lang/fish/inner_commands.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace kaya {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A folder with decks that goes away.
+class DeckReportTest : public testing::Test {
+protected:
+    DeckReportTest() {
+        std::string name = (fs::temp_directory_path() / "kaya-report-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
+        folder_ = name;
+    }
+    ~DeckReportTest() override {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+    void write(const char* name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+    DeckReport report(const char* name) { return check_deck(name, {folder_}); }
+
+private:
+    fs::path folder_;
+};
+
+TEST_F(DeckReportTest, ADeckThatRunsHasNoLines) {
+    write("a.3dd", "poly brick 0 1\ndef f\n  f = 1\nend\nprint @f\n");
+    const DeckReport found = report("a.3dd");
+    EXPECT_TRUE(found.lines.empty());
+    EXPECT_TRUE(found.can_run());
+    EXPECT_EQ(found.text("a.3dd"), "a.3dd: 3 statements: 3 run");
+}
+
+TEST_F(DeckReportTest, EachKindOfLineIsNamed) {
+    write("a.3dd", "poly brick 0 1\nplot hist 1 &\n  hold\nset pagination off dyn on\nstruct cable 1 2\n"
+                   "bound xvisc range x 0\ngen egde 1\ncycle 1.5\nhide range jgroup a\ncycle 1\n");
+    const DeckReport found = report("a.3dd");
+    EXPECT_EQ(found.text("a.3dd"),
+              "a.3dd:2:1: ignored: plot hist 1 hold\n"
+              "a.3dd:4:1: ignored: set pagination\n"
+              "a.3dd:5:1: not supported yet: 'structure' is known, but kaya does not support it yet; it is about "
+              "cables, beams and liners\n"
+              "a.3dd:6:7: not supported yet: 'boundary xviscous' is known, but kaya does not support it yet; it is "
+              "about quiet boundaries, which swallow waves\n"
+              "a.3dd:7:5: unknown: 'egde' is not a kind of generate; did you mean 'edge'?\n"
+              "a.3dd:8:7: wrong: cycle takes a whole number, not 1.5; write it without a point or an exponent\n"
+              "a.3dd:9:12: not supported yet: 'jgroup' is known, but kaya does not support it yet; it is about groups "
+              "of contacts\n"
+              "a.3dd: 9 statements: 2 run, 2 ignored, 3 not supported yet, 1 unknown, 1 wrong");
+    EXPECT_FALSE(found.can_run());
+}
+
+TEST_F(DeckReportTest, CalledFilesAndCommandsInsideFunctionsAreLookedAt) {
+    write("a.3dd", "call b\ndef f\n  loop i (1, 2)\n    if i = 1\n      command\n        gen egde 1\n"
+                   "        poly brick [i] @j\n        save [name].sav\n      endcommand\n    endif\n  endloop\nend\n");
+    write("b.3dd", "bound xvle 1\n");
+    const DeckReport found = report("a.3dd");
+    EXPECT_EQ(found.text("a.3dd"),
+              "a.3dd:6:13: unknown: 'egde' is not a kind of generate; did you mean 'edge'?\n"
+              "b:1:7: unknown: 'xvle' is not a keyword of boundary; did you mean 'xvel'?\n"
+              "a.3dd: 6 statements: 4 run, 2 unknown");
+}
+
+TEST_F(DeckReportTest, AFunctionThatDoesNotCompileIsWrong) {
+    write("a.3dd", "def f\n  f = (1\nend\n");
+    const DeckReport found = report("a.3dd");
+    ASSERT_EQ(found.lines.size(), 1u);
+    EXPECT_EQ(found.lines[0].outlook, Outlook::wrong);
+    EXPECT_EQ(found.lines[0].line, 2);
+}
+
+TEST_F(DeckReportTest, AllMistakesOfALongDeckAreCounted) {
+    std::string text;
+    for (int i = 0; i < 100; ++i) text += "gen egde 1\n";
+    write("a.3dd", text);
+    EXPECT_EQ(report("a.3dd").count(Outlook::unknown), 100u);
+}
+
+TEST_F(DeckReportTest, ADeckThatIsNotThereIsAMistake) { EXPECT_THROW(report("none.3dd"), Diagnostic); }
+
+/// Names of the commands that a file binds to, those inside of functions and of called files too.
+void gather(const lang::BoundFile& file, std::set<std::string>& names) {
+    for (const auto& step : file.steps) {
+        names.insert(step.command.spec->name());
+        if (step.called) gather(*step.called, names);
+        const auto* definition = std::any_cast<lang::FishDefinition>(&step.command.command);
+        if (definition == nullptr) continue;
+        const auto function = fish::read_function(definition->text, definition->place);
+        for (const auto& inner : fish::inner_commands(function)) {
+            lang::Lexer lexer(definition->place.source, inner.line);
+            lang::Statement words;
+            if (!inner.glued && lexer.next(words))
+                names.insert(lang::bind_statement(lang::classic(), words).spec->name());
+        }
+    }
+}
+
+TEST(Decks, UseEveryCommand) {
+    std::set<std::string> used;
+    for (const auto& entry : fs::directory_iterator(KAYA_DECKS)) {
+        if (entry.path().extension() != ".3dd") continue;
+        const lang::ReadDeck deck = lang::read_deck(lang::classic(), entry.path().string(),
+                                                    {KAYA_DECKS, fs::path(KAYA_DECKS) / "parts"});
+        gather(*deck.file, used);
+    }
+    for (const auto& family : lang::classic().families)
+        for (const auto& command : family.commands)
+            if (command.support != lang::Support::not_yet) {
+                EXPECT_TRUE(used.contains(command.name())) << "no deck of tests/decks uses " << command.name();
+            }
+}
+
+} // namespace
+} // namespace kaya

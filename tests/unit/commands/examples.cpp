@@ -1,0 +1,159 @@
+// Every right example of the command tables runs, in a small model that has what the examples speak of.
+#include "commands/session.hpp"
+#include "lang/commands/language.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <functional>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace kaya {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Seven bricks with groups, materials, tables, histories, functions and variables of FISH.
+constexpr const char* setting = R"(
+poly brick 0 1 0 1 0 1 region 1 mat 1
+poly brick 1 2 0 1 0 1 region 2 mat 2
+poly brick 0 1 0 1 1 2 region 3
+poly brick 0 2 0 1 -1 0 region 4
+poly brick 50 51 0 1 0 1 region 5
+poly brick 52 53 0 1 0 1 region 6
+poly brick 54 55 0 1 0 1 region 7
+group block ball range region 5
+group block block range region 6
+group block tunnel range region 7
+group block wall range region 1
+group block roof range region 3
+group block column range region 4
+group block arch range region 2
+range name nothing x 5
+range name top z 0.9 1.1
+range name bottom z -1 0
+prop mat 1 dens 2000 k 1e9 g 1e9
+prop mat 2 dens 2000 k 1e9 g 1e9
+prop jmat 1 jkn 1e9 jks 1e9 jfric 30
+prop jmat 2 jkn 1e9 jks 1e9 jfric 30
+prop jmat 3 jkn 1e9 jks 1e9 jfric 30
+fix region 4
+table 1 0 0 1 1
+table 3 0 0 1 1
+def f
+  f = 1.0
+end
+def sstav
+  sstav = 1.0
+end
+def build_wall
+  built = 1
+end
+def place(i, j)
+  place = i + j
+end
+def wave
+  wave = 1.0
+end
+def set_all
+  n = 2
+  v = 0.0
+  x = 1
+  nstav = 0.0
+  load = 0.0
+  size = 1.0
+  name = 'part'
+  g = vector(0,0,-10)
+  stiffness = 2.0
+  a = vector(10,0,0)
+  b = vector(11,0,0)
+  c = vector(10,1,0)
+  d = vector(10,0,1)
+  v1 = vector(20,0,0)
+  v2 = vector(21,0,0)
+  v3 = vector(20,0,1)
+  w1 = vector(20,1,0)
+  w2 = vector(21,1,0)
+  w3 = vector(20,1,1)
+end
+@set_all
+hist xdis 0 0 1 unbal time zdis 0 0 1 ydis 0 0 1
+)";
+
+class ExamplesTest : public testing::Test {
+protected:
+    ExamplesTest() : before_(fs::current_path()) {
+        std::string name = (fs::temp_directory_path() / "kaya-examples-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
+        folder_ = name;
+        fs::current_path(folder_);
+    }
+    ~ExamplesTest() override {
+        fs::current_path(before_);
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+
+    static void write(const char* name, const std::string& text) { std::ofstream(name) << text; }
+
+private:
+    fs::path before_, folder_;
+};
+
+/// What the examples read, in the current folder.
+void write_inputs(const std::function<void(const char*, const std::string&)>& write) {
+    for (const char* name : {"wall.dat", "second part.3dd", "part"}) write(name, "list time\n");
+    write("quake.tab", "quake\n3 0.1\n0\n1\n0\n");
+    const std::string tetrahedron = "v 10 0 0\nv 11 0 0\nv 10 1 0\nv 10 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    write("stones.obj", tetrahedron);
+    const auto facet = [](const char* a, const char* b, const char* c) {
+        return fmt::format("facet normal 0 0 0\nouter loop\nvertex {}\nvertex {}\nvertex {}\nendloop\nendfacet\n", a, b, c);
+    };
+    const char *o = "10 0 0", *x = "11 0 0", *y = "10 1 0", *z = "10 0 1";
+    write("vault.stl", "solid vault\n" + facet(o, y, x) + facet(o, x, z) + facet(o, z, y) + facet(x, y, z) + "endsolid vault\n");
+    write("average.lua", "average = 1\n");
+}
+
+/// What an example needs besides.
+std::string before(std::string_view example) {
+    if (example.find("jcso") != std::string_view::npos)
+        return "jmodel model barton-bandis\n";
+    if (example.find("jrco") != std::string_view::npos) return "jmodel load barton-bandis\n";
+    if (example.starts_with("import wall.3dgrid")) return "export wall.3dgrid\n";
+    return {};
+}
+
+TEST_F(ExamplesTest, RightExamplesRun) {
+    write_inputs(write);
+    const Options options = [] {
+        Options o;
+        o.threads = 1;
+        o.quiet = true;
+        o.joint_folders = {KAYA_TEST_JOINTS};
+        return o;
+    }();
+    std::FILE* nowhere = std::tmpfile();
+    int count = 0;
+    for (const auto& family : lang::classic().families)
+        for (const auto& command : family.commands)
+            for (const auto& example : command.right) {
+                SCOPED_TRACE(command.name() + ": " + std::string(example.text));
+                Session session(options, nowhere, nowhere);
+                const auto run = [&](const std::string& text) { session.interpreter.run_text(text, "example"); };
+                try {
+                    run(setting);
+                    if (!example.text.starts_with("join")) run("gen edge 1 range region 3\n"); // joined blocks are rigid
+                    run("save settled\nsave 'two words'\n" + before(example.text));
+                    run(std::string(example.text));
+                    ++count;
+                } catch (const Diagnostic& problem) {
+                    ADD_FAILURE() << render(problem);
+                }
+            }
+    std::fclose(nowhere);
+    EXPECT_GT(count, 150);
+}
+
+} // namespace
+} // namespace kaya
