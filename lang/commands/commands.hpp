@@ -155,6 +155,15 @@ struct Change {
     std::optional<std::int64_t> material, constitutive, joint_material, joint_constitutive;
     RangePhrase range;
 };
+/// jmodel test NAME FILE [steps n] [area a] [word value ...]: one sub-contact, the model of the deck is not touched.
+struct JointModelTest {
+    std::string model;
+    Place model_place;
+    std::string path; ///< CSV file
+    std::int64_t steps = 1000;
+    double area = 1;
+    std::vector<Property::Item> items;
+};
 /// jmodel load NAME | jmodel model NAME [word value ...] [range] | jmodel word value ... [range]
 struct JointModelCommand {
     enum class Action { load, assign, properties } action = Action::properties;

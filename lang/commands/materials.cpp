@@ -146,6 +146,25 @@ CommandSpec jmodel_load() {
         .wrong("jmodel load a b", "'b' is left over at the end of the line");
 }
 
+CommandSpec jmodel_test() {
+    Entry<JointModelTest> entry({"jmodel"}, {Spelling{"test", 4}});
+    entry.help("leads one sub-contact of a joint model along a path and writes the answer");
+    entry.argument(text("name").help("name of the joint model"), [](JointModelTest& c, std::string name) { c.model = std::move(name); });
+    entry.argument(text("file").help("CSV file of the path"), &JointModelTest::path);
+    entry.keyword({"steps"}, integer("n").at_least(1).at_most(1e8), &JointModelTest::steps, "steps between two points of the path; 1000");
+    entry.keyword({"area"}, real("a").above(0).unit("area"), &JointModelTest::area, "area of the sub-contact; 1");
+    model_properties(entry, &JointModelTest::items);
+    entry.start([](const Statement& statement, JointModelTest& c) {
+        if (statement.words.size() > 2) c.model_place = statement.words[2].place;
+    });
+    entry.right("jmodel test mohr 'shear.csv' jkn 1e5 jks 1e4 jfric 30").right("jmodel test mohr 'shear.csv' steps 100 jkn 1e5 jks 1e4");
+    entry.wrong("jmodel test", "a word is missing after 'test'");
+    entry.wrong("jmodel test mohr", "a word is missing after 'mohr'");
+    entry.wrong("jmodel test mohr 'shear.csv' jkn", "a number is missing after 'jkn'");
+    entry.wrong("jmodel test mohr 'shear.csv' steps 0", "steps must be at least 1, not 0");
+    return entry;
+}
+
 CommandSpec jmodel_assign() {
     Entry<JointModelCommand> entry({"jmodel"}, {Spelling{"model", 3}, Spelling{"assign", 3}});
     entry.help("gives contacts a joint model, with properties if wanted");
@@ -194,7 +213,7 @@ CommandSpec jmodel_properties() {
 Family materials() {
     return {"materials",
             "properties of blocks and joints",
-            {prop(), change(), jmodel_load(), jmodel_assign(), jmodel_properties()}};
+            {prop(), change(), jmodel_load(), jmodel_test(), jmodel_assign(), jmodel_properties()}};
 }
 
 } // namespace kaya::lang

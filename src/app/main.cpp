@@ -1,5 +1,6 @@
 // kaya: runs command files. Exit status 0 done, 1 the deck is wrong, 2 the run failed, 3 our own fault.
 #include "app/interrupt.hpp"
+#include "app/joint_bench.hpp"
 #include "commands/deck_report.hpp"
 #include "commands/progress.hpp"
 #include "commands/session.hpp"
@@ -129,10 +130,13 @@ int start(int argc, char** argv) {
     checking->add_option("deck", line.checked, "command files")->required();
     auto* helping = app.add_subcommand("help", "list the commands of decks, or explain one of them");
     helping->add_option("command", line.help_words, "a command or a keyword: poly brick");
+    const fs::path program = program_folder(argv[0]);
+    std::function<int()> about_models;
+    add_joint_bench(app, [&] { return joint_folders(line, program); }, about_models);
     app.require_subcommand(0, 1);
     try {
         app.parse(argc, argv);
-        if (!*checking && !*helping && line.decks.empty()) throw CLI::RequiredError("a deck");
+        if (!*checking && !*helping && !about_models && line.decks.empty()) throw CLI::RequiredError("a deck");
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : static_cast<int>(Fault::deck);
     }
@@ -148,7 +152,8 @@ int start(int argc, char** argv) {
         fmt::print("{}\n", words.empty() ? lang::help_list(language) : lang::help_on(language, words));
         return 0;
     }
-    line.options.joint_folders = joint_folders(line, program_folder(argv[0]));
+    if (about_models) return about_models();
+    line.options.joint_folders = joint_folders(line, program);
     return run(line);
 }
 

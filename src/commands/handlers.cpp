@@ -63,6 +63,7 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::Property>(session, handlers, InCycle::waits);
     add<lang::Change>(session, handlers, InCycle::waits);
     add<lang::JointModelCommand>(session, handlers, InCycle::waits);
+    add<lang::JointModelTest>(session, handlers, InCycle::waits);
 
     add<lang::Fix>(session, handlers, InCycle::waits);
     add<lang::Free>(session, handlers, InCycle::waits);

@@ -49,6 +49,7 @@ void run(Session&, const lang::GenerateEdge&);
 void run(Session&, const lang::Property&);
 void run(Session&, const lang::Change&);
 void run(Session&, const lang::JointModelCommand&);
+void run(Session&, const lang::JointModelTest&);
 
 // boundary.cpp
 void run(Session&, const lang::Fix&);

@@ -2,6 +2,7 @@
 #include "commands/materials.hpp"
 
 #include "commands/handlers.hpp"
+#include "jointtest/bench.hpp"
 #include "mechanics/contact_properties.hpp"
 
 #include <algorithm>
@@ -241,6 +242,22 @@ void run(Session& session, const lang::JointModelCommand& command) {
         set_joint_properties(session.model, session.joints, contacts, names_and_values(command.items),
                              session.here(), failed);
     });
+}
+
+void run(Session& session, const lang::JointModelTest& command) {
+    BenchOrder order;
+    order.model = command.model;
+    order.path = command.path;
+    order.values = names_and_values(command.items);
+    order.settings.steps = static_cast<std::size_t>(command.steps);
+    order.settings.area = command.area;
+    try {
+        const auto report = run_bench(session.joints, order);
+        session.output.print(report.text);
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.model_place);
+        throw;
+    }
 }
 
 double material_value(const Model& model, const JointRegistry& joints, std::int64_t number, std::string_view word) {

@@ -97,6 +97,7 @@ syntax keyword kayaCommand vt[k]
 syntax keyword kayaCommand wa[ter]
 syntax keyword kayaCommand zone
 syntax keyword kayaKeyword a
+syntax keyword kayaKeyword area
 syntax keyword kayaKeyword assign
 syntax keyword kayaKeyword atol
 syntax keyword kayaKeyword auto
@@ -306,6 +307,7 @@ syntax keyword kayaKeyword sload
 syntax keyword kayaKeyword spacing
 syntax keyword kayaKeyword sstr
 syntax keyword kayaKeyword sstress
+syntax keyword kayaKeyword steps
 syntax keyword kayaKeyword stiffness
 syntax keyword kayaKeyword stress
 syntax keyword kayaKeyword subcontacts
@@ -319,6 +321,7 @@ syntax keyword kayaKeyword szz
 syntax keyword kayaKeyword table
 syntax keyword kayaKeyword tangential
 syntax keyword kayaKeyword temperature
+syntax keyword kayaKeyword test
 syntax keyword kayaKeyword tet
 syntax keyword kayaKeyword tetrahedron
 syntax keyword kayaKeyword thermal

@@ -64,11 +64,25 @@ protected:
 /// Adds up what is put into row 0, step by step (trapezoid).
 class Meter {
 public:
-    explicit Meter(TestJoint& joint) : joint_(joint) {}
+    explicit Meter(TestJoint& joint) : joint_(joint), batch_(joint.batch()) {}
     void step(double opening, const test::Vector& slip) {
         const double work_before = work_with_forces(opening, slip);
         joint_.step(opening, slip);
         const double work = 0.5 * (work_before + work_with_forces(opening, slip));
+        put_in += work;
+        turned_over += std::abs(work);
+        least = std::min(least, put_in);
+    }
+    /// The same for many steps: the model alone, without the guard around it.
+    void run(double opening, double slip) {
+        auto& j = joint_;
+        j.normal_disp_inc[0] = opening;
+        j.shear_disp_inc[0][0] = slip;
+        const double before = -j.normal_force[0] * opening - j.shear_force[0][0] * slip;
+        j.model->descriptor().run(&batch_);
+        const double work = 0.5 * (before - j.normal_force[0] * opening - j.shear_force[0][0] * slip);
+        j.normal_disp[0] += opening;
+        j.shear_disp[0][0] += slip;
         put_in += work;
         turned_over += std::abs(work);
         least = std::min(least, put_in);
@@ -82,6 +96,7 @@ private:
         return work;
     }
     TestJoint& joint_;
+    kaya_jbatch batch_;
 };
 
 TEST_P(EveryModel, IsInItsPlaceAfterFiftyUnloadings) {
@@ -174,7 +189,7 @@ TEST_P(EveryModel, StaysWhereItIsInAMillionCyclesOfSmallLoad) {
     }
     const auto cycles = [&](int n) {
         for (int i = 0; i < n; ++i)
-            for (const auto& s : way) meter.step(s.opening, {s.slip, 0, 0});
+            for (const auto& s : way) meter.run(s.opening, s.slip);
     };
     cycles(1000);
     const double normal = j.normal_stress(), shear = j.shear_stress(), before = meter.put_in;

@@ -1,0 +1,92 @@
+#include "app/joint_bench.hpp"
+
+#include "base/diagnostic.hpp"
+#include "jointtest/bench.hpp"
+
+#include <charconv>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <memory>
+
+namespace kaya {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Order {
+    BenchOrder bench;
+    std::vector<std::string> settings; ///< word=value
+    std::string fitted;                ///< words with commas between
+    bool strict = false, no_picture = false;
+};
+
+std::pair<std::string, double> setting_of(const std::string& text) {
+    const auto equals = text.find('=');
+    double value = 0;
+    if (equals != text.npos) {
+        const char *first = text.data() + equals + 1, *last = text.data() + text.size();
+        const auto [end, error] = std::from_chars(first, last, value);
+        if (error == std::errc() && end == last && first != last) return {text.substr(0, equals), value};
+    }
+    throw Diagnostic(fmt::format("'{}' is not a property and its value", text), "write it as jkn=1e5");
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+    std::vector<std::string> words;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const auto end = std::min(text.find(',', begin), text.size());
+        if (end > begin) words.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return words;
+}
+
+/// gnuplot may be missing: the script is there for another day.
+std::string draw(const fs::path& script) {
+    fs::path picture = script;
+    picture.replace_extension(".png");
+    if (script.string().find('\'') != std::string::npos) return {};
+    if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) return {};
+    const auto command = fmt::format("gnuplot -e \"set terminal png size 900,900; set output '{}'\" '{}' 2>/dev/null",
+                                     picture.string(), script.string());
+    return std::system(command.c_str()) == 0 ? fmt::format(", {}", picture.string()) : "";
+}
+
+int carry_out(Order& order, const std::vector<fs::path>& folders) {
+    for (const auto& text : order.settings) order.bench.values.push_back(setting_of(text));
+    order.bench.fitted = words_of(order.fitted);
+    JointRegistry registry;
+    registry.set_path(folders);
+    const auto report = run_bench(registry, order.bench);
+    fmt::print("{}{}\n", report.text, order.no_picture ? "" : draw(report.figure));
+    return order.strict && report.odd ? static_cast<int>(Fault::run) : 0;
+}
+
+} // namespace
+
+void add_joint_bench(CLI::App& app, const std::function<std::vector<fs::path>()>& joint_folders,
+                     std::function<int()>& chosen) {
+    const auto add = [&](const char* name, const char* help) {
+        auto order = std::make_shared<Order>();
+        auto* sub = app.add_subcommand(name, help);
+        sub->add_option("model", order->bench.model, "name or file of the joint model")->required();
+        sub->add_option("path", order->bench.path, "CSV file of the path: docs/joint-bench.md")->required();
+        sub->add_option("values", order->settings, "properties: jkn=1e5 jks=1e4 jfric=30");
+        sub->add_option("--steps", order->bench.settings.steps, "steps between two points of the path")
+            ->check(CLI::Range(1, 100'000'000));
+        sub->add_option("--area", order->bench.settings.area, "area of the sub-contact")->check(CLI::PositiveNumber);
+        sub->add_option("--output", order->bench.output, "name of the files, without an ending");
+        sub->add_flag("--no-picture", order->no_picture, "no PNG, also where gnuplot is installed");
+        sub->callback([order, joint_folders, &chosen] {
+            chosen = [order, joint_folders] { return carry_out(*order, joint_folders()); };
+        });
+        return std::pair(sub, order);
+    };
+    const auto [testing, test] = add("jtest", "lead one sub-contact of a joint model along a path and look at the answer");
+    testing->add_flag("--strict", test->strict, "exit with 2 when something odd was found");
+    const auto [fitting, fit] = add("jfit", "fit properties of a joint model to a curve that was measured");
+    fitting->add_option("--fit", fit->fitted, "the properties, with commas between")->required();
+}
+
+} // namespace kaya

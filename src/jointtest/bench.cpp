@@ -1,0 +1,119 @@
+#include "jointtest/bench.hpp"
+
+#include "base/diagnostic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fstream>
+#include <limits>
+
+namespace kaya {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<double> values_of(const JointModel& model, const std::vector<std::pair<std::string, double>>& given) {
+    std::vector<double> values;
+    for (const auto& p : model.properties) values.push_back(p.initial);
+    for (const auto& [word, value] : given) {
+        const auto index = model.find_property(word);
+        if (!index) {
+            std::vector<std::string_view> names;
+            for (const auto& p : model.properties) {
+                names.push_back(p.name);
+                names.insert(names.end(), p.aliases.begin(), p.aliases.end());
+            }
+            const auto near = did_you_mean(word, names);
+            throw Diagnostic(fmt::format("joint model {} has no property '{}'", model.name, word),
+                             near.empty() ? fmt::format("kaya plugin list {} shows them", model.name)
+                                          : fmt::format("did you mean '{}'?", near));
+        }
+        const auto& p = model.properties[*index];
+        if (!(value >= p.minimum && value <= p.maximum))
+            throw Diagnostic(fmt::format("{} is {:g}; it must be from {:g} to {:g}", p.name, value, p.minimum, p.maximum),
+                             "give a value within the limits");
+        values[*index] = value;
+    }
+    return values;
+}
+
+/// Least and largest of a quantity over a curve.
+struct Span {
+    double least = std::numeric_limits<double>::infinity(), largest = -least;
+    void add(double value) { least = std::min(least, value), largest = std::max(largest, value); }
+    std::string text() const { return fmt::format("{:.6g} to {:.6g}", least, largest); }
+};
+
+std::string report_of(const JointCurve& curve) {
+    Span shear, normal, opening, normal_ratio, shear_ratio;
+    double peak_at = 0;
+    for (const auto& p : curve.points) {
+        if (p.resistance[0] > shear.largest) peak_at = p.shear[0];
+        shear.add(p.resistance[0]);
+        normal.add(p.normal_stress);
+        opening.add(p.opening);
+        if (p.normal_tangent != 0) normal_ratio.add(p.normal_tangent / p.normal_stiffness);
+        if (p.shear_tangent != 0 && p.shear_stiffness > 0) shear_ratio.add(p.shear_tangent / p.shear_stiffness);
+    }
+    const auto& last = curve.points.back();
+    std::string text;
+    const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<18}{}\n", what, value); };
+    line("shear stress", fmt::format("{}, largest at {:.6g}; {:.6g} at the end", shear.text(), peak_at, last.resistance[0]));
+    line("normal stress", normal.text());
+    line("opening", opening.text());
+    line("energy per area", fmt::format("{:.6g} put in, {:.6g} counted as taken up", last.put_in, last.taken_up));
+    if (std::isfinite(normal_ratio.least)) line("normal tangent", fmt::format("{} of the stiffness reported", normal_ratio.text()));
+    if (std::isfinite(shear_ratio.least)) line("shear tangent", fmt::format("{} of the stiffness reported", shear_ratio.text()));
+    for (const auto& f : curve.findings) line("found", fmt::format("step {}: {}", f.step, f.text));
+    if (curve.findings.empty()) line("found", "no jump, no energy from nothing, no stiffness above the one reported");
+    return text;
+}
+
+std::string fit_text(const CurveFit& fit) {
+    std::string text = fmt::format("  {:<18}{:.3g} before, {:.3g} after (root of the mean square, part of the largest value)\n",
+                                   "misfit", fit.misfit_before, fit.misfit);
+    for (const auto& p : fit.properties)
+        text += fmt::format("  {:<18}{:.6g}{}\n", p.name, p.value,
+                            std::isnan(p.deviation) ? ", which the curve does not tell" : fmt::format(" ± {:.2g}", p.deviation));
+    return text;
+}
+
+} // namespace
+
+BenchReport run_bench(JointRegistry& registry, const BenchOrder& order) {
+    const JointModel& model = registry.get(order.model);
+    const auto values = values_of(model, order.values);
+    const LoadPath path = read_load_path(order.path);
+    BenchReport report;
+    JointCurve curve;
+    std::string heading = fmt::format("{} {} along {}: {} points\n", model.name, model.version, order.path.filename().string(),
+                                      path.points.size());
+    if (order.fitted.empty()) {
+        curve = follow_path(model, values, path, order.settings);
+    } else {
+        CurveFit fit = fit_curve(model, values, order.fitted, path, order.settings);
+        heading += fit_text(fit);
+        curve = std::move(fit.curve);
+    }
+    fs::path stem = order.output;
+    if (stem.empty()) stem = fmt::format("{}-{}", order.path.stem().string(), model.name);
+    report.curve = fs::path(stem.string() + ".csv");
+    report.figure = fs::path(stem.string() + ".gp");
+    std::error_code ignored;
+    if (fs::equivalent(report.curve, order.path, ignored))
+        throw Diagnostic(fmt::format("{} is the path itself", report.curve.string()), "give another name with --output");
+    write_csv(curve_table(curve, model), report.curve);
+    std::ofstream figure(report.figure);
+    figure << curve_figure(curve, fmt::format("{} along {}", model.name, order.path.stem().string()));
+    figure.close();
+    if (!figure)
+        throw Diagnostic(fmt::format("{} could not be written", report.figure.string()), "is there room?", Fault::run);
+    report.odd = !curve.findings.empty();
+    report.text = heading + report_of(curve) + fmt::format("  wrote {}, {}", report.curve.string(), report.figure.string());
+    return report;
+}
+
+} // namespace kaya

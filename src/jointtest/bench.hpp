@@ -1,0 +1,33 @@
+// The bench as a whole: a model, values, a path; files and a report come out.
+#pragma once
+
+#include "jointtest/curve_fit.hpp"
+#include "jointtest/joint_curve.hpp"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kaya {
+
+struct BenchOrder {
+    std::string model;             ///< name or file
+    std::filesystem::path path;    ///< CSV file of the path
+    std::vector<std::pair<std::string, double>> values; ///< property words and values
+    std::vector<std::string> fitted; ///< properties to fit; none: a test
+    CurveSettings settings;
+    std::filesystem::path output; ///< files are OUTPUT.csv and OUTPUT.gp; empty: PATH-MODEL in the working folder
+};
+
+struct BenchReport {
+    std::string text;                 ///< lines without a newline at the end
+    bool odd = false;                 ///< something was found
+    std::filesystem::path curve, figure; ///< the files that were written
+};
+
+/// Loads the model, leads it along the path (and fits it), writes curve and figure. Throws Diagnostic for a word that the
+/// model does not know, a value outside its limits, a wrong file, or a model that fails.
+BenchReport run_bench(JointRegistry& registry, const BenchOrder& order);
+
+} // namespace kaya

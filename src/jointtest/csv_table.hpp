@@ -1,0 +1,28 @@
+// Numbers in columns with names, from and to a CSV file.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kaya {
+
+/// Columns of equal length. Lines that begin with # are comments; the first other line has the names.
+struct CsvTable {
+    std::vector<std::string> names;
+    std::vector<std::vector<double>> columns;
+
+    std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
+    std::optional<std::size_t> find(std::string_view name) const;
+    void add(std::string name, std::vector<double> values);
+};
+
+/// Throws Diagnostic with file and line when a cell is no number or a row has another length.
+CsvTable read_csv(const std::filesystem::path& file);
+
+/// With 17 digits, so that nothing is lost. Throws Diagnostic (Fault::run) when the file cannot be written.
+void write_csv(const CsvTable& table, const std::filesystem::path& file);
+
+} // namespace kaya

@@ -1,0 +1,33 @@
+// The path that a joint is led along on the bench.
+#pragma once
+
+#include "jointtest/csv_table.hpp"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace kaya {
+
+/// A place on the path. Between two of them everything is straight.
+struct PathPoint {
+    std::array<double, 2> shear{};
+    double time = 0;
+    std::optional<double> opening;      ///< normal displacement, opening positive; or
+    std::optional<double> stress;       ///< normal stress, compression positive,
+    double boundary_stiffness = 0;      ///< which rises by this per opening since the first point
+};
+
+/// Columns of the file: shear_displacement and/or shear_displacement_y; normal_displacement or normal_stress, this one
+/// with boundary_stiffness if wanted; time if wanted (otherwise each piece takes a unit of time). The first point is where
+/// the joint is taken to before the test begins.
+struct LoadPath {
+    std::vector<PathPoint> points;
+    CsvTable table; ///< the whole file, other columns included
+};
+
+/// Throws Diagnostic that says which column is missing or which two exclude each other.
+LoadPath read_load_path(const std::filesystem::path& file);
+
+} // namespace kaya

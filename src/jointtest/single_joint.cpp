@@ -1,0 +1,104 @@
+#include "jointtest/single_joint.hpp"
+
+#include "base/diagnostic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace kaya {
+
+SingleJoint::SingleJoint(const JointModel& model_, std::vector<double> values_, double area_)
+    : model(&model_), values(std::make_shared<const std::vector<double>>(std::move(values_))), area(area_) {
+    if (const auto missing = model->missing(*values); !missing.empty())
+        throw Diagnostic(fmt::format("joint model {} lacks {}", model->name, fmt::join(missing, ", ")),
+                         fmt::format("give it behind the name: {}=1e5", missing.front()));
+    if (const auto fault = model->check(*values); !fault.empty())
+        throw Diagnostic(fmt::format("joint model {}: {}", model->name, fault), "correct the values");
+    call({}, true);
+}
+
+void SingleJoint::call(const JointStep& step, bool initialise) {
+    const std::array<double, 3> increment{step.shear[0], step.shear[1], 0};
+    std::array<double*, KAYA_JMODEL_MAX_HISTORY> columns{};
+    for (std::size_t k = 0; k < history.size(); ++k) columns[k] = &history[k];
+    kaya_jbatch batch{};
+    batch.n = 1;
+    batch.properties = values->data();
+    batch.time_step = step.time;
+    batch.area = &area;
+    batch.normal_disp = &normal_disp;
+    batch.normal_disp_inc = &step.opening;
+    for (int k = 0; k < 3; ++k) {
+        batch.shear_disp[k] = &shear_disp[k];
+        batch.shear_disp_inc[k] = &increment[k];
+        batch.shear_force[k] = &shear_force[k];
+    }
+    batch.pore_pressure = &pore_pressure;
+    batch.normal_force = &normal_force;
+    batch.normal_stiffness = &normal_stiffness;
+    batch.shear_stiffness = &shear_stiffness;
+    batch.frictional_work = &frictional_work;
+    batch.state = &state;
+    batch.history = columns.data();
+    const auto failure = initialise ? initialise_batch(*model, batch) : run_batch(*model, batch);
+    if (failure)
+        throw Diagnostic(failure->message,
+                         fmt::format("normal displacement {:g}, shear displacement {:g} {:g}", normal_disp, shear_disp[0],
+                                     shear_disp[1]),
+                         Fault::run);
+}
+
+void SingleJoint::step(const JointStep& step) {
+    call(step, false);
+    normal_disp += step.opening;
+    for (int k = 0; k < 2; ++k) shear_disp[k] += step.shear[k];
+}
+
+void SingleJoint::step_to_stress(double stress, JointStep step) {
+    const auto over = [&](double opening) {
+        SingleJoint trial = *this;
+        JointStep tried = step;
+        tried.opening = opening;
+        trial.step(tried);
+        return trial.normal_stress() - stress;
+    };
+    const double scale = std::abs(stress) + std::abs(normal_stress());
+    if (!find_opening(over, step.opening, scale / std::max(normal_stiffness, 1e-300), scale, step.opening))
+        throw Diagnostic(fmt::format("joint model {} cannot carry a normal stress of {:g} here", model->name, stress),
+                         "a joint without tension carries none below 0; look at the path");
+    this->step(step);
+}
+
+bool find_opening(const std::function<double(double)>& over, double start, double unit, double stress_scale, double& opening) {
+    constexpr int most_doublings = 200;
+    const double exact = 1e-15 * stress_scale;
+    double closed = start, open = start, at_closed = over(start), at_open = at_closed;
+    double width = std::max(1e-6 * unit, 1e-15);
+    for (int k = 0; at_closed < 0; ++k, width *= 2) {
+        if (k == most_doublings) return false;
+        open = closed, at_open = at_closed;
+        at_closed = over(closed -= width);
+    }
+    for (int k = 0; at_open > 0; ++k, width *= 2) {
+        if (k == most_doublings) return false;
+        closed = open, at_closed = at_open;
+        at_open = over(open += width);
+    }
+    // False position, with halves in between so that kinks and jumps end it too.
+    for (int k = 0; k < 200 && at_closed > exact && at_open < -exact; ++k) {
+        const double by_line = closed + (open - closed) * (at_closed / (at_closed - at_open));
+        const double middle = k % 3 == 2 ? 0.5 * (closed + open) : by_line;
+        if (middle <= closed || middle >= open) break;
+        const double value = over(middle);
+        if (value >= 0)
+            closed = middle, at_closed = value;
+        else
+            open = middle, at_open = value;
+    }
+    opening = std::abs(at_closed) <= std::abs(at_open) ? closed : open;
+    return true;
+}
+
+} // namespace kaya

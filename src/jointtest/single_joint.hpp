@@ -1,0 +1,57 @@
+// One sub-contact without an engine: a joint model is driven step by step, and steps can be tried.
+#pragma once
+
+#include "joints/batch.hpp"
+#include "joints/joint_model.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace kaya {
+
+/// Displacement of one side against the other in one step: opening positive, two directions of shear.
+struct JointStep {
+    double opening = 0;
+    std::array<double, 2> shear{};
+    double time = 0; ///< that the step takes
+};
+
+/// All that a sub-contact is, in plain values: a copy is another sub-contact in the same state. The normal is z, shear
+/// is x and y.
+class SingleJoint {
+public:
+    /// `values` in the order of the model's table. Throws Diagnostic for values that are missing or cannot work together.
+    SingleJoint(const JointModel& model, std::vector<double> values, double area);
+
+    /// Throws Diagnostic (Fault::run) with the model's own sentence when the model fails.
+    void step(const JointStep& step);
+
+    /// The step with the opening that makes the normal stress `stress` at its end; its `opening` is where the search
+    /// begins. Throws Diagnostic when no opening does.
+    void step_to_stress(double stress, JointStep step);
+
+    double normal_stress() const { return normal_force / area; }
+    /// On the side that is moved, against the motion: positive when it resists.
+    std::array<double, 2> shear_resistance() const { return {-shear_force[0] / area, -shear_force[1] / area}; }
+
+    const JointModel* model;
+    std::shared_ptr<const std::vector<double>> values; ///< shared by the copies that are tried
+    double area;
+    double normal_disp = 0, normal_force = 0, pore_pressure = 0;
+    std::array<double, 3> shear_disp{}, shear_force{};
+    double normal_stiffness = 0, shear_stiffness = 0, frictional_work = 0;
+    std::uint32_t state = 0;
+    std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
+
+private:
+    void call(const JointStep& step, bool initialise);
+};
+
+/// The opening at which `over`, which falls as the joint opens, is 0, or as near as it comes at a jump; `start` is a guess
+/// and `unit` a length of the problem. False when there is none.
+bool find_opening(const std::function<double(double)>& over, double start, double unit, double stress_scale, double& opening);
+
+} // namespace kaya
