@@ -90,44 +90,31 @@ void take_contact(const Model& model, Row c, JointForces& forces) {
 }
 
 /// A joint model sees displacements at the start of the step; now they are those of its end.
-void add_increments(SubContacts& subs, const Batch& batch) {
-    const auto add = [&](Column<double>& sum, const Column<double>& part) {
-        double* __restrict to = sum.data() + batch.first;
-        const double* __restrict from = part.data() + batch.first;
-        for (Row i = 0; i < batch.count; ++i) to[i] += from[i];
-    };
-    add(subs.normal_displacement, subs.normal_displacement_increment);
-    for (int k = 0; k < 3; ++k)
-        add(subs.shear_displacement.component[k], subs.shear_displacement_increment.component[k]);
+void add_increments(SubContacts& subs, Row row, const LaneGroup& group, const Lanes& opening, const Lanes3& slip) {
+    double* const opened = subs.normal_displacement.data() + row;
+    group.store(opened, group.load(opened) + opening);
+    group.store(subs.shear_displacement, row, group.load(subs.shear_displacement, row) + slip);
 }
 
-/// Rate of work of the joints on the blocks with the forces as they are, times the step.
+/// Rates of work on the blocks with the forces as they are, times the step.
 struct Work {
-    double joint = 0, friction = 0;
+    Lanes joint = Lanes::Zero(), friction = Lanes::Zero();
+    Lanes fluid = Lanes::Zero(); ///< of the pore pressure; a joint model does not change it
 
-    Work(const SubContacts& subs, const Batch& batch) {
-        Lanes joints = Lanes::Zero(), frictions = Lanes::Zero();
-        for (Row i = batch.first; i < batch.first + batch.count; i += lane_count) {
-            const LaneGroup group(batch.first + batch.count - i);
-            const Lanes opening = group.load(subs.normal_displacement_increment.data() + i);
-            joints += group.load(subs.normal_force.data() + i) * opening +
-                      group.load(subs.shear_force, i).dot(group.load(subs.shear_displacement_increment, i));
-            frictions += group.load(subs.frictional_work.data() + i);
-        }
-        joint = sum(joints);
-        friction = sum(frictions);
+    void add(const SubContacts& subs, Row row, const LaneGroup& group, const Lanes& opening, const Lanes3& slip) {
+        joint += group.load(subs.normal_force.data() + row) * opening + group.load(subs.shear_force, row).dot(slip);
+        friction += group.load(subs.frictional_work.data() + row);
+        fluid += group.load(subs.pore_pressure.data() + row) * group.load(subs.area.data() + row) * opening;
     }
 };
 
-/// Work of the pore pressure on the blocks; a joint model does not change it.
-double fluid_work(const SubContacts& subs, const Batch& batch) {
-    Lanes work = Lanes::Zero();
-    for (Row i = batch.first; i < batch.first + batch.count; i += lane_count) {
-        const LaneGroup group(batch.first + batch.count - i);
-        work += group.load(subs.pore_pressure.data() + i) * group.load(subs.area.data() + i) *
-                group.load(subs.normal_displacement_increment.data() + i);
+/// Calls visit(row, group, opening, slip) with the displacement increments of four rows after the other.
+template <class Visit> void each_increment(const SubContacts& subs, const Batch& batch, const Visit& visit) {
+    for (Row row = batch.first; row < batch.first + batch.count; row += lane_count) {
+        const LaneGroup group(batch.first + batch.count - row);
+        visit(row, group, group.load(subs.normal_displacement_increment.data() + row),
+              group.load(subs.shear_displacement_increment, row));
     }
-    return sum(work);
 }
 
 void combine(JointSums& sum, const JointSums& part) {
@@ -142,25 +129,28 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     JointSums sums;
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
     const bool energy = model.settings.energy;
+    auto& subs = model.sub_contacts;
     for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
         recover(model, c);
         move_contact(model, c);
     }
     auto columns = columns_of(model, batch, model.clock.time_step, history.data());
-    std::optional<Work> before;
-    if (energy) before.emplace(model.sub_contacts, batch);
+    Work before, after;
+    if (energy) each_increment(subs, batch, [&](auto... rows) { before.add(subs, rows...); });
     std::optional<BatchDashpots> dashpots;
     if (joints_are_damped(model.settings)) dashpots.emplace(model, batch);
     if (const auto failure = run_batch(*batch.model, columns)) throw joint_failure(model, batch, *failure);
+    each_increment(subs, batch, [&](auto... rows) {
+        if (energy) after.add(subs, rows...);
+        add_increments(subs, rows...);
+    });
     if (energy) {
-        const Work after(model.sub_contacts, batch);
-        sums.work = -0.5 * (before->joint + after.joint);
-        sums.friction = after.friction - before->friction;
-        sums.fluid = fluid_work(model.sub_contacts, batch);
+        sums.work = -0.5 * (sum(before.joint) + sum(after.joint));
+        sums.friction = sum(after.friction) - sum(before.friction);
+        sums.fluid = sum(before.fluid);
     }
     if (dashpots) sums.damped = dashpots->finish();
     sums.stiffness_changed = columns.stiffness_changed;
-    add_increments(model.sub_contacts, batch);
     for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
         sum_contact(model, c, forces);
         if (columns.stiffness_changed) note_stiffness(model, c, forces);
