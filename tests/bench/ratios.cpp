@@ -102,7 +102,7 @@ void packed_cubes(std::vector<Row>& rows) {
     Run fine("packed-cubes-fine.3dd");
     fine.cycles(1000);
     const auto divided = against_kernel(kernel, 9, 200, [&] { fine.cycles(200); });
-    rows.push_back({"cubes with nine sub-contacts on a face, per sub-contact",
+    rows.push_back({"cubes with sixteen sub-contacts on a face, per sub-contact",
                     count(fine.model().sub_contacts.size()) / divided.ratio / (8 * pairs), "", 1.0 / 3, 0.5, true});
     const auto anew = against_kernel(kernel, 5, 20, [&] { run.rebuilding_cycles(20); });
     // 1.4 microseconds where the kernel takes 68 nanoseconds for a pair.
@@ -184,7 +184,11 @@ void yade(std::vector<Row>& rows) {
     double theirs = 0;
     std::ifstream(result) >> theirs;
     std::filesystem::remove(result);
-    if (theirs > 0) rows.push_back({"1,000 cubes at rest, times as fast as Yade's polyhedra", theirs / ours, "", 1200, 2500, true});
+    if (theirs <= 0) return;
+    rows.push_back({"1,000 cubes at rest, times as fast as Yade's polyhedra", theirs / ours, "", 1200, 2500, true});
+    const double anew = timed([&] { run.rebuilding_cycles(30); }) / 30;
+    // Nothing is asked of this one by itself: it is shown because Yade finds its contacts in every step, too.
+    rows.push_back({"the same with contacts made anew in every step", theirs / anew, "", 0, 0, true});
 }
 
 std::string processor() {
