@@ -1,6 +1,7 @@
 // Joint model `continuously-yielding`: shear stress that nears a bounding strength, which wears off with plastic
 // displacement. docs/joint-models/continuously-yielding.md has the equations; (n) below are their numbers.
 #include "stdlib/joints/coulomb.hpp"
+#include "stdlib/joints/elementary.hpp"
 #include "stdlib/joints/power_spring.hpp"
 
 #include <iterator>
@@ -8,7 +9,6 @@
 namespace {
 
 using namespace kaya::joints;
-using coulomb::tan_degrees;
 
 enum Property {
     stiffness_normal,
@@ -101,14 +101,14 @@ struct Advance {
 /// plastic displacement so does the angle; two passes with the mean angle make the step of second order.
 Advance advance(double start, double motion, double ks, double ratio, double normal, double angle, double intrinsic,
                 double per_roughness) {
-    Advance a{start, 0, angle, normal * tan_degrees(angle)};
+    Advance a{start, 0, angle, normal * tangent_of_degrees(angle)};
     for (int pass = 0; pass < 2; ++pass) {
-        const double bound = normal * tan_degrees(0.5 * (angle + a.friction));
+        const double bound = normal * tangent_of_degrees(0.5 * (angle + a.friction));
         a.bound_before = bound;
-        const double left = bound > 0 ? std::exp(-ks * motion / (bound * (1 - ratio))) : 0;
+        const double left = bound > 0 ? exponential(std::max(-700.0, -ks * motion / (bound * (1 - ratio)))) : 0;
         a.stress = std::min(bound + (start - bound) * left, start + ks * motion); // F is 1 at most
         a.plastic = std::max(0.0, motion - (a.stress - start) / ks);
-        a.friction = intrinsic + (angle - intrinsic) * std::exp(-a.plastic * per_roughness);
+        a.friction = intrinsic + (angle - intrinsic) * exponential(std::max(-700.0, -a.plastic * per_roughness));
     }
     return a;
 }
@@ -128,7 +128,7 @@ ptrdiff_t run(kaya_jbatch* batch) {
         double& head = batch->history[heading][i];
 
         const double old_normal = batch->normal_force[i] * per_area, old_ks = shear.at(old_normal);
-        const double old_bound = old_normal * tan_degrees(angle);
+        const double old_bound = old_normal * tangent_of_degrees(angle);
         closed -= batch->normal_disp_inc[i];
 
         // Resistance on the side that is moved: minus the force on block 2.
@@ -152,7 +152,7 @@ ptrdiff_t run(kaya_jbatch* batch) {
         for (int pass = 0; pass < (dilation_acts ? 3 : 1); ++pass) {
             normal = std::max(0.0, spring.stress(closed + lifting));
             ks = shear.at(normal);
-            bound = normal * tan_degrees(angle);
+            bound = normal * tangent_of_degrees(angle);
             // A normal stress that falls takes resistance with it, as much as stiffness (7) and bounding strength say.
             kept = std::min(1.0, ks / old_ks);
             if (size * kept > bound * over) kept = bound * over / size;
@@ -162,9 +162,9 @@ ptrdiff_t run(kaya_jbatch* batch) {
             const double last_ratio = turns ? std::min(largest_ratio, along / bound) : ratio;
             step = advance(along, way, ks, last_ratio, normal, angle, intrinsic, per_roughness);
             // Resistance across the motion is worn off by the plastic part of the motion.
-            across = std::exp(-ks * step.plastic / step.bound_before);
+            across = exponential(std::max(-700.0, -ks * step.plastic / step.bound_before));
             const double above = coulomb::degrees_of_tangent(step.stress / normal) - intrinsic; // (8)
-            if (dilation_acts) lifting = tan_degrees(std::max(0.0, above)) * step.plastic;
+            if (dilation_acts) lifting = tangent_of_degrees(std::max(0.0, above)) * step.plastic;
         }
         if (turns && bound > 0) ratio = std::min(largest_ratio, along / bound);
 
@@ -195,7 +195,7 @@ ptrdiff_t run(kaya_jbatch* batch) {
         batch->normal_stiffness[i] = spring.tangent(normal);
         batch->shear_stiffness[i] = shear.at(normal);
         batch->state[i] = (normal > 0 ? 0 : is_open) |
-                          (step.stress > 0 && step.stress >= normal * tan_degrees(angle) && step.plastic > 0 ? is_past_peak
+                          (step.stress > 0 && step.stress >= normal * tangent_of_degrees(angle) && step.plastic > 0 ? is_past_peak
                                                                                                            : 0);
     }
     batch->stiffness_changed = 1;

@@ -240,7 +240,7 @@ template <bool thesis> void run_rows(kaya_jbatch* batch, const Law& law) {
         const double from_x = turns ? path.start_x : turn_x[i];
         const double from_y = turns ? path.start_y : turn_y[i];
         const double from_z = turns ? path.start_z : turn_z[i];
-        path.stiffness = strength_at(law, log_jcs, closures[i]).stiffness;
+        path.stiffness = shear_stiffness[i]; // as it was left by the step before, or by initialise
         path.swing = turns ? 0 : std::sqrt(since_x * since_x + since_y * since_y + since_z * since_z);
         const double was_on_curve = (states[i] & is_unloading) != 0 ? 0 : 1;
         path.on_curve = turns ? 0 : was_on_curve;

@@ -230,6 +230,9 @@ TEST_P(EveryModel, StandsAnAreaOfZero) {
 TEST_P(EveryModel, KnowsTheWordsOfDecks) {
     const auto& model = shipped(GetParam().model);
     for (const char* word : {"jkn", "jks"}) EXPECT_TRUE(model.find_property(word)) << word;
+    if (!model.find_property("cohesion")) return; // the rest are words of Coulomb joints
+    for (const char* word : {"jfric", "jcoh", "jten", "jdil", "zdil", "friction", "tension", "dilation", "dilation-zero"})
+        EXPECT_TRUE(model.find_property(word)) << word;
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryModel, testing::ValuesIn(cases),
