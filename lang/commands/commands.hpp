@@ -282,6 +282,14 @@ struct Fraction { double value = 0; };
 // --- scripts -----------------------------------------------------------------------------------------
 /// def NAME ... end: all its lines, the first and the last included; place is that of the first line.
 struct FishDefinition { std::string text; Place place; };
+/// fish callback add NAME [place in the cycle] [interval n], fish callback remove NAME.
+struct FishCallback {
+    std::string function;
+    bool remove = false;
+    double location = 50; ///< below 40: before the cycle; from there on: when its forces are known
+    std::int64_t interval = 1;
+    Place place;
+};
 struct FishCall { std::string expression; Place place; }; ///< a line @f(1) or [f(1)]: without @ and brackets
 struct LuaChunk {
     std::string text;

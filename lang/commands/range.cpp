@@ -443,7 +443,10 @@ const std::vector<KeywordSpec>& range_elements() {
 void read_range(Reader& reader, RangePhrase& phrase) {
     phrase.place = reader.peek()->place;
     // `ra` is enough, and no element starts so.
-    if (Spelling{"range", 2}.matches(reader.peek()->folded)) reader.take();
+    if (Spelling{"range", 2}.matches(reader.peek()->folded)) {
+        reader.take();
+        reader.spell("range");
+    }
     if (reader.at_end())
         incomplete_line(reader, "the range is empty", "write for example: range z 0 1");
     while (!reader.at_end()) {

@@ -20,6 +20,36 @@ CommandSpec define(std::vector<Spelling> words, std::vector<Spelling> form) {
     return entry;
 }
 
+CommandSpec callback() {
+    const auto name = text("name").help("name of a function without arguments").spec;
+    const auto location = real("location").optional().spec;
+    Entry<FishCallback> entry({"fish"}, {"callback"});
+    entry.help("runs a FISH function in every cycle, or in every n-th");
+    entry.special({"add"}, {name, location},
+                  [=](Reader& reader, FishCallback& callback) {
+                      callback.function = reader.text(name);
+                      callback.place = reader.previous().place;
+                      if (reader.at_number()) callback.location = reader.real(location);
+                  },
+                  "the function; below 40 it runs before the cycle, else when the forces of the cycle are known");
+    entry.special({"remove"}, {name},
+                  [=](Reader& reader, FishCallback& callback) {
+                      callback.remove = true;
+                      callback.function = reader.text(name);
+                      callback.place = reader.previous().place;
+                  },
+                  "the function is not run any more");
+    entry.keyword({"interval"}, integer("n").at_least(1), &FishCallback::interval, "in every n-th cycle only");
+    entry.finish([](const Reader& reader, FishCallback& callback) {
+        if (callback.function.empty())
+            incomplete_line(reader, "fish callback does not say what to do", "write: fish callback add NAME");
+    });
+    entry.right("fish callback add watch 1 interval 50").right("fish callback remove watch");
+    entry.wrong("fish callback", "fish callback does not say what to do");
+    entry.wrong("fish callback add watch interval 0", "interval must be at least 1, not 0");
+    return entry;
+}
+
 } // namespace
 
 Family script() {
@@ -35,6 +65,7 @@ Family script() {
             {
                 std::move(plain),
                 std::move(modern),
+                callback(),
                 Entry<FishCall>({"@"})
                     .help("runs a function or shows a value: @name or @name(arguments) alone on a line")
                     .raw(&FishCall::expression)

@@ -129,6 +129,7 @@ void read_rest(const Language& language, const CommandSpec& spec, Reader& reader
                                   word->place);
             if (keyword->support == Support::ignored) ignored.push_back(keyword->words.front().word);
             reader.take();
+            reader.spell(keyword->words.front().word);
             keyword->read(reader, target);
         } else if (range_allowed && at_range(spec, reader)) {
             try {
@@ -189,9 +190,12 @@ FoundCommand find_command(const Language& language, const Statement& statement) 
     throw d.at(place);
 }
 
-BoundCommand bind_statement(const Language& language, const Statement& statement, const ValueSource* values) {
+BoundCommand bind_statement(const Language& language, const Statement& statement, const ValueSource* values,
+                            Spelled* spelled) {
     const FoundCommand found = find_command(language, statement);
     const CommandSpec& spec = *found.spec;
+    if (spelled != nullptr && !statement.words.front().late()) (*spelled)[0] = spec.words.front().word;
+    if (spelled != nullptr && found.form_at > 0) (*spelled)[found.form_at] = spec.form.front().word;
 
     if (spec.support == Support::not_yet)
         not_supported_yet(spec.name(), spec.help, statement.words[found.form_at].place);
@@ -205,9 +209,11 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
     if (spec.raw) return bound;
 
     Reader before_form(statement, 1, std::max<std::size_t>(found.form_at, 1), values);
+    before_form.keep_spelling(spelled);
     read_rest(language, spec, before_form, target, false, bound.ignored);
 
     Reader reader(statement, found.form_at + 1, statement.words.size(), values);
+    reader.keep_spelling(spelled);
     for (const auto& positional : spec.arguments) {
         const bool number = positional.argument.kind == ArgumentKind::real ||
                             positional.argument.kind == ArgumentKind::integer;

@@ -28,9 +28,10 @@ struct FoundCommand {
 FoundCommand find_command(const Language& language, const Statement& statement);
 
 /// Throws Diagnostic for the first mistake in the statement. Without `values` names bind to wildcards.
-/// A word `?` throws a Diagnostic of severity note that lists what may stand there.
+/// A word `?` throws a Diagnostic of severity note that lists what may stand there. `spelled` takes the whole
+/// words that shortened ones stand for.
 BoundCommand bind_statement(const Language& language, const Statement& statement,
-                            const ValueSource* values = nullptr);
+                            const ValueSource* values = nullptr, Spelled* spelled = nullptr);
 
 /// The next statement with its body (def ... end), or false at the end of the text.
 /// Throws Diagnostic when the body is never ended; the lexer then stands behind what was read.

@@ -278,6 +278,7 @@ void read_keywords(Reader& reader, const std::vector<KeywordSpec>& keywords, voi
         if (found->support == Support::not_yet)
             not_supported_yet(found->words.front().word, found->help, word->place);
         reader.take();
+        reader.spell(found->words.front().word);
         found->read(reader, target);
     }
 }

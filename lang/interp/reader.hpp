@@ -6,7 +6,9 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <string_view>
 
 namespace kaya::lang {
 
@@ -17,12 +19,22 @@ public:
     std::vector<std::string> words; ///< empty where a number or a name of the user must stand
 };
 
+/// The whole words that shortened ones stand for, by number of the word in its statement.
+using Spelled = std::map<std::size_t, std::string_view>;
+
 class Reader {
 public:
     /// Without a source of values, @name and [expression] are accepted where a value may stand and give a
     /// wildcard (1, or the text as typed); late() then says that the statement must be read again.
     Reader(const Statement& statement, std::size_t first, std::size_t end, const ValueSource* values)
         : statement_(statement), next_(first), end_(end), values_(values) {}
+
+    /// Where spell() keeps the whole words; nowhere when it is not set.
+    void keep_spelling(Spelled* spelled) { spelled_ = spelled; }
+    /// The word just taken stands for this one.
+    void spell(std::string_view whole) {
+        if (spelled_ != nullptr) (*spelled_)[next_ - 1] = whole;
+    }
 
     bool at_end() const { return next_ >= end_; }
     const Word* peek() const { return at_end() ? nullptr : &statement_.words[next_]; }
@@ -72,6 +84,7 @@ private:
     const Statement& statement_;
     std::size_t next_, end_;
     const ValueSource* values_;
+    Spelled* spelled_ = nullptr;
     bool late_ = false;
 };
 

@@ -190,8 +190,10 @@ void define_fish_function(Machine& machine, const std::string& text, const Place
     lua_setfield(L, -2, name.c_str());
     lua_pop(L, 1);
 
-    std::erase(fish.whilestepping, name);
-    if (function.whilestepping) fish.whilestepping.push_back(name);
+    std::erase_if(fish.hooks,
+                  [&](const StoredHook& hook) { return hook.function == name && hook.whilestepping; });
+    if (function.whilestepping)
+        fish.hooks.push_back({name, static_cast<std::uint8_t>(Moment::after_cycle), 1, true});
     std::erase_if(fish.stored, [&](const StoredSource& stored) {
         return stored.kind == StoredSource::Kind::fish && stored.title == name;
     });

@@ -8,6 +8,7 @@
 #include "lang/script/runtime.hpp"
 
 #include <cstdio>
+#include <cstdlib>
 #include <new>
 
 namespace kaya::script {
@@ -20,6 +21,27 @@ int new_table(lua_State* L) {
     return luaL_ref(L, LUA_REGISTRYINDEX);
 }
 
+/// Small pieces are given beyond the limit as well, so that there is room for the error message.
+constexpr std::size_t small_piece = 4096, spare_room = 1 << 20;
+
+/// Lua's allocator with a limit. The old size is that of the piece, or a kind of object when there is none.
+void* limited_memory(void* memory_of_machine, void* piece, std::size_t old_size, std::size_t size) {
+    auto& memory = *static_cast<Memory*>(memory_of_machine);
+    const std::size_t before = piece ? old_size : 0;
+    if (size == 0) {
+        std::free(piece);
+        memory.used -= before;
+        return nullptr;
+    }
+    if (size > before) {
+        const std::size_t room = memory.limit + (size < small_piece ? spare_room : 0);
+        if (memory.used + (size - before) > room) return nullptr;
+    }
+    void* moved = std::realloc(piece, size);
+    if (moved) memory.used += size - before; // wraps around rightly when it shrinks
+    return moved;
+}
+
 } // namespace
 
 Machine::Machine(World& the_world, Options the_options)
@@ -27,6 +49,12 @@ Machine::Machine(World& the_world, Options the_options)
     lua = luaL_newstate();
     if (!lua) throw std::bad_alloc();
     *static_cast<Machine**>(lua_getextraspace(lua)) = this;
+    if (options.memory > 0) {
+        const auto used = static_cast<std::size_t>(lua_gc(lua, LUA_GCCOUNT)) * 1024 +
+                          static_cast<std::size_t>(lua_gc(lua, LUA_GCCOUNTB));
+        memory = {used, options.memory};
+        lua_setallocf(lua, limited_memory, &memory);
+    }
     try {
         luaL_openlibs(lua);
         anchors.globals = new_table(lua);

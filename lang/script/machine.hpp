@@ -47,6 +47,11 @@ struct OpenFile {
     std::ofstream writing;
 };
 
+/// What scripts have taken, where it is limited.
+struct Memory {
+    std::size_t used = 0, limit = 0;
+};
+
 struct Machine {
     Machine(World& the_world, Options the_options);
     ~Machine();
@@ -56,6 +61,7 @@ struct Machine {
     lua_State* lua = nullptr;
     World& world;
     Options options;
+    Memory memory;
     Anchors anchors;
     const void* vector_type = nullptr; ///< address of the metatable, for a quick test
     const void* array_type = nullptr;  ///< of arrays with one dimension

@@ -140,9 +140,40 @@ std::vector<std::pair<std::string, bool>> Scripts::built_in_names() const {
     return names;
 }
 
+void Scripts::add_fish_hook(const std::string& function, Moment moment, std::int64_t interval,
+                            const Place& place) {
+    FishLibrary& fish = impl_->machine->fish;
+    const std::string name = fish::lower(function);
+    const auto found = fish.functions.find(name);
+    if (found == fish.functions.end()) {
+        std::vector<std::string_view> names;
+        for (const auto& [known, defined] : fish.functions) names.push_back(known);
+        const auto meant = did_you_mean(name, names);
+        throw Diagnostic(fmt::format("there is no FISH function '{}'", function),
+                         meant.empty() ? std::string("define it before") : fmt::format("did you mean '{}'?", meant),
+                         Fault::run)
+            .at(place);
+    }
+    if (!found->second.function.arguments.empty())
+        throw Diagnostic(fmt::format("'{}' runs in cycles, so nobody gives it its arguments", function),
+                         "take a function without arguments", Fault::run)
+            .at(place);
+    fish.hooks.push_back({name, static_cast<std::uint8_t>(moment), interval, false});
+}
+
+void Scripts::remove_fish_hook(const std::string& function, const Place& place) {
+    const std::string name = fish::lower(function);
+    const auto removed = std::erase_if(impl_->machine->fish.hooks, [&](const StoredHook& hook) {
+        return hook.function == name && !hook.whilestepping;
+    });
+    if (removed == 0)
+        throw Diagnostic(fmt::format("no callback runs '{}'", function), {}, Fault::run).at(place);
+}
+
 bool Scripts::has_hooks(Moment moment) const {
     const Machine& machine = *impl_->machine;
-    if (moment == Moment::after_cycle && !machine.fish.whilestepping.empty()) return true;
+    for (const auto& hook : machine.fish.hooks)
+        if (static_cast<Moment>(hook.moment) == moment) return true;
     for (const auto& hook : machine.hooks)
         if (hook.moment == moment) return true;
     return false;
@@ -152,14 +183,13 @@ void Scripts::run_hooks(Moment moment, std::int64_t cycle) {
     Machine& machine = *impl_->machine;
     lua_State* L = machine.lua;
     const StackLevel level(L);
-    if (moment == Moment::after_cycle && !machine.fish.whilestepping.empty()) {
-        const auto names = machine.fish.whilestepping; // a function may define or replace another one
-        for (const auto& name : names) {
-            push_anchor(L, machine.anchors.functions);
-            lua_getfield(L, -1, name.c_str());
-            call_protected(L, 0, 0);
-            lua_pop(L, 1);
-        }
+    const auto of_fish = machine.fish.hooks; // a function may define or replace another one
+    for (const auto& hook : of_fish) {
+        if (static_cast<Moment>(hook.moment) != moment || cycle % hook.interval != 0) continue;
+        push_anchor(L, machine.anchors.functions);
+        lua_getfield(L, -1, hook.function.c_str());
+        call_protected(L, 0, 0);
+        lua_pop(L, 1);
     }
     const std::vector<Hook> hooks = machine.hooks;
     for (const auto& hook : hooks) {

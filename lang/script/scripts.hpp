@@ -20,6 +20,7 @@ struct Options {
     bool trusted =
         false; ///< true: os.execute, io.popen, files outside of the working folder, debug, load libraries
     std::uint64_t seed = 1;                            ///< of urand, grand and Lua's math.random
+    std::size_t memory = 0; ///< bytes that scripts may take together; 0: as much as there is
     std::vector<std::filesystem::path> module_folders; ///< searched by `require` after the deck's folder
 };
 
@@ -62,6 +63,11 @@ public:
 
     /// Names that FISH knows without a definition, sorted; true for those that can also be set.
     std::vector<std::pair<std::string, bool>> built_in_names() const;
+
+    /// Runs a FISH function without arguments in each cycle whose number is a multiple of `interval`.
+    void add_fish_hook(const std::string& function, Moment moment, std::int64_t interval, const Place& place);
+    /// Takes away what add_fish_hook gave; throws Diagnostic when there is nothing of that function.
+    void remove_fish_hook(const std::string& function, const Place& place);
 
     /// Hooks, in the order in which they were defined. `cycle` decides for hooks with an interval.
     bool has_hooks(Moment moment) const;

@@ -37,13 +37,21 @@ struct StoredSource {
     std::string text;
 };
 
+/// A FISH function that runs in cycles.
+struct StoredHook {
+    std::string function;
+    std::uint8_t moment = 2;    ///< a script::Moment
+    std::int64_t interval = 1;  ///< runs in each cycle whose number is a multiple
+    bool whilestepping = false; ///< asked for in the function itself: goes when that is defined anew
+};
+
 struct ScriptState {
     std::vector<std::pair<std::string, StoredValue>> fish_globals; ///< sorted by name
     std::vector<std::pair<std::string, StoredValue>> lua_globals;  ///< sorted by name; no functions
     std::vector<std::pair<std::string, StoredValue>> extras;       ///< "b_extra" -> object handle -> value
     std::vector<StoredObject> objects;
     std::vector<StoredSource> sources;      ///< FISH functions and Lua chunks that define something, in order
-    std::vector<std::string> whilestepping; ///< FISH functions that run after every cycle, in order
+    std::vector<StoredHook> hooks;          ///< of FISH functions, in the order in which they came
     Tables tables;
     std::array<std::uint64_t, 4> random{};
 };

@@ -13,7 +13,7 @@ namespace kaya::script {
 namespace {
 
 constexpr std::string_view mark = "KAYASCRIPT";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
 
 /// Every part of the state passes through `io` in one order, for writing and for reading.
@@ -173,7 +173,12 @@ std::string to_bytes(const ScriptState& state) {
         out.number(source.line);
         out.text(source.text);
     });
-    out.list(state.whilestepping, [&](const std::string& name) { out.text(name); });
+    out.list(state.hooks, [&](const StoredHook& hook) {
+        out.text(hook.function);
+        out.number(hook.moment);
+        out.number(hook.interval);
+        out.number(static_cast<std::uint8_t>(hook.whilestepping));
+    });
     out.number(static_cast<std::uint64_t>(state.tables.size()));
     for (const auto& [number, table] : state.tables) {
         out.number(number);
@@ -214,7 +219,14 @@ ScriptState from_bytes(const std::string& bytes) {
         in.number(source.line);
         in.text(source.text);
     });
-    in.list(state.whilestepping, [&](std::string& name) { in.text(name); });
+    in.list(state.hooks, [&](StoredHook& hook) {
+        in.text(hook.function);
+        in.number(hook.moment);
+        in.number(hook.interval);
+        hook.whilestepping = taken<std::uint8_t>(in) != 0;
+        if (hook.moment > 2 || hook.interval < 1)
+            throw Diagnostic("the saved scripts hold a hook of an unknown kind", "the file is damaged", Fault::run);
+    });
     for (auto count = taken<std::uint64_t>(in); count > 0; --count) {
         const auto number = taken<std::int64_t>(in);
         in.list(state.tables[number].points, [&](TablePoint& point) {

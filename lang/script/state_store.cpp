@@ -59,7 +59,7 @@ public:
         state_.lua_globals = named(machine_.anchors.environment);
         state_.extras = named(machine_.anchors.extras);
         state_.sources = machine_.fish.stored;
-        state_.whilestepping = machine_.fish.whilestepping;
+        state_.hooks = machine_.fish.hooks;
         state_.tables = machine_.tables;
         state_.random = machine_.random.state;
         return std::move(state_);
@@ -196,7 +196,7 @@ public:
         machine_.restoring = true;
         for (const auto& source : state_.sources) define(source);
         machine_.restoring = false;
-        machine_.fish.whilestepping = state_.whilestepping;
+        machine_.fish.hooks = state_.hooks;
         named(machine_.anchors.globals, state_.fish_globals);
         named(machine_.anchors.extras, state_.extras);
         named(machine_.anchors.environment, state_.lua_globals);

@@ -1,7 +1,11 @@
 // kaya: runs command files. Exit status 0 done, 1 the deck is wrong, 2 the run failed, 3 our own fault.
+#include "app/explanations.hpp"
 #include "app/interrupt.hpp"
 #include "app/joint_bench.hpp"
+#include "app/prompt.hpp"
+#include "app/tools.hpp"
 #include "commands/deck_report.hpp"
+#include "commands/journal.hpp"
 #include "commands/progress.hpp"
 #include "commands/session.hpp"
 
@@ -25,6 +29,11 @@ struct CommandLine {
     std::vector<std::string> decks;
     std::vector<std::string> checked;
     std::vector<std::string> help_words;
+    std::vector<std::string> formatted;
+    bool format_in_place = false;
+    std::string code;         ///< of `explain`
+    std::string journal;      ///< of `replay`
+    bool no_journal = false;
 };
 
 /// The folder of the program itself: joint models that ship lie beside it.
@@ -70,10 +79,30 @@ int check(const std::vector<std::string>& decks, Output& output) {
     return status;
 }
 
-void run_decks(Session& session, const std::vector<std::string>& decks) {
-    const InterruptGuard guard(session);
-    for (const auto& deck : decks)
-        if (session.run_deck(deck) == lang::Ended::quit) break;
+/// The journal of a deck lies in the current folder, as all that it writes.
+std::unique_ptr<Journal> journal_of(Session& session, const CommandLine& line) {
+    if (line.no_journal || !line.journal.empty()) return nullptr;
+    const fs::path name = line.decks.empty() ? fs::path("prompt") : fs::path(line.decks.front()).stem();
+    return std::make_unique<Journal>(session, name.string() + ".journal");
+}
+
+int run_decks(Session& session, const CommandLine& line) {
+    const auto journal = journal_of(session, line);
+    int status = 0;
+    if (!line.journal.empty()) {
+        const InterruptGuard guard(session);
+        status = replay_journal(session, line.journal);
+    } else if (line.decks.empty()) {
+        if (journal) journal->deck("prompt");
+        status = run_prompt(session);
+    } else {
+        const InterruptGuard guard(session);
+        for (const auto& deck : line.decks) {
+            if (journal) journal->deck(deck);
+            if (session.run_deck(deck) == lang::Ended::quit) break;
+        }
+    }
+    if (journal) journal->finish();
     const auto& clock = session.model.clock;
     if (clock.cycle > 0)
         session.output.say(
@@ -82,13 +111,13 @@ void run_decks(Session& session, const std::vector<std::string>& decks) {
                         session.warnings == 0 ? "" : fmt::format(", {} warnings", session.warnings)));
     session.output.stop_log();
     session.output.flush();
+    return status;
 }
 
 int run(const CommandLine& line) {
     Session session(line.options);
     try {
-        run_decks(session, line.decks);
-        return 0;
+        return run_decks(session, line);
     } catch (const lang::DeckErrors& errors) {
         for (const auto& error : errors.all) session.output.message(error);
         return static_cast<int>(errors.fault);
@@ -111,7 +140,8 @@ int run(const CommandLine& line) {
 int start(int argc, char** argv) {
     CommandLine line;
     CLI::App app{"kaya runs command files of the distinct element method in three dimensions.\n"
-                 "Files that a deck writes are put into the current folder.",
+                 "Files that a deck writes are put into the current folder. Without a deck it reads commands from the "
+                 "keyboard.",
                  "kaya"};
     app.set_version_flag("--version", std::string("kaya ") + program_version());
     app.add_option("deck", line.decks, "command files, run one after the other in one session");
@@ -125,6 +155,17 @@ int start(int argc, char** argv) {
     app.add_flag("--batch,--quiet,-q", line.options.quiet, "results, warnings and errors only");
     app.add_flag("--echo", line.options.echo, "show each command before it runs");
     app.add_flag("--trust", line.options.trust, "scripts of the deck may use files and start programs");
+    app.add_option("--script-memory", line.options.script_memory,
+                   "megabytes that scripts of the deck may take; 0 is as much as there is")
+        ->check(CLI::Range(0, 1 << 20));
+    app.add_flag("--no-journal", line.no_journal, "do not write the journal (the deck's name with .journal)");
+    auto* formatting = app.add_subcommand("fmt", "show decks in their long form: whole words, single blanks");
+    formatting->add_option("deck", line.formatted, "command files")->required();
+    formatting->add_flag("--write,-w", line.format_in_place, "write it into the files");
+    auto* explaining = app.add_subcommand("explain", "explain a message by its code, or list the codes");
+    explaining->add_option("code", line.code, "as shown in brackets behind a message on a terminal");
+    auto* replaying = app.add_subcommand("replay", "run a journal again and compare the final state");
+    replaying->add_option("journal", line.journal, "a file that a run has written")->required();
     auto* checking =
         app.add_subcommand("check", "read decks and say what is wrong with them, without running them");
     checking->add_option("deck", line.checked, "command files")->required();
@@ -136,7 +177,6 @@ int start(int argc, char** argv) {
     app.require_subcommand(0, 1);
     try {
         app.parse(argc, argv);
-        if (!*checking && !*helping && !about_models && line.decks.empty()) throw CLI::RequiredError("a deck");
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : static_cast<int>(Fault::deck);
     }
@@ -150,6 +190,16 @@ int start(int argc, char** argv) {
         const std::string words = fmt::format("{}", fmt::join(line.help_words, " "));
         const auto& language = lang::classic();
         fmt::print("{}\n", words.empty() ? lang::help_list(language) : lang::help_on(language, words));
+        return 0;
+    }
+    if (*formatting) {
+        Output output(stdout, stderr);
+        const int status = format_decks(line.formatted, line.format_in_place, output);
+        output.flush();
+        return status;
+    }
+    if (*explaining) {
+        fmt::print("{}", line.code.empty() ? code_list() : explanation(line.code));
         return 0;
     }
     if (about_models) return about_models();

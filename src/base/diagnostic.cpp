@@ -38,10 +38,11 @@ std::string underlined(const Diagnostic& d) {
 
     constexpr int window = 100;
     if (static_cast<int>(line.size()) > window) {
+        // No character of UTF-8 is longer than four bytes; text of another encoding may look like one that is.
         int from = std::max(0, column - 1 - window / 2);
-        while (from > 0 && continues_character(line[from])) --from;
+        for (int back = 0; back < 3 && from > 0 && continues_character(line[from]); ++back) --from;
         std::size_t to = std::min(line.size(), static_cast<std::size_t>(from + window));
-        while (to < line.size() && continues_character(line[to])) ++to;
+        for (int on = 0; on < 3 && to < line.size() && continues_character(line[to]); ++on) ++to;
         line = line.substr(from, to - from);
         column -= from;
         if (from > 0) {
@@ -92,14 +93,17 @@ Mistakes mistakes(std::string_view typed, std::string_view meant) {
 std::string render(const Diagnostic& d, bool colour) {
     const std::string kind = colour ? fmt::format("{}{}\033[0m", colour_of(d.severity), name_of(d.severity))
                                     : name_of(d.severity);
+    // What `kaya explain` knows it by: for a reader at the screen, not in the lines of a log.
+    const std::string code = colour && !d.code.empty() ? fmt::format(" \033[2m[{}]\033[0m", d.code) : std::string();
     std::string text;
     if (d.place) {
-        text = fmt::format("{}:{}:{}: {}: {}", d.place.source->name, d.place.line, d.place.column, kind, d.message);
+        text = fmt::format("{}:{}:{}: {}: {}{}", d.place.source->name, d.place.line, d.place.column, kind, d.message,
+                           code);
         const std::string lines = underlined(d);
         if (!lines.empty()) text += "\n" + lines;
         if (!d.hint.empty()) text += lines.empty() ? "\n  " + d.hint : " " + d.hint;
     } else {
-        text = fmt::format("{}: {}", kind, d.message);
+        text = fmt::format("{}: {}{}", kind, d.message, code);
         if (!d.hint.empty()) text += "\n  " + d.hint;
     }
     for (const auto& line : d.context) text += "\n  " + line;

@@ -29,7 +29,7 @@ std::string save_name(const std::string& name) {
 std::string saved_file(const Session& session, const std::string& name) {
     std::error_code ignored;
     for (const auto& candidate :
-         {fs::path(name), fs::path(save_name(name)), session.input_file(save_name(name))})
+         {fs::path(name), fs::path(save_name(name)), session.beside_deck(save_name(name))})
         if (fs::is_regular_file(candidate, ignored)) return candidate.string();
     return save_name(name);
 }

@@ -93,6 +93,7 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
 
     add<lang::FishDefinition>(session, handlers, InCycle::runs);
     add<lang::FishCall>(session, handlers, InCycle::runs);
+    add<lang::FishCallback>(session, handlers, InCycle::runs);
     add<lang::LuaChunk>(session, handlers, InCycle::runs);
     add<lang::LuaFile>(session, handlers, InCycle::runs);
 }

@@ -91,6 +91,7 @@ void run(Session&, const lang::Fraction&);
 // scripts.cpp
 void run(Session&, const lang::FishDefinition&);
 void run(Session&, const lang::FishCall&);
+void run(Session&, const lang::FishCallback&);
 void run(Session&, const lang::LuaChunk&);
 void run(Session&, const lang::LuaFile&);
 

@@ -40,10 +40,18 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
 
     script::Options script_options;
     script_options.trusted = options.trust;
+    script_options.memory = options.script_memory << 20;
     scripts = std::make_unique<script::Scripts>(world, script_options);
     scripts->on_print([this](const std::string& line) { output.print(line); });
     world.run_command = [this](const std::string& text, const std::string& chunk, int line) {
-        interpreter.run_text(text, chunk, line);
+        ++commands_of_scripts_;
+        try {
+            interpreter.run_text(text, chunk, line);
+        } catch (...) {
+            --commands_of_scripts_;
+            throw;
+        }
+        --commands_of_scripts_;
     };
 
     register_handlers(*this, handlers);
@@ -52,6 +60,10 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
     };
     interpreter.on_warning = [this](const Diagnostic& warning) { warn(warning); };
     interpreter.before_command = [this](const lang::BoundCommand& command) { show_command(command); };
+    interpreter.after_command = [this](const lang::BoundCommand& command) {
+        const bool calls = command.spec->flow == lang::Flow::call; // the commands of the file stand for it
+        if (executed && commands_of_scripts_ == 0 && !calls) executed(command);
+    };
     interpreter.checks = deck_checks();
     make_cycle();
 }
@@ -154,10 +166,16 @@ std::string Session::here() const {
     return place ? fmt::format("{}:{}", place.source->name, place.line) : std::string{};
 }
 
-fs::path Session::input_file(const std::string& name) const {
+fs::path Session::beside_deck(const std::string& name) const {
     const fs::path beside = fs::path(deck).parent_path() / name;
     std::error_code ignored;
     return fs::exists(beside, ignored) ? beside : fs::path(name);
+}
+
+fs::path Session::input_file(const std::string& name) {
+    const fs::path found = beside_deck(name);
+    files_read.insert(found.string());
+    return found;
 }
 
 std::string Session::symbol_text(const std::string& expression) {

@@ -32,6 +32,7 @@ struct Options {
     bool quiet = false;  ///< results and messages only
     bool echo = false;   ///< each command is shown before it runs
     bool trust = false;  ///< scripts may use the whole of Lua: files, other programs
+    std::size_t script_memory = 0; ///< megabytes that scripts may take; 0: as much as there is
     std::vector<std::filesystem::path> joint_folders; ///< in which joint models are looked for
 };
 
@@ -55,8 +56,10 @@ public:
     /// "tunnel.3dd:12" of the running command, "" outside a deck.
     std::string here() const;
 
-    /// A file that a deck reads: beside the deck when it is there, else in the current folder.
-    std::filesystem::path input_file(const std::string& name) const;
+    /// A file of a deck: beside the deck when it is there, else in the current folder.
+    std::filesystem::path beside_deck(const std::string& name) const;
+    /// The same, of a file that is going to be read: it is kept in files_read.
+    std::filesystem::path input_file(const std::string& name);
 
     /// `print @x`: the value as FISH shows it.
     std::string symbol_text(const std::string& expression);
@@ -83,6 +86,8 @@ public:
     std::string deck;                  ///< file name of the deck that runs, for default names of output files
     VtkSeries vtk;                     ///< the picture series of this run
     std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files
+    std::set<std::string> files_read;  ///< names of files that commands have read, decks not among them
+    std::function<void(const lang::BoundCommand&)> executed; ///< gets each command of decks that has done its work
     std::size_t warnings = 0;                               ///< shown so far
     bool inside_cycle = false;                              ///< a hook is running: structure must not change
     std::vector<std::pair<Place, std::function<void()>>>
@@ -107,6 +112,7 @@ private:
     std::vector<Row> pick_rows(ObjectKind kind, const lang::RangePhrase& range, bool hidden_too);
 
     std::atomic<bool> interrupted_ = false;
+    int commands_of_scripts_ = 0; ///< scripts that are giving commands at this moment, one in the other
 };
 
 /// What is looked at when a deck is bound, before its first command runs: whether FISH compiles.

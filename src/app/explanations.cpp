@@ -1,0 +1,120 @@
+#include "app/explanations.hpp"
+
+#include "base/diagnostic.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <vector>
+
+namespace kaya {
+
+namespace {
+
+struct Explanation {
+    std::string_view code, title, text;
+};
+
+constexpr Explanation explanations[] = {
+    // Words of a command.
+    {"choices", "an answer to '?'",
+     "A '?' in place of a word asks what may stand there. The line is not run.\n"
+     "Example: bound ?"},
+    {"incomplete-line", "a line says too little",
+     "All words of the line are right, but something that the command cannot do without is missing, such as what to\n"
+     "reset or which property to set. The hint shows a whole line. 'kaya help COMMAND' shows the syntax."},
+    {"left-over", "a word too many",
+     "The command is complete, and another word follows. Often a continuation mark (& or ...) stands in a line that\n"
+     "should end, or a text with blanks is not in quotes."},
+    {"missing-value", "a value or a word is missing",
+     "The line ends where a number, a name or a second word of the command must be. A blank behind '@' counts too:\n"
+     "write @name."},
+    {"never-ended", "a function or a chunk of Lua without its end",
+     "A 'def' needs a line 'end', and 'lua' a line 'endlua', on a line of its own. Inside a function each loop, if,\n"
+     "case_of, section and command needs its own closing word."},
+    {"not-closed", "a quote or a bracket is not closed",
+     "Quotes, brackets and the parenthesis of @name( must be closed on the same line. Inside of quotes a doubled quote\n"
+     "stands for one."},
+    {"not-a-number", "a word where a number must be",
+     "Numbers are written 12, -0.5, 1e-6. A variable of FISH needs an '@' in front: fric @angle."},
+    {"not-whole", "a number with a point where a whole number must be",
+     "Counts and identity numbers are whole. Write 3, not 3.0 or 3e0."},
+    {"not-on-off", "neither on nor off", "A switch takes on or off; true, false, yes, no mean the same."},
+    {"not-a-word", "a number where a word must be",
+     "A keyword must stand here. Perhaps the value before it takes fewer numbers than the line gives."},
+    {"not-a-symbol", "a name without '@'",
+     "Here the name of a variable or function of FISH is needed, with '@' in front."},
+    {"not-supported-yet", "3DEC knows it, kaya does not do it yet",
+     "The command or keyword is one of 3DEC, and this version cannot do what it asks for. 'kaya check FILE' lists all\n"
+     "such lines of a deck before anything runs."},
+    {"out-of-limits", "a number outside of its limits",
+     "The message says what the limits are. Units are those of the deck: kaya never converts them."},
+    {"unknown-command", "the first word of a line is no command",
+     "'kaya help' lists the commands. Words may be shortened to their first letters; a slip of the pen gets a\n"
+     "suggestion. A line that should continue the one before needs '&' or '...' at the end of that one."},
+    {"unknown-word", "a word that the command does not know",
+     "The hint lists what may stand there, or the nearest word. '?' in place of the word does so too."},
+    {"unknown-property", "a property that the joint model does not have",
+     "'list jmodel' lists the joint models that are loaded with their properties."},
+    {"wrong-type", "a value of a script of the wrong kind",
+     "What stands behind '@' or in '[ ]' has a value that cannot be used here: a text where a number is needed, a\n"
+     "pointer, or a number that is infinite or undefined."},
+    {"no-file", "a file that is not there",
+     "Decks are looked for beside the deck that calls them, then in the folder where kaya was started. The endings\n"
+     ".3dd .dat .3ddat .fis .txt may be left out."},
+    // Scripts.
+    {"unknown-fish-name", "a name that means nothing to FISH",
+     "In a command @name must be a variable that some function mentions, a function, or a built-in name. Inside of a\n"
+     "function an unknown name is a new variable with the value 0."},
+    {"unsupported-fish-name", "a name of 3DEC's FISH that kaya does not have",
+     "As a variable it would silently be 0, so it is refused where it stands. docs/fish.md lists every name with what to\n"
+     "use in its place. A local variable or an argument may have such a name."},
+    // Joint models.
+    {"joint-model-unknown", "no joint model of this name",
+     "A joint model is a shared library NAME.so beside the program, in a folder of --joints or of KAYA_JOINTS, or\n"
+     "beside the deck. 'jmodel load FILE' takes one by its path."},
+    {"joint-model-version", "a joint model for another version of the interface",
+     "The library was compiled against another include/kaya/jmodel.h. Compile it again."},
+    {"joint-model-table", "the table of a joint model is wrong",
+     "The library was found, and what it says about itself cannot be right; the message names the entry. This is a\n"
+     "mistake in the joint model, not in the deck."},
+    {"joint-model-stiffness", "a joint model gives no usable stiffness",
+     "The time step needs a normal stiffness above 0 and a shear stiffness of at least 0, both finite. Look at the\n"
+     "values that the deck gives to the model first."},
+    {"joint-model-failed", "a joint model failed while it ran",
+     "It threw an exception, or left a number that is not finite. The message says at which contact, in which cycle.\n"
+     "Large overlaps from too long a step, or properties that do not fit together, are the usual reasons."},
+    {"joint-model-restore", "a saved model needs a joint model that has changed",
+     "The saved state belongs to the library that was used then: same name, same properties. Use that one."},
+    {"property-missing", "a property that must be given",
+     "The joint or block model cannot run without it. Give it with 'prop' or 'jmodel property' before the first cycle."},
+    // Runs.
+    {"motion-lost", "numbers that are not finite in the motion",
+     "Something moved further than numbers can tell, nearly always because the step was too long for a stiffness that\n"
+     "nobody reported, or because loads are in other units than stiffnesses. Look at the last histories, and try a\n"
+     "smaller 'set fraction'."},
+    // Exit status.
+    {"status-1", "the deck is wrong", "Exit status 1. Nothing has run when the mistake is one of the words of the deck."},
+    {"status-2", "the run failed",
+     "Exit status 2: the deck could be read, and a command of it failed while it ran, or Ctrl-C stopped it."},
+    {"status-3", "kaya itself failed", "Exit status 3: a fault of the program. Please report it with the deck."},
+};
+
+} // namespace
+
+std::string code_list() {
+    std::string text;
+    for (const auto& entry : explanations) text += fmt::format("{:24}{}\n", entry.code, entry.title);
+    return text;
+}
+
+std::string explanation(std::string_view code) {
+    const auto* const found = std::ranges::find(explanations, code, &Explanation::code);
+    if (found != std::end(explanations)) return fmt::format("{}: {}\n\n{}\n", found->code, found->title, found->text);
+    std::vector<std::string_view> codes;
+    for (const auto& entry : explanations) codes.push_back(entry.code);
+    const auto meant = did_you_mean(code, codes);
+    throw Diagnostic(fmt::format("there is no message code '{}'", code),
+                     meant.empty() ? "'kaya explain' lists the codes" : fmt::format("did you mean '{}'?", meant));
+}
+
+} // namespace kaya

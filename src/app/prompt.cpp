@@ -1,0 +1,235 @@
+#include "app/prompt.hpp"
+
+#include "app/explanations.hpp"
+#include "app/interrupt.hpp"
+#include "lang/commands/language.hpp"
+#include "lang/interp/help.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <clocale>
+#include <csignal>
+#include <fmt/format.h>
+#include <histedit.h>
+#include <iostream>
+#include <unistd.h>
+
+namespace kaya {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kept_lines = 1000;
+
+/// Where typed lines are kept from one session to the next; empty when there is no home.
+fs::path history_file() {
+    if (const char* named = std::getenv("KAYA_HISTORY")) return named;
+    if (const char* state = std::getenv("XDG_STATE_HOME")) return fs::path(state) / "kaya" / "history";
+    if (const char* home = std::getenv("HOME")) return fs::path(home) / ".local" / "state" / "kaya" / "history";
+    return {};
+}
+
+/// The longest beginning that all words share.
+std::string common_beginning(const std::vector<std::string>& words) {
+    std::string beginning = words.front();
+    for (const auto& word : words) {
+        const auto [end, ignored] = std::mismatch(beginning.begin(), beginning.end(), word.begin(), word.end());
+        beginning.erase(end, beginning.end());
+    }
+    return beginning;
+}
+
+/// At the prompt Ctrl-C takes the typed line away.
+extern "C" void leave_line(int) {}
+
+class LineEditor {
+public:
+    LineEditor() : editor_(el_init("kaya", stdin, stdout, stderr)), history_(history_init()) {
+        HistEvent event;
+        history(history_, &event, H_SETSIZE, kept_lines);
+        history(history_, &event, H_SETUNIQUE, 1);
+        const fs::path file = history_file();
+        if (!file.empty()) history(history_, &event, H_LOAD, file.c_str());
+        el_set(editor_, EL_CLIENTDATA, this);
+        el_set(editor_, EL_PROMPT, prompt_of);
+        el_set(editor_, EL_EDITOR, "emacs");
+        el_set(editor_, EL_HIST, history, history_);
+        el_set(editor_, EL_ADDFN, "kaya-complete", "completes a word", complete);
+        el_set(editor_, EL_BIND, "^I", "kaya-complete", nullptr);
+    }
+    ~LineEditor() {
+        const fs::path file = history_file();
+        if (!file.empty()) {
+            std::error_code ignored; // without a place for it the history ends with the session
+            fs::create_directories(file.parent_path(), ignored);
+            HistEvent event;
+            history(history_, &event, H_SAVE, file.c_str());
+        }
+        history_end(history_);
+        el_end(editor_);
+    }
+    LineEditor(const LineEditor&) = delete;
+    LineEditor& operator=(const LineEditor&) = delete;
+
+    enum class Read { line, interrupted, end };
+
+    /// One line, without its end.
+    Read read(bool goes_on, std::string& line) {
+        goes_on_ = goes_on;
+        struct sigaction on_interrupt {}, before {};
+        on_interrupt.sa_handler = leave_line; // without SA_RESTART: reading ends
+        sigaction(SIGINT, &on_interrupt, &before);
+        int size = 0;
+        errno = 0;
+        const char* text = el_gets(editor_, &size);
+        const int problem = errno;
+        sigaction(SIGINT, &before, nullptr);
+        if (text == nullptr || size <= 0) {
+            if (size < 0 && problem == EINTR) {
+                el_reset(editor_);
+                std::fputs("^C\n", stdout);
+                return Read::interrupted;
+            }
+            std::fputs("\n", stdout);
+            return Read::end;
+        }
+        line.assign(text, static_cast<std::size_t>(size));
+        while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.pop_back();
+        if (!line.empty()) {
+            HistEvent event;
+            history(history_, &event, H_ENTER, line.c_str());
+        }
+        return Read::line;
+    }
+
+private:
+    static LineEditor& of(EditLine* editor) {
+        LineEditor* own = nullptr;
+        el_get(editor, EL_CLIENTDATA, &own);
+        return *own;
+    }
+
+    static char* prompt_of(EditLine* editor) {
+        static char first[] = "kaya> ", further[] = "    > ";
+        return of(editor).goes_on_ ? further : first;
+    }
+
+    static unsigned char complete(EditLine* editor, int) {
+        const LineInfo* info = el_line(editor);
+        const std::string line(info->buffer, static_cast<std::size_t>(info->cursor - info->buffer));
+        const auto words = lang::completions(lang::classic(), line);
+        if (words.empty()) return CC_REFRESH_BEEP;
+        const auto blank = line.find_last_of(" \t=,()");
+        const std::size_t typed = line.size() - (blank == std::string::npos ? 0 : blank + 1);
+        std::string rest = common_beginning(words);
+        rest.erase(0, std::min(typed, rest.size()));
+        if (words.size() == 1) rest += ' ';
+        if (!rest.empty()) return el_insertstr(editor, rest.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
+        std::fputs(fmt::format("\n{}\n", fmt::join(words, "  ")).c_str(), stdout);
+        return CC_REDISPLAY;
+    }
+
+    EditLine* editor_;
+    ::History* history_;
+    bool goes_on_ = false;
+};
+
+/// What belongs to the prompt and not to the language; true when the line was one of those.
+bool own_command(Session& session, const std::string& text) {
+    lang::Lexer lexer(lang::source_from_text("prompt", text));
+    lang::Statement statement;
+    if (!lexer.next(statement)) return true; // a blank line, a comment
+    const std::string& word = statement.words.front().folded;
+    if (word != "help" && word != "explain") return false;
+    const std::string rest = statement.raw(1);
+    if (word == "explain") session.output.print(rest.empty() ? code_list() : explanation(rest));
+    else session.output.print(rest.empty() ? lang::help_list(lang::classic()) : lang::help_on(lang::classic(), rest));
+    return true;
+}
+
+/// A wish to stop that a script has met is not one for the next command.
+void forget_interrupt(Session& session) {
+    try {
+        session.stop_if_interrupted();
+    } catch (const Diagnostic&) {
+        return;
+    }
+}
+
+/// Runs one statement; throws what the session throws.
+lang::Ended run_text(Session& session, const std::string& text) {
+    forget_interrupt(session);
+    if (own_command(session, text)) return lang::Ended::end_of_deck;
+    const InterruptGuard guard(session);
+    const auto ended = session.interpreter.run_text(text, "prompt");
+    session.output.flush();
+    return ended;
+}
+
+/// Shows what went wrong and gives the exit status that it would have.
+int show(Session& session) {
+    try {
+        throw;
+    } catch (const lang::DeckErrors& errors) {
+        for (const auto& error : errors.all) session.output.message(error);
+        return static_cast<int>(errors.fault);
+    } catch (const Diagnostic& error) {
+        session.output.message(error);
+        return static_cast<int>(error.fault);
+    } catch (const std::bad_alloc&) {
+        session.output.message(Diagnostic("there is not enough memory for this", {}, Fault::run));
+        return static_cast<int>(Fault::run);
+    } catch (const std::exception& error) {
+        session.output.message(Diagnostic(fmt::format("kaya itself failed: {}", error.what()),
+                                          "please report this, with the lines that were typed", Fault::own));
+        return static_cast<int>(Fault::own);
+    }
+}
+
+int from_keyboard(Session& session) {
+    std::setlocale(LC_CTYPE, ""); // letters beyond ASCII take one place on the screen
+    session.output.say(fmt::format("kaya {}: help lists the commands, ? in place of a word what may stand there, quit ends",
+                                   program_version()));
+    LineEditor editor;
+    std::string text, line;
+    for (;;) {
+        const auto read = editor.read(!text.empty(), line);
+        if (read == LineEditor::Read::end) return 0;
+        if (read == LineEditor::Read::interrupted) {
+            text.clear();
+            continue;
+        }
+        text += line + '\n';
+        if (lang::needs_more(lang::classic(), text)) continue;
+        try {
+            if (run_text(session, std::exchange(text, {})) == lang::Ended::quit) return 0;
+        } catch (...) {
+            show(session);
+        }
+    }
+}
+
+int from_pipe(Session& session) {
+    std::string text;
+    try {
+        for (std::string line; std::getline(std::cin, line);) {
+            text += line + '\n';
+            if (lang::needs_more(lang::classic(), text)) continue;
+            if (run_text(session, std::exchange(text, {})) == lang::Ended::quit) return 0;
+        }
+        if (!text.empty()) run_text(session, text);
+    } catch (...) {
+        return show(session);
+    }
+    return 0;
+}
+
+} // namespace
+
+int run_prompt(Session& session) {
+    session.deck = "prompt";
+    return isatty(STDIN_FILENO) == 1 ? from_keyboard(session) : from_pipe(session);
+}
+
+} // namespace kaya

@@ -1,0 +1,14 @@
+// What the program does with decks besides running them.
+#pragma once
+
+#include "commands/session.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// `kaya fmt`: shows decks in their long form, or writes it into the files. Gives the exit status.
+int format_decks(const std::vector<std::string>& decks, bool in_place, Output& output);
+
+} // namespace kaya

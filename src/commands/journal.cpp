@@ -1,0 +1,192 @@
+#include "commands/journal.hpp"
+
+#include "base/hash.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sstream>
+
+namespace kaya {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Every line of a journal that is no line of a deck begins with one of these.
+constexpr std::string_view first_line = "; kaya journal 1";
+constexpr std::string_view deck_mark = ";deck ";       ///< name
+constexpr std::string_view lines_mark = ";lines ";     ///< first line, number of lines, name of the source
+constexpr std::string_view joint_mark = ";joint ";     ///< digest, file
+constexpr std::string_view file_mark = ";file ";       ///< digest, file
+constexpr std::string_view hash_mark = ";hash ";       ///< digest of the final state
+
+/// Digest of a file's contents; empty when it cannot be read.
+std::string digest_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) return "-";
+    std::ostringstream contents;
+    contents << stream.rdbuf();
+    Hash hash;
+    hash.add(contents.str());
+    return fmt::format("{:016x}", hash.value());
+}
+
+/// Lines of one source that follow each other, to be run as one text.
+struct Piece {
+    std::string deck, source, text;
+    int line = 0; ///< of the first line of `text` in the source
+    int last = 0;
+};
+
+struct FileNote {
+    std::string digest, name;
+};
+
+struct Record {
+    std::vector<Piece> pieces;
+    std::vector<FileNote> joints, files;
+    std::string hash; ///< empty: the run did not come to its end
+};
+
+[[noreturn]] void fail_damaged(const std::string& file, std::size_t line) {
+    throw Diagnostic(fmt::format("line {} of '{}' is no line of a journal", line, file),
+                     "the file was changed, or is not a journal");
+}
+
+/// The first words of a text, which are cut off; what is left of it stays.
+std::string_view take_word(std::string_view& text) {
+    const auto end = std::min(text.find(' '), text.size());
+    const auto word = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return word;
+}
+
+int take_number(std::string_view& text) {
+    const auto word = take_word(text);
+    int number = -1;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    return error == std::errc{} && end == word.data() + word.size() ? number : -1;
+}
+
+/// Longer texts would only make the first mistake in them appear later.
+constexpr std::size_t longest_piece = 1 << 16;
+
+Record read_record(const std::string& file) {
+    const auto source = lang::read_source(file, file);
+    const auto& lines = source->lines;
+    if (lines.empty() || lines.front() != first_line)
+        throw Diagnostic(fmt::format("'{}' is not a journal", file), fmt::format("a journal begins with '{}'", first_line));
+    Record record;
+    std::string deck;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        std::string_view rest = lines[i];
+        const auto is = [&rest](std::string_view mark) {
+            if (!rest.starts_with(mark)) return false;
+            rest.remove_prefix(mark.size());
+            return true;
+        };
+        if (is(deck_mark)) {
+            deck = rest;
+        } else if (is(joint_mark)) {
+            const std::string digest(take_word(rest));
+            record.joints.push_back({digest, std::string(rest)});
+        } else if (is(file_mark)) {
+            const std::string digest(take_word(rest));
+            record.files.push_back({digest, std::string(rest)});
+        } else if (is(hash_mark)) {
+            record.hash = rest;
+        } else if (is(lines_mark)) {
+            const int line = take_number(rest), count = take_number(rest);
+            if (line < 1 || count < 1 || i + static_cast<std::size_t>(count) >= lines.size()) fail_damaged(file, i + 1);
+            auto& pieces = record.pieces;
+            const bool goes_on = !pieces.empty() && pieces.back().deck == deck && pieces.back().source == rest &&
+                                 line > pieces.back().last && pieces.back().text.size() < longest_piece;
+            if (!goes_on) pieces.push_back({deck, std::string(rest), {}, line, line - 1});
+            Piece& piece = pieces.back();
+            for (; piece.last < line - 1; ++piece.last) piece.text += '\n';
+            for (int k = 0; k < count; ++k) piece.text += lines[++i] + "\n";
+            piece.last += count;
+        } else if (!rest.empty() && !rest.starts_with("; ")) {
+            fail_damaged(file, i + 1);
+        }
+    }
+    return record;
+}
+
+void compare(Session& session, const std::vector<FileNote>& notes, const char* what) {
+    for (const auto& [digest, name] : notes) {
+        if (digest_of(name) == digest) continue;
+        Diagnostic warning(fmt::format("{} '{}' is not the one of the journal", what, name),
+                           "the results may be others");
+        warning.severity = Severity::warning;
+        session.output.message(warning);
+    }
+}
+
+std::string final_hash(Session& session) { return fmt::format("{:016x}", state_hash(session.model)); }
+
+} // namespace
+
+Journal::Journal(Session& session, const std::string& file)
+    : session_(session), file_(file), stream_(file, std::ios::binary) {
+    write(fmt::format("{}\n; kaya {}, seed of scripts {}\n", first_line, program_version(), script::Options{}.seed));
+    session_.executed = [this](const lang::BoundCommand& command) { add(command); };
+}
+
+Journal::~Journal() { session_.executed = nullptr; }
+
+void Journal::write(const std::string& text) {
+    if (failed_) return;
+    stream_ << text;
+    stream_.flush(); // what was done is to be known after a crash as well
+    if (stream_.good()) return;
+    failed_ = true;
+    Diagnostic note(fmt::format("the journal '{}' cannot be written", file_), "the run goes on without it");
+    note.severity = Severity::note;
+    session_.output.message(note);
+}
+
+void Journal::deck(const std::string& name) { write(fmt::format("{}{}\n", deck_mark, name)); }
+
+void Journal::add(const lang::BoundCommand& command) {
+    const auto& source = *command.place.source;
+    const int first = command.place.line, last = std::max(command.last_line, first);
+    std::string text = fmt::format("{}{} {} {}\n", lines_mark, first, last - first + 1, source.name);
+    for (int line = first; line <= last; ++line) text += source.lines[static_cast<std::size_t>(line - 1)] + "\n";
+    write(text);
+}
+
+void Journal::finish() {
+    for (const auto& model : session_.joints.loaded())
+        write(fmt::format("{}{} {}\n", joint_mark, digest_of(model->file), model->file.string()));
+    for (const auto& file : session_.files_read) write(fmt::format("{}{} {}\n", file_mark, digest_of(file), file));
+    write(fmt::format("; cycle {}, time {}\n{}{}\n", session_.model.clock.cycle, session_.model.clock.time, hash_mark,
+                      final_hash(session_)));
+}
+
+int replay_journal(Session& session, const std::string& file) {
+    const Record record = read_record(file);
+    for (const auto& piece : record.pieces) {
+        session.deck = piece.deck;
+        session.interpreter.folders = {fs::path(piece.deck).parent_path(), "."}; // for calls of scripts
+        if (session.interpreter.run_text(piece.text, piece.source, piece.line) == lang::Ended::quit) break;
+    }
+    // Behind the run, because it may have written some of them itself.
+    compare(session, record.files, "the file");
+    compare(session, record.joints, "the joint model");
+    if (record.hash.empty()) {
+        session.output.print("the journal does not say how its run ended");
+        return 0;
+    }
+    const std::string hash = final_hash(session);
+    if (hash == record.hash) {
+        session.output.print(fmt::format("replayed: the same final state, hash {}", hash));
+        return 0;
+    }
+    throw Diagnostic(fmt::format("the final state is another one: hash {} and in the journal {}", hash, record.hash), {},
+                     Fault::run);
+}
+
+} // namespace kaya

@@ -1,0 +1,61 @@
+// Statements of a deck against the tables of the language, without and with values behind @names; help and
+// completion of the same text. Nothing is run and no file is read.
+#include "harness.hpp"
+
+#include "lang/commands/language.hpp"
+#include "lang/interp/binder.hpp"
+#include "lang/interp/deck.hpp"
+#include "lang/interp/help.hpp"
+
+#include <cstdlib>
+#include <functional>
+
+using namespace kaya;
+
+namespace {
+
+/// What a script could give, by the letters of the expression.
+lang::Value value_of(const std::string& expression, const Place& place) {
+    switch (std::hash<std::string>{}(expression) % 7) {
+    case 0: return std::monostate{};
+    case 1: return true;
+    case 2: return std::int64_t{-3};
+    case 3: return 0.5;
+    case 4: return std::string("left wall");
+    case 5: return Vec3(1, 2, 3);
+    default: throw Diagnostic("no such name").at(place);
+    }
+}
+
+template <class Action> void survive(Action action) {
+    try {
+        action();
+    } catch (const Diagnostic& mistake) {
+        if (mistake.message.empty() || render(mistake, true).empty()) std::abort();
+    }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size > fuzz::largest) return 0;
+    const std::string text = fuzz::text_of(data, size);
+    const lang::Language& language = lang::classic();
+    const lang::ValueSource values = value_of;
+    survive([&] {
+        lang::Lexer lexer(lang::source_from_text("fuzz", text));
+        for (;;) {
+            lang::Statement statement;
+            bool more = false;
+            survive([&] { more = lang::next_statement(language, lexer, statement); });
+            if (!more) break;
+            survive([&] { (void)lang::bind_statement(language, statement).text(); });
+            survive([&] { (void)lang::bind_statement(language, statement, &values).text(); });
+        }
+    });
+    survive([&] { (void)lang::needs_more(language, text); });
+    const std::string line = text.substr(0, text.find('\n'));
+    survive([&] { (void)lang::completions(language, line); });
+    survive([&] { (void)lang::help_on(language, line); });
+    return 0;
+}
