@@ -35,8 +35,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     survive([&] {
         const auto expression = fish::read_expression(text, first_of(text));
         (void)fish::generate(expression, [](std::string_view name) {
-            const bool function = name.size() % 3 == 0;
-            return function ? fish::Meaning{fish::NameKind::built_in, 0, 9, true} : fish::Meaning{};
+            const bool known = name.size() % 3 == 0;
+            return known ? fish::Meaning{fish::NameKind::built_in, 0, 9, true} : fish::Meaning{};
         });
     });
     static int count = 0;
