@@ -98,6 +98,7 @@ struct JointSetCommand {
     double persistence = 1;
     std::optional<std::int64_t> id; ///< none: the next that is free
     std::int64_t seed = 0;
+    bool join = false; ///< the pieces of a block stay one body
     RangePhrase range;
     Place place;
 };

@@ -44,6 +44,7 @@ CommandSpec joint_set() {
                   "number of the set, which its faces keep; counts up if not given");
     entry.keyword({"seed"}, integer("n").at_least(0), &JointSetCommand::seed,
                   "chooses another scatter; the same seed gives the same joints");
+    entry.action({"join"}, [](JointSetCommand& set) { set.join = true; }, "the pieces of a block stay one body");
     entry.range(&JointSetCommand::range);
     entry.place(&JointSetCommand::place);
     entry.finish([](const Reader& reader, JointSetCommand& set) {
@@ -53,6 +54,7 @@ CommandSpec joint_set() {
                 .at(set.place);
     });
     entry.right("jset dip 45 dd 90").right("jset dip 60,5 dd 270,10 spacing 2,0.3 num 20 org 0,0,10 id 2");
+    entry.right("jset dip 30 dd 90 join");
     entry.right("jset dip 80 spacing 1 number 5 persistence 0.7 seed 3 range region 1");
     entry.wrong("jset dip", "a number is missing after 'dip'");
     entry.wrong("jset dip 45 num 0", "num must be at least 1, not 0");
@@ -96,7 +98,7 @@ CommandSpec tunnel() {
 }
 
 CommandSpec densify() {
-    Entry<Densify> entry({"densify"});
+    Entry<Densify> entry({"densify", "density"});
     entry.help("cuts each block into equal parts along x, y and z");
     const auto parts = [&](std::string_view name, std::size_t k, std::string_view help) {
         entry.argument(integer(name).at_least(1).at_most(1000).help(help),

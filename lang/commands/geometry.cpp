@@ -72,7 +72,7 @@ Family geometry() {
                 .wrong("group", "a word is missing after 'group'")
                 .wrong("group wall", "'wall' is not a kind of group")
                 .wrong("group block", "a word is missing after 'block'"),
-            Entry<NameRange>({"range"}, {"name"})
+            Entry<NameRange>({"range"}, {"name", "nrange"})
                 .help("gives a range phrase a name, used as: range nrange NAME")
                 .argument(text("name").help("name of the range"), &NameRange::name)
                 .range(&NameRange::range)
@@ -83,6 +83,7 @@ Family geometry() {
                 })
                 .right("range name top z 0.9 1.1")
                 .right("range name both nrange top bottom union")
+                .right("range nrange top z 0.9 1.1")
                 .wrong("range name top", "the named range has no element")
                 .wrong("range z 0 1", "'z' is not a kind of range"),
             Entry<GenerateEdge>({"generate"}, {"edge"})

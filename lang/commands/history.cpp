@@ -104,6 +104,8 @@ CommandSpec history_write() {
     entry.place(&HistoryWrite::place);
     entry.keyword({"vs", "v"}, integer("m").at_least(1), &HistoryWrite::versus,
                   "number of the history that makes the first column, in place of the cycle");
+    entry.keyword({"file"}, text("file"), [](HistoryWrite& write, std::string name) { write.file = std::move(name); },
+                  "name of the file; the word file may be left out");
     const auto number = integer("n").at_least(1).optional();
     const auto file = text("file").optional();
     entry.otherwise({number.spec, file.spec}, [=](Reader& reader, HistoryWrite& write) {
@@ -115,7 +117,7 @@ CommandSpec history_write() {
         write.file = reader.text(file.spec);
         return true;
     });
-    entry.right("hist write").right("hist write 2 3 4 vs 5 curves.csv").right("hist write 'all curves.csv'");
+    entry.right("hist write").right("hist write 2 3 4 vs 5 curves.csv").right("hist write 'all curves.csv'").right("hist write 1 vs 2 file curves.csv");
     entry.wrong("hist write 0", "write must be at least 1, not 0");
     entry.wrong("hist write 1 vs", "a number is missing after 'vs'");
     entry.wrong("hist write 1 a.csv b.csv", "'b.csv' is not a keyword of history write");

@@ -21,6 +21,7 @@ const std::vector<Known>& known() {
         {{"group"}, {"face"}, "groups of faces"},
         {{"group"}, {"joint"}, "groups of joints"},
         {{"group"}, {"zone"}, "groups of zones"},
+        {{"mark"}, {"joint"}, "numbers of joints"},
         {{"history"}, {"delete"}, "taking single histories out: reset hist takes out all"},
         {{"copy"}, {}, "copies of blocks"},
         {{"fill"}, {}, "putting excavated blocks back"},

@@ -32,6 +32,7 @@ const std::vector<Listed>& listed() {
         {{"boundary"}, "loads and held velocities"},
         {{"groups"}, "names of groups and how many blocks each has"},
         {{"settings"}, "settings of the model"},
+        {{"tables"}, "tables: number of pairs and their limits"},
         {{Spelling{"ranges", 6}}, "named ranges"},
         {{"fish"}, "variables and functions of FISH"},
     };
@@ -54,6 +55,14 @@ CommandSpec list() {
                       },
                       item.help);
     }
+    for (const auto& [word, about] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"state", "states of zones and joints"},
+             {"stress", "stresses alone: list zones shows them"},
+             {"jset", "joint sets"},
+             {"structure", "cables, beams and liners"},
+             {"memory", "memory"},
+             {"version", "the version: kaya --version"}})
+        entry.not_yet({Spelling{word, 3}}, about);
     entry.otherwise({text("@name").optional().spec}, [](Reader& reader, List& command) {
         if (reader.peek()->kind != WordKind::symbol || !command.what.empty()) return false;
         command.symbols.push_back(reader.symbol(text("@name").spec));
@@ -104,6 +113,8 @@ Family output() {
     plot.right = {{"pl block", {}}, {"plot hist 1 vs 2 &\n  hold", {}}, {"plot set dip 10 dd 'open", {}}};
     CommandSpec movie = ignored("movie", "read to its end, without effect");
     movie.right = {{"movie on file a.avi", {}}};
+    CommandSpec update = ignored("update", "read to its end, without effect: the cycle looks after itself");
+    update.right = {{"update", {}}};
     CommandSpec label = ignored("label", "read to its end, without effect");
     label.right = {{"label arrow 1 2 3", {}}};
     return {"output",
@@ -121,6 +132,7 @@ Family output() {
                     .wrong("vtk wirte a", "'wirte' is not a kind of vtk"),
                 std::move(movie),
                 std::move(label),
+                std::move(update),
             }};
 }
 

@@ -388,6 +388,7 @@ std::vector<KeywordSpec> all_elements() {
     numbered(table, {"material", "mat"}, Kind::material, "blocks of a material number");
     numbered(table, {"constitutive", "cons"}, Kind::constitutive, "blocks of a constitutive number");
     numbered(table, {"jmaterial", "jmat"}, Kind::joint_material, "contacts of a joint material number");
+    numbered(table, {"jconstitutive", "jcons"}, Kind::joint_model, "contacts of a joint constitutive number");
     numbered(table, {"region"}, Kind::region, "blocks of a region number");
     numbered(table, {"jset", "joint-set"}, Kind::joint_set, "contacts of a joint set");
     numbers(table, {"id"}, Kind::id, "identity numbers of the objects themselves");

@@ -120,6 +120,7 @@ CommandSpec solve() {
         .action(
             {"elastic"}, [](Solve& s) { s.elastic = true; },
             "first with unbreakable joints, then with the true ones")
+        .not_yet({"fos"}, "factors of safety by reducing the strength")
         .right("solve")
         .right("solve ratio 1e-6 cyc 5000")
         .right("solve elastic force 1e3")

@@ -221,7 +221,16 @@ private:
             line_.expect_end("the assignment");
             return made;
         }
-        if (!line_.done()) fail_expected(line_, fmt::format("'=' after '{}'", left.text));
+        if (!line_.done()) {
+            // What begins like a statement and is none is more likely a slip of the pen than a name.
+            const auto near = did_you_mean(left.text, {"loop", "if", "else", "elseif", "case_of", "case", "section", "exit",
+                                                       "return", "local", "global", "array", "argument"});
+            if (!near.empty() && !left.parentheses && !line_.peek().is_sign("("))
+                throw Diagnostic(fmt::format("'{}' begins no statement", left.text),
+                                 fmt::format("did you mean '{}'?", near))
+                    .at(made.place);
+            fail_expected(line_, fmt::format("'=' after '{}'", left.text));
+        }
         made.kind = StatementKind::evaluate;
         made.value = std::move(left);
         return made;
@@ -338,6 +347,11 @@ private:
             made.kind = StatementKind::loop_range;
             if (line_.take_name("local")) add_local(line_.peek().text);
             set_target(made, line_.expect_name("the loop variable, 'while', 'foreach' or 'for'"));
+            const auto near = did_you_mean(made.target.text, {"while", "foreach", "for"});
+            if (!line_.peek().is_sign("(") && !line_.done() && !near.empty())
+                throw Diagnostic(fmt::format("'{}' is no kind of loop", made.target.text),
+                                 fmt::format("did you mean '{}'?", near))
+                    .at(made.target.place);
             line_.expect_sign("(", "the limits of the loop");
             do made.expressions.push_back(parse_expression(line_));
             while (line_.take_sign(","));

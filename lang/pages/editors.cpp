@@ -2,6 +2,7 @@
 // is written, and the status is 1 when a file does not agree with the tables.
 //
 //   vscode/syntaxes/kaya.tmLanguage.json   grammar for Visual Studio Code
+//   vscode/snippets/kaya.json              commands with what they take, for completion in Visual Studio Code
 //   vscode/words.json                      words for completion: commands, their forms and keywords, with help
 //   vim/syntax/kaya.vim                    syntax file for Vim
 //   fuzz/kaya.dict                         words for a fuzzer that reads dictionaries of libFuzzer or AFL++
@@ -132,6 +133,42 @@ std::string completion_words(const Language& language) {
     return fmt::format("[\n{}\n]\n", fmt::join(entries, ",\n"));
 }
 
+/// What a snippet must not take as its own.
+std::string literal(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '$' || c == '}' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out;
+}
+
+/// A command with its values as places to be filled in.
+std::string snippets(const Language& language) {
+    std::vector<std::string> entries;
+    for (const auto& family : language.families)
+        for (const auto& command : family.commands) {
+            if (command.support == Support::not_yet || command.words.front().word == "@") continue;
+            std::string body = command.name();
+            int place = 0;
+            for (const auto& positional : command.arguments)
+                if (!positional.argument.optional)
+                    body += fmt::format(" ${{{}:{}}}", ++place, literal(positional.argument.name));
+            if (command.range_elements) body += " $0";
+            entries.push_back(fmt::format("  {}: {{ \"prefix\": {}, \"body\": {}, \"description\": {} }}",
+                                          json(command.name()), json(command.name()), json(body),
+                                          json(command.help)));
+        }
+    // Two forms of one name (lua with and without a file) cannot both be keys.
+    std::vector<std::string> kept;
+    for (const auto& entry : entries) {
+        const auto key = entry.substr(0, entry.find(": {"));
+        if (std::ranges::none_of(kept, [&](const auto& other) { return other.starts_with(key + ":"); }))
+            kept.push_back(entry);
+    }
+    return fmt::format("{{\n{}\n}}\n", fmt::join(kept, ",\n"));
+}
+
 std::string vim_syntax(const Vocabulary& words) {
     std::string text = "\" Vim syntax file of kaya decks, made from the command tables by editor_files.\n"
                        "if exists(\"b:current_syntax\")\n  finish\nendif\nsyntax case ignore\n"
@@ -198,6 +235,7 @@ int main(int argc, char** argv) {
     const Vocabulary words(language);
     const std::map<std::string, std::string> wanted = {
         {"vscode/syntaxes/kaya.tmLanguage.json", vscode_grammar(words)},
+        {"vscode/snippets/kaya.json", snippets(language)},
         {"vscode/words.json", completion_words(language)},
         {"vim/syntax/kaya.vim", vim_syntax(words)},
         {"fuzz/kaya.dict", fuzz_dictionary(words)},

@@ -67,6 +67,14 @@ std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const Cut
     return pieces;
 }
 
+/// The pieces of each block become one body again; they stand one behind the other in the list.
+void join_pieces(Model& model, const CutBlocks& cut, const std::vector<Row>& pieces) {
+    std::vector<std::pair<Row, Row>> pairs;
+    for (std::size_t i = 1; i < pieces.size(); ++i)
+        if (cut.pieces[i].parent == cut.pieces[i - 1].parent) pairs.emplace_back(pieces[i - 1], pieces[i]);
+    join_pairs(model, pairs);
+}
+
 } // namespace
 
 void run(Session& session, const lang::JointSetCommand& command) {
@@ -93,7 +101,8 @@ void run(Session& session, const lang::JointSetCommand& command) {
                                          set.spacing, thinnest),
                              "give a larger spacing");
         const CutBlocks cut = cut_blocks(shapes_of(session.model, rows), set, thinnest);
-        apply(session, rows, cut, thinnest, fmt::format("joint set {}", set.id));
+        const auto pieces = apply(session, rows, cut, thinnest, fmt::format("joint set {}", set.id));
+        if (command.join) join_pieces(session.model, cut, pieces);
         if (cut.parents.empty())
             session.warn(
                 Diagnostic("no block was cut by this joint set",
@@ -148,11 +157,7 @@ void run(Session& session, const lang::Densify& command) {
             .at(command.place);
     const CutBlocks cut = densify(shapes_of(session.model, rows), parts);
     const std::vector<Row> pieces = apply(session, rows, cut, 0, "densify");
-    if (!command.join) return;
-    std::vector<std::pair<Row, Row>> pairs;
-    for (std::size_t i = 1; i < pieces.size(); ++i)
-        if (cut.pieces[i].parent == cut.pieces[i - 1].parent) pairs.emplace_back(pieces[i - 1], pieces[i]);
-    join_pairs(session.model, pairs);
+    if (command.join) join_pieces(session.model, cut, pieces);
 }
 
 void run(Session& session, const lang::Mark& command) {

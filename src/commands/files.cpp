@@ -123,7 +123,8 @@ void run(Session& session, const lang::VtkWrite& command) { session.vtk.write(se
 
 void run(Session& session, const lang::Ignored& command) {
     session.note_once(fmt::format("'{}' is read and left out", command.word),
-                      "pictures are made from the files of 'vtk write'");
+                      command.word == "update" ? "the cycle looks after itself"
+                                               : "pictures are made from the files of 'vtk write'");
 }
 
 } // namespace kaya

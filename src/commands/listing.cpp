@@ -35,12 +35,13 @@ struct ListEntry {
     std::string_view word;
     std::string (*text)(Session&, const lang::List&);
 };
-constexpr std::array<ListEntry, 20> lists{{
+constexpr std::array<ListEntry, 21> lists{{
     {"blocks", list_blocks}, {"quality", list_block_quality},         {"contacts", list_contacts}, {"subcontacts", list_sub_contacts},
     {"gridpoints", list_gridpoints}, {"zones", list_zones},       {"prop", list_properties},
     {"jmodel", list_joint_models},   {"hist", list_histories},    {"time", list_time},
     {"timestep", list_time_step},    {"max", list_extremes},      {"energy", list_energy},
     {"timing", list_timing},         {"hash", list_hash},         {"ranges", list_ranges},
+    {"tables", list_tables},
     {"fish", list_symbols},          {"groups", list_groups},     {"settings", list_settings},
     {"boundary", list_boundary},
 }};
@@ -167,6 +168,23 @@ std::string list_timing(Session& session, const lang::List&) {
 
 std::string list_hash(Session& session, const lang::List&) {
     return fmt::format("hash = {:016x}", state_hash(session.model));
+}
+
+std::string list_tables(Session& session, const lang::List&) {
+    const auto& tables = session.scripts->tables();
+    if (tables.empty()) return "no tables";
+    TextTable rows({"table", "pairs", "first x", "last x", "least y", "greatest y"});
+    for (const auto& [number, table] : tables) {
+        const auto& points = table.points;
+        if (points.empty()) {
+            rows.add({std::to_string(number), "0", "-", "-", "-", "-"});
+            continue;
+        }
+        const auto [least, greatest] = std::ranges::minmax_element(points, {}, &script::TablePoint::y);
+        rows.add({std::to_string(number), std::to_string(points.size()), number_text(points.front().x),
+                  number_text(points.back().x), number_text(least->y), number_text(greatest->y)});
+    }
+    return rows.text();
 }
 
 std::string list_ranges(Session& session, const lang::List&) {

@@ -28,6 +28,7 @@ std::string list_energy(Session&, const lang::List&);
 std::string list_timing(Session&, const lang::List&);
 std::string list_hash(Session&, const lang::List&);
 std::string list_ranges(Session&, const lang::List&);
+std::string list_tables(Session&, const lang::List&);
 std::string list_symbols(Session&, const lang::List&);
 std::string list_groups(Session&, const lang::List&);
 std::string list_settings(Session&, const lang::List&);

@@ -1,5 +1,7 @@
 #include "commands/ranges.hpp"
 
+#include "mechanics/contact_properties.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -198,7 +200,14 @@ RangeTest by_joint_model(const RangeElement& e, const Context& context) {
         throw Diagnostic(
             fmt::format("'jmodel' picks contacts, but this command acts on {}", plural_of(context.kind)))
             .at(e.place);
-    return [name = lower(e.name)](const Model& model, ObjectKind kind, Row row) {
+    // `jcons n` gives a number, `jmodel NAME` a name.
+    std::string name;
+    try {
+        name = lower(e.name.empty() ? joint_model_of_number(context.model, static_cast<std::int32_t>(e.low)) : e.name);
+    } catch (Diagnostic& mistake) {
+        throw mistake.at(e.place);
+    }
+    return [name](const Model& model, ObjectKind kind, Row row) {
         const Row set = model.contacts.properties[contact_of(model, kind, row)];
         return set != no_row && lower(model.joint_properties[set].model) == name;
     };

@@ -17,6 +17,7 @@ syntax keyword kayaCommand da[mping]
 syntax keyword kayaCommand def[ine]
 syntax keyword kayaCommand de[lete]
 syntax keyword kayaCommand de[nsify]
+syntax keyword kayaCommand de[nsity]
 syntax keyword kayaCommand df[n]
 syntax keyword kayaCommand ex[cavate]
 syntax keyword kayaCommand ex[it]
@@ -93,10 +94,12 @@ syntax keyword kayaCommand th[ermal]
 syntax keyword kayaCommand ti[tle]
 syntax keyword kayaCommand to[pography]
 syntax keyword kayaCommand tu[nnel]
+syntax keyword kayaCommand up[date]
 syntax keyword kayaCommand vt[k]
 syntax keyword kayaCommand wa[ter]
 syntax keyword kayaCommand zone
 syntax keyword kayaKeyword a
+syntax keyword kayaKeyword add
 syntax keyword kayaKeyword area
 syntax keyword kayaKeyword assign
 syntax keyword kayaKeyword atol
@@ -117,6 +120,7 @@ syntax keyword kayaKeyword bten
 syntax keyword kayaKeyword btension
 syntax keyword kayaKeyword btol
 syntax keyword kayaKeyword bulk
+syntax keyword kayaKeyword callback
 syntax keyword kayaKeyword center
 syntax keyword kayaKeyword center1
 syntax keyword kayaKeyword center2
@@ -169,11 +173,13 @@ syntax keyword kayaKeyword ezone
 syntax keyword kayaKeyword face
 syntax keyword kayaKeyword feblock
 syntax keyword kayaKeyword ff
+syntax keyword kayaKeyword file
 syntax keyword kayaKeyword fish
 syntax keyword kayaKeyword fix
 syntax keyword kayaKeyword fluid
 syntax keyword kayaKeyword flux
 syntax keyword kayaKeyword force
+syntax keyword kayaKeyword fos
 syntax keyword kayaKeyword fraction
 syntax keyword kayaKeyword freefield
 syntax keyword kayaKeyword full
@@ -193,6 +199,7 @@ syntax keyword kayaKeyword histories
 syntax keyword kayaKeyword history
 syntax keyword kayaKeyword id
 syntax keyword kayaKeyword impulse
+syntax keyword kayaKeyword interval
 syntax keyword kayaKeyword jcoh
 syntax keyword kayaKeyword jcohesion
 syntax keyword kayaKeyword jcondf
@@ -219,6 +226,7 @@ syntax keyword kayaKeyword jrfric
 syntax keyword kayaKeyword jrfriction
 syntax keyword kayaKeyword jrten
 syntax keyword kayaKeyword jrtension
+syntax keyword kayaKeyword jset
 syntax keyword kayaKeyword jten
 syntax keyword kayaKeyword jtension
 syntax keyword kayaKeyword k
@@ -234,6 +242,7 @@ syntax keyword kayaKeyword mat
 syntax keyword kayaKeyword material
 syntax keyword kayaKeyword max
 syntax keyword kayaKeyword maximum
+syntax keyword kayaKeyword memory
 syntax keyword kayaKeyword model
 syntax keyword kayaKeyword name
 syntax keyword kayaKeyword ncyc
@@ -247,6 +256,7 @@ syntax keyword kayaKeyword nmech
 syntax keyword kayaKeyword nodisplacements
 syntax keyword kayaKeyword none
 syntax keyword kayaKeyword normal
+syntax keyword kayaKeyword nrange
 syntax keyword kayaKeyword nstr
 syntax keyword kayaKeyword nstress
 syntax keyword kayaKeyword number
@@ -283,6 +293,7 @@ syntax keyword kayaKeyword ratio-maximum
 syntax keyword kayaKeyword rayleigh
 syntax keyword kayaKeyword read
 syntax keyword kayaKeyword region
+syntax keyword kayaKeyword remove
 syntax keyword kayaKeyword rhs
 syntax keyword kayaKeyword rotation
 syntax keyword kayaKeyword rxfree
@@ -307,9 +318,11 @@ syntax keyword kayaKeyword sload
 syntax keyword kayaKeyword spacing
 syntax keyword kayaKeyword sstr
 syntax keyword kayaKeyword sstress
+syntax keyword kayaKeyword state
 syntax keyword kayaKeyword steps
 syntax keyword kayaKeyword stiffness
 syntax keyword kayaKeyword stress
+syntax keyword kayaKeyword structure
 syntax keyword kayaKeyword subcontacts
 syntax keyword kayaKeyword sviscous
 syntax keyword kayaKeyword sxx
@@ -319,6 +332,7 @@ syntax keyword kayaKeyword syy
 syntax keyword kayaKeyword syz
 syntax keyword kayaKeyword szz
 syntax keyword kayaKeyword table
+syntax keyword kayaKeyword tables
 syntax keyword kayaKeyword tangential
 syntax keyword kayaKeyword temperature
 syntax keyword kayaKeyword test
@@ -337,6 +351,7 @@ syntax keyword kayaKeyword v
 syntax keyword kayaKeyword vel
 syntax keyword kayaKeyword velocities
 syntax keyword kayaKeyword velocity
+syntax keyword kayaKeyword version
 syntax keyword kayaKeyword vs
 syntax keyword kayaKeyword write
 syntax keyword kayaKeyword xacceleration
@@ -416,6 +431,8 @@ syntax keyword kayaRange group-intersection
 syntax keyword kayaRange id
 syntax keyword kayaRange id-list
 syntax keyword kayaRange idlist
+syntax keyword kayaRange jcons
+syntax keyword kayaRange jconstitutive
 syntax keyword kayaRange jgroup
 syntax keyword kayaRange jmat
 syntax keyword kayaRange jmaterial

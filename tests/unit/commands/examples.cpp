@@ -47,6 +47,9 @@ end
 def sstav
   sstav = 1.0
 end
+def watch
+  seen = 1
+end
 def build_wall
   built = 1
 end
@@ -112,6 +115,7 @@ void write_inputs(const std::function<void(const char*, const std::string&)>& wr
     };
     const char *o = "10 0 0", *x = "11 0 0", *y = "10 1 0", *z = "10 0 1";
     write("vault.stl", "solid vault\n" + facet(o, y, x) + facet(o, x, z) + facet(o, z, y) + facet(x, y, z) + "endsolid vault\n");
+    write("shear.csv", "normal_stress,shear_displacement\n1,0\n1,0.001\n");
     write("average.lua", "average = 1\n");
 }
 
@@ -119,6 +123,7 @@ void write_inputs(const std::function<void(const char*, const std::string&)>& wr
 std::string before(std::string_view example) {
     if (example.find("jcso") != std::string_view::npos)
         return "jmodel model barton-bandis\n";
+    if (example.starts_with("fish callback remove")) return "fish callback add watch\n";
     if (example.find("jrco") != std::string_view::npos) return "jmodel load barton-bandis\n";
     if (example.starts_with("import wall.3dgrid")) return "export wall.3dgrid\n";
     return {};

@@ -1,0 +1,1 @@
+autocmd BufRead,BufNewFile *.3dd,*.3ddat,*.fis setlocal filetype=kaya
