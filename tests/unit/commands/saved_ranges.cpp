@@ -23,12 +23,23 @@ NamedRanges sample() {
     ball.centre = Vec3(1, -2e-300, 3);
     ball.radius2 = 5;
     ball.side = -1;
-    return {{"slab", {{slab}, false, {}}}, {"empty", {}}, {"any of two", {{stones, ball}, true, {}}}};
+    lang::RangeElement between;
+    between.kind = Kind::group_intersection;
+    between.name = "a";
+    between.second_name = "b b";
+    lang::RangeElement listed;
+    listed.kind = Kind::id_list;
+    listed.numbers = {5, -1, 7};
+    listed.both = true;
+    return {{"slab", {{slab}, false, {}}},
+            {"empty", {}},
+            {"any of two", {{stones, ball}, true, {}}},
+            {"whole", {{between, listed}, false, {}, true}}};
 }
 
 TEST(SavedRanges, ComeBackWithEveryBit) {
     const NamedRanges back = ranges_from_text(ranges_text(sample()));
-    ASSERT_EQ(back.size(), 3u);
+    ASSERT_EQ(back.size(), 4u);
     EXPECT_EQ(back.at("slab").elements[0].kind, Kind::z);
     EXPECT_EQ(back.at("slab").elements[0].high, 1.0 / 3.0);
     EXPECT_TRUE(back.at("empty").elements.empty());
@@ -38,6 +49,13 @@ TEST(SavedRanges, ComeBackWithEveryBit) {
     EXPECT_TRUE(both.elements[0].negated);
     EXPECT_EQ(both.elements[1].centre, Vec3(1, -2e-300, 3));
     EXPECT_EQ(both.elements[1].side, -1);
+    const auto& whole = back.at("whole");
+    EXPECT_TRUE(whole.whole);
+    EXPECT_FALSE(both.whole);
+    EXPECT_EQ(whole.elements[0].name, "a");
+    EXPECT_EQ(whole.elements[0].second_name, "b b");
+    EXPECT_EQ(whole.elements[1].numbers, (std::vector<std::int64_t>{5, -1, 7}));
+    EXPECT_TRUE(whole.elements[1].both);
     EXPECT_EQ(ranges_text(back), ranges_text(sample()));
 }
 
