@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <optional>
+#include <vector>
 
 namespace kaya {
 
@@ -19,23 +21,42 @@ constexpr double negligible = 1e-3;
 /// The part of it that comes back in each cycle.
 constexpr double recovery = 5e-3;
 
-/// A contact that overlaps more than its force says pushes the blocks apart so slowly that it shakes nothing.
-void recover(Model& model, Row c) {
+double frictional_work(const Model& model, Row c) {
+    const Span span = model.contacts.sub_contacts[c];
+    const double* const work = model.sub_contacts.frictional_work.data();
+    return std::accumulate(work + span.first, work + span.end(), 0.0);
+}
+
+/// A contact that overlaps more than its force says pushes the blocks apart, so slowly that it shakes nothing. The
+/// energy for it is what its changes of geometry have taken before, and then what friction takes in this step, `lost`:
+/// surfaces that climb on each other while they slide get it from the force along them. Returns how much is taken of `lost`.
+double recover(Model& model, Row c, double lost) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     double& sunk = contacts.sunk[c];
-    if (sunk <= 0) return;
     const auto& margin = model.blocks.margin;
     if (sunk < negligible * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]])) {
         sunk = 0;
-        return;
+        return 0;
     }
-    const double closed = recovery * sunk;
-    sunk -= closed;
     const Span span = contacts.sub_contacts[c];
+    const auto pushes = [&](Row s) { return subs.normal_force[s] > 0 || subs.normal_displacement[s] < 0; };
+    double force = 0, stiffness = 0;
+    for (Row s = span.first; s < span.end(); ++s) {
+        if (!pushes(s)) continue;
+        force += subs.normal_force[s];
+        stiffness += subs.normal_stiffness[s] * subs.area[s];
+    }
+    double& account = contacts.given_up[c];
+    double closed = recovery * sunk;
+    const double wanted = (force + 0.5 * stiffness * closed) * closed, there = account + std::max(lost, 0.0);
+    if (wanted > there) closed *= there / wanted; // what is then needed is no more, since it grows faster than the way
+    const double needed = (force + 0.5 * stiffness * closed) * closed, of_account = std::min(needed, account);
+    account -= of_account;
+    sunk -= closed;
     for (Row s = span.first; s < span.end(); ++s)
-        if (subs.normal_force[s] > 0 || subs.normal_displacement[s] < 0)
-            subs.normal_force[s] += subs.normal_stiffness[s] * subs.area[s] * closed;
+        if (pushes(s)) subs.normal_force[s] += subs.normal_stiffness[s] * subs.area[s] * closed;
+    return needed - of_account;
 }
 
 /// Sums of one contact's sub-contacts; pore pressure acts on both sides besides the effective stress.
@@ -130,9 +151,11 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
     const bool energy = model.settings.energy;
     auto& subs = model.sub_contacts;
+    static thread_local std::vector<double> friction; // before the step, of contacts that have sunk; kept for its memory
+    friction.resize(static_cast<std::size_t>(batch.contacts.count));
     for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
-        recover(model, c);
         move_contact(model, c);
+        if (model.contacts.sunk[c] > 0) friction[c - batch.contacts.first] = frictional_work(model, c);
     }
     auto columns = columns_of(model, batch, model.clock.time_step, history.data());
     Work before, after;
@@ -152,6 +175,8 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     if (dashpots) sums.damped = dashpots->finish();
     sums.stiffness_changed = columns.stiffness_changed;
     for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
+        if (model.contacts.sunk[c] > 0)
+            sums.friction -= recover(model, c, frictional_work(model, c) - friction[c - batch.contacts.first]);
         sum_contact(model, c, forces);
         if (columns.stiffness_changed) note_stiffness(model, c, forces);
     }
