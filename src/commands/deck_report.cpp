@@ -1,5 +1,6 @@
 #include "commands/deck_report.hpp"
 
+#include "commands/deck_names.hpp"
 #include "commands/session.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
@@ -19,7 +20,7 @@ constexpr std::array outlook_words{"runs", "ignored", "not supported yet", "unkn
 const char* word_of(Outlook outlook) { return outlook_words[static_cast<std::size_t>(outlook)]; }
 
 Outlook outlook_of(const Diagnostic& problem) {
-    if (problem.code == "not-supported-yet") return Outlook::not_supported;
+    if (problem.code == "not-supported-yet" || problem.code == "unsupported-fish-name") return Outlook::not_supported;
     return problem.code.starts_with("unknown") ? Outlook::unknown : Outlook::wrong;
 }
 
@@ -31,8 +32,20 @@ public:
         if (!seen_.insert(&file).second) return;
         begin_file(file.source->name);
         for (const auto& step : file.steps) statement(step.command);
-        for (const auto& step : file.steps)
+        for (const auto& step : file.steps) {
             if (step.called) this->file(*step.called);
+            else if (step.command.spec->flow == lang::Flow::call) names_.anything_may_be_made();
+        }
+    }
+
+    /// Names that nothing in the deck makes. Where a statement could not be read, it may have made them.
+    void names() {
+        const bool whole = std::ranges::all_of(report.lines, [](const auto& line) { return line.outlook != Outlook::wrong; });
+        if (!whole) return;
+        for (const auto& missing : names_.missing())
+            report.lines.push_back({missing.place.source->name, missing.place.line, missing.place.column,
+                                    Outlook::unknown, fmt::format("no function or variable '{}' is made in this deck", missing.name),
+                                    missing.meant.empty() ? "" : fmt::format("did you mean '{}'?", missing.meant)});
     }
 
     void problem(const Diagnostic& problem) {
@@ -55,8 +68,9 @@ private:
         if (std::ranges::find(files_, name) == files_.end()) files_.push_back(name);
     }
 
-    void statement(const lang::BoundCommand& command) {
+    void statement(const lang::BoundCommand& command, bool inside_function = false) {
         ++report.statements;
+        names_.look_at(command, inside_function);
         const auto ignored = [&](std::string text) {
             report.lines.push_back({command.place.source->name, command.place.line, command.place.column,
                                     Outlook::ignored, std::move(text), {}});
@@ -82,13 +96,14 @@ private:
             lang::Statement words;
             if (!lexer.next(words)) continue;
             try {
-                statement(lang::bind_statement(lang::classic(), words));
+                statement(lang::bind_statement(lang::classic(), words), true);
             } catch (const Diagnostic& mistake) {
                 problem(mistake);
             }
         }
     }
 
+    DeckNames names_;
     std::set<const lang::BoundFile*> seen_;
     std::vector<std::string> files_; ///< in the order of their first call
 };
@@ -121,6 +136,7 @@ DeckReport check_deck(const std::string& deck, const std::vector<std::filesystem
     Reporter reporter;
     reporter.file(*read.file);
     for (const auto& problem : read.problems) reporter.problem(problem);
+    reporter.names();
     reporter.sort();
     return reporter.report;
 }

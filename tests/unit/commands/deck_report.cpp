@@ -77,6 +77,31 @@ TEST_F(DeckReportTest, CalledFilesAndCommandsInsideFunctionsAreLookedAt) {
               "a.3dd: 6 statements: 4 run, 2 unknown");
 }
 
+TEST_F(DeckReportTest, NamesThatNothingMakesAreUnknown) {
+    write("a.3dd", "def build_wall(n)\n  height = n\n  command\n    gen edge @n\n  endcommand\nend\nset @load = 1\n[depth = 3]\n"
+                   "@bulid_wall(2)\nprint @height @load @time @depth\ngravity 0 0 @g\nprint @heigth\n");
+    const DeckReport found = report("a.3dd");
+    EXPECT_EQ(found.text("a.3dd"),
+              "a.3dd:9:1: unknown: no function or variable 'bulid_wall' is made in this deck; did you mean 'build_wall'?\n"
+              "a.3dd:11:13: unknown: no function or variable 'g' is made in this deck\n"
+              "a.3dd:12:7: unknown: no function or variable 'heigth' is made in this deck; did you mean 'height'?\n"
+              "a.3dd: 8 statements: 5 run, 3 unknown");
+}
+
+TEST_F(DeckReportTest, NamesMayComeFromLuaAndFromSavedModels) {
+    write("a.3dd", "lua\nx = 1\nendlua\nprint @x\n");
+    EXPECT_TRUE(report("a.3dd").can_run());
+    write("b.3dd", "restore settled\nprint @x\n");
+    EXPECT_TRUE(report("b.3dd").can_run());
+    write("c.3dd", "set @name = 'other.dat'\ncall @name\nprint @x\n");
+    EXPECT_TRUE(report("c.3dd").can_run());
+}
+
+TEST_F(DeckReportTest, NamesOfFishThatAreNotThereAreToldApart) {
+    write("a.3dd", "def f\n  a = cable_head\nend\n");
+    EXPECT_EQ(report("a.3dd").count(Outlook::not_supported), 1u);
+}
+
 TEST_F(DeckReportTest, AFunctionThatDoesNotCompileIsWrong) {
     write("a.3dd", "def f\n  f = (1\nend\n");
     const DeckReport found = report("a.3dd");
@@ -93,6 +118,17 @@ TEST_F(DeckReportTest, AllMistakesOfALongDeckAreCounted) {
 }
 
 TEST_F(DeckReportTest, ADeckThatIsNotThereIsAMistake) { EXPECT_THROW(report("none.3dd"), Diagnostic); }
+
+TEST(Decks, ThatRunAreCheckedAsSuch) {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(KAYA_DECKS)) {
+        if (entry.path().extension() != ".3dd") continue;
+        ++count;
+        const DeckReport found = check_deck(entry.path().string(), {KAYA_DECKS, fs::path(KAYA_DECKS) / "parts"});
+        EXPECT_TRUE(found.can_run()) << found.text(entry.path().filename().string());
+    }
+    EXPECT_GT(count, 30);
+}
 
 /// Names of the commands that a file binds to, those inside of functions and of called files too.
 void gather(const lang::BoundFile& file, std::set<std::string>& names) {
