@@ -37,6 +37,7 @@ CommandSpec set() {
                           }
                       },
                       "accepted, without effect").ignored();
+    entry.not_yet({"fishcall"}, "functions at numbered places of the cycle: use fish callback add");
     entry.otherwise({text("@name value").optional().spec}, [](Reader& reader, Set& set) {
         if (reader.peek()->kind != WordKind::symbol) return false;
         const std::string name = reader.symbol(text("@name").spec);

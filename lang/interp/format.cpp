@@ -39,7 +39,8 @@ public:
                 if (!next_statement(language_, lexer, statement)) break;
                 if (add(statement) == Flow::leave_file) break;
             } catch (const Diagnostic& problem) {
-                problems_.push_back(problem);
+                // A line that cannot be run yet may be right all the same: it stays as it is.
+                if (problem.code != "not-supported-yet") problems_.push_back(problem);
             }
         }
         if (!problems_.empty()) throw DeckErrors(std::move(problems_));

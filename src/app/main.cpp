@@ -9,8 +9,6 @@
 #include "commands/progress.hpp"
 #include "commands/session.hpp"
 
-#include "lang/commands/language.hpp"
-#include "lang/interp/help.hpp"
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -170,7 +168,7 @@ int start(int argc, char** argv) {
         app.add_subcommand("check", "read decks and say what is wrong with them, without running them");
     checking->add_option("deck", line.checked, "command files")->required();
     auto* helping = app.add_subcommand("help", "list the commands of decks, or explain one of them");
-    helping->add_option("command", line.help_words, "a command or a keyword: poly brick");
+    helping->add_option("command", line.help_words, "a command, a keyword, or a name of FISH: poly brick, cx_nforce");
     const fs::path program = program_folder(argv[0]);
     std::function<int()> about_models;
     add_joint_bench(app, [&] { return joint_folders(line, program); }, about_models);
@@ -188,8 +186,7 @@ int start(int argc, char** argv) {
     }
     if (*helping) {
         const std::string words = fmt::format("{}", fmt::join(line.help_words, " "));
-        const auto& language = lang::classic();
-        fmt::print("{}\n", words.empty() ? lang::help_list(language) : lang::help_on(language, words));
+        fmt::print("{}\n", help_text(words));
         return 0;
     }
     if (*formatting) {

@@ -2,6 +2,7 @@
 
 #include "app/explanations.hpp"
 #include "app/interrupt.hpp"
+#include "app/tools.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/help.hpp"
 
@@ -144,7 +145,7 @@ bool own_command(Session& session, const std::string& text) {
     if (word != "help" && word != "explain") return false;
     const std::string rest = statement.raw(1);
     if (word == "explain") session.output.print(rest.empty() ? code_list() : explanation(rest));
-    else session.output.print(rest.empty() ? lang::help_list(lang::classic()) : lang::help_on(lang::classic(), rest));
+    else session.output.print(help_text(rest));
     return true;
 }
 

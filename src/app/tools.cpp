@@ -1,6 +1,9 @@
 #include "app/tools.hpp"
 
+#include "commands/model_world.hpp"
 #include "lang/commands/language.hpp"
+#include "lang/fish/reserved.hpp"
+#include "lang/interp/help.hpp"
 #include "lang/interp/format.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +14,34 @@ namespace kaya {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::string about_field(const script::FieldInfo& field, std::string_view table) {
+    std::string text = table.empty() ? fmt::format("model.{}", field.name) : fmt::format("{}.{}", table, field.name);
+    if (!field.classic.empty()) text += fmt::format(", in FISH {}{}", field.classic, table.empty() ? "" : "(pointer)");
+    return fmt::format("{}\n    {}{}{}\n", text, field.help,
+                       field.unit == "-" ? "" : fmt::format(" [{}]", field.unit),
+                       field.writable ? "; can be set" : "");
+}
+
+/// A quantity of the model by its name in FISH or Lua, or a name of FISH that is not supported; empty when neither.
+std::string about_name(std::string_view name) {
+    Model model;
+    JointRegistry joints;
+    const ModelWorld world(model, joints);
+    std::string text;
+    const auto add = [&](const std::vector<script::FieldInfo>& fields, std::string_view table) {
+        for (const auto& field : fields)
+            if (field.classic == name || field.name == name) text += about_field(field, table);
+    };
+    add(world.globals(), "");
+    for (const auto& table : world.tables()) add(table.fields, table.name);
+    if (!text.empty()) return text;
+    if (const auto* reserved = fish::find_reserved_family(name)) {
+        const Diagnostic message = fish::reserved_message(name, *reserved);
+        return fmt::format("{}\n    {}\n", message.message, message.hint);
+    }
+    return {};
+}
 
 /// The new text takes the place of the old one as a whole or not at all.
 void replace(const fs::path& file, const std::string& text) {
@@ -32,6 +63,17 @@ void replace(const fs::path& file, const std::string& text) {
 }
 
 } // namespace
+
+std::string help_text(const std::string& words) {
+    if (words.empty()) return lang::help_list(lang::classic());
+    try {
+        return lang::help_on(lang::classic(), words);
+    } catch (const Diagnostic&) {
+        const std::string text = about_name(lang::fold(words));
+        if (text.empty()) throw;
+        return text;
+    }
+}
 
 int format_decks(const std::vector<std::string>& decks, bool in_place, Output& output) {
     int status = 0;

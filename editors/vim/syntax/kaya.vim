@@ -175,6 +175,7 @@ syntax keyword kayaKeyword feblock
 syntax keyword kayaKeyword ff
 syntax keyword kayaKeyword file
 syntax keyword kayaKeyword fish
+syntax keyword kayaKeyword fishcall
 syntax keyword kayaKeyword fix
 syntax keyword kayaKeyword fluid
 syntax keyword kayaKeyword flux
