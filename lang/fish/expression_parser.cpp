@@ -11,6 +11,8 @@ namespace {
 /// Lua's own parser gives up at 200 levels; this stays well below and can name the place.
 constexpr int deepest = 60;
 constexpr std::size_t most_arguments = 50;
+/// Every operator of a long sum is a level of the tree.
+constexpr int most_operators = 1000;
 
 struct Comparison {
     std::string_view fish, lua;
@@ -77,7 +79,7 @@ public:
         const Depth depth(*this);
         Node left = conjunction();
         while (line_.peek().is_sign("|")) {
-            const Place place = line_.take().place;
+            const Place place = take_operator().place;
             left = binary("|", place, std::move(left), conjunction());
         }
         return left;
@@ -115,10 +117,18 @@ private:
         ExpressionParser& owner;
     };
 
+    Token take_operator() {
+        if (++operators_ > most_operators)
+            throw Diagnostic(fmt::format("the expression has more than {} operators", most_operators),
+                             "give a part of it to a variable on a line before")
+                .at(line_.peek().place);
+        return line_.take();
+    }
+
     Node conjunction() {
         Node left = negation();
         while (line_.peek().is_sign("&")) {
-            const Place place = line_.take().place;
+            const Place place = take_operator().place;
             left = binary("&", place, std::move(left), negation());
         }
         return left;
@@ -149,7 +159,7 @@ private:
     Node sum() {
         Node left = product();
         while (line_.peek().is_sign("+") || line_.peek().is_sign("-")) {
-            const Token sign = line_.take();
+            const Token sign = take_operator();
             left = binary(sign.text, sign.place, std::move(left), product());
         }
         return left;
@@ -158,7 +168,7 @@ private:
     Node product() {
         Node left = signed_power();
         while (line_.peek().is_sign("*") || line_.peek().is_sign("/")) {
-            const Token sign = line_.take();
+            const Token sign = take_operator();
             left = binary(sign.text, sign.place, std::move(left), signed_power());
         }
         return left;
@@ -209,6 +219,7 @@ private:
 
     Line& line_;
     int depth_ = 0;
+    int operators_ = 0;
 };
 
 } // namespace

@@ -120,7 +120,8 @@ std::string_view did_you_mean(std::string_view word, const std::vector<std::stri
     std::string_view best;
     int best_halves = limit + 1;
     for (const auto candidate : candidates) {
-        if (candidate.empty()) continue;
+        // A word that is so much longer has too many mistakes; it may be a whole file without a blank.
+        if (candidate.empty() || word.size() > candidate.size() + static_cast<std::size_t>(limit)) continue;
         const auto [whole, beginning] = mistakes(word, candidate);
         int halves = 2 * whole;
         if (std::is_permutation(word.begin(), word.end(), candidate.begin(), candidate.end())) --halves;

@@ -98,6 +98,10 @@ TEST(DidYouMean, SaysNothingWhenNothingIsNear) {
     EXPECT_EQ(did_you_mean("brick", {}), "");
 }
 
+TEST(DidYouMean, AWordAsLongAsAFileTakesNoTime) {
+    EXPECT_EQ(did_you_mean(std::string(std::size_t{1} << 28, 'b'), {"brick"}), "");
+}
+
 TEST(DidYouMean, BetweenEqualsTakesTheOneThatStartsLikeTheWord) {
     EXPECT_EQ(did_you_mean("cycl", {"bycl", "cyco"}), "cyco");
 }

@@ -167,6 +167,10 @@ TEST(FishCompiler, too_deep_text_is_refused_before_lua_sees_it) {
               "the expression is nested too deeply");
     EXPECT_EQ(message("def f\n a = " + std::string(5000, '-') + "1\nend"),
               "the expression is nested too deeply");
+    std::string sum = "1";
+    for (int i = 0; i < 1000; ++i) sum += i % 2 == 0 ? "+1" : "-1";
+    EXPECT_EQ(message("def f\n a = " + sum + "\nend"), "accepted");
+    EXPECT_EQ(message("def f\n a = " + sum + "+1\nend"), "the expression has more than 1000 operators");
     std::string blocks = "def f\n";
     for (int i = 0; i < 60; ++i) blocks += "if 1\n";
     EXPECT_EQ(message(blocks + "end"), "more than 40 blocks stand in each other");
