@@ -17,7 +17,8 @@
  * Angles are degrees. No units are enforced; they are the deck's.
  *
  * Shear vectors are in global axes and lie in the plane of the contact; the engine has turned them
- * with the plane before `run` is called. A vector kept in the history is not turned.
+ * with the plane before `run` is called; and so are three history variables in a row whose names are
+ * alike but for their ends -x, -y, -z. Other history variables are plain numbers.
  *
  * Threads. `run` and `initialise` are called from several threads at once, each with rows of its own:
  * they must not write to anything but the columns of the batch. The other functions are called from

@@ -123,6 +123,12 @@ void refuse_repeated(const std::vector<std::string>& names, const char* kind,
     if (twin != sorted.end()) refuse(file, fmt::format("it has two {} named '{}'", kind, *twin));
 }
 
+/// "reversal-x", "reversal-y", "reversal-z"
+bool are_a_vector(std::string_view x, std::string_view y, std::string_view z) {
+    const auto stem = x.substr(0, x.size() - std::min<std::size_t>(x.size(), 2));
+    return x.ends_with("-x") && y == fmt::format("{}-y", stem) && z == fmt::format("{}-z", stem);
+}
+
 } // namespace
 
 JointModel::JointModel(const kaya_jmodel* d, std::filesystem::path from, std::shared_ptr<void> library)
@@ -156,6 +162,8 @@ JointModel::JointModel(const kaya_jmodel* d, std::filesystem::path from, std::sh
         history_names.push_back(h.name);
     }
     refuse_repeated(history_names, "history variables", file);
+    for (std::size_t k = 0; k + 2 < history.size(); ++k)
+        if (are_a_vector(history_names[k], history_names[k + 1], history_names[k + 2])) vectors.push_back(k);
 
     states = words_of(d->state_names);
     if (states.size() > KAYA_JMODEL_MAX_STATES)

@@ -39,6 +39,7 @@ public:
     std::filesystem::path file;
     std::vector<Property> properties;
     std::vector<HistoryVariable> history;
+    std::vector<std::size_t> vectors; ///< first of three history variables that are a vector in the plane
     std::vector<std::string> states;
 
     /// Index of the property with that name or alias (case folded, any unambiguous leading part), or none.

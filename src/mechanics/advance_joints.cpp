@@ -155,6 +155,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     friction.resize(static_cast<std::size_t>(batch.contacts.count));
     for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
         move_contact(model, c);
+        if (!batch.model->vectors.empty()) turn_kept_vectors(model, c, batch.model->vectors);
         if (model.contacts.sunk[c] > 0) friction[c - batch.contacts.first] = frictional_work(model, c);
     }
     auto columns = columns_of(model, batch, model.clock.time_step, history.data());

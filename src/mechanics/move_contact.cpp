@@ -157,4 +157,24 @@ void move_contact(Model& model, Row c) {
         move_between_rigid(model, c);
 }
 
+void turn_kept_vectors(Model& model, Row c, const std::vector<std::size_t>& vectors) {
+    if (!model.settings.large_strain) return;
+    const auto& contacts = model.contacts;
+    const auto& blocks = model.blocks;
+    const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
+    const Vec3 n = contacts.normal[c];
+    const bool rigid = !blocks.deformable[b1] && !blocks.deformable[b2];
+    const double twist =
+        rigid ? 0.5 * model.clock.time_step * (blocks.rotational_velocity[b1] + blocks.rotational_velocity[b2]).dot(n) : 0;
+    const Span span = contacts.sub_contacts[c];
+    for (const std::size_t k : vectors) {
+        auto* column = &model.sub_contacts.history[k];
+        for (Row s = span.first; s < span.end(); ++s) {
+            const Vec3 kept(column[0][s], column[1][s], column[2][s]);
+            const Vec3 in_plane = kept - kept.dot(n) * n, turned = in_plane + twist * n.cross(in_plane);
+            for (int i = 0; i < 3; ++i) column[i][s] = turned[i];
+        }
+    }
+}
+
 } // namespace kaya

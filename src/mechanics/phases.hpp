@@ -108,6 +108,10 @@ void joint_forces_of_new(const Model& model, JointForces& forces);
 /// sub-contacts; turns their shear forces with the plane.
 void move_contact(Model& model, Row contact);
 
+/// Turns the vectors that a joint model keeps of each sub-contact as its shear force was turned: `vectors` has the first
+/// of the three history variables of each. Only where strain is large; call it after move_contact.
+void turn_kept_vectors(Model& model, Row contact, const std::vector<std::size_t>& vectors);
+
 /// A pressure that is linear in space.
 struct LinearPressure {
     double at_origin = 0;
