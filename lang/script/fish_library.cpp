@@ -172,6 +172,13 @@ void define_fish_function(Machine& machine, const std::string& text, const Place
         throw Diagnostic(fmt::format("'{}' is built in and cannot be defined", function.name),
                          "give the function another name")
             .at(function.place);
+    const bool is_callback = std::ranges::any_of(fish.hooks, [&](const StoredHook& hook) {
+        return hook.function == function.name && !hook.whilestepping;
+    });
+    if (is_callback && !function.arguments.empty())
+        throw Diagnostic(fmt::format("'{}' is a callback, so nobody gives it its arguments", function.name),
+                         fmt::format("write before: fish callback remove {}", function.name))
+            .at(function.place);
     // Nothing is changed before the whole function is known to be right.
     const auto dictionary = dictionary_of(machine, &function);
     const std::string generated = fish::generate(function, dictionary);
