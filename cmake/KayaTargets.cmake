@@ -38,14 +38,14 @@ endfunction()
 # What it takes to run a deck: the program and the joint models that ship. scripts/run builds this and no tests.
 add_custom_target(program)
 
-# kaya_add_joint_model(NAME sources...): a joint model as a shared library beside the program,
-# in <build>/joints/NAME.so, where the loader looks.
-function(kaya_add_joint_model name)
-  add_library(joint_${name} MODULE ${ARGN})
-  set_target_properties(joint_${name} PROPERTIES
-    PREFIX "" OUTPUT_NAME ${name} CXX_VISIBILITY_PRESET hidden
-    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/joints)
-  target_include_directories(joint_${name} PRIVATE ${CMAKE_SOURCE_DIR}/include)
+# The joint models that ship: where the loader looks, beside the program.
+include(${CMAKE_CURRENT_LIST_DIR}/KayaJointModel.cmake)
+function(kaya_ship_joint_model name)
+  kaya_add_joint_model(${name} ${ARGN})
   target_link_libraries(joint_${name} PRIVATE kaya_flags)
+  set_target_properties(joint_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/joints)
   add_dependencies(program joint_${name})
 endfunction()
+
+# The headers that joint models compile against lie beside the program, as they do when it is installed.
+file(CREATE_LINK ${CMAKE_SOURCE_DIR}/include ${CMAKE_BINARY_DIR}/include SYMBOLIC)

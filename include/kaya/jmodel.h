@@ -39,7 +39,7 @@ extern "C" {
 #endif
 
 /* A library made for another interface version is refused, with both numbers. */
-#define KAYA_JMODEL_INTERFACE 1
+#define KAYA_JMODEL_INTERFACE 2
 
 #define KAYA_JMODEL_MAX_PROPERTIES 64 /* properties of one model, at most */
 #define KAYA_JMODEL_MAX_HISTORY 16    /* history variables of one model, at most */
@@ -66,6 +66,32 @@ typedef struct kaya_jhistory {
     const char* help;
 } kaya_jhistory;
 
+/* What a model keeps of a sub-contact when numbers will not do: an object that begins with this struct.
+ * The engine copies, moves, saves and deletes it with the sub-contact and never looks inside. Most models
+ * need none; history variables are faster, and users see them. */
+typedef struct kaya_jobject {
+    const struct kaya_jobject_functions* functions; /* valid as long as the library is loaded */
+} kaya_jobject;
+
+/* None of them may be NULL. They are called from one thread at a time for each object. */
+typedef struct kaya_jobject_functions {
+    kaya_jobject* (*clone)(const kaya_jobject* object);
+    void (*destroy)(kaya_jobject* object);
+    /* Calls write(sink, bytes, count), as often as it likes, with all that decides how the object goes
+     * on. The same content must always give the same bytes: they are saved, and the hash is made of them. */
+    void (*save)(const kaya_jobject* object, void (*write)(void* sink, const void* bytes, size_t count),
+                 void* sink);
+} kaya_jobject_functions;
+
+/* The tables of the deck, as they were when the last command to cycle began. */
+typedef struct kaya_jtables {
+    /* The table of that name or number, NULL when there is none; it stays valid while the model is
+     * loaded. It may be called from `initialise` and `run`, in any thread. */
+    const void* (*find)(const struct kaya_jtables* tables, const char* name);
+    double (*value)(const void* table, double x); /* straight between points, constant beyond the ends */
+    double (*slope)(const void* table, double x); /* to the right of x; 0 beyond the ends */
+} kaya_jtables;
+
 /* The sub-contacts of one call. Columns marked "in" must not be written. No two columns overlap. */
 typedef struct kaya_jbatch {
     size_t n;
@@ -86,7 +112,17 @@ typedef struct kaya_jbatch {
     uint32_t* state;             /* in, out: bit i belongs to the i-th name of state_names */
     double* const* history;      /* in, out: history[k][i] is variable k of row i */
     char message[KAYA_JMODEL_MESSAGE]; /* out: why a row failed */
+    kaya_jobject** object; /* in, out: the object of row i or NULL; NULL for a model without `restore` */
+    const kaya_jtables* tables; /* in: may be NULL, when there is no deck */
+    size_t row; /* out: a model that works row by row writes here where it is; a crash is reported with it */
 } kaya_jbatch;
+
+/* Last members that a model leaves out are NULL, in C by the language, in C++ by this. */
+#ifdef __cplusplus
+#define KAYA_JMODEL_NONE = NULL
+#else
+#define KAYA_JMODEL_NONE
+#endif
 
 /* `name`, `initialise`, `run` and `max_stiffness` must not be NULL; neither must a table whose count
  * is not 0. */
@@ -117,6 +153,11 @@ typedef struct kaya_jmodel {
     /* The tangent stiffnesses that a sub-contact starts with, stress/length, at the largest: the engine
      * needs them before any force is known. The columns of the batch take over from the first step. */
     void (*max_stiffness)(const double* properties, double* normal, double* shear);
+
+    /* For a model that keeps objects: an object made from the bytes that its `save` gave, or NULL after
+     * writing a sentence to message (KAYA_JMODEL_MESSAGE bytes). NULL: the model keeps no objects. */
+    kaya_jobject* (*restore)(const double* properties, const void* bytes, size_t count,
+                             char* message) KAYA_JMODEL_NONE;
 } kaya_jmodel;
 
 #if defined(_WIN32)

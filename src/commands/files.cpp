@@ -62,14 +62,28 @@ std::uint32_t number_of(const std::string& text) {
     return number;
 }
 
+/// What joint models keep as objects was restored as bytes; the models make objects of them.
+void wake_objects(Session& session, Model& model) {
+    if (!model.sub_contacts.keeps_objects) return;
+    for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+        const auto& set = model.joint_properties[model.contacts.properties[c]];
+        const JointModel& joint = session.joints.get(set.model);
+        const Span span = model.contacts.sub_contacts[c];
+        for (Row s = span.first; s < span.end(); ++s)
+            if (JointObject& object = model.sub_contacts.object[s]; object.is_asleep())
+                object = joint.restore_object(set.values, object.bytes());
+    }
+}
+
 /// A saved model runs on with the joint models that it had: they must be here, with the same properties.
-void load_joint_models(Session& session, const Model& model) {
+void load_joint_models(Session& session, Model& model) {
     for (const auto& set : model.joint_properties)
         if (session.joints.get(set.model).properties.size() != set.values.size())
             throw Diagnostic(
                 fmt::format("joint model '{}' has other properties now than when the model was saved",
                             set.model),
                 "use the library that was used then", Fault::run);
+    wake_objects(session, model);
 }
 
 } // namespace

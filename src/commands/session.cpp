@@ -7,6 +7,7 @@
 #include "lang/script/value_text.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <fmt/format.h>
 #include <thread>
 
@@ -29,6 +30,22 @@ lang::Value command_value(const script::Value& value, const std::string& express
         .at(place);
 }
 
+/// The points of a table for joint models; its name is a number.
+std::optional<JointTables::Points> table_points(script::Scripts& scripts, const std::string& name) {
+    std::int64_t number = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+    if (error != std::errc{} || end != name.data() + name.size()) return std::nullopt;
+    const auto& tables = scripts.tables();
+    const auto found = tables.find(number);
+    if (found == tables.end()) return std::nullopt;
+    JointTables::Points points;
+    for (const auto& point : found->second.points) {
+        points.x.push_back(point.x);
+        points.y.push_back(point.y);
+    }
+    return points;
+}
+
 } // namespace
 
 Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
@@ -37,6 +54,7 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
     set_threads(options.threads > 0 ? options.threads
                                     : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
     joints.set_path(options.joint_folders);
+    joints.tables().set_source([this](const std::string& name) { return table_points(*scripts, name); });
 
     script::Options script_options;
     script_options.trusted = options.trust;

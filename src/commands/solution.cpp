@@ -94,6 +94,7 @@ std::string reached(const Limits& limits, const Clock& start, const Model& model
 std::string advance_until(Session& session, const Limits& limits) {
     check_materials(session);
     check_time_functions(session);
+    session.joints.tables().refresh();
     session.cycle->prepare();
     const Clock start = session.model.clock;
     Target target;

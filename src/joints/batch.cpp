@@ -71,6 +71,8 @@ BatchFailure thrown_failure(const JointModel& model, const char* what) {
 std::optional<BatchFailure> call(const JointModel& model, ptrdiff_t (*function)(kaya_jbatch*),
                                  kaya_jbatch& batch) {
     batch.message[0] = '\0';
+    if (model.keeps_objects() && batch.object == nullptr)
+        return BatchFailure{0, fmt::format("joint model {} keeps objects, and here is no room for them", model.name)};
     ptrdiff_t row = -1;
     try {
         row = function(&batch);

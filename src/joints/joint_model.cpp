@@ -31,7 +31,7 @@ std::string folded(std::string_view word) {
 
 /// Decks fold case and split at blanks, so any other word could never be typed.
 bool is_keyword(std::string_view word) {
-    const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
+    const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
     return !word.empty() && word.front() >= 'a' && word.front() <= 'z' &&
            std::all_of(word.begin(), word.end(), allowed);
 }
@@ -104,8 +104,8 @@ void refuse_unusable_words(const JointModel& model) {
         for (const auto& word : words) {
             if (!is_keyword(word))
                 refuse(model.file,
-                       fmt::format("'{}' cannot be typed as a property: use lower-case letters, digits "
-                                   "and hyphens, a letter first",
+                       fmt::format("'{}' cannot be typed as a property: use lower-case letters, digits, "
+                                   "hyphens and underscores, a letter first",
                                    word));
             const auto [place, is_new] = owner.emplace(word, property.name);
             if (!is_new)
@@ -146,8 +146,8 @@ JointModel::JointModel(const kaya_jmodel* d, std::filesystem::path from, std::sh
     version = text_or_empty(d->version);
     if (!is_keyword(name))
         refuse(file, fmt::format(
-                         "'{}' cannot be typed as the name of a joint model: use lower-case letters, digits "
-                         "and hyphens, a letter first",
+                         "'{}' cannot be typed as the name of a joint model: use lower-case letters, digits, "
+                         "hyphens and underscores, a letter first",
                          name));
 
     for (std::size_t i = 0; i < d->property_count; ++i)
@@ -227,6 +227,25 @@ JointStiffness JointModel::initial_stiffness(const std::vector<double>& values) 
                      "give the joint its stiffnesses, or correct max_stiffness() of the model", Fault::run);
     error.code = "joint-model-stiffness";
     throw error.add(reason);
+}
+
+JointObject JointModel::restore_object(const std::vector<double>& values, std::string_view bytes) const {
+    char message[KAYA_JMODEL_MESSAGE] = "";
+    std::string reason;
+    try {
+        JointObject object(descriptor_->restore(values.data(), bytes.data(), bytes.size(), message));
+        if (object) return object;
+        message[KAYA_JMODEL_MESSAGE - 1] = '\0';
+        reason = message[0] != '\0' ? message : "it gives no reason";
+    } catch (const std::exception& thrown) {
+        reason = fmt::format("it threw an exception: {}", thrown.what());
+    } catch (...) {
+        reason = "it threw an exception";
+    }
+    Diagnostic error(fmt::format("joint model {} cannot take up what was saved of a sub-contact: {}", name, reason),
+                     "use the library that was used then", Fault::run);
+    error.code = "joint-model-restore";
+    throw error;
 }
 
 } // namespace kaya

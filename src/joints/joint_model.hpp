@@ -1,6 +1,9 @@
 // Joint models that are known to the program: loaded libraries, by keyword.
 #pragma once
 
+#include "joints/joint_object.hpp"
+#include "joints/joint_tables.hpp"
+
 #include "kaya/jmodel.h"
 
 #include <filesystem>
@@ -55,6 +58,15 @@ public:
     /// negative one, or a normal stiffness of 0.
     JointStiffness initial_stiffness(const std::vector<double>& values) const;
 
+    /// Whether it keeps an object of each sub-contact: then a batch needs the column of objects.
+    bool keeps_objects() const { return descriptor_->restore != nullptr; }
+
+    /// The object that gave these bytes. Throws Diagnostic (Fault::run) when the model cannot make it.
+    JointObject restore_object(const std::vector<double>& values, std::string_view bytes) const;
+
+    /// The tables of the deck, for batches; NULL where there is none.
+    const kaya_jtables* tables = nullptr;
+
     const kaya_jmodel& descriptor() const { return *descriptor_; }
 
 private:
@@ -77,11 +89,15 @@ public:
     std::vector<std::string> available() const;          ///< loaded or in the folders, sorted
     const std::vector<std::unique_ptr<JointModel>>& loaded() const { return models_; }
 
+    /// What loaded models see of the deck's tables.
+    JointTables& tables() { return *tables_; }
+
 private:
     std::optional<std::filesystem::path> file_of(const std::string& keyword) const;
     const JointModel& load(const std::filesystem::path& file);
 
     std::vector<std::filesystem::path> path_;
+    std::unique_ptr<JointTables> tables_ = std::make_unique<JointTables>();
     std::vector<std::unique_ptr<JointModel>> models_;
 };
 

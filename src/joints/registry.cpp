@@ -57,12 +57,18 @@ const kaya_jmodel* descriptor_of(void* library, const fs::path& file) {
         refuse("joint-model-no-entry",
                fmt::format("{} is not a joint model: it has no function {}", file.string(), entry_point),
                "include kaya/jmodel.h and define that function with C linkage");
+    const auto refuse_thrown = [&](const std::string& what) {
+        refuse("joint-model-table", fmt::format("joint model {} cannot say what it is: {}", file.string(), what),
+               "correct its source and build it again");
+    };
     try {
         return entry();
+    } catch (const std::exception& thrown) {
+        refuse_thrown(thrown.what());
     } catch (...) {
-        refuse("joint-model-table", fmt::format("{}() of {} threw an exception", entry_point, file.string()),
-               "it must only return the descriptor");
+        refuse_thrown("it threw what is not a std::exception");
     }
+    return nullptr;
 }
 
 } // namespace
@@ -116,6 +122,9 @@ const JointModel& JointRegistry::load(const fs::path& file) {
                fmt::format("a file in a folder that is searched must have the name of its model: {}{}",
                            model->name, ending));
 
+    // Objects of a model may outlive the registry, and their code must be there when they go.
+    if (model->keeps_objects()) dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+    model->tables = tables_->interface();
     models_.push_back(std::move(model));
     return *models_.back();
 }

@@ -19,6 +19,7 @@ std::vector<Batch> make_batches(Model& model, JointRegistry& joints, Row most) {
         }
         const JointModel& joint = joints.get(model.joint_properties[properties].model);
         model.sub_contacts.keep_history(joint.history.size());
+        if (joint.keeps_objects()) model.sub_contacts.keep_objects();
         batches.push_back({&joint, properties, span.first, span.count, {static_cast<Row>(c), 1}});
     }
     return batches;
@@ -48,6 +49,8 @@ kaya_jbatch columns_of(Model& model, const Batch& batch, double time_step, doubl
     for (std::size_t k = 0; k < batch.model->history.size(); ++k) history[k] = s.history[k].data() + first;
     b.history = history;
     b.message[0] = 0;
+    b.object = batch.model->keeps_objects() ? s.object[first].address() : nullptr;
+    b.tables = batch.model->tables;
     return b;
 }
 

@@ -157,6 +157,7 @@ void clear_sub_contact(SubContacts& subs, Row s) {
     subs.shear_displacement.set(s, Vec3::Zero());
     subs.state[s] = 0;
     for (std::int32_t k = 0; k < subs.history_columns; ++k) subs.history[k][s] = 0;
+    if (subs.keeps_objects) subs.object[s].reset();
 }
 
 /// What passes through a contact.

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace kaya {
@@ -54,7 +55,19 @@ public:
         derived().columns([&rows](const std::string&, auto& column) {
             std::decay_t<decltype(column)> kept;
             kept.reserve(rows.size());
-            for (const auto row : rows) kept.push_back(column[static_cast<std::size_t>(row)]);
+            using Value = typename std::decay_t<decltype(column)>::value_type;
+            if constexpr (std::is_trivially_copyable_v<Value> || !std::is_nothrow_move_constructible_v<Value>) {
+                for (const auto row : rows) kept.push_back(column[static_cast<std::size_t>(row)]);
+            } else {
+                // What is more than bits moves with its row; a copy is made for all but the last of those who want it.
+                std::vector<std::size_t> last(column.size(), 0);
+                for (std::size_t k = 0; k < rows.size(); ++k) last[static_cast<std::size_t>(rows[k])] = k;
+                for (std::size_t k = 0; k < rows.size(); ++k) {
+                    auto& value = column[static_cast<std::size_t>(rows[k])];
+                    if (last[static_cast<std::size_t>(rows[k])] == k) kept.push_back(std::move(value));
+                    else kept.push_back(value);
+                }
+            }
             column = std::move(kept);
         });
         size_ = rows.size();

@@ -5,7 +5,7 @@
 #include "model/blocks.hpp"
 #include "model/column.hpp"
 
-#include "kaya/jmodel.h"
+#include "joints/joint_object.hpp"
 
 #include <array>
 #include <cstdint>
@@ -109,6 +109,15 @@ public:
     std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY> history; ///< those behind `history_columns` are empty
     std::int32_t history_columns = 0; ///< as many as the joint model has that keeps most
 
+    Column<JointObject> object;           ///< what a joint model keeps when numbers will not do
+    bool keeps_objects = false;           ///< whether a joint model does; otherwise the column is empty
+
+    /// Makes room for the objects of a joint model; it stays.
+    void keep_objects() {
+        keeps_objects = true;
+        object.resize(size());
+    }
+
     /// Makes room for a joint model that keeps that many; it stays.
     void keep_history(std::size_t columns) {
         while (static_cast<std::size_t>(history_columns) < columns) history[history_columns++].assign(size(), 0.0);
@@ -138,6 +147,7 @@ public:
         visit("state", state);
         for (std::size_t k = 0; k < history.size() && static_cast<std::int32_t>(k) < history_columns; ++k)
             visit("history_" + std::to_string(k), history[k]);
+        if (keeps_objects) visit("object", object);
     }
 };
 

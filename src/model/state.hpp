@@ -185,13 +185,47 @@ void visit_column(Archive& archive, const std::string& name, Column<Attachment>&
     for (std::size_t i = 0; i < column.size(); ++i) column[i] = {gridpoints[i], weights[i]};
 }
 
+/// Objects have no bytes of their own to look at; visit_objects takes what they save.
+template <class Archive> void visit_column(Archive&, const std::string&, Column<JointObject>&) {}
+
+/// What joint models keep as objects: one size per row, and all bytes one behind the other. An archive that
+/// restores leaves them asleep, since their joint models are loaded later.
+template <class Archive> void visit_objects(Archive& archive, Column<JointObject>& objects) {
+    Column<std::uint64_t> sizes;
+    Column<std::uint8_t> bytes;
+    for (const auto& object : objects) {
+        const std::string saved = object.bytes();
+        sizes.push_back(saved.size());
+        bytes.insert(bytes.end(), saved.begin(), saved.end());
+    }
+    const auto sizes_before = sizes;
+    const auto bytes_before = bytes;
+    archive.section("objects", [&] {
+        archive.column("sizes", sizes);
+        archive.column("bytes", bytes);
+    });
+    if (sizes == sizes_before && bytes == bytes_before) return;
+    std::size_t first = 0;
+    objects.assign(sizes.size(), JointObject());
+    for (std::size_t row = 0; row < sizes.size(); ++row) {
+        const std::size_t count = std::min<std::size_t>(sizes[row], bytes.size() - first);
+        if (count > 0) objects[row] = JointObject::asleep({reinterpret_cast<const char*>(bytes.data()) + first, count});
+        first += count;
+    }
+}
+
 template <class Archive, class T> void visit_table(Archive& archive, const char* name, T& table) {
     archive.section(name, [&] {
-        if constexpr (requires { table.history_columns; }) archive.value("history_columns", table.history_columns);
+        if constexpr (requires { table.history_columns; }) {
+            archive.value("history_columns", table.history_columns);
+            archive.value("keeps_objects", table.keeps_objects);
+        }
         archive.rows(table);
         table.columns([&](const std::string& column_name, auto& column) {
             visit_column(archive, column_name, column);
         });
+        if constexpr (requires { table.keeps_objects; })
+            if (table.keeps_objects) visit_objects(archive, table.object);
         if constexpr (requires { table.ids; }) visit_ids(archive, table.ids);
     });
 }

@@ -119,12 +119,13 @@ TEST(JointRegistry, RefusesALibraryWithoutTheEntryPoint) {
 
 TEST(JointRegistry, NamesBothInterfaceVersions) {
     const auto d = refusal_of_plugin("version-99");
-    EXPECT_THAT(d.message, HasSubstr("was built for interface version 99, this program has version 1"));
+    EXPECT_THAT(d.message, HasSubstr("was built for interface version 99, this program has version " +
+                                     std::to_string(KAYA_JMODEL_INTERFACE)));
     EXPECT_EQ(d.code, "joint-model-version");
 }
 
 TEST(JointRegistry, SurvivesAnExceptionWhileLoading) {
-    EXPECT_THAT(refusal_of_plugin("throws-at-load").message, HasSubstr("threw an exception"));
+    EXPECT_THAT(refusal_of_plugin("throws-at-load").message, HasSubstr("cannot say what it is: "));
 }
 
 TEST(JointRegistry, KeepsNothingOfARefusedLibrary) {

@@ -22,6 +22,20 @@ const JointModel& plugin(const std::string& name) {
     return registry.get(name);
 }
 
+const JointModel& compat(const std::string& name) {
+    static JointRegistry registry = [] {
+        JointRegistry made;
+        made.set_path({KAYA_TEST_COMPAT});
+        made.tables().set_source([](const std::string& table) -> std::optional<JointTables::Points> {
+            if (table == "7") return JointTables::Points{{0, 0.001}, {30, 20}};
+            if (table == "8") return JointTables::Points{{0, 0.001}, {1, 2}};
+            return std::nullopt;
+        });
+        return made;
+    }();
+    return registry.get(name);
+}
+
 std::vector<double> values_of(const JointModel& model, const Values& given) {
     std::vector<double> values;
     for (const auto& property : model.properties) values.push_back(property.initial);
@@ -44,6 +58,7 @@ TestJoint::TestJoint(const JointModel& model_, const Values& given, double area_
         for (auto* vector : {&shear_disp, &shear_disp_inc, &shear_force}) (*vector)[k].assign(rows, 0);
     state.assign(rows, 0);
     history.assign(model->history.size(), std::vector<double>(rows, 0));
+    object.resize(model->keeps_objects() ? rows : 0);
     initialise();
 }
 
@@ -69,6 +84,8 @@ kaya_jbatch TestJoint::batch() {
     b.frictional_work = frictional_work.data();
     b.state = state.data();
     b.history = history_columns_.data();
+    b.object = object.empty() ? nullptr : object[0].address();
+    b.tables = model->tables;
     return b;
 }
 

@@ -22,6 +22,9 @@ const JointModel& shipped(const std::string& name);
 /// A model of tests/plugins, loaded into a registry of its own that lives as long as the program.
 const JointModel& plugin(const std::string& name);
 
+/// A model of tests/compat, likewise; its table 7 is (0, 30) (0.001, 20), its table 8 (0, 1) (0.001, 2).
+const JointModel& compat(const std::string& name);
+
 /// The values in the order of the model's table, the rest as they are initially. Fails the test for a
 /// name that the model does not know.
 std::vector<double> values_of(const JointModel& model, const Values& given);
@@ -60,6 +63,7 @@ public:
     std::array<std::vector<double>, 3> shear_disp, shear_disp_inc, shear_force;
     std::vector<std::uint32_t> state;
     std::vector<std::vector<double>> history;
+    std::vector<JointObject> object;
 
 private:
     std::vector<double*> history_columns_;

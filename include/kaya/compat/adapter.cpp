@@ -1,0 +1,536 @@
+/* SPDX-License-Identifier: MIT */
+/* Makes a native joint model (kaya/jmodel.h) of a class derived from jmodels::JointModel. It is compiled
+ * into the same shared library as the source of that class, whose four exports it calls. One object of the
+ * class stands for one sub-contact, as its author expects. */
+#include "kaya/compat/jointmodel.h"
+#include "kaya/jmodel.h"
+
+#include <cctype>
+#include <cstddef>
+
+extern "C" {
+__attribute__((weak)) const char* getName();
+__attribute__((weak)) unsigned getMajorVersion();
+__attribute__((weak)) unsigned getMinorVersion();
+__attribute__((weak)) void* createInstance();
+}
+
+namespace {
+
+using base::Property;
+using jmodels::JointModel;
+using jmodels::State;
+typedef std::vector<std::string> Words;
+
+constexpr UByte dimensions = 3;
+constexpr UInt from_command = 0, from_restore = 1;
+
+/* ----- lists of names ----- */
+
+std::string lower(std::string word) {
+    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return word;
+}
+
+/* A word that can be typed in a deck: letters, digits, hyphens and underscores, a letter first. */
+std::string typeable(const std::string& word) {
+    std::string kept;
+    for (const char c : lower(word))
+        if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_')
+            if (!kept.empty() || std::isalpha(static_cast<unsigned char>(c))) kept += c;
+    return kept;
+}
+
+Words blank_separated(const std::string& list) {
+    std::istringstream stream(list);
+    Words words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    return words;
+}
+
+/* The items between commas, each with its words; empty items count, since indices do. A comma at the end
+ * of the list begins no item. */
+std::vector<Words> items_of(const std::string& list) {
+    std::vector<Words> items;
+    std::string::size_type first = 0;
+    while (first <= list.size()) {
+        const auto comma = std::min(list.find(',', first), list.size());
+        items.push_back(blank_separated(list.substr(first, comma - first)));
+        first = comma + 1;
+    }
+    while (!items.empty() && items.back().empty()) items.pop_back();
+    return items;
+}
+
+std::string joined(const Words& words, char between) {
+    std::string all;
+    for (const auto& word : words) {
+        if (!all.empty()) all += between;
+        all += word;
+    }
+    return all;
+}
+
+/* ----- what the class says of itself ----- */
+
+/* One number of the deck: a property of the class, or one component of one that is a vector. */
+struct Slot {
+    UInt index;
+    Property::Kind kind;
+    int component;
+};
+
+double number_of(const Property& value, const Slot& slot) {
+    if (slot.kind == Property::Kind::vector) {
+        const DVect3 v = value.toVector();
+        return slot.component == 0 ? v.x() : slot.component == 1 ? v.y() : v.z();
+    }
+    if (slot.kind == Property::Kind::text && value.toString().empty()) return std::nan("");
+    return value.toDouble();
+}
+
+struct DestroyModel {
+    void operator()(JointModel* model) const {
+        if (model) model->destroy();
+    }
+};
+typedef std::unique_ptr<JointModel, DestroyModel> ModelPointer;
+
+ModelPointer new_instance() { return ModelPointer(static_cast<JointModel*>(createInstance())); }
+
+/* Texts live here as long as the library: the descriptor points at them. */
+struct Metadata {
+    std::string name, title, version, states;
+    std::vector<Slot> slots;
+    std::vector<std::string> names, aliases, units, help;
+    std::vector<kaya_jproperty> properties;
+    std::vector<double> initial;
+    std::vector<std::string> energy_names;
+    std::vector<kaya_jhistory> energies;
+    UInt minor = 0;
+    ModelPointer pattern;
+};
+
+Metadata* metadata = nullptr;
+
+void set_property(JointModel& model, const Slot& slot, double value, UInt version) {
+    Property property(value);
+    switch (slot.kind) {
+    case Property::Kind::truth: property = Property(value != 0); break;
+    case Property::Kind::whole: property = Property(static_cast<long long>(value)); break;
+    case Property::Kind::text: property = Property(std::isnan(value) ? std::string() : std::string(Property(value).toString())); break;
+    case Property::Kind::vector: {
+        DVect3 v = model.getProperty(slot.index).toVector();
+        (slot.component == 0 ? v.rx() : slot.component == 1 ? v.ry() : v.rz()) = value;
+        property = Property(v);
+        break;
+    }
+    default: break;
+    }
+    model.setProperty(slot.index, property, version);
+}
+
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/* Sets the values that differ from those which the model was given last. */
+void apply(JointModel& model, std::vector<double>& applied, const double* values, UInt version) {
+    for (std::size_t k = 0; k < applied.size(); ++k) {
+        if (same_bits(applied[k], values[k])) continue;
+        set_property(model, metadata->slots[k], values[k], version);
+        applied[k] = values[k];
+    }
+}
+
+void add_slot(Metadata& m, UInt index, const Words& words, const Property& value, int component,
+              std::vector<std::string>& taken) {
+    static const char* const ending[] = {"-x", "-y", "-z"};
+    const bool vector = value.kind() == Property::Kind::vector;
+    Words free;
+    for (const auto& word : words) {
+        std::string name = typeable(word);
+        if (name.empty()) continue;
+        if (vector) name += ending[component];
+        /* The first property that claims a word has it. */
+        if (std::find(taken.begin(), taken.end(), name) != taken.end()) continue;
+        taken.push_back(name);
+        free.push_back(name);
+    }
+    if (free.empty()) return;
+    const Slot slot{index, value.kind(), component};
+    m.slots.push_back(slot);
+    m.initial.push_back(number_of(value, slot));
+    m.names.push_back(free.front());
+    m.aliases.push_back(joined(Words(free.begin() + 1, free.end()), ' '));
+    m.help.push_back(value.kind() == Property::Kind::text    ? "number of a table"
+                     : value.kind() == Property::Kind::truth ? "0: no, 1: yes"
+                                                             : "");
+}
+
+Metadata read_metadata() {
+    Metadata m;
+    m.pattern = new_instance();
+    if (!m.pattern) throw std::runtime_error("createInstance() gives no object");
+    const JointModel& model = *m.pattern;
+    m.name = typeable(joined(blank_separated(model.getName()), '-'));
+    m.title = model.getFullName();
+    m.minor = model.getMinorVersion();
+    m.version = std::to_string(getMajorVersion()) + "." + std::to_string(getMinorVersion ? getMinorVersion() : m.minor);
+
+    std::vector<std::string> taken;
+    const auto items = items_of(model.getProperties());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const UInt index = static_cast<UInt>(i + 1);
+        const Property value = model.getProperty(index);
+        const int components = value.kind() == Property::Kind::vector ? 3 : 1;
+        for (int c = 0; c < components; ++c) add_slot(m, index, items[i], value, c, taken);
+    }
+    for (std::size_t k = 0; k < m.slots.size(); ++k) {
+        const double initial = std::isfinite(m.initial[k]) ? m.initial[k] : std::nan("");
+        m.properties.push_back({m.names[k].c_str(), m.aliases[k].c_str(), "-", m.help[k].c_str(), initial,
+                                -INFINITY, INFINITY, 1});
+        m.initial[k] = initial;
+    }
+    const auto states = items_of(model.getStates());
+    for (std::size_t bit = 0; bit < states.size(); ++bit) {
+        const auto name = states[bit].empty() ? "bit-" + std::to_string(bit) : lower(joined(states[bit], '-'));
+        m.states += (bit > 0 ? " " : "") + name;
+    }
+    for (const auto& words : items_of(m.pattern->getEnergies())) m.energy_names.push_back(lower(joined(words, '-')));
+    for (const auto& name : m.energy_names) m.energies.push_back({name.c_str(), "energy", "energy that the model reports"});
+    return m;
+}
+
+/* ----- one sub-contact ----- */
+
+extern const kaya_jobject_functions object_functions;
+
+struct Object {
+    kaya_jobject head{&object_functions};
+    ModelPointer model;
+    State state;
+    std::vector<double> applied;
+
+    explicit Object(ModelPointer of) : model(std::move(of)), applied(metadata->initial) {
+        model->activateEnergy();
+    }
+};
+
+Object* object_of(kaya_jobject* head) { return reinterpret_cast<Object*>(head); }
+const Object* object_of(const kaya_jobject* head) { return reinterpret_cast<const Object*>(head); }
+
+ModelPointer copy_of(const JointModel& model) {
+    ModelPointer copy(model.clone());
+    if (!copy) throw std::runtime_error("clone() gives no object");
+    copy->copy(&model);
+    copy->setIfCanFail(model.canFail());
+    return copy;
+}
+
+std::string own_bytes(const JointModel& model) {
+    std::ostringstream stream;
+    model.save(stream);
+    return stream.str();
+}
+
+void take_energies(JointModel& to, JointModel& from) {
+    for (std::size_t k = 0; k < metadata->energies.size(); ++k) {
+        const UInt index = static_cast<UInt>(k + 1);
+        to.setEnergy(index, from.getEnergy(index));
+    }
+}
+
+kaya_jobject* clone_object(const kaya_jobject* head) {
+    const Object& from = *object_of(head);
+    auto to = std::unique_ptr<Object>(new Object(copy_of(*from.model)));
+    const std::string bytes = own_bytes(*from.model);
+    if (!bytes.empty()) {
+        std::istringstream stream(bytes);
+        to->model->restore(stream, metadata->minor);
+    }
+    to->state = from.state;
+    to->applied = from.applied;
+    take_energies(*to->model, *from.model);
+    return &to.release()->head;
+}
+
+void destroy_object(kaya_jobject* head) { delete object_of(head); }
+
+/* ----- a save file ----- */
+
+class Writer {
+public:
+    Writer(void (*write)(void*, const void*, size_t), void* sink) : write_(write), sink_(sink) {}
+    template <class T> void plain(const T& value) { write_(sink_, &value, sizeof value); }
+    void text(const std::string& text) {
+        plain<std::uint64_t>(text.size());
+        write_(sink_, text.data(), text.size());
+    }
+
+private:
+    void (*write_)(void*, const void*, size_t);
+    void* sink_;
+};
+
+class Reader {
+public:
+    Reader(const void* bytes, std::size_t count) : at_(static_cast<const char*>(bytes)), left_(count) {}
+    template <class T> T plain() {
+        T value;
+        std::memcpy(&value, take(sizeof value), sizeof value);
+        return value;
+    }
+    std::string text() {
+        const auto size = plain<std::uint64_t>();
+        if (size > left_) throw std::runtime_error("what was saved ends too early");
+        return std::string(take(static_cast<std::size_t>(size)), static_cast<std::size_t>(size));
+    }
+
+private:
+    const char* take(std::size_t count) {
+        if (count > left_) throw std::runtime_error("what was saved ends too early");
+        const char* here = at_;
+        at_ += count;
+        left_ -= count;
+        return here;
+    }
+    const char* at_;
+    std::size_t left_;
+};
+
+void write_property(Writer& writer, const Property& value) {
+    writer.plain(static_cast<std::int32_t>(value.kind()));
+    switch (value.kind()) {
+    case Property::Kind::text: writer.text(value.toString()); break;
+    case Property::Kind::vector:
+        for (const double x : {value.toVector().x(), value.toVector().y(), value.toVector().z()}) writer.plain(x);
+        break;
+    default: writer.plain(value.toDouble());
+    }
+}
+
+Property read_property(Reader& reader) {
+    switch (static_cast<Property::Kind>(reader.plain<std::int32_t>())) {
+    case Property::Kind::text: return Property(reader.text());
+    case Property::Kind::truth: return Property(reader.plain<double>() != 0);
+    case Property::Kind::whole: return Property(static_cast<long long>(reader.plain<double>()));
+    case Property::Kind::vector: {
+        const double x = reader.plain<double>(), y = reader.plain<double>(), z = reader.plain<double>();
+        return Property(DVect3(x, y, z));
+    }
+    default: return Property(reader.plain<double>());
+    }
+}
+
+/* Each property once: the components of a vector have one number. */
+template <class Visit> void each_property(Visit visit) {
+    UInt last = 0;
+    for (const auto& slot : metadata->slots) {
+        if (slot.index != last) visit(slot.index);
+        last = slot.index;
+    }
+}
+
+void save_object(const kaya_jobject* head, void (*write)(void*, const void*, size_t), void* sink) {
+    const Object& object = *object_of(head);
+    Writer writer(write, sink);
+    for (const double value : object.applied) writer.plain(value);
+    each_property([&](UInt index) { write_property(writer, object.model->getProperty(index)); });
+    for (const double value : object.state.working_) writer.plain(value);
+    for (const Int value : object.state.iworking_) writer.plain(value);
+    for (std::size_t k = 0; k < metadata->energies.size(); ++k) writer.plain(object.model->getEnergy(static_cast<UInt>(k + 1)));
+    writer.plain(metadata->minor);
+    writer.text(own_bytes(*object.model));
+}
+
+const kaya_jobject_functions object_functions = {clone_object, destroy_object, save_object};
+
+/* The object comes back not valid: its first run calls initialize(), which finds its tables again. */
+Object* read_object(Reader& reader) {
+    auto object = std::unique_ptr<Object>(new Object(copy_of(*metadata->pattern)));
+    for (double& value : object->applied) value = reader.plain<double>();
+    each_property([&](UInt index) { object->model->setProperty(index, read_property(reader), from_restore); });
+    for (double& value : object->state.working_) value = reader.plain<double>();
+    for (Int& value : object->state.iworking_) value = reader.plain<Int>();
+    for (std::size_t k = 0; k < metadata->energies.size(); ++k)
+        object->model->setEnergy(static_cast<UInt>(k + 1), reader.plain<double>());
+    const auto version = reader.plain<UInt>();
+    const std::string bytes = reader.text();
+    if (!bytes.empty()) {
+        std::istringstream stream(bytes);
+        object->model->restore(stream, version);
+    }
+    return object.release();
+}
+
+/* ----- what sources throw ----- */
+
+/* Calls `work`; false after writing to message what it threw. */
+template <class Work> bool guarded(char* message, Work work) {
+    std::string said;
+    try {
+        work();
+        return true;
+    } catch (const std::exception& thrown) {
+        said = thrown.what();
+    } catch (const std::string& thrown) {
+        said = thrown;
+    } catch (const char* thrown) {
+        said = thrown ? thrown : "";
+    } catch (const wchar_t* thrown) {
+        said = kaya_compat::narrow(thrown);
+    } catch (int thrown) {
+        said = "it threw the number " + std::to_string(thrown);
+    } catch (...) {
+        said = "it threw what is not a std::exception";
+    }
+    std::snprintf(message, KAYA_JMODEL_MESSAGE, "%s", said.empty() ? "it gives no reason" : said.c_str());
+    return false;
+}
+
+/* ----- the functions of the descriptor ----- */
+
+void fill_state(State& s, const kaya_jbatch& b, size_t i) {
+    s.state_ = b.state[i];
+    s.area_ = b.area[i];
+    s.normal_force_ = b.normal_force[i];
+    s.shear_force_ = DVect3(b.shear_force[0][i], b.shear_force[1][i], b.shear_force[2][i]);
+    s.normal_disp_ = b.normal_disp[i];
+    s.shear_disp_ = DVect3(b.shear_disp[0][i], b.shear_disp[1][i], b.shear_disp[2][i]);
+    s.normal_disp_inc_ = b.normal_disp_inc[i];
+    s.shear_disp_inc_ = DVect3(b.shear_disp_inc[0][i], b.shear_disp_inc[1][i], b.shear_disp_inc[2][i]);
+#if defined(KAYA_COMPAT_DISPLACEMENT_AT_END)
+    s.normal_disp_ += s.normal_disp_inc_;
+    s.shear_disp_ += s.shear_disp_inc_;
+#endif
+    s.normal_force_inc_ = 0;
+    s.shear_force_inc_ = DVect3();
+    s.dnop_ = s.normal_disp_inc_;
+    s.time_step_ = b.time_step;
+    s.fluid_ = b.pore_pressure[i] != 0;
+    s.tables_ = b.tables;
+}
+
+void take_stiffness(kaya_jbatch& b, size_t i, const JointModel& model) {
+    const double normal = model.getMaxNormalStiffness(), shear = model.getMaxShearStiffness();
+    if (!same_bits(normal, b.normal_stiffness[i]) || !same_bits(shear, b.shear_stiffness[i])) b.stiffness_changed = 1;
+    b.normal_stiffness[i] = normal;
+    b.shear_stiffness[i] = shear;
+}
+
+double spring_energy(double force2, double stiffness) { return stiffness > 0 ? 0.5 * force2 / stiffness : 0; }
+
+/* What a step took up: the work of the mean forces, less what the springs hold more than before, all with
+ * the stiffness that the model reports. */
+double taken_up(const kaya_jbatch& b, size_t i, double old_normal, const DVect3& old_shear, const State& s) {
+    const double kn = b.normal_stiffness[i] * s.area_, ks = b.shear_stiffness[i] * s.area_;
+    const double work = -0.5 * (old_normal + s.normal_force_) * b.normal_disp_inc[i] -
+                        0.5 * ((old_shear + s.shear_force_) | s.shear_disp_inc_);
+    const double held = spring_energy(s.normal_force_ * s.normal_force_, kn) + spring_energy(s.shear_force_.mag2(), ks);
+    const double before = spring_energy(old_normal * old_normal, kn) + spring_energy(old_shear.mag2(), ks);
+    return work - (held - before);
+}
+
+void run_row(kaya_jbatch& b, size_t i) {
+    Object& object = *object_of(b.object[i]);
+    State& s = object.state;
+    apply(*object.model, object.applied, b.properties, from_command);
+    fill_state(s, b, i);
+    const double old_normal = s.normal_force_;
+    const DVect3 old_shear = s.shear_force_;
+    object.model->run(dimensions, &s);
+    b.normal_force[i] = s.normal_force_;
+    b.shear_force[0][i] = s.shear_force_.x();
+    b.shear_force[1][i] = s.shear_force_.y();
+    b.shear_force[2][i] = s.shear_force_.z();
+    b.state[i] = s.state_;
+    take_stiffness(b, i, *object.model);
+    b.frictional_work[i] += taken_up(b, i, old_normal, old_shear, s);
+    for (std::size_t k = 0; k < metadata->energies.size(); ++k)
+        b.history[k][i] = object.model->getEnergy(static_cast<UInt>(k + 1));
+}
+
+void initialise_row(kaya_jbatch& b, size_t i) {
+    if (!b.object[i]) b.object[i] = &(new Object(copy_of(*metadata->pattern)))->head;
+    Object& object = *object_of(b.object[i]);
+    apply(*object.model, object.applied, b.properties, from_command);
+    /* initialize() itself is called by the first run: all properties have been given then. */
+    object.model->setValid(0);
+    fill_state(object.state, b, i);
+    take_stiffness(b, i, *object.model);
+}
+
+template <void (*work)(kaya_jbatch&, size_t)> ptrdiff_t each_row(kaya_jbatch* b) {
+    for (b->row = 0; b->row < b->n; ++b->row)
+        if (!guarded(b->message, [b] { work(*b, b->row); })) return static_cast<ptrdiff_t>(b->row);
+    return -1;
+}
+
+ModelPointer with_values(const double* values) {
+    ModelPointer model = copy_of(*metadata->pattern);
+    std::vector<double> applied = metadata->initial;
+    apply(*model, applied, values, from_command);
+    return model;
+}
+
+const char* check(const double* values) {
+    static char message[KAYA_JMODEL_MESSAGE];
+    return guarded(message, [values] { with_values(values); }) ? nullptr : message;
+}
+
+/* Some classes know their stiffness only after initialize(). */
+void max_stiffness(const double* values, double* normal, double* shear) {
+    const ModelPointer model = with_values(values);
+    *normal = model->getMaxNormalStiffness();
+    *shear = model->getMaxShearStiffness();
+    if (*normal > 0) return;
+    State state;
+    state.area_ = 1;
+    model->initialize(dimensions, &state);
+    *normal = model->getMaxNormalStiffness();
+    *shear = model->getMaxShearStiffness();
+}
+
+kaya_jobject* restore(const double*, const void* bytes, size_t count, char* message) {
+    Object* object = nullptr;
+    guarded(message, [&] {
+        Reader reader(bytes, count);
+        object = read_object(reader);
+    });
+    return object ? &object->head : nullptr;
+}
+
+kaya_jmodel describe() {
+    if (!createInstance || !getMajorVersion)
+        throw std::runtime_error("it exports no createInstance() and getMajorVersion(); perhaps a macro of its "
+                                 "source keeps them away: define that macro when it is built");
+    const unsigned major = getMajorVersion();
+    if (major < 4 || major > 9)
+        throw std::runtime_error("it was written for interface version " + std::to_string(major) +
+                                 " of joint models; versions 4 to 9 are understood");
+    metadata = new Metadata(read_metadata());
+    const Metadata& m = *metadata;
+    kaya_jmodel d{};
+    d.interface_version = KAYA_JMODEL_INTERFACE;
+    d.size = sizeof d;
+    d.name = m.name.c_str();
+    d.title = m.title.c_str();
+    d.version = m.version.c_str();
+    d.properties = m.properties.data();
+    d.property_count = m.properties.size();
+    d.history = m.energies.data();
+    d.history_count = m.energies.size();
+    d.state_names = m.states.c_str();
+    d.initialise = each_row<initialise_row>;
+    d.run = each_row<run_row>;
+    d.check = check;
+    d.max_stiffness = max_stiffness;
+    d.restore = restore;
+    return d;
+}
+
+} // namespace
+
+const kaya_jmodel* kaya_joint_model(void) {
+    static const kaya_jmodel model = describe();
+    return &model;
+}

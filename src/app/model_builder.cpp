@@ -1,0 +1,194 @@
+#include "app/model_builder.hpp"
+
+#include "base/diagnostic.hpp"
+#include "joints/joint_model.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <spawn.h>
+#include <sstream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace kaya {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+std::string text_of(const fs::path& source) {
+    std::ifstream stream(source);
+    if (!stream || fs::is_directory(source))
+        throw Diagnostic(fmt::format("the source {} cannot be read", source.string()),
+                         "give the .cpp files of the joint model");
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+bool is_in_path(const std::string& program) {
+    if (program.find('/') != program.npos) return access(program.c_str(), X_OK) == 0;
+    const char* listed = std::getenv("PATH");
+    std::istringstream folders(listed ? listed : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
+    return false;
+}
+
+/// The compiler with words that stand behind it, as in CXX="ccache g++".
+Words compiler_words(const std::string& asked) {
+    const char* of_environment = std::getenv("CXX");
+    const std::string given = !asked.empty() ? asked : of_environment ? of_environment : "";
+    if (!given.empty()) {
+        std::istringstream stream(given);
+        Words words;
+        for (std::string word; stream >> word;) words.push_back(word);
+        if (!words.empty() && is_in_path(words.front())) return words;
+        throw Diagnostic(fmt::format("the compiler '{}' is not there", given),
+                         "give another one: --compiler g++, or the environment variable CXX");
+    }
+    for (const char* name : {"c++", "g++", "clang++"})
+        if (is_in_path(name)) return {name};
+    throw Diagnostic("there is no C++ compiler", "install g++ or clang++, or name one: --compiler NAME");
+}
+
+/// Runs a program and waits; its exit status, or 128 and the signal that ended it.
+int run_program(const Words& words) {
+    std::vector<char*> arguments;
+    for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    pid_t child = 0;
+    if (posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0) return 127;
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// A source that returns std::string where the base class has its own text needs the two to be one.
+bool returns_std_string(const std::string& source) {
+    static const std::regex pattern(R"(std::string\s+get(Name|FullName|PluginName|Properties|States|Energies)\s*\()");
+    return std::regex_search(source, pattern);
+}
+
+/// The texts of the sources and of the headers beside them that they include.
+std::string all_text(const std::vector<fs::path>& sources) {
+    static const std::regex include(R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re", std::regex::multiline);
+    std::string all;
+    std::set<fs::path> read;
+    std::vector<fs::path> waiting = sources;
+    while (!waiting.empty()) {
+        const fs::path file = waiting.back();
+        waiting.pop_back();
+        if (!read.insert(file.lexically_normal()).second) continue;
+        const std::string text = text_of(file);
+        for (std::sregex_iterator found(text.begin(), text.end(), include), end; found != end; ++found) {
+            const fs::path beside = file.parent_path() / (*found)[1].str();
+            if (fs::is_regular_file(beside)) waiting.push_back(beside);
+        }
+        all += text + "\n";
+    }
+    return all;
+}
+
+Words compiler_line(const BuildOrder& order, const fs::path& include, const fs::path& library) {
+    const std::string text = all_text(order.sources);
+    const bool native = is_native(text);
+    Words words = compiler_words(order.compiler);
+    const auto add = [&](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
+    add({fmt::format("-std={}", native ? "gnu++20" : order.standard), "-O3", "-march=native", "-ffp-contract=off",
+         "-fno-math-errno", "-fno-trapping-math", "-shared", "-fPIC", "-fvisibility=hidden"});
+    std::set<fs::path> folders;
+    for (const auto& source : order.sources) folders.insert(source.has_parent_path() ? source.parent_path() : ".");
+    for (const auto& folder : folders) add({"-I", folder.string()});
+    if (!native) {
+        add({"-I", (include / "kaya/compat").string()});
+        for (const auto& macro : export_macros(text)) add({"-D" + macro});
+        if (returns_std_string(text)) add({"-DKAYA_COMPAT_STD_STRING"});
+        if (order.displacement_at_end) add({"-DKAYA_COMPAT_DISPLACEMENT_AT_END"});
+        if (!order.as_it_is) add({"-include", "kaya/compat/msvc.h"});
+    }
+    add({"-I", include.string()});
+    words.insert(words.end(), order.flags.begin(), order.flags.end());
+    for (const auto& source : order.sources) add({source.string()});
+    if (!native) add({(include / "kaya/compat/adapter.cpp").string()});
+    add({"-o", library.string()});
+    return words;
+}
+
+/// A library that is being made; it is gone when nobody wants it.
+class Draft {
+public:
+    explicit Draft(const fs::path& folder) : file(folder / fmt::format(".kaya-jmodel-{}.so", getpid())) {}
+    ~Draft() {
+        std::error_code ignored;
+        fs::remove(file, ignored);
+    }
+    Draft(const Draft&) = delete;
+    Draft& operator=(const Draft&) = delete;
+    const fs::path file;
+};
+
+} // namespace
+
+std::vector<std::string> export_macros(const std::string& source) {
+    static const std::regex word(R"([A-Za-z_][A-Za-z0-9_]*_(EXPORTS|LIB)\b)");
+    static const std::regex condition(R"(^[ \t]*#[ \t]*(if|elif))");
+    std::set<std::string> macros;
+    std::istringstream lines(source);
+    for (std::string line; std::getline(lines, line);) {
+        if (!std::regex_search(line, condition)) continue;
+        for (std::sregex_iterator found(line.begin(), line.end(), word), end; found != end; ++found)
+            macros.insert(found->str());
+    }
+    return {macros.begin(), macros.end()};
+}
+
+bool is_native(const std::string& source) {
+    static const std::regex pattern(R"(^[ \t]*#[ \t]*include[ \t]*["<]kaya/jmodel\.h[">])", std::regex::multiline);
+    return std::regex_search(source, pattern);
+}
+
+fs::path include_folder(const fs::path& program_folder) {
+    const char* given = std::getenv("KAYA_INCLUDE");
+    std::vector<fs::path> candidates;
+    if (given) candidates.emplace_back(given);
+    candidates.push_back(program_folder / "include");
+    candidates.push_back(program_folder.parent_path() / "include");
+    for (const auto& candidate : candidates)
+        if (fs::exists(candidate / "kaya/jmodel.h")) return candidate;
+    throw Diagnostic("the headers of joint models are not there",
+                     "give the folder that holds kaya/jmodel.h in the environment variable KAYA_INCLUDE");
+}
+
+fs::path build_joint_model(const BuildOrder& order, const fs::path& include) {
+    if (!fs::is_directory(order.folder))
+        throw Diagnostic(fmt::format("there is no folder {}", order.folder.string()), "make it, or give another one");
+    const Draft draft(order.folder);
+    const Words line = compiler_line(order, include, draft.file);
+    if (order.show) fmt::print(stderr, "{}\n", fmt::join(line, " "));
+    std::fflush(nullptr);
+    if (const int status = run_program(line); status != 0)
+        throw Diagnostic(fmt::format("{} does not compile (status {} of {})", order.sources.front().string(), status,
+                                     line.front()),
+                         "the messages of the compiler are above");
+    std::string name;
+    {
+        JointRegistry registry;
+        name = registry.get(fs::absolute(draft.file).string()).name;
+    }
+    const fs::path library = order.folder / (name + ".so");
+    fs::rename(draft.file, library);
+    return library;
+}
+
+} // namespace kaya

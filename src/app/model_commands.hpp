@@ -1,0 +1,16 @@
+// Commands of the program that are about joint models: jmodel build, plugin list.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+
+namespace kaya {
+
+/// Adds them. The one that was asked for is returned through `chosen` as a function that does it and gives the
+/// exit status; it throws Diagnostic.
+void add_model_commands(CLI::App& app, const std::filesystem::path& program_folder,
+                        const std::function<std::vector<std::filesystem::path>()>& joint_folders,
+                        std::function<int()>& chosen);
+
+} // namespace kaya

@@ -1,0 +1,44 @@
+// What a joint model keeps of one sub-contact as an object of its own.
+#pragma once
+
+#include "kaya/jmodel.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace kaya {
+
+/// Owns one object, or none. A copy is a clone. As large as a pointer, so that a column of them is the
+/// column of pointers that a batch has.
+class JointObject {
+public:
+    JointObject() = default;
+    explicit JointObject(kaya_jobject* object) : object_(object) {}
+    JointObject(const JointObject& other);
+    JointObject(JointObject&& other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
+    JointObject& operator=(JointObject other) noexcept {
+        std::swap(object_, other.object_);
+        return *this;
+    }
+    ~JointObject();
+
+    explicit operator bool() const { return object_ != nullptr; }
+    void reset() { *this = JointObject(); }
+
+    /// What the object saves, "" when there is none. Throws Diagnostic when the model throws.
+    std::string bytes() const;
+
+    /// Bytes of an object whose joint model is not loaded yet; they are kept as they are.
+    static JointObject asleep(std::string_view bytes);
+    bool is_asleep() const;
+
+    kaya_jobject** address() { return &object_; }
+
+private:
+    kaya_jobject* object_ = nullptr;
+};
+
+static_assert(sizeof(JointObject) == sizeof(kaya_jobject*));
+
+} // namespace kaya
