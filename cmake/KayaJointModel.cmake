@@ -7,6 +7,7 @@ while(NOT EXISTS "${_kaya_root}/include/kaya/jmodel.h" AND NOT _kaya_root STREQU
   get_filename_component(_kaya_root "${_kaya_root}" DIRECTORY)
 endwhile()
 set(KAYA_INCLUDE_DIR "${_kaya_root}/include")
+set(KAYA_PROGRAM "${_kaya_root}/bin/kaya")
 
 function(kaya_add_joint_model name)
   cmake_parse_arguments(arg "COMPAT" "" "FLAGS" ${ARGN})

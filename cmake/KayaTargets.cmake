@@ -45,6 +45,7 @@ function(kaya_ship_joint_model name)
   target_link_libraries(joint_${name} PRIVATE kaya_flags)
   set_target_properties(joint_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/joints)
   add_dependencies(program joint_${name})
+  install(TARGETS joint_${name} LIBRARY DESTINATION lib/kaya/joints)
 endfunction()
 
 # The headers that joint models compile against lie beside the program, as they do when it is installed.

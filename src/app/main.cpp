@@ -9,6 +9,7 @@
 #include "app/model_commands.hpp"
 #include "commands/progress.hpp"
 #include "commands/session.hpp"
+#include "joints/crash_report.hpp"
 
 
 #include <CLI/CLI.hpp>
@@ -42,11 +43,13 @@ fs::path program_folder(const char* called_as) {
     return failed ? fs::absolute(called_as).parent_path() : self.parent_path();
 }
 
-/// Where joint models are looked for, first match wins: folders of the command line, beside the program,
+/// Where joint models are looked for, first match wins: folders of the command line, beside the program
+/// or where it is installed,
 /// KAYA_JOINTS (folders with ':' between), beside the deck.
 std::vector<fs::path> joint_folders(const CommandLine& line, const fs::path& program) {
     std::vector<fs::path> folders = line.options.joint_folders;
     folders.push_back(program / "joints");
+    folders.push_back(program.parent_path() / "lib/kaya/joints"); // where it is installed
     if (const char* listed = std::getenv("KAYA_JOINTS")) {
         std::string_view rest(listed);
         while (!rest.empty()) {
@@ -215,6 +218,7 @@ int main(int argc, char** argv) {
     // it, not the end of the program.
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
+    kaya::report_crashes();
     try {
         return kaya::start(argc, argv);
     } catch (const kaya::Diagnostic& error) {

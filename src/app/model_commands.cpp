@@ -1,7 +1,9 @@
 #include "app/model_commands.hpp"
 
 #include "app/model_builder.hpp"
+#include "app/new_model.hpp"
 #include "base/diagnostic.hpp"
+#include "commands/lua_joint_models.hpp"
 #include "joints/joint_model.hpp"
 
 #include <fmt/format.h>
@@ -47,6 +49,7 @@ int list_plugins(std::vector<std::string> names, const std::vector<fs::path>& fo
     int status = 0;
     JointRegistry registry;
     registry.set_path(folders);
+    understand_lua_models(registry);
     if (names.empty()) names = registry.available();
     for (const auto& name : names) {
         try {
@@ -83,6 +86,17 @@ void add_model_commands(CLI::App& app, const fs::path& program_folder,
             const fs::path library = build_joint_model(*order, include_folder(program_folder));
             JointRegistry registry;
             describe(registry.get(fs::absolute(library).string()));
+            return 0;
+        };
+    });
+
+    auto new_name = std::make_shared<std::string>();
+    auto* making = app.add_subcommand("new-jmodel", "write a joint model to begin with: source, deck, test and page");
+    making->add_option("name", *new_name, "its name")->required();
+    making->callback([new_name, &chosen] {
+        chosen = [new_name] {
+            for (const auto& file : write_new_model(*new_name, ".")) fmt::print("{}\n", file.string());
+            fmt::print("build it:  kaya jmodel build {0}/{0}.cpp --into {0}\ntest it:   kaya {0}/test-{0}.3dd\n", *new_name);
             return 0;
         };
     });

@@ -1,4 +1,4 @@
-// Commands of the program that are about joint models: jmodel build, plugin list.
+// Commands of the program that are about joint models: jmodel build, new-jmodel, plugin list.
 #pragma once
 
 #include <CLI/CLI.hpp>

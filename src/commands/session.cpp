@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "commands/handlers.hpp"
+#include "commands/lua_joint_models.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/fish/compiler.hpp"
 #include "lang/script/value_text.hpp"
@@ -54,6 +55,7 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
     set_threads(options.threads > 0 ? options.threads
                                     : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
     joints.set_path(options.joint_folders);
+    understand_lua_models(joints);
     joints.tables().set_source([this](const std::string& name) { return table_points(*scripts, name); });
 
     script::Options script_options;

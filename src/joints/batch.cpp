@@ -1,5 +1,7 @@
 #include "joints/batch.hpp"
 
+#include "joints/crash_report.hpp"
+
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -68,12 +70,14 @@ BatchFailure thrown_failure(const JointModel& model, const char* what) {
                            model.name, what)};
 }
 
-std::optional<BatchFailure> call(const JointModel& model, ptrdiff_t (*function)(kaya_jbatch*),
-                                 kaya_jbatch& batch) {
+std::optional<BatchFailure> call(const JointModel& model, const std::function<ptrdiff_t(kaya_jbatch*)>& function,
+                                 kaya_jbatch& batch, const std::int32_t* numbers, const char* what) {
     batch.message[0] = '\0';
     if (model.keeps_objects() && batch.object == nullptr)
         return BatchFailure{0, fmt::format("joint model {} keeps objects, and here is no room for them", model.name)};
+    batch.row = batch.n; // a model that works row by row will say where it is
     ptrdiff_t row = -1;
+    const AtWork at_work(model.name.c_str(), model.file.c_str(), what, &batch, numbers);
     try {
         row = function(&batch);
     } catch (const std::exception& thrown) {
@@ -95,12 +99,13 @@ std::optional<BatchFailure> call(const JointModel& model, ptrdiff_t (*function)(
 
 } // namespace
 
-std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batch) {
-    return call(model, model.descriptor().run, batch);
+std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batch, const std::int32_t* numbers) {
+    return call(model, model.functions().run, batch, numbers, "run");
 }
 
-std::optional<BatchFailure> initialise_batch(const JointModel& model, kaya_jbatch& batch) {
-    return call(model, model.descriptor().initialise, batch);
+std::optional<BatchFailure> initialise_batch(const JointModel& model, kaya_jbatch& batch,
+                                             const std::int32_t* numbers) {
+    return call(model, model.functions().initialise, batch, numbers, "initialise");
 }
 
 } // namespace kaya

@@ -16,10 +16,13 @@ struct BatchFailure {
 
 /// Runs one step. Catches what the model throws, and looks for forces, stiffnesses and history values
 /// that are not finite and for stiffnesses below 0; nullopt when all is well. Allocates nothing unless
-/// it fails. The columns of a failed batch hold what the model left there.
-std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batch);
+/// it fails. The columns of a failed batch hold what the model left there. `numbers` are those of the rows that
+/// users see, for the report of a crash; NULL: it gives rows.
+std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batch,
+                                      const std::int32_t* numbers = nullptr);
 
 /// The same for `initialise`.
-std::optional<BatchFailure> initialise_batch(const JointModel& model, kaya_jbatch& batch);
+std::optional<BatchFailure> initialise_batch(const JointModel& model, kaya_jbatch& batch,
+                                             const std::int32_t* numbers = nullptr);
 
 } // namespace kaya

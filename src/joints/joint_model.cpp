@@ -2,6 +2,7 @@
 #include "joints/joint_model.hpp"
 
 #include "base/diagnostic.hpp"
+#include "joints/stiffness_trial.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -129,6 +130,14 @@ bool are_a_vector(std::string_view x, std::string_view y, std::string_view z) {
     return x.ends_with("-x") && y == fmt::format("{}-y", stem) && z == fmt::format("{}-z", stem);
 }
 
+/// A model that is stiffer than it says makes the run unstable. Twice is beyond any step of a curved law.
+std::string too_soft(const JointModel& model, const std::vector<double>& values) {
+    const auto trial = try_stiffness(model, values);
+    if (!trial || trial->found <= 2 * trial->reported) return {};
+    return fmt::format("it resists closing with a stiffness of {:.4g}, and reports {:.4g}", trial->found,
+                       trial->reported);
+}
+
 } // namespace
 
 JointModel::JointModel(const kaya_jmodel* d, std::filesystem::path from, std::shared_ptr<void> library)
@@ -139,6 +148,19 @@ JointModel::JointModel(const kaya_jmodel* d, std::filesystem::path from, std::sh
     if (d->size != sizeof(kaya_jmodel))
         refuse(file, fmt::format("its size is {} bytes, it must be {}", d->size, sizeof(kaya_jmodel)));
     refuse_missing_parts(*d, file);
+    functions_ = {d->initialise, d->run, {}, d->max_stiffness};
+    if (d->check) functions_.check = [d](const double* values) { return text_or_empty(d->check(values)); };
+    read_table();
+}
+
+JointModel::JointModel(const kaya_jmodel* d, std::filesystem::path from, std::shared_ptr<void> owner,
+                       JointFunctions functions)
+    : file(std::move(from)), descriptor_(d), library_(std::move(owner)), functions_(std::move(functions)) {
+    read_table();
+}
+
+void JointModel::read_table() {
+    const kaya_jmodel* d = descriptor_;
     refuse_wrong_counts(*d, file);
 
     name = d->name;
@@ -191,9 +213,9 @@ std::optional<std::size_t> JointModel::find_property(std::string_view typed) con
 }
 
 std::string JointModel::check(const std::vector<double>& values) const {
-    if (!descriptor_->check) return {};
+    if (!functions_.check) return {};
     try {
-        return text_or_empty(descriptor_->check(values.data()));
+        return functions_.check(values.data());
     } catch (const std::exception& thrown) {
         return fmt::format("joint model {} threw an exception from check(): {}", name, thrown.what());
     } catch (...) {
@@ -212,7 +234,7 @@ JointStiffness JointModel::initial_stiffness(const std::vector<double>& values) 
     JointStiffness stiffness{std::nan(""), std::nan("")};
     std::string reason;
     try {
-        descriptor_->max_stiffness(values.data(), &stiffness.normal, &stiffness.shear);
+        functions_.max_stiffness(values.data(), &stiffness.normal, &stiffness.shear);
     } catch (const std::exception& thrown) {
         reason = fmt::format("it threw an exception: {}", thrown.what());
     } catch (...) {
@@ -222,6 +244,7 @@ JointStiffness JointModel::initial_stiffness(const std::vector<double>& values) 
         reason = fmt::format("the normal stiffness is {}; it must be above 0", stiffness.normal);
     if (reason.empty() && !(std::isfinite(stiffness.shear) && stiffness.shear >= 0))
         reason = fmt::format("the shear stiffness is {}; it must not be below 0", stiffness.shear);
+    if (reason.empty()) reason = too_soft(*this, values);
     if (reason.empty()) return stiffness;
     Diagnostic error(fmt::format("joint model {} gives no stiffness to compute a time step from", name),
                      "give the joint its stiffnesses, or correct max_stiffness() of the model", Fault::run);

@@ -7,6 +7,8 @@
 #include "kaya/jmodel.h"
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +20,14 @@ namespace kaya {
 /// The tangent stiffnesses that a sub-contact of a joint model starts with, stress/length.
 struct JointStiffness {
     double normal, shear;
+};
+
+/// What a joint model does. Of a library they are the functions of its descriptor; a model that comes from elsewhere
+/// (a script) brings its own. They mean what the members of kaya_jmodel mean.
+struct JointFunctions {
+    std::function<ptrdiff_t(kaya_jbatch*)> initialise, run;
+    std::function<std::string(const double*)> check; ///< may be empty
+    std::function<void(const double*, double*, double*)> max_stiffness;
 };
 
 /// A joint model after loading: the descriptor, checked once, with its texts copied.
@@ -38,6 +48,10 @@ public:
     /// that says which entry of the table is wrong.
     JointModel(const kaya_jmodel* descriptor, std::filesystem::path file, std::shared_ptr<void> library);
 
+    /// A model whose functions are not in the descriptor; `owner` keeps the descriptor and them.
+    JointModel(const kaya_jmodel* descriptor, std::filesystem::path file, std::shared_ptr<void> owner,
+               JointFunctions functions);
+
     std::string name, title, version;
     std::filesystem::path file;
     std::vector<Property> properties;
@@ -55,7 +69,8 @@ public:
     std::vector<std::string> missing(const std::vector<double>& values) const;
 
     /// Throws Diagnostic (Fault::run) when the model throws, or gives a number that is not finite, a
-    /// negative one, or a normal stiffness of 0.
+    /// negative one, a normal stiffness of 0, or one that is
+    /// less than half of that with which it resists a small closing.
     JointStiffness initial_stiffness(const std::vector<double>& values) const;
 
     /// Whether it keeps an object of each sub-contact: then a batch needs the column of objects.
@@ -68,10 +83,14 @@ public:
     const kaya_jtables* tables = nullptr;
 
     const kaya_jmodel& descriptor() const { return *descriptor_; }
+    const JointFunctions& functions() const { return functions_; }
 
 private:
+    void read_table();
+
     const kaya_jmodel* descriptor_;
     std::shared_ptr<void> library_; ///< keeps it loaded
+    JointFunctions functions_;
 };
 
 /// Finds, loads and keeps joint models. An explicit list: nothing registers itself.
@@ -80,8 +99,14 @@ public:
     /// Folders in which `NAME.so` is looked for, first match wins.
     void set_path(std::vector<std::filesystem::path> folders) { path_ = std::move(folders); }
 
+    /// Makes the model of a file that is no library. Throws Diagnostic.
+    using Maker = std::function<std::unique_ptr<JointModel>(const std::filesystem::path&)>;
+
+    /// Files with that ending (".lua") are made into models by `maker`.
+    void understand(const std::string& ending, Maker maker) { makers_[ending] = std::move(maker); }
+
     /// The model with that keyword, loaded when it is not yet. A name with a slash or with the ending
-    /// .so is a file. Throws Diagnostic: not found (with the names that are there and did-you-mean),
+    /// .so, or one that is understood, is a file. Throws Diagnostic: not found (with the names that are there and did-you-mean),
     /// not a joint model, other interface version (both numbers), bad table, name taken.
     const JointModel& get(std::string_view name);
 
@@ -93,10 +118,15 @@ public:
     JointTables& tables() { return *tables_; }
 
 private:
+    bool is_file_name(std::string_view name) const;
+    std::vector<std::string> endings() const;
+    std::filesystem::path file_named(const std::filesystem::path& name) const;
     std::optional<std::filesystem::path> file_of(const std::string& keyword) const;
+    std::unique_ptr<JointModel> open(const std::filesystem::path& file) const;
     const JointModel& load(const std::filesystem::path& file);
 
     std::vector<std::filesystem::path> path_;
+    std::map<std::string, Maker> makers_; ///< by ending
     std::unique_ptr<JointTables> tables_ = std::make_unique<JointTables>();
     std::vector<std::unique_ptr<JointModel>> models_;
 };

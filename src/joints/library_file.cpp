@@ -1,8 +1,16 @@
 #include "joints/library_file.hpp"
 
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <dlfcn.h>
 #include <elf.h>
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <fstream>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace kaya {
 
@@ -27,6 +35,55 @@ std::string fault_of_library_file(const std::filesystem::path& file) {
         if (!stream || segment.p_offset > size || segment.p_filesz > size - segment.p_offset) return cut_off;
     }
     return {};
+}
+
+namespace {
+
+constexpr unsigned patience = 30; ///< seconds that a library may take to be loaded
+
+[[noreturn]] void load_and_leave(const std::filesystem::path& file, const char* entry, int answer) {
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM}) std::signal(signal, SIG_DFL);
+    alarm(patience);
+    // What it prints is printed when it is loaded in earnest.
+    if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {
+        dup2(nowhere, STDOUT_FILENO);
+        dup2(nowhere, STDERR_FILENO);
+    }
+    if (void* library = dlopen(std::filesystem::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL)) {
+        try {
+            if (void* function = dlsym(library, entry)) reinterpret_cast<const void* (*)()>(function)();
+        } catch (...) { // what is thrown is caught there, too
+        }
+    }
+    const char well = 'k';
+    const bool told = write(answer, &well, 1) == 1;
+    _exit(told ? 0 : 1);
+}
+
+} // namespace
+
+std::string fault_of_loading(const std::filesystem::path& file, const char* entry) {
+    int ends[2];
+    if (pipe(ends) != 0) return {};
+    std::fflush(nullptr);
+    const pid_t child = fork();
+    if (child == 0) {
+        close(ends[0]);
+        load_and_leave(file, entry, ends[1]);
+    }
+    close(ends[1]);
+    char answer = 0;
+    const bool well = child > 0 && read(ends[0], &answer, 1) == 1;
+    close(ends[0]);
+    if (child < 0) return {};
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (well) return {};
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
+        return fmt::format("does not come back within {} seconds when it is loaded", patience);
+    if (WIFSIGNALED(status)) return fmt::format("crashes when it is loaded (signal {})", WTERMSIG(status));
+    return "ends the program when it is loaded";
 }
 
 } // namespace kaya

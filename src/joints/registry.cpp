@@ -2,6 +2,7 @@
 #include "joints/joint_model.hpp"
 
 #include "base/diagnostic.hpp"
+#include "joints/crash_report.hpp"
 #include "joints/library_file.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* ending = ".so";
+constexpr const char* library_ending = ".so";
 constexpr const char* entry_point = "kaya_joint_model";
 
 [[noreturn]] void refuse(const char* code, std::string message, std::string hint) {
@@ -32,8 +33,6 @@ std::string folded(std::string_view word) {
     return lower;
 }
 
-bool is_file_name(std::string_view name) { return name.find('/') != name.npos || name.ends_with(ending); }
-
 bool same_file(const fs::path& a, const fs::path& b) {
     std::error_code ignored;
     return fs::equivalent(a, b, ignored);
@@ -43,6 +42,9 @@ std::shared_ptr<void> open_library(const fs::path& file) {
     if (const auto fault = fault_of_library_file(file); !fault.empty())
         refuse("joint-model-not-a-library", fmt::format("{} {}", file.string(), fault),
                "build it with kaya_add_joint_model in CMake, or with c++ -shared -fPIC");
+    if (const auto fault = fault_of_loading(file, entry_point); !fault.empty())
+        refuse("joint-model-crashes", fmt::format("joint model {} {}", file.string(), fault),
+               "look at what its source does before anything is asked of it: static objects, the functions that describe it");
     // An absolute path keeps the system from looking elsewhere; local symbols keep models apart.
     void* handle = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle)
@@ -73,8 +75,37 @@ const kaya_jmodel* descriptor_of(void* library, const fs::path& file) {
 
 } // namespace
 
+bool JointRegistry::is_file_name(std::string_view name) const {
+    if (name.find('/') != name.npos) return true;
+    const auto known = endings();
+    return std::any_of(known.begin(), known.end(), [&](const auto& e) { return name.ends_with(e); });
+}
+
+/// A library comes before a script of the same name.
+std::vector<std::string> JointRegistry::endings() const {
+    std::vector<std::string> all{library_ending};
+    for (const auto& [ending, maker] : makers_) all.push_back(ending);
+    return all;
+}
+
+/// The file as it stands, else in one of the folders.
+fs::path JointRegistry::file_named(const fs::path& name) const {
+    if (fs::exists(name) || name.is_absolute()) return name;
+    for (const auto& folder : path_)
+        if (fs::exists(folder / name)) return folder / name;
+    return name;
+}
+
+std::unique_ptr<JointModel> JointRegistry::open(const fs::path& file) const {
+    if (const auto maker = makers_.find(file.extension().string()); maker != makers_.end()) return maker->second(file);
+    const auto library = open_library(file);
+    const std::string name = file.filename().string();
+    const AtWork at_work(name.c_str(), file.c_str(), "kaya_joint_model()");
+    return std::make_unique<JointModel>(descriptor_of(library.get(), file), file, library);
+}
+
 const JointModel& JointRegistry::get(std::string_view name) {
-    if (is_file_name(name)) return load(fs::path(name));
+    if (is_file_name(name)) return load(file_named(fs::path(name)));
 
     const std::string keyword = folded(name);
     if (const auto* model = find(keyword)) return *model;
@@ -101,10 +132,9 @@ const JointModel& JointRegistry::load(const fs::path& file) {
         if (same_file(model->file, file)) return *model;
     if (!fs::exists(file))
         refuse("joint-model-unknown", fmt::format("there is no joint model file {}", file.string()),
-               "a name with a slash or with the ending .so is a file; give its path from the working folder");
+               "a name with a slash or with the ending .so or .lua is a file; give its path from the working folder");
 
-    const auto library = open_library(file);
-    auto model = std::make_unique<JointModel>(descriptor_of(library.get(), file), file, library);
+    auto model = open(file);
 
     // The file in the folders owns its name whether it is loaded or not, so that the meaning of a name
     // does not depend on which of two files a deck mentions first.
@@ -120,7 +150,7 @@ const JointModel& JointRegistry::load(const fs::path& file) {
         refuse("joint-model-name",
                fmt::format("{} holds a joint model named '{}'", file.string(), model->name),
                fmt::format("a file in a folder that is searched must have the name of its model: {}{}",
-                           model->name, ending));
+                           model->name, file.extension().string()));
 
     // Objects of a model may outlive the registry, and their code must be there when they go.
     if (model->keeps_objects()) dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
@@ -137,20 +167,22 @@ const JointModel* JointRegistry::find(std::string_view name) const {
 }
 
 std::optional<fs::path> JointRegistry::file_of(const std::string& keyword) const {
-    for (const auto& folder : path_) {
-        const auto file = folder / (keyword + ending);
-        if (fs::exists(file)) return file;
-    }
+    for (const auto& folder : path_)
+        for (const auto& ending : endings()) {
+            const auto file = folder / (keyword + ending);
+            if (fs::exists(file)) return file;
+        }
     return std::nullopt;
 }
 
 std::vector<std::string> JointRegistry::available() const {
     std::set<std::string> names;
     for (const auto& model : models_) names.insert(model->name);
+    // Most .lua files beside a deck are no joint models: those are found when they are named.
     for (const auto& folder : path_) {
         std::error_code unreadable; // a folder of the list need not be there
         for (const auto& entry : fs::directory_iterator(folder, unreadable))
-            if (entry.path().extension() == ending) names.insert(entry.path().stem().string());
+            if (entry.path().extension() == library_ending) names.insert(entry.path().stem().string());
     }
     return {names.begin(), names.end()};
 }

@@ -163,7 +163,8 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     if (energy) each_increment(subs, batch, [&](auto... rows) { before.add(subs, rows...); });
     std::optional<BatchDashpots> dashpots;
     if (joints_are_damped(model.settings)) dashpots.emplace(model, batch);
-    if (const auto failure = run_batch(*batch.model, columns)) throw joint_failure(model, batch, *failure);
+    if (const auto failure = run_batch(*batch.model, columns, subs.number.data() + batch.first))
+        throw joint_failure(model, batch, *failure);
     each_increment(subs, batch, [&](auto... rows) {
         if (energy) after.add(subs, rows...);
         add_increments(subs, rows...);

@@ -45,7 +45,7 @@ void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>
             part.first = row;
             part.count = end - row;
             auto columns = columns_of(model, part, model.clock.time_step, history.data());
-            if (const auto failure = call(*part.model, columns)) throw joint_failure(model, part, *failure);
+            if (const auto failure = call(*part.model, columns, model.sub_contacts.number.data() + part.first)) throw joint_failure(model, part, *failure);
             row = end;
         }
     }

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <set>
 
 namespace kaya {
@@ -42,13 +43,23 @@ void check_properties(const Model& model, JointRegistry& joints) {
         std::string list;
         for (const auto& name : joint.missing(set.values)) list += (list.empty() ? "" : ", ") + name;
         const std::string complaint = list.empty() ? joint.check(set.values) : "";
-        if (list.empty() && complaint.empty()) continue;
-        Diagnostic d(
-            list.empty() ? fmt::format("joint model '{}': {}", joint.name, complaint)
-                         : fmt::format("joint model '{}' is used without {}", joint.name, list),
-            list.empty() ? "" : fmt::format("give it with `jmodel {} value` or `prop jmat {}`",
-                                            joint.missing(set.values).front(), set.material));
-        d.code = "property-missing";
+        const auto mistake = [&]() -> std::optional<Diagnostic> {
+            Diagnostic d(
+                list.empty() ? fmt::format("joint model '{}': {}", joint.name, complaint)
+                             : fmt::format("joint model '{}' is used without {}", joint.name, list),
+                list.empty() ? "" : fmt::format("give it with `jmodel {} value` or `prop jmat {}`",
+                                                joint.missing(set.values).front(), set.material));
+            d.code = "property-missing";
+            if (!list.empty() || !complaint.empty()) return d;
+            try {
+                joint.initial_stiffness(set.values);
+            } catch (const Diagnostic& of_model) {
+                return of_model;
+            }
+            return std::nullopt;
+        }();
+        if (!mistake) continue;
+        Diagnostic d = *mistake;
         d.add(fmt::format("first used by contact {} between blocks {} and {}", model.contacts.number[c],
                           model.blocks.number[model.contacts.block1[c]],
                           model.blocks.number[model.contacts.block2[c]]));

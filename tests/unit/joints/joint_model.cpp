@@ -82,6 +82,12 @@ TEST(JointModel, RefusesAStiffnessThatGivesNoTimeStep) {
         }
     }
     EXPECT_THROW(plugin("works").initial_stiffness({-1}), Diagnostic);
+    try {
+        plugin("too-soft").initial_stiffness({5});
+        ADD_FAILURE() << "a model that is a hundred times stiffer than it says was taken";
+    } catch (const Diagnostic& d) {
+        EXPECT_EQ(d.context.at(0), "it resists closing with a stiffness of 5, and reports 0.05");
+    }
     EXPECT_THROW(plugin("works").initial_stiffness({NAN}), Diagnostic);
     EXPECT_THROW(plugin("works").initial_stiffness({INFINITY}), Diagnostic);
 }

@@ -128,6 +128,15 @@ TEST(JointRegistry, SurvivesAnExceptionWhileLoading) {
     EXPECT_THAT(refusal_of_plugin("throws-at-load").message, HasSubstr("cannot say what it is: "));
 }
 
+TEST(JointRegistry, SurvivesACrashWhileLoading) {
+    for (const char* name : {"crashes-at-load", "crashes-when-asked"}) {
+        const auto d = refusal_of_plugin(name);
+        EXPECT_THAT(d.message, HasSubstr("crashes when it is loaded (signal")) << name;
+        EXPECT_EQ(d.code, "joint-model-crashes");
+    }
+    EXPECT_THAT(refusal_of_plugin("exits-at-load").message, HasSubstr("ends the program when it is loaded"));
+}
+
 TEST(JointRegistry, KeepsNothingOfARefusedLibrary) {
     JointRegistry registry;
     refusal(registry, (plugin_folder / "version-99.so").string());
@@ -155,6 +164,8 @@ INSTANTIATE_TEST_SUITE_P(
                     WrongTable{"null-name", "'name' is NULL"}, WrongTable{"null-run", "'run' is NULL"},
                     WrongTable{"null-initialise", "'initialise' is NULL"},
                     WrongTable{"null-stiffness", "'max_stiffness' is NULL"},
+                    WrongTable{"empty-name", "'' cannot be typed"},
+                    WrongTable{"negative-count", "it has 18446744073709551615 history variables, 16 at most"},
                     WrongTable{"untypable-name", "'My Model' cannot be typed"},
                     WrongTable{"missing-table", "it says 1 properties but gives no table"},
                     WrongTable{"too-many-properties", "it has 1000000 properties, 64 at most"},

@@ -1,0 +1,6 @@
+// Crashes when it is asked for its descriptor.
+#include "kaya/jmodel.h"
+
+#include <cstdlib>
+
+const kaya_jmodel* kaya_joint_model(void) { std::abort(); }

@@ -1,0 +1,7 @@
+// Its name has no letter.
+#include "tests/plugins/plugin.hpp"
+
+const kaya_jmodel* kaya_joint_model(void) {
+    static kaya_jmodel model = plugin::working("");
+    return &model;
+}
