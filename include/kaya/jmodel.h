@@ -38,7 +38,10 @@
 extern "C" {
 #endif
 
-/* A library made for another interface version is refused, with both numbers. */
+/* A library made for another interface version is refused, with both numbers. The number grows with every
+ * change that a library can see: a member added, moved or gone, another type, another limit, another meaning. The
+ * names of members stay, and new ones come last, so that a source made for an older version compiles again.
+ * 1: batches. 2: objects, tables, `row`. */
 #define KAYA_JMODEL_INTERFACE 2
 
 #define KAYA_JMODEL_MAX_PROPERTIES 64 /* properties of one model, at most */
