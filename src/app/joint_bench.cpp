@@ -1,6 +1,7 @@
 #include "app/joint_bench.hpp"
 
 #include "base/diagnostic.hpp"
+#include "commands/lua_joint_models.hpp"
 #include "jointtest/bench.hpp"
 
 #include <charconv>
@@ -58,6 +59,7 @@ int carry_out(Order& order, const std::vector<fs::path>& folders) {
     order.bench.fitted = words_of(order.fitted);
     JointRegistry registry;
     registry.set_path(folders);
+    understand_lua_models(registry);
     const auto report = run_bench(registry, order.bench);
     fmt::print("{}{}\n", report.text, order.no_picture ? "" : draw(report.figure));
     return order.strict && report.odd ? static_cast<int>(Fault::run) : 0;

@@ -42,6 +42,8 @@ void SingleJoint::call(const JointStep& step, bool initialise) {
     batch.frictional_work = &frictional_work;
     batch.state = &state;
     batch.history = columns.data();
+    batch.object = model->keeps_objects() ? object.address() : nullptr;
+    batch.tables = model->tables;
     const auto failure = initialise ? initialise_batch(*model, batch) : run_batch(*model, batch);
     if (failure)
         throw Diagnostic(failure->message,

@@ -19,7 +19,7 @@ struct JointStep {
     double time = 0; ///< that the step takes
 };
 
-/// All that a sub-contact is, in plain values: a copy is another sub-contact in the same state. The normal is z, shear
+/// All that a sub-contact is, in values: a copy is another sub-contact in the same state. The normal is z, shear
 /// is x and y.
 class SingleJoint {
 public:
@@ -45,6 +45,7 @@ public:
     double normal_stiffness = 0, shear_stiffness = 0, frictional_work = 0;
     std::uint32_t state = 0;
     std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
+    JointObject object; ///< of a model that keeps one; a copy is a clone
 
 private:
     void call(const JointStep& step, bool initialise);

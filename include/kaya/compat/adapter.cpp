@@ -430,7 +430,10 @@ double taken_up(const kaya_jbatch& b, size_t i, double old_normal, const DVect3&
     return work - (held - before);
 }
 
+void initialise_row(kaya_jbatch& b, size_t i);
+
 void run_row(kaya_jbatch& b, size_t i) {
+    if (!b.object[i]) initialise_row(b, i);
     Object& object = *object_of(b.object[i]);
     State& s = object.state;
     apply(*object.model, object.applied, b.properties, from_command);

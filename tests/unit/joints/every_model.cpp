@@ -99,6 +99,11 @@ private:
     kaya_jbatch batch_;
 };
 
+TEST_P(EveryModel, IsAsStiffAsItSays) {
+    const auto& model = shipped(GetParam().model);
+    EXPECT_GT(model.initial_stiffness(test::values_of(model, GetParam().values)).normal, 0);
+}
+
 TEST_P(EveryModel, IsInItsPlaceAfterFiftyUnloadings) {
     auto j = joint();
     j.load(1);
