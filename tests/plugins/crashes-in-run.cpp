@@ -1,4 +1,4 @@
-// Works until a sub-contact has slipped by more than 1, and then dies in the way that its property says: 1 a bad address,
+// Works until a sub-contact has slipped by more than 0.1, and then dies in the way that its property says: 1 a bad address,
 // 2 a whole number divided by zero, 3 abort(), 4 a stack that is full.
 #include "tests/plugins/plugin.hpp"
 
@@ -26,7 +26,7 @@ void die(int way) {
 ptrdiff_t run(kaya_jbatch* batch) {
     for (batch->row = 0; batch->row < batch->n; ++batch->row) {
         const size_t i = batch->row;
-        if (batch->shear_disp[0][i] > 1) die(static_cast<int>(batch->properties[1]));
+        if (batch->shear_disp[0][i] > 0.1) die(static_cast<int>(batch->properties[1]));
         batch->normal_force[i] -= batch->properties[0] * batch->area[i] * batch->normal_disp_inc[i];
     }
     return -1;
