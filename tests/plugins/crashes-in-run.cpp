@@ -18,7 +18,7 @@ __attribute__((noinline)) int deeper(volatile int* depth) {
 void die(int way) {
     volatile int zero = 0;
     if (way == 1) *reinterpret_cast<volatile int*>(static_cast<std::size_t>(zero) + 16) = 1;
-    if (way == 2) zero = 1 / zero;
+    if (way == 2) zero = 100 / zero;
     if (way == 3) std::abort();
     if (way == 4) deeper(&zero);
 }
@@ -26,7 +26,7 @@ void die(int way) {
 ptrdiff_t run(kaya_jbatch* batch) {
     for (batch->row = 0; batch->row < batch->n; ++batch->row) {
         const size_t i = batch->row;
-        if (batch->shear_disp[0][i] > 0.1) die(static_cast<int>(batch->properties[1]));
+        if (std::abs(batch->shear_disp[0][i]) > 0.1) die(static_cast<int>(batch->properties[1]));
         batch->normal_force[i] -= batch->properties[0] * batch->area[i] * batch->normal_disp_inc[i];
     }
     return -1;
