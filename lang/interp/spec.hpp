@@ -43,6 +43,9 @@ struct ArgumentSpec {
     std::string_view help = {};
 };
 
+/// A word with hyphens may be shortened in each of its parts: pos-x for position-x. Every hyphen must be typed.
+bool fits_part_by_part(std::string_view word, std::string_view typed);
+
 /// A word that may be typed, and how much of it is enough.
 struct Spelling {
     std::string_view word;
@@ -53,7 +56,8 @@ struct Spelling {
 
     /// `typed` is folded.
     bool matches(std::string_view typed) const {
-        return typed == word || (typed.size() >= shortest && word.starts_with(typed));
+        return typed == word || (typed.size() >= shortest && word.starts_with(typed)) ||
+               fits_part_by_part(word, typed);
     }
 };
 

@@ -193,7 +193,8 @@ int main(int argc, char** argv) {
     }
     const fs::path folder = argv[1];
     std::map<fs::path, std::string> wanted;
-    std::string index = "# Commands\n\nWords may be shortened. `range` at the end of a line is "
+    std::string index = "# Commands\n\nWords may be shortened, those with hyphens in each of their parts "
+                        "(`pos-x`). `range` at the end of a line is "
                         "[a range phrase](../range-phrase.md).\n\n";
     const Language& language = classic();
     for (const auto& page : pages(language)) {

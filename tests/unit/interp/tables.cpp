@@ -159,6 +159,25 @@ TEST(Tables, ShortKeywordsResolveInTableOrder) {
         EXPECT_FALSE(bound_as<Hide>("hide range " + std::string(range)).range.elements.empty()) << range;
 }
 
+TEST(Tables, HyphenatedWordsAreShortenedPartByPart) {
+    EXPECT_TRUE(fits_part_by_part("position-x", "pos-x"));
+    EXPECT_TRUE(fits_part_by_part("dip-direction", "d-d"));
+    EXPECT_TRUE(fits_part_by_part("a-b-c", "a-b-c"));
+    EXPECT_FALSE(fits_part_by_part("position-x", "pos"));
+    EXPECT_FALSE(fits_part_by_part("position-x", "pos-"));
+    EXPECT_FALSE(fits_part_by_part("position-x", "pos-y"));
+    EXPECT_FALSE(fits_part_by_part("position-x", "pos-x-x"));
+    EXPECT_FALSE(fits_part_by_part("a-b-c", "a-b"));
+    EXPECT_FALSE(fits_part_by_part("position", "pos-x"));
+    using Kind = RangeElement::Kind;
+    EXPECT_EQ(bound_as<Hide>("hide range pos-z 0 1").range.elements[0].kind, Kind::z);
+    EXPECT_EQ(bound_as<Hide>("hide range plane d-d 90 dip 30 above").range.elements[0].kind, Kind::plane);
+    EXPECT_EQ(bound_as<Hide>("hide range gr-int a b").range.elements[0].kind, Kind::group_intersection);
+    EXPECT_EQ(bound_as<Solve>("solve rat-loc 1e-4").local_ratio, 1e-4);
+    EXPECT_EQ(bound_as<JointSetCommand>("jset dip 30 dip-dir 90").dip_direction[0], 90.0);
+    EXPECT_EQ(bound("join-c range jset 1").spec->name(), "join_contact");
+}
+
 TEST(Tables, OneLetterIsNoAbbreviation) {
     EXPECT_EQ(mistake("p mat 1").message, "'p' is not a command");
     EXPECT_EQ(mistake("poly b 0 1").message, "'b' is not a kind of poly");
