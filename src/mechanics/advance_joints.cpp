@@ -117,25 +117,18 @@ void add_increments(SubContacts& subs, Row row, const LaneGroup& group, const La
     group.store(subs.shear_displacement, row, group.load(subs.shear_displacement, row) + slip);
 }
 
-/// Rates of work on the blocks with the forces as they are, times the step.
-struct Work {
-    Lanes joint = Lanes::Zero(), friction = Lanes::Zero();
-    Lanes fluid = Lanes::Zero(); ///< of the pore pressure; a joint model does not change it
-
-    void add(const SubContacts& subs, Row row, const LaneGroup& group, const Lanes& opening, const Lanes3& slip) {
-        joint += group.load(subs.normal_force.data() + row) * opening + group.load(subs.shear_force, row).dot(slip);
-        friction += group.load(subs.frictional_work.data() + row);
-        fluid += group.load(subs.pore_pressure.data() + row) * group.load(subs.area.data() + row) * opening;
-    }
-};
-
-/// Calls visit(row, group, opening, slip) with the displacement increments of four rows after the other.
-template <class Visit> void each_increment(const SubContacts& subs, const Batch& batch, const Visit& visit) {
+/// Work with the forces that the joint model has given, and displacements at the end of the step.
+JointWork finish_rows(SubContacts& subs, const Batch& batch) {
+    JointWork after;
     for (Row row = batch.first; row < batch.first + batch.count; row += lane_count) {
         const LaneGroup group(batch.first + batch.count - row);
-        visit(row, group, group.load(subs.normal_displacement_increment.data() + row),
-              group.load(subs.shear_displacement_increment, row));
+        const Lanes opening = group.load(subs.normal_displacement_increment.data() + row);
+        const Lanes3 slip = group.load(subs.shear_displacement_increment, row);
+        after.joint += group.load(subs.normal_force.data() + row) * opening + group.load(subs.shear_force, row).dot(slip);
+        after.friction += group.load(subs.frictional_work.data() + row);
+        add_increments(subs, row, group, opening, slip);
     }
+    return after;
 }
 
 void combine(JointSums& sum, const JointSums& part) {
@@ -149,31 +142,24 @@ void combine(JointSums& sum, const JointSums& part) {
 JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     JointSums sums;
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
-    const bool energy = model.settings.energy;
     auto& subs = model.sub_contacts;
     static thread_local std::vector<double> friction; // before the step, of contacts that have sunk; kept for its memory
+    JointWork before;
     friction.resize(static_cast<std::size_t>(batch.contacts.count));
     for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
-        move_contact(model, c);
+        move_contact(model, c, before);
         if (!batch.model->vectors.empty()) turn_kept_vectors(model, c, batch.model->vectors);
         if (model.contacts.sunk[c] > 0) friction[c - batch.contacts.first] = frictional_work(model, c);
     }
     auto columns = columns_of(model, batch, model.clock.time_step, history.data());
-    Work before, after;
-    if (energy) each_increment(subs, batch, [&](auto... rows) { before.add(subs, rows...); });
     std::optional<BatchDashpots> dashpots;
     if (joints_are_damped(model.settings)) dashpots.emplace(model, batch);
     if (const auto failure = run_batch(*batch.model, columns, subs.number.data() + batch.first))
         throw joint_failure(model, batch, *failure);
-    each_increment(subs, batch, [&](auto... rows) {
-        if (energy) after.add(subs, rows...);
-        add_increments(subs, rows...);
-    });
-    if (energy) {
-        sums.work = -0.5 * (sum(before.joint) + sum(after.joint));
-        sums.friction = sum(after.friction) - sum(before.friction);
-        sums.fluid = sum(before.fluid);
-    }
+    const JointWork after = finish_rows(subs, batch);
+    sums.work = -0.5 * (sum(before.joint) + sum(after.joint));
+    sums.friction = sum(after.friction) - sum(before.friction);
+    sums.fluid = sum(before.fluid);
     if (dashpots) sums.damped = dashpots->finish();
     sums.stiffness_changed = columns.stiffness_changed;
     for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {

@@ -61,9 +61,16 @@ void turn_plane(Model& model, Row c) {
     n *= 1.5 - 0.5 * n.squaredNorm(); // it is almost 1: one step of Newton's method for 1/sqrt
 }
 
+void add_work(JointWork& work, const SubContacts& subs, Row row, const LaneGroup& group, const Lanes3& shear_force,
+              const Lanes& opening, const Lanes3& slip) {
+    work.joint += group.load(subs.normal_force.data() + row) * opening + shear_force.dot(slip);
+    work.friction += group.load(subs.frictional_work.data() + row);
+    work.fluid += group.load(subs.pore_pressure.data() + row) * group.load(subs.area.data() + row) * opening;
+}
+
 /// Two rigid blocks: the relative velocity is linear in the place, so that a few numbers per contact
 /// serve all its sub-contacts.
-void move_between_rigid(Model& model, Row c) {
+void move_between_rigid(Model& model, Row c, JointWork& work) {
     auto& subs = model.sub_contacts;
     auto& contacts = model.contacts;
     const Triple o(contacts.position[c]), normal(contacts.normal[c]);
@@ -88,12 +95,16 @@ void move_between_rigid(Model& model, Row c) {
         const Lanes3 shear = u - n * opening;
         group.store(subs.normal_displacement_increment.data() + i, opening);
         group.store(subs.shear_displacement_increment, i, shear);
-        if (!large) continue;
-        farthest = farthest.max(shear.dot(shear));
-        group.store(subs.position, i, x + (mean + mean_turn.cross(arm)));
-        // The shear force stays in the plane and turns in it with the mean of the blocks.
-        const Lanes3 force = group.load(subs.shear_force, i), in_plane = force - n * force.dot(n);
-        group.store(subs.shear_force, i, in_plane + n.cross(in_plane) * twist);
+        Lanes3 force = group.load(subs.shear_force, i);
+        if (large) {
+            farthest = farthest.max(shear.dot(shear));
+            group.store(subs.position, i, x + (mean + mean_turn.cross(arm)));
+            // The shear force stays in the plane and turns in it with the mean of the blocks.
+            const Lanes3 in_plane = force - n * force.dot(n);
+            force = in_plane + n.cross(in_plane) * twist;
+            group.store(subs.shear_force, i, force);
+        }
+        add_work(work, subs, i, group, force, opening, shear);
     }
     if (!large) return;
     contacts.slid[c] += std::sqrt(farthest.maxCoeff());
@@ -120,7 +131,7 @@ struct SideMotion {
     }
 };
 
-void move_between(Model& model, Row c) {
+void move_between(Model& model, Row c, JointWork& work) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const SideMotion side1(model, contacts.block1[c]), side2(model, contacts.block2[c]);
@@ -144,17 +155,23 @@ void move_between(Model& model, Row c) {
         subs.shear_force.set(s, force - force.dot(n) * n);
     }
     if (large) contacts.slid[c] += std::sqrt(farthest);
+    for (Row row = span.first; row < span.end(); row += lane_count) {
+        const LaneGroup group(span.end() - row);
+        add_work(work, subs, row, group, group.load(subs.shear_force, row),
+                 group.load(subs.normal_displacement_increment.data() + row),
+                 group.load(subs.shear_displacement_increment, row));
+    }
 }
 
 } // namespace
 
-void move_contact(Model& model, Row c) {
+void move_contact(Model& model, Row c, JointWork& work) {
     const auto& contacts = model.contacts;
     if (model.settings.large_strain) turn_plane(model, c);
     if (model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]])
-        move_between(model, c);
+        move_between(model, c, work);
     else
-        move_between_rigid(model, c);
+        move_between_rigid(model, c, work);
 }
 
 void turn_kept_vectors(Model& model, Row c, const std::vector<std::size_t>& vectors) {

@@ -5,6 +5,7 @@
 #include "mechanics/adjacency.hpp"
 #include "mechanics/batches.hpp"
 #include "mechanics/step_bounds.hpp"
+#include "model/lanes.hpp"
 #include "model/model.hpp"
 
 #include <vector>
@@ -104,9 +105,15 @@ void joint_forces(const Model& model, JointForces& forces);
 /// The same for those contacts only; the others have kept their rows and forces.
 void joint_forces_of_new(const Model& model, JointForces& forces);
 
+/// Rates of work on the blocks times the step, in lanes of sub-contacts.
+struct JointWork {
+    Lanes joint = Lanes::Zero(), friction = Lanes::Zero();
+    Lanes fluid = Lanes::Zero(); ///< of the pore pressure; a joint model does not change it
+};
+
 /// Turns the plane of a contact with its blocks and writes the displacement increments of its
-/// sub-contacts; turns their shear forces with the plane.
-void move_contact(Model& model, Row contact);
+/// sub-contacts; turns their shear forces with the plane. Adds the work of the forces as they then are to `work`.
+void move_contact(Model& model, Row contact, JointWork& work);
 
 /// Turns the vectors that a joint model keeps of each sub-contact as its shear force was turned: `vectors` has the first
 /// of the three history variables of each. Only where strain is large; call it after move_contact.
