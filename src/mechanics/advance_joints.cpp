@@ -1,8 +1,8 @@
 #include "base/diagnostic.hpp"
 #include "base/reduce.hpp"
 #include "mechanics/dashpots.hpp"
-#include "model/lanes.hpp"
 #include "mechanics/phases.hpp"
+#include "model/lanes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -94,8 +94,7 @@ void note_stiffness(const Model& model, Row c, JointForces& forces) {
     const auto& subs = model.sub_contacts;
     const Span span = model.contacts.sub_contacts[c];
     double sum = 0;
-    for (Row s = span.first; s < span.end(); ++s)
-        sum += std::max(subs.normal_stiffness[s], subs.shear_stiffness[s]) * subs.area[s];
+    for (Row s = span.first; s < span.end(); ++s) sum += tangent_stiffness(subs, s);
     if (sum == forces.stiffness[c]) return;
     forces.stiffness[c] = sum;
     forces.stiffness_changed[c] = 1;

@@ -21,10 +21,6 @@ double least_eigenvalue(const Mat3& inertia) {
     return solver.eigenvalues()[0];
 }
 
-double stiffness_of(const SubContacts& subs, Row s) {
-    return std::max(subs.normal_stiffness[s], subs.shear_stiffness[s]) * subs.area[s];
-}
-
 bool between_rigid(const Model& model, Row contact) {
     const auto& contacts = model.contacts;
     return !model.blocks.deformable[contacts.block1[contact]] && !model.blocks.deformable[contacts.block2[contact]];
@@ -121,7 +117,7 @@ void StepBounds::add_contact(const Model& model, Row contact) {
     ContactSums sums;
     const Span span = contacts.sub_contacts[contact];
     for (Row s = span.first; s < span.end(); ++s) {
-        const double stiffness = stiffness_of(model.sub_contacts, s);
+        const double stiffness = tangent_stiffness(model.sub_contacts, s);
         if (stiffness == 0) continue; // open
         const double a1 = size(model, contacts.block1[contact], s), a2 = size(model, contacts.block2[contact], s);
         sums.own1 += stiffness * a1 * a1;
@@ -166,7 +162,7 @@ void StepBounds::weigh(const Model& model, const Adjacency& adjacency, Masses ma
         if (between_rigid(model, c)) return;
         const Span span = contacts.sub_contacts[c];
         for (Row s = span.first; s < span.end(); ++s)
-            coupling_[s] = stiffness_of(subs, s) * (side(model, contacts.block1[c], subs.side1[s], s) +
+            coupling_[s] = tangent_stiffness(subs, s) * (side(model, contacts.block1[c], subs.side1[s], s) +
                                                     side(model, contacts.block2[c], subs.side2[s], s));
     });
 }

@@ -4,9 +4,15 @@
 #include "mechanics/adjacency.hpp"
 #include "model/model.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace kaya {
+
+/// The larger tangent stiffness of a sub-contact, force/length.
+inline double tangent_stiffness(const SubContacts& subs, Row s) {
+    return std::max(subs.normal_stiffness[s], subs.shear_stiffness[s]) * subs.area[s];
+}
 
 /// The body that limits the time step.
 struct StepLimit {
