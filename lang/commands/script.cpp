@@ -71,8 +71,9 @@ Family script() {
                     .raw(&FishCall::expression)
                     .start([](const Statement& statement, FishCall& call) {
                         const Word& word = statement.words.front();
+                        const std::string text = statement.raw(0);
                         call.expression =
-                            word.kind == WordKind::symbol ? statement.raw(0).substr(1) : word.text;
+                            word.kind == WordKind::symbol ? text.substr(text.find('@') + 1) : word.text;
                         call.place = word.place;
                     })
                     .right("@build_wall")

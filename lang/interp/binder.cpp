@@ -7,22 +7,21 @@ namespace kaya::lang {
 
 namespace {
 
-const std::vector<Spelling>& words_of(const CommandSpec* spec) { return spec->words; }
-
-std::vector<const CommandSpec*> all_commands(const Language& language) {
-    std::vector<const CommandSpec*> commands;
-    for (const auto& family : language.families)
-        for (const auto& spec : family.commands) commands.push_back(&spec);
-    return commands;
-}
-
 /// The commands that share the first word which `typed` stands for.
 std::vector<const CommandSpec*> commands_called(const Language& language, std::string_view typed) {
-    auto commands = all_commands(language);
-    const auto* found = resolve(commands, typed, words_of);
-    if (!found) return {};
-    const std::string_view canonical = (*found)->words.front().word;
-    std::erase_if(commands, [&](const CommandSpec* c) { return c->words.front().word != canonical; });
+    std::string_view exact, beginning;
+    for_each_command(language, [&](const CommandSpec& command) {
+        for (const Spelling& s : command.words) {
+            if (exact.empty() && s.word == typed) exact = command.words.front().word;
+            if (beginning.empty() && s.matches(typed)) beginning = command.words.front().word;
+        }
+    });
+    const std::string_view canonical = exact.empty() ? beginning : exact;
+    std::vector<const CommandSpec*> commands;
+    if (canonical.empty()) return commands;
+    for_each_command(language, [&](const CommandSpec& command) {
+        if (command.words.front().word == canonical) commands.push_back(&command);
+    });
     return commands;
 }
 
@@ -47,7 +46,7 @@ std::vector<std::string_view> first_words(const std::vector<KeywordSpec>& keywor
 
 [[noreturn]] void unknown_command(const Language& language, const Statement& statement) {
     std::vector<std::string_view> candidates;
-    for (const auto* c : all_commands(language)) add_words(candidates, c->words);
+    for_each_command(language, [&](const CommandSpec& command) { add_words(candidates, command.words); });
     const Word& word = statement.words.front();
     if (word.text == "?" || word.kind == WordKind::open)
         Reader(statement, 0, 1, nullptr).unknown("a command", candidates);

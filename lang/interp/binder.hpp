@@ -20,6 +20,12 @@ struct BoundCommand {
     std::string text() const;
 };
 
+/// Calls `visit` with each command of the language, in the order in which short words are looked up.
+template <class Visit> void for_each_command(const Language& language, Visit visit) {
+    for (const auto& family : language.families)
+        for (const auto& command : family.commands) visit(command);
+}
+
 /// The command that the first words of the statement name. Throws Diagnostic.
 struct FoundCommand {
     const CommandSpec* spec = nullptr;

@@ -11,11 +11,6 @@ namespace kaya::lang {
 
 namespace {
 
-template <class Visit> void for_each_command(const Language& language, Visit visit) {
-    for (const auto& family : language.families)
-        for (const auto& command : family.commands) visit(command);
-}
-
 std::string optional_part(std::string_view text, bool optional) {
     return optional ? fmt::format("[{}]", text) : std::string(text);
 }

@@ -56,9 +56,14 @@ Ended Interpreter::run_step(const BoundFile::Step& step) {
         command = &with_values;
     }
     Ended ended = Ended::end_of_deck;
-    if (command->spec->flow == Flow::call) ended = run_call(step, *command);
-    else if (handlers_.has(command->command.type())) handlers_.run(command->command);
-    else throw Diagnostic(fmt::format("{} is known, but kaya cannot run it yet", command->spec->name()));
+    try {
+        if (command->spec->flow == Flow::call) ended = run_call(step, *command);
+        else if (handlers_.has(command->command.type())) handlers_.run(command->command);
+        else throw Diagnostic(fmt::format("{} is known, but kaya cannot run it yet", command->spec->name()));
+    } catch (...) {
+        if (failed_command) failed_command(*command);
+        throw;
+    }
     if (after_command) after_command(*command);
     return ended;
 }

@@ -28,6 +28,7 @@ public:
     std::function<void(const Diagnostic&)> on_warning;       ///< warnings and notes
     std::function<void(const BoundCommand&)> before_command; ///< echo, log
     std::function<void(const BoundCommand&)> after_command;  ///< journal: the command has done its work
+    std::function<void(const BoundCommand&)> failed_command; ///< the same for one that ends with an exception
     Checks checks;                                           ///< run when a deck is bound
     std::vector<std::filesystem::path> folders = {"."};      ///< where decks are looked for
 
@@ -41,6 +42,8 @@ public:
 
     /// Of the command that is running; none between commands.
     Place current_place() const { return frames_.empty() ? Place{} : frames_.back().place; }
+    /// Folders of the file that is running and of those that called it, innermost first, then `folders`.
+    std::vector<std::filesystem::path> searched() const;
     /// "called from base.3dd:12" for each file around the current one, innermost first.
     std::vector<std::string> call_chain() const;
 
@@ -56,7 +59,6 @@ private:
     Ended run(const BoundFile& file);
     Ended run_step(const BoundFile::Step& step);
     Ended run_call(const BoundFile::Step& step, const BoundCommand& command);
-    std::vector<std::filesystem::path> searched() const;
 
     const Language& language_;
     const Handlers& handlers_;

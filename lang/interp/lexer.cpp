@@ -191,9 +191,13 @@ std::string Statement::raw(std::size_t first) const {
         const Place& to = words[last].place;
         if (!text.empty()) text += ' ';
         const std::string& line = from.source->lines[static_cast<std::size_t>(from.line - 1)];
-        const auto begin = static_cast<std::size_t>(from.column - 1);
+        auto begin = static_cast<std::size_t>(from.column - 1);
         auto end = static_cast<std::size_t>(to.column + to.length - 1);
-        while (end < line.size() && line[end] == ')') ++end; // a blank to the language, text to the reader
+        // Brackets are blanks to the language and text to the reader: f(a), f ( a ), (one) brick
+        for (std::size_t at = begin; at > 0 && std::string_view("( \t").find(line[at - 1]) != std::string_view::npos; --at)
+            if (line[at - 1] == '(') begin = at - 1;
+        while (line.find_first_not_of(" \t", end) < line.size() && line[line.find_first_not_of(" \t", end)] == ')')
+            end = line.find(')', end) + 1;
         text += line.substr(begin, end - begin);
         i = last + 1;
     }

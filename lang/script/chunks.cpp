@@ -90,13 +90,20 @@ void run_loaded_chunk(Machine& machine, const std::string& text, const Place& pl
                              std::max(place.line, 1), text});
 }
 
-/// Where `require "a.b"` looks: beside the deck, in the folders of the options, in the working folder.
+/// Where `require "a.b"` looks: beside the deck or the called file, in the folders of the options, in the working
+/// folder. The name of a called file counts from the folder of its caller.
 std::vector<fs::path> candidates(const Machine& machine, const std::string& name) {
     std::string file = name;
     std::replace(file.begin(), file.end(), '.', '/');
-    std::vector<fs::path> paths{fs::path(machine.script_folder) / (file + ".lua")};
-    for (const auto& folder : machine.options.module_folders) paths.push_back(folder / (file + ".lua"));
-    paths.push_back(fs::path(file + ".lua"));
+    file += ".lua";
+    std::vector<fs::path> paths{machine.script_folder / file};
+    if (machine.deck_folders)
+        for (const auto& folder : machine.deck_folders()) {
+            paths.push_back(folder / file);
+            paths.push_back(folder / machine.script_folder / file);
+        }
+    for (const auto& folder : machine.options.module_folders) paths.push_back(folder / file);
+    paths.emplace_back(file);
     return paths;
 }
 
@@ -126,7 +133,7 @@ void run_module(Machine& machine, const std::string& name, const std::string& sh
 } // namespace
 
 void run_chunk(Machine& machine, const std::string& text, const Place& place) {
-    if (place) machine.script_folder = fs::path(place.source->name).parent_path().string();
+    if (place) machine.script_folder = fs::path(place.source->name).parent_path();
     run_loaded_chunk(machine, text, place);
 }
 
@@ -136,7 +143,7 @@ void run_chunk_file(Machine& machine, const fs::path& file, const Place& place) 
         throw Diagnostic(fmt::format("the Lua file '{}' cannot be read", file.string()),
                          "the path counts from the working folder")
             .at(place);
-    machine.script_folder = file.parent_path().string();
+    machine.script_folder = file.parent_path();
     run_loaded_chunk(machine, text, beginning_of(file.string(), text));
 }
 

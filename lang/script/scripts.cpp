@@ -74,6 +74,10 @@ void Scripts::on_print(std::function<void(const std::string&)> sink) {
     impl_->machine->sink = std::move(sink);
 }
 
+void Scripts::on_require(std::function<std::vector<std::filesystem::path>()> folders) {
+    impl_->machine->deck_folders = std::move(folders);
+}
+
 void Scripts::define_fish(const std::string& text, const Place& place) {
     const StackLevel level(impl_->machine->lua);
     placed(place, [&] { define_fish_function(*impl_->machine, text, place); });
@@ -226,8 +230,10 @@ void Scripts::clear() {
     impl_->refuse_inside_function("new");
     Machine& old = *impl_->machine;
     const auto sink = old.sink;
+    const auto deck_folders = old.deck_folders;
     impl_->renew(old.world, old.options);
     impl_->machine->sink = sink;
+    impl_->machine->deck_folders = deck_folders;
 }
 
 } // namespace kaya::script

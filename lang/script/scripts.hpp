@@ -39,6 +39,9 @@ public:
     /// Takes what `out(...)` and Lua's print write; one call per line, without line end. Default: stdout.
     void on_print(std::function<void(const std::string& line)> sink);
 
+    /// Gives the folders of the running deck file and of its callers, for `require`.
+    void on_require(std::function<std::vector<std::filesystem::path>()> folders);
+
     /// Defines `def name ... end`; `place` is where the text begins. A function of that name is replaced.
     void define_fish(const std::string& text, const Place& place);
     /// Runs a Lua chunk (`lua ... endlua`); `place` is where the text begins.

@@ -9,6 +9,7 @@
 #include "app/model_commands.hpp"
 #include "commands/progress.hpp"
 #include "commands/session.hpp"
+#include "io/info.hpp"
 #include "joints/crash_report.hpp"
 
 
@@ -33,6 +34,7 @@ struct CommandLine {
     bool format_in_place = false;
     std::string code;         ///< of `explain`
     std::string journal;      ///< of `replay`
+    std::string saved;        ///< of `info`
     bool no_journal = false;
 };
 
@@ -168,6 +170,8 @@ int start(int argc, char** argv) {
     explaining->add_option("code", line.code, "as shown in brackets behind a message on a terminal");
     auto* replaying = app.add_subcommand("replay", "run a journal again and compare the final state");
     replaying->add_option("journal", line.journal, "a file that a run has written")->required();
+    auto* describing = app.add_subcommand("info", "say what a saved model holds");
+    describing->add_option("file", line.saved, "a file that 'save' has written")->required();
     auto* checking =
         app.add_subcommand("check", "read decks and say what is wrong with them, without running them");
     checking->add_option("deck", line.checked, "command files")->required();
@@ -203,6 +207,16 @@ int start(int argc, char** argv) {
     if (*explaining) {
         fmt::print("{}", line.code.empty() ? code_list() : explanation(line.code));
         return 0;
+    }
+    if (*describing) {
+        try {
+            fmt::print("{}", describe_save_file(line.saved));
+            return 0;
+        } catch (Diagnostic& problem) {
+            problem.hint = "info reads a file that 'save' has written";
+            problem.fault = Fault::deck;
+            throw;
+        }
     }
     if (about_models) return about_models();
     line.options.joint_folders = joint_folders(line, program);

@@ -1,8 +1,10 @@
 #include "base/diagnostic.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace kaya {
 
@@ -70,22 +72,37 @@ struct Mistakes {
     int beginning; ///< when it was shortened: the language takes any beginning of a word
 };
 
-/// Edit distance in which a swap of neighbours counts as one (optimal string alignment).
-Mistakes mistakes(std::string_view typed, std::string_view meant) {
+/// More mistakes than this are never compared with each other.
+constexpr int most_mistakes = 3;
+
+/// Three rows of the table of distances, kept from one word to the next.
+using Rows = std::array<std::vector<int>, 3>;
+
+/// Edit distance in which a swap of neighbours counts as one (optimal string alignment). Exact up to most_mistakes;
+/// beyond that some number that is larger.
+Mistakes mistakes(std::string_view typed, std::string_view meant, Rows& rows) {
     const std::size_t n = typed.size(), m = meant.size();
-    std::vector<std::vector<int>> d(n + 1, std::vector<int>(m + 1));
-    for (std::size_t i = 0; i <= n; ++i) d[i][0] = static_cast<int>(i);
-    for (std::size_t j = 0; j <= m; ++j) d[0][j] = static_cast<int>(j);
-    for (std::size_t i = 1; i <= n; ++i)
+    for (auto& row : rows) row.resize(m + 1);
+    auto [before, last, row] = std::array{rows[0].data(), rows[1].data(), rows[2].data()};
+    std::iota(last, last + m + 1, 0);
+    for (std::size_t i = 1; i <= n; ++i) {
+        row[0] = static_cast<int>(i);
+        int least = row[0];
         for (std::size_t j = 1; j <= m; ++j) {
             const int cost = typed[i - 1] == meant[j - 1] ? 0 : 1;
-            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + cost});
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + cost});
             if (i > 1 && j > 1 && typed[i - 1] == meant[j - 2] && typed[i - 2] == meant[j - 1])
-                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+                row[j] = std::min(row[j], before[j - 2] + 1);
+            least = std::min(least, row[j]);
         }
-    int beginning = d[n][m];
-    for (std::size_t j = 3; j < m; ++j) beginning = std::min(beginning, d[n][j]);
-    return {d[n][m], beginning};
+        // No row below can have less than the least of the two above.
+        if (least > most_mistakes + 1) return {least, least};
+        std::swap(before, last);
+        std::swap(last, row);
+    }
+    int beginning = last[m];
+    for (std::size_t j = 3; j < m; ++j) beginning = std::min(beginning, last[j]);
+    return {last[m], beginning};
 }
 
 } // namespace
@@ -116,13 +133,14 @@ std::string_view did_you_mean(std::string_view word, const std::vector<std::stri
     // more than it helps.
     // In halves, so that a shortened word loses against a whole one with as many mistakes, and that the same
     // letters in another order, the commonest slip, win.
-    const int limit = 2 * (word.size() <= 2 ? 1 : word.size() <= 5 ? 2 : 3);
+    const int limit = 2 * (word.size() <= 2 ? 1 : word.size() <= 5 ? 2 : most_mistakes);
     std::string_view best;
     int best_halves = limit + 1;
+    Rows rows;
     for (const auto candidate : candidates) {
         // A word that is so much longer has too many mistakes; it may be a whole file without a blank.
         if (candidate.empty() || word.size() > candidate.size() + static_cast<std::size_t>(limit)) continue;
-        const auto [whole, beginning] = mistakes(word, candidate);
+        const auto [whole, beginning] = mistakes(word, candidate, rows);
         int halves = 2 * whole;
         if (std::is_permutation(word.begin(), word.end(), candidate.begin(), candidate.end())) --halves;
         if (whole >= static_cast<int>(std::max(word.size(), candidate.size()))) halves = limit + 1;

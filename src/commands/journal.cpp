@@ -18,6 +18,10 @@ namespace fs = std::filesystem;
 constexpr std::string_view first_line = "; kaya journal 1";
 constexpr std::string_view deck_mark = ";deck ";       ///< name
 constexpr std::string_view lines_mark = ";lines ";     ///< first line, number of lines, name of the source
+// In front of lines that did not come to their end:
+constexpr std::string_view stopped_mark = ";stopped "; ///< cycle behind which the user stopped them
+constexpr std::string_view cut_off_mark = ";cut off";  ///< the user stopped them inside of a script
+constexpr std::string_view failed_mark = ";failed";    ///< with an error
 constexpr std::string_view joint_mark = ";joint ";     ///< digest, file
 constexpr std::string_view file_mark = ";file ";       ///< digest, file
 constexpr std::string_view hash_mark = ";hash ";       ///< digest of the final state
@@ -38,6 +42,7 @@ struct Piece {
     std::string deck, source, text;
     int line = 0; ///< of the first line of `text` in the source
     int last = 0;
+    Completion completion; ///< of one command; commands that are done stand together
 };
 
 struct FileNote {
@@ -80,6 +85,7 @@ Record read_record(const std::string& file) {
         throw Diagnostic(fmt::format("'{}' is not a journal", file), fmt::format("a journal begins with '{}'", first_line));
     Record record;
     std::string deck;
+    Completion completion; // of the lines that come next
     for (std::size_t i = 1; i < lines.size(); ++i) {
         std::string_view rest = lines[i];
         const auto is = [&rest](std::string_view mark) {
@@ -97,13 +103,22 @@ Record read_record(const std::string& file) {
             record.files.push_back({digest, std::string(rest)});
         } else if (is(hash_mark)) {
             record.hash = rest;
+        } else if (is(stopped_mark)) {
+            completion = {Completion::How::stopped, take_number(rest)};
+        } else if (is(cut_off_mark)) {
+            completion.how = Completion::How::cut_off;
+        } else if (is(failed_mark)) {
+            completion.how = Completion::How::failed;
         } else if (is(lines_mark)) {
             const int line = take_number(rest), count = take_number(rest);
             if (line < 1 || count < 1 || i + static_cast<std::size_t>(count) >= lines.size()) fail_damaged(file, i + 1);
             auto& pieces = record.pieces;
-            const bool goes_on = !pieces.empty() && pieces.back().deck == deck && pieces.back().source == rest &&
+            const bool all_done = completion.how == Completion::How::done && !pieces.empty() &&
+                                  pieces.back().completion.how == Completion::How::done;
+            const bool goes_on = all_done && pieces.back().deck == deck && pieces.back().source == rest &&
                                  line > pieces.back().last && pieces.back().text.size() < longest_piece;
-            if (!goes_on) pieces.push_back({deck, std::string(rest), {}, line, line - 1});
+            if (!goes_on)
+                pieces.push_back({deck, std::string(rest), {}, line, line - 1, std::exchange(completion, {})});
             Piece& piece = pieces.back();
             for (; piece.last < line - 1; ++piece.last) piece.text += '\n';
             for (int k = 0; k < count; ++k) piece.text += lines[++i] + "\n";
@@ -132,7 +147,9 @@ std::string final_hash(Session& session) { return fmt::format("{:016x}", state_h
 Journal::Journal(Session& session, const std::string& file)
     : session_(session), file_(file), stream_(file, std::ios::binary) {
     write(fmt::format("{}\n; kaya {}, seed of scripts {}\n", first_line, program_version(), script::Options{}.seed));
-    session_.executed = [this](const lang::BoundCommand& command) { add(command); };
+    session_.executed = [this](const lang::BoundCommand& command, const Completion& completion) {
+        add(command, completion);
+    };
 }
 
 Journal::~Journal() { session_.executed = nullptr; }
@@ -150,7 +167,13 @@ void Journal::write(const std::string& text) {
 
 void Journal::deck(const std::string& name) { write(fmt::format("{}{}\n", deck_mark, name)); }
 
-void Journal::add(const lang::BoundCommand& command) {
+void Journal::add(const lang::BoundCommand& command, const Completion& completion) {
+    switch (completion.how) {
+    case Completion::How::done: break;
+    case Completion::How::stopped: write(fmt::format("{}{}\n", stopped_mark, completion.cycle)); break;
+    case Completion::How::cut_off: write(fmt::format("{}\n", cut_off_mark)); break;
+    case Completion::How::failed: write(fmt::format("{}\n", failed_mark)); break;
+    }
     const auto& source = *command.place.source;
     const int first = command.place.line, last = std::max(command.last_line, first);
     std::string text = fmt::format("{}{} {} {}\n", lines_mark, first, last - first + 1, source.name);
@@ -166,11 +189,38 @@ void Journal::finish() {
                       final_hash(session_)));
 }
 
+namespace {
+
+/// Runs a command that did not come to its end, up to where it came.
+void repeat_unfinished(Session& session, const Piece& piece) {
+    if (piece.completion.how == Completion::How::cut_off) {
+        Diagnostic warning("a command that was stopped inside of a script is left out: nobody can stop it there again",
+                           "the results may be others");
+        warning.severity = Severity::warning;
+        const auto source = lang::source_from_text(piece.source, piece.text, piece.line);
+        return session.output.message(warning.at({source, piece.line, 1, 1}));
+    }
+    if (piece.completion.how == Completion::How::stopped) session.stop_behind = piece.completion.cycle;
+    try {
+        session.interpreter.run_text(piece.text, piece.source, piece.line);
+    } catch (const Diagnostic& again) {
+        session.output.message(again);
+    } catch (const std::bad_alloc&) { // as it was: a script asked for more than there is
+    }
+    session.stop_behind.reset();
+}
+
+} // namespace
+
 int replay_journal(Session& session, const std::string& file) {
     const Record record = read_record(file);
     for (const auto& piece : record.pieces) {
         session.deck = piece.deck;
         session.interpreter.folders = {fs::path(piece.deck).parent_path(), "."}; // for calls of scripts
+        if (piece.completion.how != Completion::How::done) {
+            repeat_unfinished(session, piece);
+            continue;
+        }
         if (session.interpreter.run_text(piece.text, piece.source, piece.line) == lang::Ended::quit) break;
     }
     // Behind the run, because it may have written some of them itself.

@@ -8,8 +8,9 @@
 
 namespace kaya {
 
-/// Writes each command when it has done its work: its lines as they stand in the deck or the called file, with
-/// the place they come from. Commands that a script gives are left out: the script gives them again.
+/// Writes each command when it has done its work, or failed, or was stopped: its lines as they stand in the deck or
+/// the called file, with the place they come from. Commands that a script gives are left out: the script gives them
+/// again.
 class Journal {
 public:
     /// Takes over Session::executed. A journal that cannot be written is a note, not an error.
@@ -24,7 +25,7 @@ public:
     void finish();
 
 private:
-    void add(const lang::BoundCommand& command);
+    void add(const lang::BoundCommand& command, const Completion& completion);
     void write(const std::string& text);
 
     Session& session_;

@@ -63,6 +63,7 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
     script_options.memory = options.script_memory << 20;
     scripts = std::make_unique<script::Scripts>(world, script_options);
     scripts->on_print([this](const std::string& line) { output.print(line); });
+    scripts->on_require([this] { return interpreter.searched(); });
     world.run_command = [this](const std::string& text, const std::string& chunk, int line) {
         ++commands_of_scripts_;
         try {
@@ -82,7 +83,16 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
     interpreter.before_command = [this](const lang::BoundCommand& command) { show_command(command); };
     interpreter.after_command = [this](const lang::BoundCommand& command) {
         const bool calls = command.spec->flow == lang::Flow::call; // the commands of the file stand for it
-        if (executed && commands_of_scripts_ == 0 && !calls) executed(command);
+        if (executed && commands_of_scripts_ == 0 && !calls) executed(command, Completion{});
+        if (commands_of_scripts_ == 0) stopped_behind_.reset(); // a script has caught it
+    };
+    interpreter.failed_command = [this](const lang::BoundCommand& command) {
+        const bool calls = command.spec->flow == lang::Flow::call;
+        if (!executed || commands_of_scripts_ > 0 || calls) return;
+        // A wish to stop that no cycle has met has met a script.
+        using enum Completion::How;
+        const auto how = stopped_behind_ ? stopped : interrupted_ ? cut_off : failed;
+        executed(command, {how, std::exchange(stopped_behind_, std::nullopt).value_or(0)});
     };
     interpreter.checks = deck_checks();
     make_cycle();
@@ -138,6 +148,16 @@ void Session::interrupt() noexcept {
 void Session::stop_if_interrupted() {
     if (!interrupted_.exchange(false)) return;
     throw Diagnostic(fmt::format("stopped by the user after cycle {}", model.clock.cycle), {}, Fault::run);
+}
+
+void Session::stop_behind_cycle() {
+    if (stop_behind == model.clock.cycle) {
+        stop_behind.reset();
+        interrupted_ = true;
+    }
+    if (!interrupted_) return;
+    stopped_behind_ = model.clock.cycle;
+    stop_if_interrupted();
 }
 
 void Session::warn(Diagnostic warning) {

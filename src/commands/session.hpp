@@ -36,6 +36,18 @@ struct Options {
     std::vector<std::filesystem::path> joint_folders; ///< in which joint models are looked for
 };
 
+/// How a command of a deck came to its end.
+struct Completion {
+    enum class How {
+        done,
+        stopped, ///< by the user, behind a cycle
+        cut_off, ///< by the user, inside of a script: nobody can do just that again
+        failed
+    };
+    How how = How::done;
+    std::int64_t cycle = 0; ///< behind which it was stopped
+};
+
 class Session {
 public:
     explicit Session(const Options& options, std::FILE* results = stdout, std::FILE* messages = stderr);
@@ -87,7 +99,9 @@ public:
     VtkSeries vtk;                     ///< the picture series of this run
     std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files
     std::set<std::string> files_read;  ///< names of files that commands have read, decks not among them
-    std::function<void(const lang::BoundCommand&)> executed; ///< gets each command of decks that has done its work
+    /// Gets each command of decks behind its run; those of scripts are part of the command that ran the script.
+    std::function<void(const lang::BoundCommand&, const Completion&)> executed;
+    std::optional<std::int64_t> stop_behind; ///< a cycle: a replay stops there as the user did
     std::size_t warnings = 0;                               ///< shown so far
     bool inside_cycle = false;                              ///< a hook is running: structure must not change
     std::vector<std::pair<Place, std::function<void()>>>
@@ -103,6 +117,8 @@ public:
     void interrupt() noexcept;
     /// Throws Diagnostic when somebody asked for it.
     void stop_if_interrupted();
+    /// The same behind a cycle, which a journal can tell and a replay do again.
+    void stop_behind_cycle();
 
     /// The cycle of the present model; to be made anew when the model was replaced.
     void make_cycle();
@@ -112,6 +128,7 @@ private:
     std::vector<Row> pick_rows(ObjectKind kind, const lang::RangePhrase& range, bool hidden_too);
 
     std::atomic<bool> interrupted_ = false;
+    std::optional<std::int64_t> stopped_behind_; ///< cycle of the stop that is on its way up
     int commands_of_scripts_ = 0; ///< scripts that are giving commands at this moment, one in the other
 };
 

@@ -106,7 +106,7 @@ std::string advance_until(Session& session, const Limits& limits) {
     while (why.empty()) {
         try {
             advance(session);
-            session.stop_if_interrupted();
+            session.stop_behind_cycle();
         } catch (...) {
             progress.finish();
             throw;

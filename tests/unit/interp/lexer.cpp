@@ -112,6 +112,9 @@ TEST(Lexer, NamesAndExpressions) {
 
 TEST(Lexer, RawKeepsWhatWasTyped) {
     EXPECT_EQ(statement("title  Shear (test), a = 5 ; note").raw(1), "Shear (test), a = 5");
+    EXPECT_EQ(statement("title Shear ( test ) ; note").raw(1), "Shear ( test )");
+    EXPECT_EQ(statement("title ( one ) brick").raw(1), "( one ) brick");
+    EXPECT_EQ(statement("title Shear, ; note").raw(1), "Shear");
     EXPECT_EQ(statement("title one &\n  two").raw(1), "one two");
     EXPECT_EQ(statement("title It's late").raw(1), "It's late");
     EXPECT_EQ(statement("title").raw(1), "");
