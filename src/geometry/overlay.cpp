@@ -143,12 +143,16 @@ struct SweepItem {
 
 /// Triangles of a mesh ordered by their least x, so that pairs that cannot meet are skipped.
 void sweep_of(const PlaneMesh& mesh, std::vector<SweepItem>& items) {
+    static thread_local std::vector<std::pair<double, int>> order; // small, unlike the items; by number at a tie
+    order.clear();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& c = mesh.triangles[t];
+        const double low = std::min({mesh.points[c[0]].x(), mesh.points[c[1]].x(), mesh.points[c[2]].x()});
+        order.emplace_back(low, static_cast<int>(t));
+    }
+    std::sort(order.begin(), order.end());
     items.clear();
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) items.emplace_back(mesh, static_cast<int>(t));
-    // By number at a tie: a stable order without the memory that a stable sort takes.
-    std::sort(items.begin(), items.end(), [](const SweepItem& a, const SweepItem& b) {
-        return a.low.x() != b.low.x() ? a.low.x() < b.low.x() : a.triangle < b.triangle;
-    });
+    for (const auto& entry : order) items.emplace_back(mesh, entry.second);
 }
 
 /// Cuts a triangle in n^2 equal ones whose edges are about `edge` long.
@@ -167,13 +171,13 @@ template <class Call> void for_parts(const std::array<Vec2, 3>& c, double edge, 
 
 } // namespace
 
-Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge) {
+void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result) {
     // Kept between calls, of which a search makes very many.
     static thread_local std::vector<SweepItem> sweep1, sweep2;
     static thread_local std::vector<int> ring;
-    Overlay result;
     std::vector<OverlayPoint>& points = result.points;
-    points.reserve(side1.points.size() + side2.points.size() + 3);
+    points.clear();
+    result.second_moment.setZero();
     PointFinder finder(points, tolerance);
     sweep_of(side1, sweep1);
     sweep_of(side2, sweep2);
@@ -241,7 +245,6 @@ Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance
         }
     }
     std::erase_if(points, [](const OverlayPoint& p) { return !(p.area > 0); });
-    return result;
 }
 
 namespace {
@@ -274,6 +277,18 @@ Vec3 least_squares(const Mat3& a, const Vec3& b) {
     return adjoint * right / whole.col(0).dot(adjoint.col(0));
 }
 
+using Four = Eigen::Array4d;
+
+/// Four points, one in each place of a vector register; those that are not there weigh nothing.
+struct SampleGroup {
+    static constexpr std::size_t size = 4;
+    Four weight, u, v;
+    std::array<Four, 3> f;
+    Four change; ///< of their areas, in parts of them
+};
+
+double sum(const Four& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+
 } // namespace
 
 void balance_areas(Overlay& overlay) {
@@ -287,34 +302,43 @@ void balance_areas(Overlay& overlay) {
     }
     centre /= whole;
 
-    // Coordinates in which the overlap's own second moments are the unit matrix: by the square root of a 2 by 2 matrix.
+    // Coordinates in which the overlap's own second moments are the unit matrix, by its Cholesky factor.
     const Eigen::Matrix2d exact = overlay.second_moment / whole - centre * centre.transpose();
-    const double root = std::sqrt(std::max(0.0, exact.determinant()));
-    if (!(root > 1e-9 * exact.trace())) return;
-    const Eigen::Matrix2d whiten =
-        ((exact + root * Eigen::Matrix2d::Identity()) / std::sqrt(exact.trace() + 2 * root)).inverse();
+    const double xx = exact(0, 0), xy = exact(0, 1), determinant = exact.determinant(), size = exact.trace();
+    if (!(xx > 0 && determinant > 1e-18 * size * size)) return;
+    const double scale_x = 1 / std::sqrt(xx), scale_y = std::sqrt(xx / determinant), shear = xy / xx;
 
     // The second moments u u, v v, u v less what they are to be: 1, 1, 0. (The root of 2 makes a sum of squares that
     // does not depend on the axes.)
-    struct Sample {
-        double weight;
-        Vec2 u;
-        Vec3 f;
-    };
-    static thread_local std::vector<Sample> samples; // kept between calls
+    static thread_local std::vector<SampleGroup> samples; // kept between calls
     samples.clear();
     Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
     Eigen::Matrix<double, 3, 2> mixed = Eigen::Matrix<double, 3, 2>::Zero();
     Vec3 mean = Vec3::Zero();
-    for (const auto& p : points) {
-        const Vec2 u = whiten * (p.place - centre);
-        const Vec3 f(u.x() * u.x(), u.y() * u.y(), std::sqrt(2.0) * u.x() * u.y());
-        const double weight = p.area / whole;
-        spread += weight * u * u.transpose();
-        mixed += weight * f * u.transpose();
-        mean += weight * f;
-        samples.push_back({weight, u, f});
+    for (std::size_t first = 0; first < points.size(); first += SampleGroup::size) {
+        SampleGroup& s = samples.emplace_back();
+        Four x = Four::Zero(), y = Four::Zero();
+        s.weight.setZero();
+        for (std::size_t i = 0; i < SampleGroup::size && first + i < points.size(); ++i) {
+            const OverlayPoint& p = points[first + i];
+            x[i] = p.place.x() - centre.x();
+            y[i] = p.place.y() - centre.y();
+            s.weight[i] = p.area / whole;
+        }
+        s.u = scale_x * x;
+        s.v = scale_y * (y - shear * x);
+        s.f = {s.u * s.u, s.v * s.v, std::sqrt(2.0) * s.u * s.v};
+        const Four wu = s.weight * s.u, wv = s.weight * s.v;
+        spread(0, 0) += sum(wu * s.u);
+        spread(0, 1) += sum(wu * s.v);
+        spread(1, 1) += sum(wv * s.v);
+        for (int k = 0; k < 3; ++k) {
+            mixed(k, 0) += sum(wu * s.f[k]);
+            mixed(k, 1) += sum(wv * s.f[k]);
+            mean[k] += sum(s.weight * s.f[k]);
+        }
     }
+    spread(1, 0) = spread(0, 1);
     const Vec3 wrong = mean - Vec3(1, 1, 0);
     if (wrong.norm() < 1e-12) return;
     // Changes of the areas, in parts of them, that keep their sum and centre: the functions less their projections on
@@ -322,9 +346,11 @@ void balance_areas(Overlay& overlay) {
     const Eigen::Matrix<double, 3, 2> slope = mixed * spread.inverse();
     Mat3 effect = Mat3::Zero();
     for (auto& s : samples) {
-        s.f -= mean + slope * s.u;
-        effect += s.weight * s.f * s.f.transpose();
+        for (int k = 0; k < 3; ++k) s.f[k] -= mean[k] + slope(k, 0) * s.u + slope(k, 1) * s.v;
+        for (int k = 0; k < 3; ++k)
+            for (int l = 0; l <= k; ++l) effect(k, l) += sum(s.weight * s.f[k] * s.f[l]);
     }
+    effect = Mat3(effect.selfadjointView<Eigen::Lower>());
     const double trace = effect.trace();
     if (!(trace > 1e-9)) return;
     const Vec3 amount = -least_squares(effect, wrong);
@@ -332,12 +358,16 @@ void balance_areas(Overlay& overlay) {
     // No point may lose more than three quarters of its area, or come to own four times as much.
     double least = -0.75, most = 3;
     double part = 1;
-    for (const auto& s : samples) {
-        const double change = amount.dot(s.f);
-        if (change * part < least) part = least / change;
-        if (change * part > most) part = most / change;
+    for (auto& s : samples) {
+        s.change = amount[0] * s.f[0] + amount[1] * s.f[1] + amount[2] * s.f[2];
+        for (int i = 0; i < Four::SizeAtCompileTime; ++i) {
+            if (s.weight[i] <= 0) continue; // no point
+            if (s.change[i] * part < least) part = least / s.change[i];
+            if (s.change[i] * part > most) part = most / s.change[i];
+        }
     }
-    for (std::size_t i = 0; i < points.size(); ++i) points[i].area *= 1 + part * amount.dot(samples[i].f);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i].area *= 1 + part * samples[i / SampleGroup::size].change[static_cast<Eigen::Index>(i % SampleGroup::size)];
 }
 
 PlaneMesh radial_mesh(const PlaneMesh& mesh, FaceTriangles triangles) {

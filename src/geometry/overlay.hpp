@@ -37,7 +37,8 @@ struct Overlay {
 
 /// Points closer than `tolerance` are one point; pieces thinner than it are left out. With `edge` above 0 the
 /// triangles of the overlay are cut in smaller ones with edges of about that length.
-Overlay overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge = 0);
+/// What was in `result` is lost, its memory is used.
+void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result);
 
 /// How a face of a rigid block is cut in triangles for its contacts.
 enum class FaceTriangles : std::uint8_t {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace kaya {
 
@@ -30,20 +31,6 @@ constexpr double coincidence = 2e-5, narrowest = 1e-2;
 /// Also in parts of the margin: how much better another axis must be than that of the contact so far.
 constexpr double persistence = 0.25;
 
-/// The face of a block that looks most against `direction`.
-Row facing(const Model& model, const Surfaces& surfaces, Row block, const Vec3& direction, double& cosine) {
-    Row best = no_row;
-    cosine = -2;
-    for (Row f = model.blocks.faces[block].first; f < model.blocks.faces[block].end(); ++f) {
-        const double c = surfaces.normal(f).dot(direction);
-        if (c > cosine + 1e-12) {
-            cosine = c;
-            best = f;
-        }
-    }
-    return best;
-}
-
 struct PlaneAxes {
     Vec3 u, v;
 };
@@ -60,30 +47,17 @@ struct FlatFace {
     PlaneMesh mesh; ///< its own triangles
     PlaneMesh radial; ///< those that contacts are made with, if they are others
     bool is_radial;
-    std::vector<Row> rows; ///< the gridpoint of each point of its own
-    static constexpr Row few = 8; ///< triangles whose gridpoints are quicker looked through than sorted
+    std::span<const Row> rows; ///< the gridpoint of each point of its own
 
-    void lay(const Model& model, Row face, const PlaneAxes& axes, const Vec3& origin) {
-        const Span span = model.faces.triangles[face];
-        rows.clear();
-        for (Row t = span.first; t < span.end(); ++t)
-            for (const Row g : model.triangles.gridpoints[t])
-                if (span.count > few || std::find(rows.begin(), rows.end(), g) == rows.end()) rows.push_back(g);
-        std::sort(rows.begin(), rows.end());
-        if (span.count > few) rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    void lay(const Model& model, const Surfaces& surfaces, Row face, const PlaneAxes& axes, const Vec3& origin) {
+        rows = surfaces.corners(face);
         mesh.points.clear();
         for (const Row g : rows) {
             const Vec3 d = model.gridpoints.position[g] - origin;
             mesh.points.emplace_back(d.dot(axes.u), d.dot(axes.v));
         }
-        mesh.triangles.clear();
-        for (Row t = span.first; t < span.end(); ++t) {
-            std::array<int, 3> triangle;
-            for (int k = 0; k < 3; ++k)
-                triangle[k] = static_cast<int>(
-                    std::lower_bound(rows.begin(), rows.end(), model.triangles.gridpoints[t][k]) - rows.begin());
-            mesh.triangles.push_back(triangle);
-        }
+        const auto triangles = surfaces.triangles(face);
+        mesh.triangles.assign(triangles.begin(), triangles.end());
         const FaceTriangles wanted = model.blocks.face_triangles[model.faces.block[face]];
         is_radial = wanted != FaceTriangles::fan;
         if (is_radial) radial = radial_mesh(mesh, wanted);
@@ -154,9 +128,11 @@ double share_of_point(const Model& model, const Surfaces& surfaces, Row block, c
 
 /// From half a degree to a degree and a half the areas go over from those of faces on each other to those of a block
 /// on its corners and edges, so that nothing jumps where one touch becomes the other.
-void go_over_to_corners(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, double angle) {
+void go_over_to_corners(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, double cosine) {
     constexpr double first = 0.5 * std::numbers::pi / 180, last = 3 * first;
-    if (angle <= first) return;
+    constexpr double cos_of_first = 0.9999619230641713;
+    if (cosine >= cos_of_first) return;
+    const double angle = std::acos(cosine);
     const Row block1 = model.faces.block[touch.face1], block2 = model.faces.block[touch.face2];
     static thread_local std::vector<double> shares;
     shares.clear();
@@ -181,17 +157,17 @@ void go_over_to_corners(const Model& model, const Surfaces& surfaces, TouchGeome
 }
 
 /// Sub-contacts at the vertices of the overlay of two faces.
-bool lay_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, bool rigid, double angle,
+bool lay_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, bool rigid, double cosine,
                double margin, double tolerance) {
     const PlaneAxes axes = axes_of(touch.normal);
-    const Vec3 origin = model.gridpoints.position[model.triangles.gridpoints[model.faces.triangles[touch.face2].first][0]];
+    const Vec3 origin = model.blocks.centroid[model.faces.block[touch.face2]]; // small numbers come of it
     static thread_local FlatFace face1, face2; // kept, since a search lays very many
-    face1.lay(model, touch.face1, axes, origin);
-    face2.lay(model, touch.face2, axes, origin);
+    face1.lay(model, surfaces, touch.face1, axes, origin);
+    face2.lay(model, surfaces, touch.face2, axes, origin);
     const double edge = edge_between(model, model.faces.block[touch.face1], model.faces.block[touch.face2]);
     bool near = false;
-    Overlay laid = overlay(face1.laid(), face2.laid(), tolerance, edge);
-    touch.points.reserve(laid.points.size());
+    static thread_local Overlay laid;
+    overlay(face1.laid(), face2.laid(), tolerance, edge, laid);
     if (rigid) balance_areas(laid);
     for (const auto& p : laid.points) {
         TouchPoint point;
@@ -209,7 +185,7 @@ bool lay_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touc
         touch.points.push_back(point);
     }
     if (!near) return false;
-    go_over_to_corners(model, surfaces, touch, angle);
+    go_over_to_corners(model, surfaces, touch, cosine);
     touch.touch = Touch::face_face;
     touch.position.setZero();
     for (const auto& point : touch.points) touch.position += point.area / touch.area * point.position;
@@ -261,14 +237,16 @@ bool close_touch(TouchGeometry& touch, double most) {
 double covered_area(const Model& model, const Surfaces& surfaces, Row face, Row other, const PlaneAxes& axes,
                     const Vec3& out, double tolerance) {
     static thread_local FlatFace own, above; // kept, since a search lays very many
+    static thread_local Overlay laid;
     const Vec3 origin = model.gridpoints.position[model.triangles.gridpoints[model.faces.triangles[face].first][0]];
-    own.lay(model, face, axes, origin);
+    own.lay(model, surfaces, face, axes, origin);
     double area = 0;
     const Span faces = model.blocks.faces[other];
     for (Row f = faces.first; f < faces.end(); ++f) {
         if (surfaces.normal(f).dot(out) > -0.01) continue; // looks the other way, or along
-        above.lay(model, f, axes, origin);
-        for (const auto& point : overlay(own.mesh, above.mesh, tolerance).points) area += point.area;
+        above.lay(model, surfaces, f, axes, origin);
+        overlay(own.mesh, above.mesh, tolerance, 0, laid);
+        for (const auto& point : laid.points) area += point.area;
     }
     return area;
 }
@@ -355,13 +333,6 @@ bool lay_edges(const Model& model, TouchGeometry& touch, const Separation& s, Ro
 
 } // namespace
 
-Vec3 attached_position(const Model& model, const Attachment& side) {
-    const auto& x = model.gridpoints.position;
-    if (side.weights[0] == 1) return x[side.gridpoints[0]];
-    return side.weights[0] * x[side.gridpoints[0]] + side.weights[1] * x[side.gridpoints[1]] +
-           side.weights[2] * x[side.gridpoints[2]];
-}
-
 bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
                 TouchGeometry& touch) {
     // A block's margin is a small part of its size.
@@ -379,15 +350,11 @@ bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row bl
     touch.area = 0;
     touch.points.clear();
     if (touch.reference == 0) return lay_edges(model, touch, separation, block1, block2, margin);
-    double cosine;
-    const bool face_of_first = touch.reference == 1;
-    const Row opposite = facing(model, surfaces, face_of_first ? block2 : block1,
-                                face_of_first ? Vec3(-touch.normal) : touch.normal, cosine);
-    if (cosine < flat) return lay_on_face(model, surfaces, touch, block1, block2, margin, tolerance);
-    if (separation.width <= sliver) return false; // an edge or a corner beside another
-    (face_of_first ? touch.face2 : touch.face1) = opposite;
+    if (separation.cosine <= flat) return lay_on_face(model, surfaces, touch, block1, block2, margin, tolerance);
+    if (separation.beside) return false; // an edge or a corner beside another
+    (touch.reference == 1 ? touch.face2 : touch.face1) = separation.opposite;
     const bool rigid = !model.blocks.deformable[block1] && !model.blocks.deformable[block2];
-    return lay_faces(model, surfaces, touch, rigid, std::acos(std::min(1.0, cosine)), margin, tolerance);
+    return lay_faces(model, surfaces, touch, rigid, separation.cosine, margin, tolerance);
 }
 
 } // namespace kaya

@@ -16,13 +16,17 @@ struct TouchPoint {
     Attachment side1, side2;
 };
 
-struct TouchGeometry {
+/// How two blocks touch, but for the places.
+struct TouchPlane {
     Touch touch = Touch::face_face;
     Vec3 normal = Vec3::Zero(); ///< unit, from the first block to the second
     Vec3 position = Vec3::Zero();
     double area = 0;
     Row face1 = no_row, face2 = no_row; ///< rows of faces that lie on the common plane
     int reference = 0;                  ///< 1 or 2: whose face gives the normal; 0: two edges do
+};
+
+struct TouchGeometry : TouchPlane {
     std::vector<TouchPoint> points;
 };
 
@@ -33,6 +37,11 @@ bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row bl
                 TouchGeometry& touch);
 
 /// Where a sub-contact's side is now.
-Vec3 attached_position(const Model& model, const Attachment& side);
+inline Vec3 attached_position(const Model& model, const Attachment& side) {
+    const auto& x = model.gridpoints.position;
+    if (side.weights[0] == 1) return x[side.gridpoints[0]];
+    return side.weights[0] * x[side.gridpoints[0]] + side.weights[1] * x[side.gridpoints[1]] +
+           side.weights[2] * x[side.gridpoints[2]];
+}
 
 } // namespace kaya

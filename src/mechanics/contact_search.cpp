@@ -33,21 +33,33 @@ double way_of_a_step(const Model& model, Row b) {
     return std::sqrt(fastest) * model.clock.time_step;
 }
 
-/// How far apart two blocks may be and still touch: a fast block's contact must be there before it
-/// arrives. A joint that has dilated carries force across a gap: its contact is kept.
-double reach(const Model& model, const std::vector<double>& way, Row b1, Row b2, Row contact) {
+/// How far apart two blocks may be and still touch: a fast block's contact must be there before it arrives.
+double reach(const Model& model, const std::vector<double>& way, Row b1, Row b2) {
     const auto& margin = model.blocks.margin;
+    return std::min(margin[b1], margin[b2]) + 2 * (way[b1] + way[b2]);
+}
+
+/// The widest gap across which a contact carries force, as a joint does that has dilated.
+double widest_gap(const Model& model, Row contact) {
+    const auto& s = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[contact];
     double gap = 0;
-    if (contact != no_row) {
-        const auto& s = model.sub_contacts;
-        const Span span = model.contacts.sub_contacts[contact];
-        for (Row row = span.first; row < span.end(); ++row) {
-            if (s.normal_force[row] == 0 || !s.side1[row].attached() || !s.side2[row].attached()) continue;
-            const Vec3 between = attached_position(model, s.side2[row]) - attached_position(model, s.side1[row]);
-            gap = std::max(gap, between.dot(model.contacts.normal[contact]));
-        }
+    for (Row row = span.first; row < span.end(); ++row) {
+        if (s.normal_force[row] == 0 || !s.side1[row].attached() || !s.side2[row].attached()) continue;
+        const Vec3 between = attached_position(model, s.side2[row]) - attached_position(model, s.side1[row]);
+        gap = std::max(gap, between.dot(model.contacts.normal[contact]));
     }
-    return std::min(margin[b1], margin[b2]) + 2 * (way[b1] + way[b2]) + 2 * gap;
+    return gap;
+}
+
+/// The touch of two blocks with the contact that they have so far, which is kept across a gap that carries force.
+bool find_kept_touch(const Model& model, const Surfaces& surfaces, Row b1, Row b2, Row contact, double margin,
+                     TouchGeometry& touch) {
+    // Where faces lie on each other as before there is no need to know how far apart they are.
+    const bool found = find_touch(model, surfaces, b1, b2, contact, margin, touch);
+    if (contact == no_row || (found && touch.touch == Touch::face_face)) return found;
+    const double gap = widest_gap(model, contact);
+    return gap > 0 ? find_touch(model, surfaces, b1, b2, contact, margin + 2 * gap, touch) : found;
 }
 
 /// How far the two sides of a contact have come from each other in its plane since its geometry was made.
@@ -115,29 +127,28 @@ std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int,
     return pairs;
 }
 
-/// The drafts of those pairs that touch.
+/// The drafts of those pairs that touch; their points are in `found`.
 std::vector<ContactDraft> find_touches(const Model& model, const Surfaces& surfaces, const std::vector<double>& ways,
-                                       const std::vector<Pair>& pairs) {
-    std::vector<std::vector<ContactDraft>> found((pairs.size() + grain - 1) / grain);
+                                       const std::vector<Pair>& pairs, std::vector<FoundTouches>& found) {
+    found.resize(std::max(found.size(), (pairs.size() + grain - 1) / grain)); // those that are there keep their memory
+    for (auto& part : found) part.clear();
     for_chunks(pairs.size(), grain, [&](std::size_t first, std::size_t last) {
         static thread_local TouchGeometry touch; // kept, so that few of the pairs take memory
-        auto& drafts = found[first / grain];
+        FoundTouches& part = found[first / grain];
         for (std::size_t i = first; i < last; ++i) {
             const auto& [block1, block2, old, look] = pairs[i];
-            if (!look) drafts.push_back({block1, block2, old, DraftKind::as_it_was, {}});
-            else if (const double margin = reach(model, ways, block1, block2, old);
-                     find_touch(model, surfaces, block1, block2, old, margin, touch))
-                drafts.push_back({block1, block2, old, DraftKind::new_geometry, touch});
+            if (!look) part.add({block1, block2, old, DraftKind::as_it_was, {}, {}}, {});
+            else if (const double margin = reach(model, ways, block1, block2);
+                     find_kept_touch(model, surfaces, block1, block2, old, margin, touch))
+                part.add({block1, block2, old, DraftKind::new_geometry, touch, {}}, touch.points);
         }
+        part.close();
     });
     std::size_t count = 0;
-    for (const auto& part : found) count += part.size();
+    for (const auto& part : found) count += part.drafts.size();
     std::vector<ContactDraft> drafts;
     drafts.reserve(count);
-    for (auto& part : found) {
-        std::move(part.begin(), part.end(), std::back_inserter(drafts));
-        part = {};
-    }
+    for (const auto& part : found) drafts.insert(drafts.end(), part.drafts.begin(), part.drafts.end());
     return drafts;
 }
 
@@ -149,13 +160,32 @@ std::vector<ContactDraft> with_the_others(const Model& model, std::vector<Contac
     auto next = drafts.begin();
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const Row row = static_cast<Row>(c);
-        if (!slid(c)) all.push_back({contacts.block1[c], contacts.block2[c], row, DraftKind::as_it_was, {}});
+        if (!slid(c)) all.push_back({contacts.block1[c], contacts.block2[c], row, DraftKind::as_it_was, {}, {}});
         else if (next != drafts.end() && next->old == row) all.push_back(std::move(*next++));
     }
     return all;
 }
 
 } // namespace
+
+void FoundTouches::clear() {
+    drafts.clear();
+    points.clear();
+}
+
+void FoundTouches::add(const ContactDraft& draft, const std::vector<TouchPoint>& at) {
+    drafts.push_back(draft);
+    drafts.back().points = {points.data(), at.size()};
+    points.insert(points.end(), at.begin(), at.end());
+}
+
+void FoundTouches::close() {
+    const TouchPoint* next = points.data();
+    for (auto& draft : drafts) {
+        draft.points = {next, draft.points.size()};
+        next += draft.points.size();
+    }
+}
 
 bool ContactSearch::due(const Model& model) {
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
@@ -180,7 +210,7 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
     wanted_.resize(blocks.size());
     std::iota(wanted_.begin(), wanted_.end(), Row{0});
     surfaces_.update(model, wanted_);
-    return replace_contacts(model, joints, find_touches(model, surfaces_, ways_, pairs), moving);
+    return replace_contacts(model, joints, find_touches(model, surfaces_, ways_, pairs, found_), moving);
 }
 
 ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
@@ -210,7 +240,7 @@ ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
     ways_.resize(model.blocks.size());
     for (const Row b : wanted_) ways_[b] = way_of_a_step(model, b);
     surfaces_.update(model, wanted_);
-    std::vector<ContactDraft> drafts = find_touches(model, surfaces_, ways_, pairs);
+    std::vector<ContactDraft> drafts = find_touches(model, surfaces_, ways_, pairs, found_);
     if (drafts.size() == pairs.size() && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
     return replace_contacts(model, joints, with_the_others(model, std::move(drafts), slid), true);
 }

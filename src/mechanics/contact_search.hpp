@@ -11,6 +11,16 @@
 
 namespace kaya {
 
+/// Drafts that were found together, and the points that they refer to.
+struct FoundTouches {
+    std::vector<ContactDraft> drafts;
+    std::vector<TouchPoint> points; ///< of one draft after another
+
+    void clear();
+    void add(const ContactDraft& draft, const std::vector<TouchPoint>& at);
+    void close(); ///< once all are there: points have moved while there came more
+};
+
 /// Keeps between searches what makes the next one faster, and nothing on which its result depends.
 class ContactSearch {
 public:
@@ -30,6 +40,7 @@ private:
     std::vector<Box> boxes_;
     std::vector<double> ways_;
     std::vector<char> moved_;
+    std::vector<FoundTouches> found_;
     std::vector<Row> wanted_; ///< blocks whose surfaces are looked at
 };
 

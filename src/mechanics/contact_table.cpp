@@ -2,6 +2,7 @@
 
 #include "mechanics/batches.hpp"
 #include "mechanics/property_sets.hpp"
+#include "model/lanes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,14 +16,18 @@ namespace {
 
 /// The old sub-contact of a contact nearest to a place.
 Row nearest(const SubContacts& s, Span span, const Vec3& place) {
+    const Lanes3 to = Lanes3::of(place);
     Row best = no_row;
     double least = std::numeric_limits<double>::infinity();
-    for (Row row = span.first; row < span.end(); ++row) {
-        const double d = (s.position[row] - place).squaredNorm();
-        if (d < least) {
-            least = d;
-            best = row;
-        }
+    for (Row row = span.first; row < span.end(); row += lane_count) {
+        const LaneGroup group(span.end() - row);
+        const Lanes3 way = group.load(s.position, row) - to;
+        const Lanes d = way.dot(way);
+        for (Row i = 0; i < group.rows(); ++i)
+            if (d[i] < least) {
+                least = d[i];
+                best = row + i;
+            }
     }
     return best;
 }
@@ -83,7 +88,7 @@ void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bo
 }
 
 /// Writes the geometry of a draft to its row.
-void write_contact(Model& model, Row c, const TouchGeometry& g) {
+void write_contact(Model& model, Row c, const TouchPlane& g) {
     auto& contacts = model.contacts;
     contacts.face1[c] = g.face1;
     contacts.face2[c] = g.face2;
@@ -213,11 +218,11 @@ std::vector<std::pair<Row, Load>> loads_of(const Model& model, const std::vector
 /// Whether the contact keeps as many points and every point is nearest to the sub-contact of its own row.
 bool keeps_places(const Model& model, const ContactDraft& draft) {
     if (draft.kind == DraftKind::as_it_was) return true;
-    if (draft.geometry.normal.dot(model.contacts.normal[draft.old]) < cos_of_other_touch) return false;
+    if (draft.plane.normal.dot(model.contacts.normal[draft.old]) < cos_of_other_touch) return false;
     const Span span = model.contacts.sub_contacts[draft.old];
-    if (static_cast<Row>(draft.geometry.points.size()) != span.count) return false;
+    if (static_cast<Row>(draft.points.size()) != span.count) return false;
     for (Row i = 0; i < span.count; ++i)
-        if (nearest(model.sub_contacts, span, draft.geometry.points[i].position) != span.first + i) return false;
+        if (nearest(model.sub_contacts, span, draft.points[i].position) != span.first + i) return false;
     return true;
 }
 
@@ -237,11 +242,11 @@ void refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Cha
     const auto& blocks = model.blocks;
     for (const auto& draft : drafts) {
         if (draft.kind == DraftKind::as_it_was) continue;
-        const auto& g = draft.geometry;
+        const auto& g = draft.plane;
         write_contact(model, draft.old, g);
         const Span span = model.contacts.sub_contacts[draft.old];
         for (Row i = 0; i < span.count; ++i)
-            write_sub_contact(model, span.first + i, g.points[i], g.normal, false, g.touch == Touch::face_face, changes);
+            write_sub_contact(model, span.first + i, draft.points[i], g.normal, false, g.touch == Touch::face_face, changes);
         // Weights of gridpoints are in the lists.
         if (blocks.deformable[draft.block1] || blocks.deformable[draft.block2]) model.lists_changed = true;
     }
@@ -283,7 +288,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         if (draft.kind == DraftKind::as_it_was) {
             for (Row row = old.first; row < old.end(); ++row) sub_source.push_back(row);
         } else {
-            for (const auto& point : draft.geometry.points) {
+            for (const auto& point : draft.points) {
                 const Row row = nearest(subs, old, point.position);
                 sub_source.push_back(row == no_row ? blank_sub : row);
             }
@@ -318,8 +323,8 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         }
         const bool is_new = draft.kind == DraftKind::new_geometry;
         const bool other_touch = is_new && draft.old != no_row &&
-                                 draft.geometry.normal.dot(contacts.normal[c]) < cos_of_other_touch;
-        if (is_new) write_contact(model, row, draft.geometry);
+                                 draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_touch;
+        if (is_new) write_contact(model, row, draft.plane);
         for (Row i = 0; i < spans[c].count; ++i) {
             const Row s = spans[c].first + i;
             const Row source = sub_source[s];
@@ -333,8 +338,8 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
             }
             if (!is_new) continue;
             if (other_touch) clear_sub_contact(subs, s);
-            write_sub_contact(model, s, draft.geometry.points[i], draft.geometry.normal,
-                              other_touch || source == blank_sub, draft.geometry.touch == Touch::face_face, changes);
+            write_sub_contact(model, s, draft.points[i], draft.plane.normal,
+                              other_touch || source == blank_sub, draft.plane.touch == Touch::face_face, changes);
         }
     }
     for (std::size_t c = 0; c < contact_kept.size(); ++c)

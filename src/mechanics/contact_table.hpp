@@ -6,6 +6,7 @@
 #include "model/model.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace kaya {
@@ -17,7 +18,8 @@ struct ContactDraft {
     Row block1, block2;
     Row old = no_row; ///< the contact of the same blocks so far
     DraftKind kind = DraftKind::as_it_was;
-    TouchGeometry geometry; ///< when it is new
+    TouchPlane plane;                    ///< when it is new
+    std::span<const TouchPoint> points{}; ///< also then; they belong to someone else
 };
 
 /// What became of the contact tables.

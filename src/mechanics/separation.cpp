@@ -12,22 +12,6 @@ namespace {
 /// Axes nearer to the separating one than this are not across it.
 constexpr double cos_across = 0.5;
 
-struct Support {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
-};
-
-Support support(const Model& model, Row block, const Vec3& axis) {
-    Support s;
-    const Span span = model.blocks.gridpoints[block];
-    for (Row g = span.first; g < span.end(); ++g) {
-        const double h = axis.dot(model.gridpoints.position[g]);
-        s.low = std::min(s.low, h);
-        s.high = std::max(s.high, h);
-    }
-    return s;
-}
-
 /// The arc between the normals of the faces at an edge.
 struct Arc {
     Vec3 from, to, axis; ///< axis is the cross product of the ends
@@ -51,12 +35,20 @@ bool cross(const Arc& one, const Arc& two) {
     return first * last < 0 && from * last > 0;
 }
 
-/// Whether a face of a block looks along a direction, or nearly so.
-bool faces_along(const Model& model, const Surfaces& surfaces, Row block, const Vec3& direction, double cosine) {
+/// The face of a block that looks most along a direction.
+void find_opposite(const Model& model, const Surfaces& surfaces, Row block, const Vec3& direction, Separation& s) {
+    s.cosine = -2;
+    const Lanes3 along = Lanes3::of(direction);
     const Span faces = model.blocks.faces[block];
-    for (Row f = faces.first; f < faces.end(); ++f)
-        if (surfaces.normal(f).dot(direction) > cosine) return true;
-    return false;
+    Row f = faces.first;
+    for (const auto& four : surfaces.planes(block)) {
+        const Lanes cosines = four.normal.dot(along);
+        for (int i = 0; i < lane_count && f < faces.end(); ++i, ++f) {
+            if (cosines[i] <= s.cosine + 1e-12) continue;
+            s.cosine = cosines[i];
+            s.opposite = f;
+        }
+    }
 }
 
 /// The face or the edges that gave a contact its normal.
@@ -80,71 +72,104 @@ struct OldAxis {
     bool is(const std::array<Row, 2>& one, const std::array<Row, 2>& two) const { return one == edge1 && two == edge2; }
 };
 
-/// How far the other block is from the plane of a face.
-double distance_from(const Model& model, const Surfaces& surfaces, Row face, Row other) {
-    const Vec3& n = surfaces.normal(face);
-    double low = std::numeric_limits<double>::infinity();
-    const Span span = model.blocks.gridpoints[other];
-    for (Row g = span.first; g < span.end(); ++g) low = std::min(low, n.dot(model.gridpoints.position[g]));
-    return low - surfaces.reach(face);
-}
+/// How far each of two blocks is from the planes of the other's faces: at first what it is at most, by the centroid of
+/// the block; the vertices are looked at where that is not enough.
+class FaceDistances {
+public:
+    /// Keeps its memory for the next pair.
+    void begin(const Surfaces& surfaces, Row block1, Row block2) {
+        const std::size_t size = lane_count * (surfaces.planes(block1).size() + surfaces.planes(block2).size());
+        if (size > distances_.size()) {
+            distances_.resize(size);
+            found_.resize(size);
+        }
+        std::fill_n(found_.begin(), size, char{0});
+    }
+    /// The bounds of a block's faces, from place `first` on; returns the face for which it is highest.
+    std::size_t bound(const Surfaces& surfaces, Row own, const Vec3& centre, std::size_t first) {
+        const Lanes3 there = Lanes3::of(centre);
+        double* next = distances_.data() + first;
+        for (const auto& four : surfaces.planes(own)) {
+            Eigen::Map<Lanes>{next} = four.normal.dot(there) - four.reach;
+            next += lane_count;
+        }
+        double* const begin = distances_.data() + first;
+        return first + static_cast<std::size_t>(std::max_element(begin, next) - begin);
+    }
+    double at_most(std::size_t i) const { return distances_[i]; }
+    double find(const Surfaces& surfaces, std::size_t i, Row face, Row other) {
+        if (found_[i]) return distances_[i];
+        found_[i] = 1;
+        return distances_[i] = lowest(surfaces.vertices(other), surfaces.normal(face)) - surfaces.reach(face);
+    }
+
+private:
+    std::vector<double> distances_;
+    std::vector<char> found_;
+};
 
 } // namespace
 
 Separation find_separation(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
                            const SeparationLimits& limits) {
-    const auto [enough, tie, sliver, flat, stay, old] = limits;
+    const auto& [enough, tie, sliver, flat, stay, old] = limits;
     const OldAxis old_axis(model, old);
     Separation best;
     double best_score = best.distance; // distance, and more for the axis that was the best before
-    static thread_local std::vector<double> at_most; // distances along the faces' normals, block 2 first
-    at_most.clear();
-    const Vec3 towards = model.blocks.centroid[block2] - model.blocks.centroid[block1];
+    static thread_local FaceDistances kept;
+    FaceDistances& along = kept; // the faces' normals, block 2 first
+    along.begin(surfaces, block1, block2);
+    const std::size_t of_block1 = lane_count * surfaces.planes(block2).size();
     const auto try_faces = [&](bool of_first) {
         const Row own = of_first ? block1 : block2, other = of_first ? block2 : block1;
-        const Vec3 to_other = of_first ? towards : Vec3(-towards);
-        const Vec3& centre = model.blocks.centroid[own];
-        for (Row f = model.blocks.faces[own].first; f < model.blocks.faces[own].end(); ++f) {
-            const Vec3& outward = surfaces.normal(f);
-            // No vertex needs to be looked at where the centroid of the other block is near enough already.
-            at_most.push_back(outward.dot(to_other) + outward.dot(centre) - surfaces.reach(f));
-            const double bonus = old_axis.is(f) ? stay : 0;
-            if (at_most.back() + bonus <= best_score && at_most.back() <= enough) continue;
-            const double distance = at_most.back() = distance_from(model, surfaces, f, other);
+        const Span faces = model.blocks.faces[own];
+        const std::size_t start = of_first ? of_block1 : 0;
+        // No vertex needs to be looked at where another face is farther away.
+        const std::size_t likely = along.bound(surfaces, own, model.blocks.centroid[other], start);
+        const double least = along.find(surfaces, likely, faces.first + static_cast<Row>(likely - start), other) - tie;
+        std::size_t i = start;
+        for (Row f = faces.first; f < faces.end(); ++f, ++i) {
+            const double bonus = old_axis.is(f) ? stay : 0, at_most = along.at_most(i);
+            if (at_most <= enough && (at_most + bonus <= best_score || at_most + bonus < least)) continue;
+            const double distance = along.find(surfaces, i, f, other);
             if (distance > enough || distance + bonus > best_score + (best.normal.isZero(0) ? 0 : tie)) {
                 best_score = distance + bonus;
                 best.distance = distance;
-                best.normal = of_first ? outward : Vec3(-outward);
+                best.normal = of_first ? surfaces.normal(f) : Vec3(-surfaces.normal(f));
                 best.face1 = of_first ? f : no_row;
                 best.face2 = of_first ? no_row : f;
             }
             if (best.distance > enough) return;
         }
     };
-    const auto find_width = [&](bool of_first, std::size_t i) {
+    const auto beside = [&](bool of_first) {
+        std::size_t i = of_first ? of_block1 : 0;
         const Span faces = model.blocks.faces[of_first ? block1 : block2];
         for (Row f = faces.first; f < faces.end(); ++f, ++i)
-            if (-at_most[i] < best.width && std::abs(surfaces.normal(f).dot(best.normal)) < cos_across)
-                best.width = std::min(best.width, -distance_from(model, surfaces, f, of_first ? block2 : block1));
+            if (-along.at_most(i) <= sliver && std::abs(surfaces.normal(f).dot(best.normal)) < cos_across &&
+                -along.find(surfaces, i, f, of_first ? block2 : block1) <= sliver)
+                return true;
+        return false;
     };
     // The lower block (block 2) first: at a tie its face gives the normal.
     try_faces(false);
     if (best.distance > enough) return best;
     // Most neighbours in a pile touch with edges and corners of faces that lie on each other: nothing to be had there.
-    find_width(false, 0);
-    if (best.width <= sliver && faces_along(model, surfaces, block1, best.normal, flat)) return best;
-    const std::size_t of_first = at_most.size();
+    best.beside = beside(false);
+    if (best.beside) {
+        find_opposite(model, surfaces, block1, best.normal, best);
+        if (best.cosine > flat) return best;
+    }
     try_faces(true);
     if (best.distance > enough || best.normal.isZero(0)) return best;
-    best.width = std::numeric_limits<double>::infinity();
-    find_width(false, 0);
-    find_width(true, of_first);
+    best.beside = beside(false) || beside(true);
 
     // Two faces on each other: no pair of edges separates the blocks much better.
-    if (best.face1 == no_row ? faces_along(model, surfaces, block1, best.normal, flat)
-                             : faces_along(model, surfaces, block2, -best.normal, flat))
-        return best;
+    if (best.face1 == no_row) find_opposite(model, surfaces, block1, best.normal, best);
+    else find_opposite(model, surfaces, block2, -best.normal, best);
+    if (best.cosine > flat) return best;
 
+    const Vec3 towards = model.blocks.centroid[block2] - model.blocks.centroid[block1];
     static thread_local std::vector<Arc> arcs1, arcs2;
     arcs_of(surfaces, block1, 1, arcs1);
     arcs_of(surfaces, block2, -1, arcs2);
@@ -159,9 +184,9 @@ Separation find_separation(const Model& model, const Surfaces& surfaces, Row blo
             if (length <= 1e-6 * d1.norm() * d2.norm()) continue;
             axis /= length;
             if (axis.dot(towards) < 0) axis = -axis;
-            const double high1 = support(model, block1, axis).high;
+            const double high1 = -lowest(surfaces.vertices(block1), -axis);
             if (axis.dot(x[e1.ends[0]]) < high1 - tie) continue; // not an outermost edge
-            const double low2 = support(model, block2, axis).low;
+            const double low2 = lowest(surfaces.vertices(block2), axis);
             if (axis.dot(x[e2.ends[0]]) > low2 + tie) continue;
             const double distance = low2 - high1, score = distance + (old_axis.is(e1.ends, e2.ends) ? stay : 0);
             if (distance > enough || score > best_score + (best.edge1[0] == no_row ? enough : tie)) {

@@ -13,9 +13,10 @@ struct Separation {
     Vec3 normal = Vec3::Zero();                                 ///< from block 1 to block 2
     Row face1 = no_row, face2 = no_row;                         ///< whose normal it is; neither: it is that of two edges
     std::array<Row, 2> edge1{no_row, no_row}, edge2{no_row, no_row};
-    /// Least overlap along face normals across the axis: where this is 0 there is no common area. Negative: they are
-    /// apart sideways.
-    double width = std::numeric_limits<double>::infinity();
+    /// Along the normal of a face across the axis they overlap by a sliver or less: there is no common area.
+    bool beside = false;
+    Row opposite = no_row; ///< where a face gives the axis, the other block's face that looks most against it
+    double cosine = -2;    ///< of the angle between the two
 };
 
 /// When the search for an axis is over, and what counts as equal.

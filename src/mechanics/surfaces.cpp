@@ -8,6 +8,28 @@
 
 namespace kaya {
 
+namespace {
+
+/// Where the groups of four of each block begin; returns how many there are.
+std::size_t number_groups(const Column<Span>& spans, std::vector<std::size_t>& first) {
+    first.resize(spans.size() + 1);
+    std::size_t next = 0;
+    for (std::size_t b = 0; b < spans.size(); ++b) {
+        first[b] = next;
+        next += static_cast<std::size_t>((spans[b].count + lane_count - 1) / lane_count);
+    }
+    return first.back() = next;
+}
+
+} // namespace
+
+double lowest(std::span<const Lanes3> vertices, const Vec3& direction) {
+    const Lanes3 n = Lanes3::of(direction);
+    Lanes low = Lanes::Constant(std::numeric_limits<double>::infinity());
+    for (const auto& four : vertices) low = low.min(n.dot(four));
+    return low.minCoeff();
+}
+
 Vec3 current_normal(const Model& model, Row face) {
     Vec3 sum = Vec3::Zero();
     const Span span = model.faces.triangles[face];
@@ -20,31 +42,88 @@ Vec3 current_normal(const Model& model, Row face) {
     return length > 0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
+bool Surfaces::knows(const Model& model, Row block) const {
+    const auto& blocks = model.blocks;
+    const Shape& shape = shapes_[block];
+    return shape.block == blocks.id[block] && shape.gridpoints == blocks.gridpoints[block] &&
+           shape.faces == blocks.faces[block] && shape.triangles == blocks.triangles[block];
+}
+
+void Surfaces::learn(const Model& model, Row block) {
+    const auto& blocks = model.blocks;
+    const auto& of_triangle = model.triangles.gridpoints;
+    Shape& shape = shapes_[block];
+    shape = {blocks.id[block], blocks.gridpoints[block], blocks.faces[block], blocks.triangles[block], {}, {}, {}};
+    edges_of(model, block, shape.edges);
+
+    std::vector<Row>& corners = shape.corners;
+    std::vector<std::size_t> first{0}; // of each face, in `corners`
+    for (Row f = shape.faces.first; f < shape.faces.end(); ++f) {
+        const Span span = model.faces.triangles[f];
+        for (Row t = span.first; t < span.end(); ++t)
+            corners.insert(corners.end(), of_triangle[t].begin(), of_triangle[t].end());
+        const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(first.back());
+        std::sort(begin, corners.end());
+        corners.erase(std::unique(begin, corners.end()), corners.end());
+        first.push_back(corners.size());
+    }
+    shape.corner_triangles.resize(static_cast<std::size_t>(shape.triangles.count));
+    for (Row f = shape.faces.first; f < shape.faces.end(); ++f) {
+        const std::size_t i = static_cast<std::size_t>(f - shape.faces.first);
+        Plane& plane = planes_[f];
+        plane.corners = {corners.data() + first[i], first[i + 1] - first[i]};
+        const Span span = model.faces.triangles[f];
+        auto* const triangles = shape.corner_triangles.data() + (span.first - shape.triangles.first);
+        for (Row t = 0; t < span.count; ++t)
+            for (int k = 0; k < 3; ++k)
+                triangles[t][k] = static_cast<int>(
+                    std::lower_bound(plane.corners.begin(), plane.corners.end(), of_triangle[span.first + t][k]) -
+                    plane.corners.begin());
+        plane.triangles = {triangles, static_cast<std::size_t>(span.count)};
+    }
+}
+
+void Surfaces::take_vertices(const Model& model, Row block) {
+    const Span span = model.blocks.gridpoints[block];
+    Lanes3* group = vertices_.data() + first_vertices_[block];
+    for (Row g = span.first; g < span.end(); g += lane_count, ++group)
+        for (Row i = 0; i < lane_count; ++i) {
+            const Vec3& x = model.gridpoints.position[std::min(g + i, span.end() - 1)];
+            group->x[i] = x.x();
+            group->y[i] = x.y();
+            group->z[i] = x.z();
+        }
+}
+
+void Surfaces::take_planes(const Model& model, Row block) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Span span = model.blocks.faces[block];
+    FourPlanes* group = four_planes_.data() + first_planes_[block];
+    for (Row f = span.first; f < span.end(); f += lane_count, ++group) {
+        *group = {Lanes3::of(Vec3::Zero()), Lanes::Constant(infinity)};
+        for (Row i = 0; i < std::min<Row>(lane_count, span.end() - f); ++i) {
+            Plane& plane = planes_[f + i];
+            plane.normal = current_normal(model, f + i);
+            plane.reach = plane.normal.isZero(0) ? infinity : -lowest(vertices(block), -plane.normal);
+            group->normal.x[i] = plane.normal.x();
+            group->normal.y[i] = plane.normal.y();
+            group->normal.z[i] = plane.normal.z();
+            group->reach[i] = plane.reach;
+        }
+    }
+}
+
 void Surfaces::update(const Model& model, const std::vector<Row>& blocks) {
     planes_.resize(model.faces.size());
-    edges_.resize(model.blocks.size());
+    shapes_.resize(model.blocks.size());
+    vertices_.resize(number_groups(model.blocks.gridpoints, first_vertices_));
+    four_planes_.resize(number_groups(model.blocks.faces, first_planes_));
     for_chunks(blocks.size(), 64, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const Row block = blocks[i];
-            const Span faces = model.blocks.faces[block], vertices = model.blocks.gridpoints[block];
-            const Span triangles = model.blocks.triangles[block];
-            EdgeList& edges = edges_[block];
-            if (edges.block != model.blocks.id[block] || edges.gridpoints != vertices || edges.faces != faces ||
-                edges.triangles != triangles) {
-                edges_of(model, block, edges.list);
-                edges.block = model.blocks.id[block];
-                edges.gridpoints = vertices;
-                edges.faces = faces;
-                edges.triangles = triangles;
-            }
-            for (Row f = faces.first; f < faces.end(); ++f) {
-                Plane& plane = planes_[f];
-                plane.normal = current_normal(model, f);
-                constexpr double infinity = std::numeric_limits<double>::infinity();
-                plane.reach = plane.normal.isZero(0) ? infinity : -infinity;
-                for (Row g = vertices.first; g < vertices.end(); ++g)
-                    plane.reach = std::max(plane.reach, plane.normal.dot(model.gridpoints.position[g]));
-            }
+            if (!knows(model, block)) learn(model, block);
+            take_vertices(model, block);
+            take_planes(model, block);
         }
     });
 }

@@ -1,15 +1,27 @@
-// Planes of the faces of blocks as they are now, and their edges.
+// Planes of the faces of blocks and their vertices as they are now, and their edges.
 #pragma once
 
 #include "mechanics/edges.hpp"
+#include "model/lanes.hpp"
 #include "model/model.hpp"
 
+#include <array>
+#include <span>
 #include <vector>
 
 namespace kaya {
 
 /// Area-weighted unit outward normal of a face where its gridpoints are now; zero for a lost face.
 Vec3 current_normal(const Model& model, Row face);
+
+/// Where a block begins along a direction: the least x . direction of its vertices.
+double lowest(std::span<const Lanes3> vertices, const Vec3& direction);
+
+/// Planes of four faces of a block. Where there are fewer, the others have no normal and reach without end.
+struct FourPlanes {
+    Lanes3 normal;
+    Lanes reach;
+};
 
 class Surfaces {
 public:
@@ -19,21 +31,46 @@ public:
     const Vec3& normal(Row face) const { return planes_[face].normal; }
     /// How far the block reaches along the normal: x . normal of its outermost vertex; infinite for a lost face.
     double reach(Row face) const { return planes_[face].reach; }
-    const std::vector<Edge>& edges(Row block) const { return edges_[block].list; }
+    /// The vertices of a block, four at a time; the last one as often as is needed to make the last four whole.
+    std::span<const Lanes3> vertices(Row block) const {
+        return {vertices_.data() + first_vertices_[block], vertices_.data() + first_vertices_[block + 1]};
+    }
+    /// The planes of the faces of a block, four at a time.
+    std::span<const FourPlanes> planes(Row block) const {
+        return {four_planes_.data() + first_planes_[block], four_planes_.data() + first_planes_[block + 1]};
+    }
+    const std::vector<Edge>& edges(Row block) const { return shapes_[block].edges; }
+    /// The gridpoints of a face, each once and in order.
+    std::span<const Row> corners(Row face) const { return planes_[face].corners; }
+    /// The triangles of that face, by the places of their gridpoints in `corners`.
+    std::span<const std::array<int, 3>> triangles(Row face) const { return planes_[face].triangles; }
 
 private:
-    /// The edges of a block, and by what is known that they are still these.
-    struct EdgeList {
+    /// What of a block's surface stays when it moves, and by what is known that it is still this.
+    struct Shape {
         BlockId block;
         Span gridpoints, faces, triangles;
-        std::vector<Edge> list;
+        std::vector<Edge> edges;
+        std::vector<Row> corners; ///< of one face after another
+        std::vector<std::array<int, 3>> corner_triangles; ///< of each triangle of the block
     };
     struct Plane {
         Vec3 normal;
         double reach;
+        std::span<const Row> corners; ///< in the block's shape, as the triangles
+        std::span<const std::array<int, 3>> triangles;
     };
+
+    bool knows(const Model& model, Row block) const;
+    void learn(const Model& model, Row block);
+    void take_vertices(const Model& model, Row block);
+    void take_planes(const Model& model, Row block);
+
     std::vector<Plane> planes_;
-    std::vector<EdgeList> edges_;
+    std::vector<Shape> shapes_;
+    std::vector<Lanes3> vertices_;
+    std::vector<FourPlanes> four_planes_;
+    std::vector<std::size_t> first_vertices_, first_planes_; ///< of each block in those, and their numbers
 };
 
 } // namespace kaya
