@@ -2,6 +2,7 @@
 
 #include "joints/crash_report.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -18,21 +19,21 @@ struct Output {
     bool may_be_negative;
 };
 
-/// All bits of the exponent set: infinite or not a number. Integer arithmetic, so that the loop
+/// All bits of the exponent set: infinite, and more: not a number. Integer arithmetic, so that the loop
 /// becomes vector instructions without reordering floating-point sums.
 constexpr std::uint64_t exponent = 0x7ff0'0000'0000'0000;
 constexpr std::uint64_t sign = 0x8000'0000'0000'0000;
 
 bool all_usable(const double* __restrict column, std::size_t n, bool may_be_negative) {
-    // The stiffest check that needs no branch: a number must be finite, and where it must not be
-    // negative its sign bit must be clear (the exact test, which lets -0 pass, is made on a hit only).
-    const std::uint64_t refused_sign = may_be_negative ? 0 : sign;
-    std::uint64_t bad = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto bits = std::bit_cast<std::uint64_t>(column[i]);
-        bad |= static_cast<std::uint64_t>((bits & exponent) == exponent) | (bits & refused_sign);
-    }
-    return bad == 0;
+    // The stiffest check that needs no branch: as whole numbers without their sign the bits of what is finite are
+    // below the exponent. Where it must not be negative the sign makes them larger than that (the exact test, which
+    // lets -0 pass, is made on a hit only).
+    std::uint64_t largest = 0;
+    if (may_be_negative)
+        for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::bit_cast<std::uint64_t>(column[i]) & ~sign);
+    else
+        for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::bit_cast<std::uint64_t>(column[i]));
+    return largest < exponent;
 }
 
 std::optional<BatchFailure> unusable_row(const JointModel& model, const Output& output, std::size_t n) {

@@ -59,8 +59,16 @@ double recover(Model& model, Row c, double lost) {
     return needed - of_account;
 }
 
-/// Sums of one contact's sub-contacts; pore pressure acts on both sides besides the effective stress.
-void sum_contact(const Model& model, Row c, JointForces& forces) {
+/// A joint model sees displacements at the start of the step; now they are those of its end.
+void add_increments(SubContacts& subs, Row row, const LaneGroup& group, const Lanes& opening, const Lanes3& slip) {
+    double* const opened = subs.normal_displacement.data() + row;
+    group.store(opened, group.load(opened) + opening);
+    group.store(subs.shear_displacement, row, group.load(subs.shear_displacement, row) + slip);
+}
+
+/// Sums of one contact's sub-contacts; pore pressure acts on both sides besides the effective stress. `each` gets every
+/// group of rows with the forces that the joint model has given.
+template <class Each> void sum_contact(const Model& model, Row c, JointForces& forces, Each each) {
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
     const Lanes3 n = Lanes3::of(contacts.normal[c]), origin = Lanes3::of(contacts.position[c]);
@@ -72,9 +80,10 @@ void sum_contact(const Model& model, Row c, JointForces& forces) {
     for (Row i = 0; i < span.count; i += lane_count) {
         const LaneGroup group(span.count - i);
         const Row first = span.first + i;
-        Lanes normal = group.load(subs.normal_force.data() + first) +
-                       group.load(subs.pore_pressure.data() + first) * group.load(subs.area.data() + first);
+        Lanes normal = group.load(subs.normal_force.data() + first);
         Lanes3 shear = group.load(subs.shear_force, first);
+        each(first, group, normal, shear);
+        normal += group.load(subs.pore_pressure.data() + first) * group.load(subs.area.data() + first);
         if (damped) {
             normal += group.load(subs.dashpot_normal.data() + first);
             shear = shear + group.load(subs.dashpot_shear, first);
@@ -87,6 +96,22 @@ void sum_contact(const Model& model, Row c, JointForces& forces) {
     }
     forces.of_contact[c] = sum(force);
     forces.moment[c] = sum(moment);
+}
+
+void sum_contact(const Model& model, Row c, JointForces& forces) {
+    sum_contact(model, c, forces, [](Row, const LaneGroup&, const Lanes&, const Lanes3&) {});
+}
+
+/// The sums, and besides: work with the forces that the joint model has given, displacements at the end of the step.
+void finish_contact(Model& model, Row c, JointForces& forces, JointWork& after) {
+    auto& subs = model.sub_contacts;
+    sum_contact(model, c, forces, [&](Row row, const LaneGroup& group, const Lanes& normal, const Lanes3& shear) {
+        const Lanes opening = group.load(subs.normal_displacement_increment.data() + row);
+        const Lanes3 slip = group.load(subs.shear_displacement_increment, row);
+        after.joint += normal * opening + shear.dot(slip);
+        after.friction += group.load(subs.frictional_work.data() + row);
+        add_increments(subs, row, group, opening, slip);
+    });
 }
 
 /// Marks a contact whose stiffness is another than it was.
@@ -107,27 +132,6 @@ void take_contact(const Model& model, Row c, JointForces& forces) {
     sum_contact(model, c, forces);
     note_stiffness(model, c, forces);
     if (has_new_geometry(model, c)) forces.stiffness_changed[c] = 1;
-}
-
-/// A joint model sees displacements at the start of the step; now they are those of its end.
-void add_increments(SubContacts& subs, Row row, const LaneGroup& group, const Lanes& opening, const Lanes3& slip) {
-    double* const opened = subs.normal_displacement.data() + row;
-    group.store(opened, group.load(opened) + opening);
-    group.store(subs.shear_displacement, row, group.load(subs.shear_displacement, row) + slip);
-}
-
-/// Work with the forces that the joint model has given, and displacements at the end of the step.
-JointWork finish_rows(SubContacts& subs, const Batch& batch) {
-    JointWork after;
-    for (Row row = batch.first; row < batch.first + batch.count; row += lane_count) {
-        const LaneGroup group(batch.first + batch.count - row);
-        const Lanes opening = group.load(subs.normal_displacement_increment.data() + row);
-        const Lanes3 slip = group.load(subs.shear_displacement_increment, row);
-        after.joint += group.load(subs.normal_force.data() + row) * opening + group.load(subs.shear_force, row).dot(slip);
-        after.friction += group.load(subs.frictional_work.data() + row);
-        add_increments(subs, row, group, opening, slip);
-    }
-    return after;
 }
 
 void combine(JointSums& sum, const JointSums& part) {
@@ -155,18 +159,21 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     if (joints_are_damped(model.settings)) dashpots.emplace(model, batch);
     if (const auto failure = run_batch(*batch.model, columns, subs.number.data() + batch.first))
         throw joint_failure(model, batch, *failure);
-    const JointWork after = finish_rows(subs, batch);
-    sums.work = -0.5 * (sum(before.joint) + sum(after.joint));
-    sums.friction = sum(after.friction) - sum(before.friction);
-    sums.fluid = sum(before.fluid);
     if (dashpots) sums.damped = dashpots->finish();
-    sums.stiffness_changed = columns.stiffness_changed;
+    JointWork after;
+    double recovered = 0; // of what friction takes
     for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
-        if (model.contacts.sunk[c] > 0)
-            sums.friction -= recover(model, c, frictional_work(model, c) - friction[c - batch.contacts.first]);
-        sum_contact(model, c, forces);
+        finish_contact(model, c, forces, after);
+        if (model.contacts.sunk[c] > 0) {
+            recovered += recover(model, c, frictional_work(model, c) - friction[c - batch.contacts.first]);
+            sum_contact(model, c, forces);
+        }
         if (columns.stiffness_changed) note_stiffness(model, c, forces);
     }
+    sums.work = -0.5 * (sum(before.joint) + sum(after.joint));
+    sums.friction = sum(after.friction) - sum(before.friction) - recovered;
+    sums.fluid = sum(before.fluid);
+    sums.stiffness_changed = columns.stiffness_changed;
     return sums;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mechanics/dashpots.hpp"
+#include "model/lanes.hpp"
 #include "model/settings.hpp"
 
 #include <cmath>
@@ -14,30 +15,43 @@ struct DampingFactors {
     double combined = 0; ///< alpha of F_d = alpha |F| (sgn(dF/dt) - sgn(v))/2
     double viscous = 0;  ///< of F_d = -viscous m v, 1/time
 
-    explicit DampingFactors(const Settings& settings, const Clock& clock) {
+    DampingFactors(const Settings& settings, const Clock& clock) {
         if (settings.damping == Damping::local) local = settings.local_factor;
         if (settings.damping == Damping::combined) combined = settings.local_factor;
         if (settings.damping == Damping::global) viscous = clock.global_viscosity;
         if (settings.damping == Damping::rayleigh) viscous = mass_damping(settings);
+        half_ = 0.5 * viscous * clock.time_step;
+        after_turn_ = (1 - local) / (1 + local);
     }
 
-    /// The velocity one step later, from the sum of forces and the mass (or moment and moment of inertia).
-    /// `last` is the sum of forces one step ago; combined damping reads it and sets it.
+    /// Velocities one step later, from the sums of forces and step over mass (or moments, and step over moment of
+    /// inertia). `last` is the sum of forces one step ago; combined damping reads it and sets it.
     /// Viscous damping is centred, so it is stable for any viscosity. Local damping turns round with the
     /// velocity: where that happens inside a step, the rest of the step sees the other sign; without this
     /// strongly damped motion would turn several steps too early.
-    double advance(double velocity, double force, double mass, double step, double& last) const {
-        const double half = 0.5 * viscous * step;
-        const double push = force / mass * step;
-        if (combined != 0) return advance_combined(velocity, force, push, last);
-        if (local == 0) return (velocity * (1 - half) + push) / (1 + half);
-        const bool against = velocity * push < 0;
-        double next = velocity + (against ? 1 + local : 1 - local) * push;
-        if (against && next * velocity < 0) next *= (1 - local) / (1 + local);
-        return (next - half * velocity) / (1 + half);
+    Lanes advance(const Lanes& velocity, const Lanes& force, double step_over_mass, Vec3& last) const {
+        const Lanes push = force * step_over_mass;
+        if (combined != 0) {
+            Lanes next = velocity;
+            for (int k = 0; k < 3; ++k) next[k] = advance_combined(velocity[k], force[k], push[k], last[k]);
+            return next;
+        }
+        if (local == 0) return (velocity * (1 - half_) + push) / (1 + half_);
+        // Selections without a branch: of a body at rest the signs are those of noise.
+        Lanes next;
+        const double more = 1 + local, less = 1 - local, turned = after_turn_;
+        for (int k = 0; k < lane_count; ++k) {
+            const bool against = velocity[k] * push[k] < 0;
+            const double first = velocity[k] + (against ? more : less) * push[k];
+            next[k] = (against & (first * velocity[k] < 0)) ? first * turned : first;
+        }
+        return next;
     }
 
 private:
+    double half_ = 0;       ///< of what viscous damping takes in a step, in parts of the momentum
+    double after_turn_ = 1; ///< local damping: the part of a velocity that is left where it turns
+
     double advance_combined(double velocity, double force, double push, double& last) const {
         const double change = force - last;
         last = force;

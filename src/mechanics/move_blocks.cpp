@@ -1,8 +1,7 @@
 #include "base/reduce.hpp"
-#include "mechanics/damping.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/motion.hpp"
 #include "mechanics/rotation.hpp"
-#include "model/lanes.hpp"
+#include "mechanics/triple.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -18,62 +17,35 @@ constexpr std::size_t grain = 256;
 
 void combine(MotionSums& sum, const MotionSums& part) { sum.add(part); }
 
-/// Rotation by a vector (angle times axis). Steps are small: below a thousandth of a turn the series is
-/// exact to the last bit and much faster than the functions.
-inline Eigen::Quaterniond turned_by(const Vec3& angle) {
-    const double half2 = 0.25 * angle.squaredNorm();
-    double cosine, sine_over; // of half the angle; sine over the angle
-    if (half2 < 1e-5) {
-        cosine = 1 - half2 * (0.5 - half2 * (1.0 / 24));
-        sine_over = 0.5 - half2 * (1.0 / 12 - half2 * (1.0 / 240));
-    } else {
-        const double half = std::sqrt(half2);
-        cosine = std::cos(half);
-        sine_over = 0.5 * std::sin(half) / half;
-    }
-    return {cosine, sine_over * angle.x(), sine_over * angle.y(), sine_over * angle.z()};
-}
-
 /// A vector turned by a quaternion, without making a matrix of it.
 inline Vec3 turned(const Eigen::Quaterniond& q, const Vec3& x) {
     const Vec3 t = 2 * q.vec().cross(x);
     return x + q.w() * t + q.vec().cross(t);
 }
 
-/// Of a symmetric matrix that is positive definite.
-Mat3 inverse_of(const Mat3& m) {
-    Mat3 adjoint;
-    adjoint.col(0) = m.col(1).cross(m.col(2));
-    adjoint.col(1) = m.col(2).cross(m.col(0));
-    adjoint.col(2) = m.col(0).cross(m.col(1));
-    return adjoint / m.col(0).dot(adjoint.col(0));
-}
+Rotor rotor(const Quaternion& q) { return {q[0], {q[1], q[2], q[3]}}; }
 
 /// Turns a block with angular momentum `momentum` for one step by the implicit midpoint rule: the
 /// velocity of the middle of the step, found by fixed-point iteration, carries it from end to end.
 /// Momentum is kept to the last bit and energy has no drift (Simo and Wong 1991, Int. J. Numer. Meth.
-/// Eng. 31). `inertia` is in the block's own axes.
-Vec3 turn(Quaternion& orientation, const Mat3& inertia, const Vec3& momentum, double step) {
-    const Eigen::Quaterniond start = quaternion(orientation);
-    const Mat3 r = start.toRotationMatrix();
-    const Mat3 inverse = r * inverse_of(inertia) * r.transpose();
-    Vec3 velocity = inverse * momentum;
+/// Eng. 31). The inertia is in the block's own axes. Returns the velocity.
+Triple turn(Quaternion& orientation, const SymmetricInverse& inverse_inertia, const Triple& momentum, double step) {
+    const Rotor start = rotor(orientation);
+    const Triple own = start.conjugate().turned(momentum); // in the block's axes, as all that follows
+    Triple velocity = inverse_inertia * own;
     for (int i = 0; i < 8; ++i) {
         // In axes that have turned with the block, the momentum turns the other way.
-        const Eigen::Quaterniond half = turned_by(0.5 * step * velocity);
-        const Vec3 before = velocity;
-        velocity = turned(half, inverse * turned(half.conjugate(), momentum));
-        if ((velocity - before).squaredNorm() <= 1e-30 * velocity.squaredNorm()) break;
+        const Rotor half = Rotor::by(0.5 * step * velocity);
+        const Triple next = half.turned(inverse_inertia * half.conjugate().turned(own)), change = next - velocity;
+        velocity = next;
+        if (change.dot(change) <= 1e-30 * next.dot(next)) break;
     }
-    const Eigen::Quaterniond end = turned_by(step * velocity) * start;
-    orientation = Quaternion(end.w(), end.x(), end.y(), end.z());
+    const Rotor end = start * Rotor::by(step * velocity);
     // Its length is 1 but for rounding: one step of Newton's method for 1/sqrt makes it so again.
-    orientation *= 1.5 - 0.5 * orientation.squaredNorm();
-    return velocity;
+    const double length = 1.5 - 0.5 * (end.w * end.w + end.v.dot(end.v));
+    orientation = Quaternion(length * end.w, length * end.v.x, length * end.v.y, length * end.v.z);
+    return start.turned(velocity);
 }
-
-/// Three components in a vector register; the fourth is not used.
-Lanes lanes(const Vec3& v) { return {v.x(), v.y(), v.z(), 0}; }
 
 /// Positions and velocities of the vertices follow the block. Returns the longest way of one.
 double place_vertices(Model& model, std::size_t b) {
@@ -103,9 +75,10 @@ double place_vertices(Model& model, std::size_t b) {
 struct RigidBody {
     double mass;          ///< in the weight
     double inertial_mass; ///< in the equation of motion, as in the inertia
-    Mat3 inertia;
+    const Mat3& inertia_shape; ///< inertia over
+    double inertia_scale;      ///< this
     std::uint8_t fixed;
-    Vec3 force, load, moment, torque;
+    const Vec3 &force, &load, &moment, &torque;
     Vec3 &velocity, &spin, &momentum;
     Vec3 &last_force, &last_moment; ///< for combined damping
     Quaternion& orientation;
@@ -113,29 +86,21 @@ struct RigidBody {
 
 /// Velocities and momentum after one step, and the orientation in large strain.
 inline void advance(const RigidBody& body, const Settings& settings, double step, const DampingFactors& damping,
-                    MotionSums& sums) {
-    const std::uint8_t fixed = body.fixed;
-    Vec3& v = body.velocity;
+                    MotionLanes& sums) {
+    const unsigned fixed = body.fixed;
     Vec3& w = body.spin;
-    const double mass = body.inertial_mass;
-    const Vec3 weight = body.mass * settings.gravity;
-    const Vec3 force = body.force + body.load + weight;
-    for (int k = 0; k < 3; ++k) {
-        const bool held = fixed & (1 << k);
-        const double before = v[k];
-        if (!held) v[k] = damping.advance(before, force[k], mass, step, body.last_force[k]);
-        sums.account(mass, before, v[k], weight[k], body.load[k], force[k] * step, held, step);
-    }
+    advance_velocity(body.velocity, body.force, body.load, body.mass * lanes(settings.gravity), body.inertial_mass, step,
+                     fixed & (fix_x | fix_y | fix_z), damping, body.last_force, sums);
 
     // Moments act on the angular momentum; its viscous part decays like the velocity.
-    const Vec3 moment = body.moment + body.torque;
     Vec3& momentum = body.momentum;
-    const Vec3 momentum_before = momentum, spin_before = w;
-    for (int k = 0; k < 3; ++k) momentum[k] = damping.advance(momentum[k], moment[k], 1.0, step, body.last_moment[k]);
+    const Lanes torque = lanes(body.torque), moment = lanes(body.moment) + torque;
+    const Lanes momentum_before = lanes(momentum), spin_before = lanes(w);
+    store(momentum, damping.advance(momentum_before, moment, step, body.last_moment));
     if (fixed & (fix_rx | fix_ry | fix_rz)) {
         // Prescribed components keep their velocity; the others follow from their momentum.
         const Mat3 r = quaternion(body.orientation).toRotationMatrix();
-        const Mat3 global = r * body.inertia * r.transpose();
+        const Mat3 global = r * (body.inertia_scale * body.inertia_shape) * r.transpose();
         Mat3 system = global;
         Vec3 right = momentum;
         for (int k = 0; k < 3; ++k)
@@ -148,34 +113,32 @@ inline void advance(const RigidBody& body, const Settings& settings, double step
             if (fixed & (fix_rx << k)) w[k] = right[k];
         momentum = global * w;
         if (settings.large_strain) {
-            const auto q = (turned_by(step * w) * quaternion(body.orientation)).normalized();
-            body.orientation = Quaternion(q.w(), q.x(), q.y(), q.z());
+            const Rotor q = Rotor::by(step * Triple(w)) * rotor(body.orientation);
+            body.orientation = Quaternion(q.w, q.v.x, q.v.y, q.v.z).normalized();
         }
     } else if (!momentum.isZero(0)) {
         Quaternion turned = body.orientation;
-        w = turn(turned, body.inertia, momentum, step);
+        w = turn(turned, SymmetricInverse(body.inertia_shape, body.inertia_scale), Triple(momentum), step).vector();
         if (settings.large_strain) body.orientation = turned;
     } else {
         w.setZero();
     }
     // The same account for rotation, component by component of the mean spin.
-    const Vec3 mean = 0.5 * (spin_before + w);
-    const Vec3 rest = momentum - momentum_before - moment * step;
-    for (int k = 0; k < 3; ++k) {
-        sums.boundary += body.torque[k] * mean[k] * step;
-        (fixed & (fix_rx << k) ? sums.boundary : sums.damped) +=
-            (fixed & (fix_rx << k) ? 1 : -1) * rest[k] * mean[k];
-    }
-    sums.kinetic_before += 0.5 * spin_before.dot(momentum_before);
-    sums.kinetic += 0.5 * w.dot(momentum);
+    const Lanes spin = lanes(w), momentum_after = lanes(momentum);
+    const Lanes mean = 0.5 * (spin_before + spin), held = prescribed(fixed / fix_rx);
+    const Lanes rest = (momentum_after - momentum_before - moment * step) * mean;
+    sums.boundary += torque * mean * step + held * rest;
+    sums.damped -= (1 - held) * rest;
+    sums.kinetic_before += 0.5 * spin_before * momentum_before;
+    sums.kinetic += 0.5 * spin * momentum_after;
 }
 
 /// One rigid block, one step.
-void move_block(Model& model, std::size_t b, const DampingFactors& damping, MotionSums& sums) {
+void move_block(Model& model, std::size_t b, const DampingFactors& damping, MotionLanes& sums) {
     auto& blocks = model.blocks;
     if (blocks.fixed[b] == fix_all && blocks.velocity[b].isZero(0) && blocks.rotational_velocity[b].isZero(0)) return;
     const double mass = blocks.inertial_mass[b], step = model.clock.time_step;
-    advance({blocks.mass[b], mass, blocks.inertia[b] * (mass / blocks.volume[b]), blocks.fixed[b], blocks.force[b], blocks.load[b],
+    advance({blocks.mass[b], mass, blocks.inertia[b], mass / blocks.volume[b], blocks.fixed[b], blocks.force[b], blocks.load[b],
              blocks.moment[b], blocks.torque[b], blocks.velocity[b], blocks.rotational_velocity[b],
              blocks.angular_momentum[b], blocks.last_force[b], blocks.last_moment[b], blocks.orientation[b]},
             model.settings, step, damping, sums);
@@ -188,7 +151,7 @@ void move_block(Model& model, std::size_t b, const DampingFactors& damping, Moti
 
 /// Joined blocks, one step. The body's state is that of its members, so that nothing needs to be kept twice: centroid
 /// and velocity are means by mass, axes those of its first block.
-void move_body(Model& model, std::span<const Row> members, const DampingFactors& damping, MotionSums& sums) {
+void move_body(Model& model, std::span<const Row> members, const DampingFactors& damping, MotionLanes& sums) {
     auto& blocks = model.blocks;
     const BodyMass body = body_mass(model, members);
     const Row first = members.front();
@@ -222,7 +185,8 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
     const double step = model.clock.time_step;
     // Density scaling gives all members the same factor.
     const double factor = blocks.mass[first] > 0 ? blocks.inertial_mass[first] / blocks.mass[first] : 1;
-    advance({body.mass, factor * body.mass, factor * (axes.transpose() * body.inertia * axes), fixed, force, load, moment, torque, velocity, spin,
+    const Mat3 inertia = axes.transpose() * body.inertia * axes;
+    advance({body.mass, factor * body.mass, inertia, factor, fixed, force, load, moment, torque, velocity, spin,
              blocks.angular_momentum[first], blocks.last_force[first], blocks.last_moment[first], after},
             model.settings, step, damping, sums);
     const Eigen::Quaterniond turn = quaternion(after) * quaternion(before).conjugate();
@@ -255,18 +219,18 @@ MotionSums move_blocks(Model& model, const JoinedBodies& bodies) {
     MotionSums of_bodies = reduce_chunks(
         bodies.size(), grain, MotionSums{},
         [&](std::size_t first, std::size_t last) {
-            MotionSums sums;
+            MotionLanes sums;
             for (std::size_t i = first; i < last; ++i) move_body(model, bodies.members(i), damping, sums);
-            return sums;
+            return sums.sums();
         },
         combine);
     return reduce_chunks(
         blocks.size(), grain, of_bodies,
         [&](std::size_t first, std::size_t last) {
-            MotionSums sums;
+            MotionLanes sums;
             for (std::size_t b = first; b < last; ++b)
                 if (!blocks.deformable[b] && blocks.body[b] == 0) move_block(model, b, damping, sums);
-            return sums;
+            return sums.sums();
         },
         combine);
 }

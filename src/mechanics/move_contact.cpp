@@ -1,6 +1,6 @@
 #include "mechanics/contact_geometry.hpp"
 #include "mechanics/phases.hpp"
-#include "model/lanes.hpp"
+#include "mechanics/triple.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -12,21 +12,6 @@ namespace {
 
 /// Cycles between two looks at the faces of deformable blocks, which turn slowly.
 constexpr std::int64_t face_interval = 10;
-
-/// Three numbers with names. The compiler keeps them in registers, where it would put an Eigen vector on the
-/// stack by parts and wait for it to be read back whole.
-struct Triple {
-    double x, y, z;
-
-    explicit Triple(const Vec3& v) : x(v.x()), y(v.y()), z(v.z()) {}
-    Triple(double a, double b, double c) : x(a), y(b), z(c) {}
-    friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-    friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-    friend Triple operator*(double s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
-    double dot(const Triple& o) const { return x * o.x + y * o.y + z * o.z; }
-    Triple cross(const Triple& o) const { return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x}; }
-    Lanes3 lanes() const { return {Lanes::Constant(x), Lanes::Constant(y), Lanes::Constant(z)}; }
-};
 
 /// Motion of a rigid block seen from a point of its own: velocity there, and spin.
 struct RigidMotion {
@@ -52,13 +37,13 @@ void turn_plane(Model& model, Row c) {
         if (!outward.isZero()) n = reference == 1 ? outward : Vec3(-outward);
         return;
     }
-    Vec3 spin = Vec3::Zero();
-    if (reference != 0) spin = blocks.rotational_velocity[owner];
+    Triple spin(0, 0, 0);
+    if (reference != 0) spin = Triple(blocks.rotational_velocity[owner]);
     else if (!blocks.deformable[b1] && !blocks.deformable[b2])
-        spin = 0.5 * (blocks.rotational_velocity[b1] + blocks.rotational_velocity[b2]);
-    if (spin.isZero(0)) return;
-    n += model.clock.time_step * spin.cross(n);
-    n *= 1.5 - 0.5 * n.squaredNorm(); // it is almost 1: one step of Newton's method for 1/sqrt
+        spin = 0.5 * (Triple(blocks.rotational_velocity[b1]) + Triple(blocks.rotational_velocity[b2]));
+    const Triple before(n), turned = before + (model.clock.time_step * spin).cross(before);
+    // It is almost 1 long: one step of Newton's method for 1/sqrt.
+    n = ((1.5 - 0.5 * turned.dot(turned)) * turned).vector();
 }
 
 void add_work(JointWork& work, const SubContacts& subs, Row row, const LaneGroup& group, const Lanes3& shear_force,

@@ -1,6 +1,5 @@
 #include "base/reduce.hpp"
-#include "mechanics/damping.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,27 +34,21 @@ MotionSums move_gridpoints(Model& model) {
     const Settings& settings = model.settings;
     const DampingFactors damping(settings, model.clock);
     const double step = model.clock.time_step;
+    const Lanes gravity = lanes(settings.gravity);
     const MotionSums whole = reduce_chunks(
         g.size(), grain, MotionSums{},
         [&](std::size_t first, std::size_t last) {
-            MotionSums sums;
+            MotionLanes sums;
             for (std::size_t row = first; row < last; ++row) {
                 if (!model.blocks.deformable[g.block[row]]) continue;
-                const double mass = g.inertial_mass[row];
-                const Vec3 weight = g.mass[row] * settings.gravity;
-                const Vec3 force = g.force[row] + g.load[row] + weight;
                 Vec3& v = g.velocity[row];
-                for (int k = 0; k < 3; ++k) {
-                    const bool held = g.fixed[row] & (1 << k);
-                    const double before = v[k];
-                    if (!held) v[k] = damping.advance(before, force[k], mass, step, g.last_force[row][k]);
-                    sums.account(mass, before, v[k], weight[k], g.load[row][k], force[k] * step, held, step);
-                }
+                advance_velocity(v, g.force[row], g.load[row], g.mass[row] * gravity, g.inertial_mass[row], step,
+                                 g.fixed[row], damping, g.last_force[row], sums);
                 const Vec3 way = v * step;
                 g.displacement[row] += way;
                 if (settings.large_strain) g.position[row] += way;
             }
-            return sums;
+            return sums.sums();
         },
         combine);
     if (settings.large_strain) add_travel(model);

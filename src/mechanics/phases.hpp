@@ -19,9 +19,6 @@ struct MotionSums {
     double damped = 0;                      ///< energy taken out by damping
 
     void add(const MotionSums& part);
-    /// Work of one component: `push` is force times step, `held` says that the velocity is prescribed.
-    void account(double mass, double before, double after, double weight, double load, double push, bool held,
-                 double step);
 };
 
 inline void MotionSums::add(const MotionSums& part) {
@@ -30,19 +27,6 @@ inline void MotionSums::add(const MotionSums& part) {
     gravity += part.gravity;
     boundary += part.boundary;
     damped += part.damped;
-}
-
-inline void MotionSums::account(double mass, double before, double after, double weight, double load, double push,
-                                bool held, double step) {
-    const double mean = 0.5 * (before + after);
-    gravity += weight * mean * step;
-    boundary += load * mean * step;
-    // What the step's forces do not explain of the change of momentum was done by the support, or by damping.
-    const double rest = (mass * (after - before) - push) * mean;
-    if (held) boundary += rest;
-    else damped -= rest;
-    kinetic_before += 0.5 * mass * before * before;
-    kinetic += 0.5 * mass * after * after;
 }
 
 struct Hooks;

@@ -40,6 +40,7 @@ void register_all() {
     add("direct_shear_with_fish", "direct-shear.3dd", 20000);
     add("direct_shear", "direct-shear-no-fish.3dd", 20000);
     add("packed_cubes_1000", "packed-cubes-10.3dd", 1000);
+    add("packed_cubes_1000_fine", "packed-cubes-fine.3dd", 1000);
     add("packed_cubes_1000_rebuilt", "packed-cubes-10.3dd", 100, true);
     add("one_rigid_block", "one-block.3dd", 100000);
 }

@@ -1,0 +1,50 @@
+// One step of the components of a body's velocity, and the account of its energy.
+#pragma once
+
+#include "mechanics/damping.hpp"
+#include "mechanics/phases.hpp"
+
+#include <cstdint>
+
+namespace kaya {
+
+/// Three components in a vector register; the fourth is 0.
+inline Lanes lanes(const Vec3& v) { return LaneGroup(3).load(v.data()); }
+inline void store(Vec3& v, const Lanes& lanes) { LaneGroup(3).store(v.data(), lanes); }
+
+/// The sums of MotionSums, component by component.
+struct MotionLanes {
+    Lanes kinetic_before = Lanes::Zero(), kinetic = Lanes::Zero();
+    Lanes gravity = Lanes::Zero(), boundary = Lanes::Zero(), damped = Lanes::Zero();
+
+    MotionSums sums() const { return {sum(kinetic_before), sum(kinetic), sum(gravity), sum(boundary), sum(damped)}; }
+};
+
+/// Components that are prescribed are 1, others 0. `bits` has one for each, the lowest for x.
+inline Lanes prescribed(unsigned bits) {
+    alignas(32) static constexpr double of[8][lane_count] = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0},
+                                                             {0, 0, 1, 0}, {1, 0, 1, 0}, {0, 1, 1, 0}, {1, 1, 1, 0}};
+    return Eigen::Map<const Lanes, Eigen::Aligned32>(of[bits & 7u]);
+}
+
+/// Moves a velocity by force, load and weight for a step.
+inline void advance_velocity(Vec3& velocity, const Vec3& force, const Vec3& load, const Lanes& weight, double mass,
+                             double step, unsigned held_bits, const DampingFactors& damping, Vec3& last_force,
+                             MotionLanes& sums) {
+    const Lanes before = lanes(velocity), loads = lanes(load), whole = lanes(force) + loads + weight;
+    Lanes after = damping.advance(before, whole, step / mass, last_force);
+    const Lanes held = prescribed(held_bits);
+    if (held_bits != 0)
+        for (int k = 0; k < lane_count; ++k) after[k] = held[k] != 0 ? before[k] : after[k];
+    store(velocity, after);
+    const Lanes mean = 0.5 * (before + after);
+    sums.gravity += weight * mean * step;
+    // What the step's forces do not explain of the change of momentum was done by the support, or by damping.
+    const Lanes rest = (mass * (after - before) - whole * step) * mean;
+    sums.boundary += loads * mean * step + held * rest;
+    sums.damped -= (1 - held) * rest;
+    sums.kinetic_before += 0.5 * mass * before * before;
+    sums.kinetic += 0.5 * mass * after * after;
+}
+
+} // namespace kaya
