@@ -129,7 +129,7 @@ CommandSpec mark() {
 
 CommandSpec join() {
     Entry<Join> entry({"join"});
-    entry.help("makes one body of rigid blocks that lie face on face, or takes bodies apart");
+    entry.help("makes one body of blocks that lie face on face, or takes bodies apart");
     entry.action({"on"}, [](Join& join) { join.on = true; }, "joins; so without a word");
     entry.action({"off"}, [](Join& join) { join.on = false; }, "takes the bodies of these blocks apart");
     entry.range(&Join::range);

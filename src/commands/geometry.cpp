@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
+#include <set>
 
 namespace kaya {
 
@@ -59,15 +61,31 @@ void run(Session& session, const lang::FaceTriangulation& command) {
                          .at(command.place));
 }
 
+namespace {
+
+/// Joined blocks get zones together or not at all.
+void take_bodies_whole(const Model& model, const std::vector<Row>& picked) {
+    const auto& blocks = model.blocks;
+    const std::set<Row> rows(picked.begin(), picked.end());
+    std::map<std::int32_t, Row> bodies;
+    for (const Row b : picked)
+        if (blocks.body[b] != 0) bodies.emplace(blocks.body[b], b);
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const auto body = bodies.find(blocks.body[b]);
+        if (body == bodies.end() || blocks.deformable[b] || rows.contains(static_cast<Row>(b))) continue;
+        throw Diagnostic(fmt::format("block {} is joined to block {}, which would get no zones",
+                                     blocks.number[body->second], blocks.number[b]),
+                         "take both into the range, or `join off` first");
+    }
+}
+
+} // namespace
+
 void run(Session& session, const lang::GenerateEdge& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
     if (blocks.empty()) return;
     try {
-        for (const Row block : blocks)
-            if (session.model.blocks.body[block] != 0)
-                throw Diagnostic(fmt::format("block {} is joined to others, and joined blocks cannot be given zones",
-                                             session.model.blocks.number[block]),
-                                 "leave it out of the range, or `join off` first");
+        take_bodies_whole(session.model, blocks);
         const std::size_t zoned = generate_zones(session.model, blocks, command.edge);
         if (zoned > 0)
             session.world.rows_moved();

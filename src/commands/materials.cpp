@@ -226,7 +226,7 @@ void run(Session& session, const lang::JointModelCommand& command) {
     }
     find_contacts(session.model, session.joints);
     // Where nothing touches yet, a command for all contacts is one for those to come.
-    const bool to_come = session.model.contacts.empty() && !command.range.place;
+    const bool to_come = !command.range.place && select(session.model, ObjectKind::contact, {}, true).empty();
     const auto contacts = to_come ? std::vector<Row>{} : session.pick(ObjectKind::contact, command.range);
     if (contacts.empty() && !to_come) return;
     if (command.action == Action::assign) {

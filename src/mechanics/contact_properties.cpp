@@ -4,6 +4,7 @@
 #include "mechanics/contact_search.hpp"
 #include "mechanics/contact_table.hpp"
 #include "mechanics/property_sets.hpp"
+#include "model/joined.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,20 +24,6 @@ std::vector<double> initial_values(const JointModel& joint) {
     std::vector<double> values;
     for (const auto& property : joint.properties) values.push_back(property.initial);
     return values;
-}
-
-/// The row of an equal set, made when there is none.
-Row shared(Model& model, JointProperties set) {
-    // Bits are compared: values that nobody has given are NaN.
-    const auto same = [](double a, double b) { return a == b || (a != a && b != b); };
-    for (std::size_t row = 0; row < model.joint_properties.size(); ++row) {
-        const auto& other = model.joint_properties[row];
-        if (other.model == set.model && other.material == set.material && other.place == set.place &&
-            std::equal(set.values.begin(), set.values.end(), other.values.begin(), other.values.end(), same))
-            return static_cast<Row>(row);
-    }
-    model.joint_properties.push_back(std::move(set));
-    return static_cast<Row>(model.joint_properties.size() - 1);
 }
 
 /// Puts the items that the model knows into the values. Throws for a value outside its limits and, when
@@ -80,6 +67,12 @@ constexpr std::array<std::pair<std::int32_t, const char*>, 2> numbered_models{{{
 
 void initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts);
 
+bool are_all_joints(const Model& model, const std::vector<Row>& contacts) {
+    std::size_t joints = 0;
+    for (std::size_t c = 0; c < model.contacts.size(); ++c) joints += !glued(model, static_cast<Row>(c));
+    return contacts.size() == joints;
+}
+
 /// A search of all contacts takes much for a moment, and the columns made meanwhile stand behind it on the heap.
 void give_back_memory() {
 #ifdef __GLIBC__
@@ -102,6 +95,19 @@ std::string default_joint_model(const Model& model) {
     return joint_model_of_number(model, model.settings.default_joint_constitutive);
 }
 
+Row shared_set(Model& model, JointProperties set) {
+    // Bits are compared: values that nobody has given are NaN.
+    const auto same = [](double a, double b) { return a == b || (a != a && b != b); };
+    for (std::size_t row = 0; row < model.joint_properties.size(); ++row) {
+        const auto& other = model.joint_properties[row];
+        if (other.model == set.model && other.material == set.material && other.place == set.place &&
+            std::equal(set.values.begin(), set.values.end(), other.values.begin(), other.values.end(), same))
+            return static_cast<Row>(row);
+    }
+    model.joint_properties.push_back(std::move(set));
+    return static_cast<Row>(model.joint_properties.size() - 1);
+}
+
 Row property_set(Model& model, JointRegistry& joints, const std::string& name, std::int32_t material,
                  const std::string& place) {
     if (place.empty() && model.settings.default_properties >= 0 &&
@@ -112,7 +118,7 @@ Row property_set(Model& model, JointRegistry& joints, const std::string& name, s
     const auto found = model.materials.find(material);
     if (found != model.materials.end())
         put(joint, set.values, Items(found->second.joint.begin(), found->second.joint.end()), false, nullptr);
-    return shared(model, std::move(set));
+    return shared_set(model, std::move(set));
 }
 
 void find_contacts(Model& model, JointRegistry& joints) {
@@ -133,7 +139,7 @@ void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<R
         if (!set_of.contains(material)) set_of[material] = property_set(model, joints, name, material, place);
         model.contacts.properties[c] = set_of[material];
     }
-    if (contacts.size() == model.contacts.size())
+    if (are_all_joints(model, contacts))
         model.settings.default_properties =
             property_set(model, joints, name, model.settings.default_joint_material, place);
     // What another joint model remembered means nothing to this one.
@@ -155,7 +161,7 @@ void set_joint_properties(Model& model, JointRegistry& joints, const std::vector
     // All new sets are made and checked before the first contact changes.
     std::vector<Row> from;
     for (const Row c : contacts) from.push_back(model.contacts.properties[c]);
-    const bool all = contacts.size() == model.contacts.size();
+    const bool all = are_all_joints(model, contacts);
     if (all) {
         if (model.settings.default_properties < 0)
             model.settings.default_properties = property_set(model, joints, default_joint_model(model),
@@ -174,7 +180,7 @@ void set_joint_properties(Model& model, JointRegistry& joints, const std::vector
         changed.emplace(row, std::move(set));
     }
     std::map<Row, Row> renamed;
-    for (auto& [row, set] : changed) renamed[row] = shared(model, std::move(set));
+    for (auto& [row, set] : changed) renamed[row] = shared_set(model, std::move(set));
     for (const Row c : contacts) model.contacts.properties[c] = renamed[model.contacts.properties[c]];
     if (all) model.settings.default_properties = renamed[model.settings.default_properties];
     initialise_again(model, joints, contacts);

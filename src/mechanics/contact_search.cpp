@@ -110,7 +110,7 @@ std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int,
     std::size_t c = 0;
     const auto blocks_of = [&](std::size_t row) { return std::array<int, 2>{contacts.block1[row], contacts.block2[row]}; };
     const auto add = [&](const std::array<int, 2>& pair, Row old) {
-        if (joined(model, pair[0], pair[1])) return;
+        if (joined(model, pair[0], pair[1]) && !model.blocks.deformable[pair[0]]) return; // with zones they are glued
         const bool look = moved[pair[0]] || moved[pair[1]];
         if (look || old != no_row) pairs.push_back({pair[0], pair[1], old, look});
     };

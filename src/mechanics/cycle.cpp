@@ -4,6 +4,7 @@
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/contact_search.hpp"
 #include "mechanics/dashpots.hpp"
+#include "mechanics/glue.hpp"
 #include "mechanics/phases.hpp"
 #include "model/sampling.hpp"
 
@@ -132,6 +133,7 @@ void Cycle::prepare() {
     Scratch& s = *scratch_;
     find_contacts(model_, joints_);
     if (model_.properties_changed) {
+        glue_joined_blocks(model_, joints_);
         check_properties(model_, joints_);
         compute_masses(model_);
         s.elastic = elastic_constants(model_);
@@ -283,8 +285,10 @@ void Cycle::advance() {
         ContactChange change = s.search.refresh_slid(model_, joints_);
         if (ContactSearch::due(model_)) change = std::max(change, s.search.search(model_, joints_, true));
         if (change == ContactChange::none) return change;
-        if (change == ContactChange::replaced)
+        if (change == ContactChange::replaced) {
+            glue_joined_blocks(model_, joints_);
             check_properties(model_, joints_); // a contact that is new may have a joint material of its own
+        }
         if (model_.lists_changed) make_lists();
         else joint_forces_of_new(model_, s.joints);
         model_.lists_changed = false;

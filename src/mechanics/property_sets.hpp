@@ -16,4 +16,7 @@ std::string default_joint_model(const Model& model);
 Row property_set(Model& model, JointRegistry& joints, const std::string& name, std::int32_t material,
                  const std::string& place);
 
+/// The row of an equal set, made when there is none.
+Row shared_set(Model& model, JointProperties set);
+
 } // namespace kaya

@@ -60,7 +60,7 @@ JoinedBodies joined_bodies(const Model& model) {
     const auto& body = model.blocks.body;
     JoinedBodies bodies;
     for (std::size_t b = 0; b < body.size(); ++b)
-        if (body[b] != 0) bodies.rows.push_back(static_cast<Row>(b));
+        if (body[b] != 0 && !model.blocks.deformable[b]) bodies.rows.push_back(static_cast<Row>(b));
     std::stable_sort(bodies.rows.begin(), bodies.rows.end(), [&](Row a, Row b) { return body[a] < body[b]; });
     for (std::size_t i = 1; i <= bodies.rows.size(); ++i)
         if (i == bodies.rows.size() || body[bodies.rows[i]] != body[bodies.rows[i - 1]]) bodies.start.push_back(i);
@@ -87,12 +87,13 @@ BodyMass body_mass(const Model& model, std::span<const Row> members) {
 
 void join_pairs(Model& model, const std::vector<std::pair<Row, Row>>& pairs) {
     auto& blocks = model.blocks;
-    for (const auto& [a, b] : pairs)
-        for (const Row row : {a, b})
-            if (blocks.deformable[row])
-                throw Diagnostic(fmt::format("block {} has zones, and only rigid blocks can be joined",
-                                             blocks.number[row]),
-                                 "join blocks before `gen`, or leave it out of the range");
+    for (const auto& [a, b] : pairs) {
+        if (blocks.deformable[a] == blocks.deformable[b]) continue;
+        const auto [zoned, rigid] = blocks.deformable[a] ? std::pair(a, b) : std::pair(b, a);
+        throw Diagnostic(fmt::format("block {} has zones and block {} has none: they cannot be joined",
+                                     blocks.number[zoned], blocks.number[rigid]),
+                         "give zones to both or to neither");
+    }
     std::vector<std::size_t> parent(blocks.size());
     std::iota(parent.begin(), parent.end(), std::size_t{0});
     const auto unite = [&](Row a, Row b) {
@@ -112,7 +113,7 @@ void join_pairs(Model& model, const std::vector<std::pair<Row, Row>>& pairs) {
             members[root].push_back(static_cast<Row>(b));
     for (const auto& [root, rows] : members) {
         for (const Row b : rows) blocks.body[b] = blocks.number[rows.front()];
-        share_motion(model, rows);
+        if (!blocks.deformable[rows.front()]) share_motion(model, rows);
     }
     if (!pairs.empty()) model.structure_changed = model.properties_changed = true;
 }
@@ -148,6 +149,7 @@ void unjoin(Model& model, const std::vector<Row>& rows) {
         if (blocks.body[b] == 0 || !apart.contains(blocks.body[b])) continue;
         const Row row = static_cast<Row>(b);
         blocks.body[b] = 0;
+        if (blocks.deformable[b]) continue;
         blocks.angular_momentum[b] = block_inertia(model, row, blocks.mass[b]) * blocks.rotational_velocity[b];
         blocks.inertial_mass[b] = blocks.mass[b];
     }

@@ -1,4 +1,5 @@
-// Rigid blocks that are joined and move as one body: concave solids, and what a deck joins.
+// Blocks that are joined: concave solids, and what a deck joins. Rigid ones move as one body; those with zones are glued
+// where their faces lie on each other.
 #pragma once
 
 #include "model/model.hpp"
@@ -15,7 +16,12 @@ inline bool joined(const Model& model, Row a, Row b) {
     return model.blocks.body[a] != 0 && model.blocks.body[a] == model.blocks.body[b];
 }
 
-/// The bodies of more than one block; derived from Blocks::body. Members in ascending order.
+/// Whether a contact is no joint but the glue between joined blocks with zones. Rigid ones have no contact at all.
+inline bool glued(const Model& model, Row contact) {
+    return joined(model, model.contacts.block1[contact], model.contacts.block2[contact]);
+}
+
+/// The rigid bodies of more than one block; derived from Blocks::body. Members in ascending order.
 struct JoinedBodies {
     std::vector<std::size_t> start{0}; ///< one more than bodies
     std::vector<Row> rows;
@@ -37,7 +43,7 @@ struct BodyMass {
 BodyMass body_mass(const Model& model, std::span<const Row> members);
 
 /// Joins the pairs of blocks; those that are joined to them already come along. The body moves with the momentum
-/// and angular momentum of its parts. Throws Diagnostic, model unchanged, when one of the blocks has zones.
+/// and angular momentum of its parts. Throws Diagnostic, model unchanged, when one block has zones and another has none.
 void join_pairs(Model& model, const std::vector<std::pair<Row, Row>>& pairs);
 
 /// Pairs of the rows that lie face on face.

@@ -4,7 +4,10 @@
 #include "model/joined.hpp"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <gmock/gmock.h>
+#include <numbers>
+#include <string>
 
 namespace kaya {
 namespace {
@@ -13,6 +16,7 @@ using testing::HasSubstr;
 
 class Joined : public Running {
 protected:
+    Joined() { session().joints.set_path({KAYA_TEST_JOINTS}); }
     void start() {
         model().settings.given_time_step = 1e-3;
         run("prop mat 1 dens 1000\ndamp none\ngravity 0 0 -10\n");
@@ -75,6 +79,51 @@ TEST_F(Joined, BlocksThatDoNotTouchStayApart) {
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{0, 0, 0, 0}));
 }
 
+/// A bar of joined blocks with zones, held at one end and pulled at the other; it has come to rest.
+constexpr const char* pulled_bar =
+    "gen edge 0.5\nprop mat 1 dens 2500 bulk 1e9 shear 0.75e9\n"
+    "bound xvel 0 range x 0\nbound yvel 0 range x 0 y 0 z 0\nbound zvel 0 range x 0 y 0 z 0\n"
+    "bound zvel 0 range x 0 y 1 z 0\nbound stress 1e6 0 0 0 0 0 range x 2\n";
+
+TEST_F(Joined, BlocksWithZonesAreGluedByALayerOfATenthOfAnEdge) {
+    const auto elongation = [&] {
+        double sum = 0, count = 0;
+        for (const Row g : select(model(), ObjectKind::gridpoint, {}))
+            if (model().gridpoints.reference[g].x() == 2) {
+                sum += model().gridpoints.displacement[g].x();
+                ++count;
+            }
+        return sum / count;
+    };
+    run(std::string("poly brick 0 1 0 1 0 1\npoly brick 1 2 0 1 0 1\njoin\n") + pulled_bar + "jmodel jfric 10\nsolve ratio 1e-7");
+    // No command has given the contact its stiffness: Young's modulus is 1.8e9, bulk modulus + 4/3 shear modulus 2e9.
+    const double edge = std::cbrt(6 * std::numbers::sqrt2 * 2.0 / static_cast<double>(model().zones.size()));
+    EXPECT_NEAR(elongation(), 1e6 * (2 / 1.8e9 + 0.1 * edge / 2e9), 1e-3 * elongation());
+    for (std::size_t s = 0; s < model().sub_contacts.size(); ++s) EXPECT_LT(model().sub_contacts.normal_force[s], 0);
+    run("list contacts");
+    EXPECT_THAT(printed(), HasSubstr("no contacts"));
+    EXPECT_EQ(session().warnings, 0u); // `jmodel` is for joints to come
+    // Taken apart it is a joint, which has no tension.
+    run("join off\njmodel model mohr jkn 1e10 jks 1e10\ncycle 100");
+    for (std::size_t s = 0; s < model().sub_contacts.size(); ++s) EXPECT_EQ(model().sub_contacts.normal_force[s], 0);
+}
+
+TEST_F(Joined, AConcaveSolidCanHaveZones) {
+    // An L of two convex parts under its own weight stands on its foot as one piece.
+    run("poly prism a 0 0 0 2 0 0 2 0 1 1 0 1 1 0 2 0 0 2 b 0 1 0 2 1 0 2 1 1 1 1 1 1 1 2 0 1 2\ngen edge 0.5\n"
+        "prop mat 1 dens 2500 bulk 1e8 shear 0.6e8\nbound zvel 0 range z 0\nbound xvel 0 range z 0\nbound yvel 0 range z 0\n"
+        "gravity 0 0 -10\nsolve ratio 1e-5");
+    ASSERT_GE(model().blocks.size(), 2u);
+    double weight = 0;
+    for (std::size_t g = 0; g < model().gridpoints.size(); ++g) weight += 10 * model().gridpoints.mass[g];
+    EXPECT_NEAR(weight, 3 * 2500 * 10, 1e-6 * weight);
+    // A part that is not held by the others would be far away.
+    double farthest = 0;
+    for (const Vec3& way : model().gridpoints.displacement) farthest = std::max(farthest, way.norm());
+    EXPECT_GT(farthest, 1e-5);
+    EXPECT_LT(farthest, 2e-3);
+}
+
 TEST_F(Joined, AConcaveSolidIsOneBody) {
     run("poly prism a 0 0 0 2 0 0 2 0 1 1 0 1 1 0 2 0 0 2 b 0 1 0 2 1 0 2 1 1 1 1 1 1 1 2 0 1 2");
     ASSERT_GE(model().blocks.size(), 2u);
@@ -102,12 +151,13 @@ TEST_F(Joined, WhatIsLeftOfABodyStaysJoinedWhereItTouches) {
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{0, 3, 3}));
 }
 
-TEST_F(Joined, BlocksWithZonesAreRefused) {
+TEST_F(Joined, ABodyHasZonesAsAWholeOrNotAtAll) {
     run("poly brick 0 1\npoly brick 1 2 0 1 0 1\ngen edge 1 range x 0 1");
-    EXPECT_THAT(mistake("join").message, HasSubstr("block 1 has zones"));
+    EXPECT_THAT(mistake("join").message, HasSubstr("block 1 has zones and block 2 has none"));
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{0, 0}));
     run("new\npoly brick 0 1\npoly brick 1 2 0 1 0 1\njoin");
-    EXPECT_THAT(mistake("gen edge 1").message, HasSubstr("block 1 is joined to others"));
+    EXPECT_THAT(mistake("gen edge 1 range x 0 1").message, HasSubstr("block 1 is joined to block 2"));
+    EXPECT_EQ(model().zones.size(), 0u);
 }
 
 } // namespace
