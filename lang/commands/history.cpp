@@ -24,6 +24,7 @@ const std::vector<Recorded>& recorded() {
         {{"edamped"}, false, "energy taken out by damping and dashpots"},
         {{"ejoint"}, false, "work put into joints: stored or lost"},
         {{"efriction"}, false, "of it, lost in slip and breaking"},
+        {{"etouch"}, false, "of it, lost where touches change"},
         {{"ezone"}, false, "work put into zones"},
         {{"eerror"}, false, "what the account of energy does not explain"},
         {{"xdis", "xdisplacement"}, true, "displacement in x of the nearest gridpoint"},

@@ -143,13 +143,14 @@ std::string list_extremes(Session& session, const lang::List&) {
 std::string list_energy(Session& session, const lang::List&) {
     const auto& e = session.model.energy;
     TextTable table({"energy", "value"});
-    const std::array<std::pair<const char*, double>, 9> rows{{{"kinetic", e.kinetic},
+    const std::array<std::pair<const char*, double>, 10> rows{{{"kinetic", e.kinetic},
                                                               {"kinetic at the start", e.start},
                                                               {"work of gravity", e.gravity},
                                                               {"work of the boundary", e.boundary},
                                                               {"damped", e.damped},
                                                               {"stored in joints", e.joint_stored()},
-                                                              {"lost in joints", e.joint_friction},
+                                                              {"lost in slip and breaking", e.joint_friction},
+                                                              {"lost where touches change", e.joint_lost},
                                                               {"put into zones", e.zone_work},
                                                               {"not accounted for", e.error()}}};
     for (const auto& [name, value] : rows) table.add({name, number_text(value)});

@@ -27,17 +27,23 @@ double frictional_work(const Model& model, Row c) {
     return std::accumulate(work + span.first, work + span.end(), 0.0);
 }
 
+/// Energy that has gone into a contact's springs.
+struct Recovered {
+    double of_friction = 0; ///< of what friction takes in the step
+    double of_account = 0;  ///< of what its changes of geometry have taken before
+};
+
 /// A contact that overlaps more than its force says pushes the blocks apart, so slowly that it shakes nothing. The
 /// energy for it is what its changes of geometry have taken before, and then what friction takes in this step, `lost`:
-/// surfaces that climb on each other while they slide get it from the force along them. Returns how much is taken of `lost`.
-double recover(Model& model, Row c, double lost) {
+/// surfaces that climb on each other while they slide get it from the force along them.
+Recovered recover(Model& model, Row c, double lost) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     double& sunk = contacts.sunk[c];
     const auto& margin = model.blocks.margin;
     if (sunk < negligible * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]])) {
         sunk = 0;
-        return 0;
+        return {};
     }
     const Span span = contacts.sub_contacts[c];
     const auto pushes = [&](Row s) { return subs.normal_force[s] > 0 || subs.normal_displacement[s] < 0; };
@@ -56,7 +62,7 @@ double recover(Model& model, Row c, double lost) {
     sunk -= closed;
     for (Row s = span.first; s < span.end(); ++s)
         if (pushes(s)) subs.normal_force[s] += subs.normal_stiffness[s] * subs.area[s] * closed;
-    return needed - of_account;
+    return {needed - of_account, of_account};
 }
 
 /// A joint model sees displacements at the start of the step; now they are those of its end.
@@ -137,6 +143,7 @@ void take_contact(const Model& model, Row c, JointForces& forces) {
 void combine(JointSums& sum, const JointSums& part) {
     sum.work += part.work;
     sum.friction += part.friction;
+    sum.returned += part.returned;
     sum.fluid += part.fluid;
     sum.damped += part.damped;
     sum.stiffness_changed = sum.stiffness_changed || part.stiffness_changed;
@@ -165,7 +172,9 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
         finish_contact(model, c, forces, after);
         if (model.contacts.sunk[c] > 0) {
-            recovered += recover(model, c, frictional_work(model, c) - friction[c - batch.contacts.first]);
+            const Recovered energy = recover(model, c, frictional_work(model, c) - friction[c - batch.contacts.first]);
+            recovered += energy.of_friction;
+            sums.returned += energy.of_account;
             sum_contact(model, c, forces);
         }
         if (columns.stiffness_changed) note_stiffness(model, c, forces);

@@ -167,26 +167,32 @@ void clear_sub_contact(SubContacts& subs, Row s) {
 
 /// What passes through a contact.
 struct Load {
-    double energy = 0; ///< in the normal springs of its sub-contacts
-    double normal = 0; ///< sum of their normal forces
-    double shear = 0;  ///< sum of the sizes of their shear forces
+    double energy = 0;       ///< in the normal springs of its sub-contacts
+    double shear_energy = 0; ///< in their shear springs
+    double normal = 0;       ///< sum of their normal forces
+    double shear = 0;        ///< sum of the sizes of their shear forces
 
+    Load() = default;
     Load(const Model& model, Row c) {
         const auto& subs = model.sub_contacts;
         const Span span = model.contacts.sub_contacts[c];
         for (Row s = span.first; s < span.end(); ++s) {
             const double stiffness = subs.normal_stiffness[s] * subs.area[s];
+            const double shear_stiffness = subs.shear_stiffness[s] * subs.area[s];
+            const double squared = subs.shear_force[s].squaredNorm();
             if (stiffness > 0) energy += 0.5 * subs.normal_force[s] * subs.normal_force[s] / stiffness;
+            if (shear_stiffness > 0) shear_energy += 0.5 * squared / shear_stiffness;
             normal += subs.normal_force[s];
-            shear += subs.shear_force[s].norm();
+            shear += std::sqrt(squared);
         }
     }
+    double stored() const { return energy + shear_energy; }
 };
 
 /// New geometry must not make energy. It may give back what it has taken from this contact before, and no more
 /// (Hannaford and Ryu 2002, IEEE Trans. Robot. Autom. 18, keep a contact passive by such an account). What then
-/// overlaps more than its force says is noted.
-void keep_passive(Model& model, Row c, const Load& before) {
+/// overlaps more than its force says is noted. Returns what is lost of the energy in the springs.
+double keep_passive(Model& model, Row c, const Load& before) {
     const Load after(model, c);
     auto& subs = model.sub_contacts;
     double& account = model.contacts.given_up[c];
@@ -204,6 +210,7 @@ void keep_passive(Model& model, Row c, const Load& before) {
         // The mean closure that belongs to the force which is not there now.
         if (after.normal > 0) model.contacts.sunk[c] += (1 - normal) * 2 * after.energy / after.normal;
     }
+    return before.stored() - normal * normal * after.energy - shear * shear * after.shear_energy;
 }
 
 /// The loads of contacts that get new geometry, by row of the draft.
@@ -213,6 +220,17 @@ std::vector<std::pair<Row, Load>> loads_of(const Model& model, const std::vector
         if (drafts[c].old != no_row && drafts[c].kind == DraftKind::new_geometry)
             loads.emplace_back(static_cast<Row>(c), Load(model, drafts[c].old));
     return loads;
+}
+
+/// The energy in the springs of contacts that will not be there any more.
+double stored_in_parted(const Model& model, const std::vector<ContactDraft>& drafts) {
+    std::vector<char> kept(model.contacts.size(), 0);
+    for (const auto& draft : drafts)
+        if (draft.old != no_row) kept[draft.old] = 1;
+    double stored = 0;
+    for (std::size_t c = 0; c < kept.size(); ++c)
+        if (!kept[c]) stored += Load(model, static_cast<Row>(c)).stored();
+    return stored;
 }
 
 /// Whether the contact keeps as many points and every point is nearest to the sub-contact of its own row.
@@ -265,8 +283,10 @@ bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<Con
     Changes changes(model.sub_contacts.size());
     refresh_in_place(model, drafts, changes);
     tell_joint_models(model, joints, changes, true);
+    double lost = 0;
     for (std::size_t i = 0; i < drafts.size(); ++i)
-        if (drafts[i].kind == DraftKind::new_geometry) keep_passive(model, drafts[i].old, loads[i]);
+        if (drafts[i].kind == DraftKind::new_geometry) lost += keep_passive(model, drafts[i].old, loads[i]);
+    if (model.settings.energy) model.energy.joint_lost += lost;
     return true;
 }
 
@@ -274,6 +294,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
                                bool moving) {
     if (moving && same_rows(model, drafts) && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
     const auto loads = loads_of(model, drafts);
+    double lost = stored_in_parted(model, drafts);
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
 
@@ -348,7 +369,10 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         if (!sub_kept[s]) subs.ids.destroy(old_sub_ids[s]);
 
     tell_joint_models(model, joints, changes, moving);
-    for (const auto& [row, load] : loads) keep_passive(model, row, load);
+    for (const auto& [row, load] : loads) lost += keep_passive(model, row, load);
+    for (std::size_t c = 0; c < drafts.size(); ++c)
+        if (drafts[c].old == no_row) lost -= Load(model, static_cast<Row>(c)).stored();
+    if (model.settings.energy) model.energy.joint_lost += lost;
     model.lists_changed = true;
     return ContactChange::replaced;
 }

@@ -12,11 +12,12 @@ struct Energy {
     double gravity = 0;       ///< work of gravity on the blocks
     double boundary = 0;      ///< work of loads, prescribed velocities and pore pressure on the blocks
     double damped = 0;        ///< taken out by damping
-    double joint_work = 0;    ///< put into joints: stored in them or lost in slip
+    double joint_work = 0;    ///< put into joints: stored in them or lost
     double joint_friction = 0; ///< of it, lost in slip and breaking
+    double joint_lost = 0;    ///< of it, lost where touches changed: contacts that parted or got new geometry
     double zone_work = 0;     ///< put into zones
 
-    double joint_stored() const { return joint_work - joint_friction; }
+    double joint_stored() const { return joint_work - joint_friction - joint_lost; }
     double supplied() const { return start + gravity + boundary; }
     double accounted() const { return kinetic + joint_work + zone_work + damped; }
     /// What is missing or too much.

@@ -67,6 +67,7 @@ const Fields& global_fields() {
          nullptr},
         {table, "frictional_energy", "", "efriction", "energy", "lost in slip and breaking", energy<&Energy::joint_friction>,
          nullptr},
+        {table, "touch_energy", "", "etouch", "energy", "lost where touches change", energy<&Energy::joint_lost>, nullptr},
         {table, "zone_work", "", "ezone", "energy", "put into zones", energy<&Energy::zone_work>, nullptr},
         {table, "energy_error", "", "eerror", "energy", "what the account of energy does not explain", energy_error,
          nullptr},

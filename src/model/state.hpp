@@ -64,7 +64,7 @@ template <class Archive> void visit_state(Archive& archive, Clock& clock) {
 }
 
 template <class Archive> void visit_state(Archive& archive, Energy& energy) {
-    auto& [kinetic, start, gravity, boundary, damped, joint_work, joint_friction, zone_work] = energy;
+    auto& [kinetic, start, gravity, boundary, damped, joint_work, joint_friction, joint_lost, zone_work] = energy;
     archive.value("kinetic", kinetic);
     archive.value("start", start);
     archive.value("gravity", gravity);
@@ -72,6 +72,7 @@ template <class Archive> void visit_state(Archive& archive, Energy& energy) {
     archive.value("damped", damped);
     archive.value("joint_work", joint_work);
     archive.value("joint_friction", joint_friction);
+    archive.value("joint_lost", joint_lost);
     archive.value("zone_work", zone_work);
 }
 

@@ -169,6 +169,7 @@ syntax keyword kayaKeyword end1
 syntax keyword kayaKeyword end2
 syntax keyword kayaKeyword energy
 syntax keyword kayaKeyword etol
+syntax keyword kayaKeyword etouch
 syntax keyword kayaKeyword ezone
 syntax keyword kayaKeyword face
 syntax keyword kayaKeyword feblock
