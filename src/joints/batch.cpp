@@ -47,32 +47,13 @@ std::optional<BatchFailure> unusable_row(const JointModel& model, const Output& 
     return std::nullopt;
 }
 
-std::optional<BatchFailure> unusable_output(const JointModel& model, const kaya_jbatch& batch) {
-    const Output outputs[] = {
-        {"normal force", batch.normal_force, true},
-        {"shear force x", batch.shear_force[0], true},
-        {"shear force y", batch.shear_force[1], true},
-        {"shear force z", batch.shear_force[2], true},
-        {"normal stiffness", batch.normal_stiffness, false},
-        {"shear stiffness", batch.shear_stiffness, false},
-        {"frictional work", batch.frictional_work, true},
-    };
-    for (const auto& output : outputs)
-        if (auto failure = unusable_row(model, output, batch.n)) return failure;
-    for (std::size_t k = 0; k < model.history.size(); ++k)
-        if (auto failure =
-                unusable_row(model, {model.history[k].name.c_str(), batch.history[k], true}, batch.n))
-            return failure;
-    return std::nullopt;
-}
-
 BatchFailure thrown_failure(const JointModel& model, const char* what) {
     return {0, fmt::format("joint model {} threw an exception in a batch that begins with this row: {}",
                            model.name, what)};
 }
 
 std::optional<BatchFailure> call(const JointModel& model, const std::function<ptrdiff_t(kaya_jbatch*)>& function,
-                                 kaya_jbatch& batch, const std::int32_t* numbers, const char* what) {
+                                 kaya_jbatch& batch, const std::int32_t* numbers, const char* what, Guard guard) {
     batch.message[0] = '\0';
     if (model.keeps_objects() && batch.object == nullptr)
         return BatchFailure{0, fmt::format("joint model {} keeps objects, and here is no room for them", model.name)};
@@ -86,7 +67,7 @@ std::optional<BatchFailure> call(const JointModel& model, const std::function<pt
     } catch (...) {
         return thrown_failure(model, "not a std::exception");
     }
-    if (row == -1) return unusable_output(model, batch);
+    if (row == -1) return unusable_output(model, batch, guard);
     if (row < 0 || static_cast<std::size_t>(row) >= batch.n)
         return BatchFailure{
             0, fmt::format("joint model {} returned row {} of a batch of {} rows, which begins with "
@@ -100,13 +81,37 @@ std::optional<BatchFailure> call(const JointModel& model, const std::function<pt
 
 } // namespace
 
-std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batch, const std::int32_t* numbers) {
-    return call(model, model.functions().run, batch, numbers, "run");
+std::optional<BatchFailure> unusable_output(const JointModel& model, const kaya_jbatch& batch, Guard guard) {
+    const Output forces[] = {
+        {"normal force", batch.normal_force, true},
+        {"shear force x", batch.shear_force[0], true},
+        {"shear force y", batch.shear_force[1], true},
+        {"shear force z", batch.shear_force[2], true},
+        {"frictional work", batch.frictional_work, true},
+    };
+    const Output stiffnesses[] = {
+        {"normal stiffness", batch.normal_stiffness, false},
+        {"shear stiffness", batch.shear_stiffness, false},
+    };
+    if (guard == Guard::all)
+        for (const auto& output : forces)
+            if (auto failure = unusable_row(model, output, batch.n)) return failure;
+    for (const auto& output : stiffnesses)
+        if (auto failure = unusable_row(model, output, batch.n)) return failure;
+    for (std::size_t k = 0; k < model.history.size(); ++k)
+        if (auto failure = unusable_row(model, {model.history[k].name.c_str(), batch.history[k], true}, batch.n))
+            return failure;
+    return std::nullopt;
+}
+
+std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batch, const std::int32_t* numbers,
+                                      Guard guard) {
+    return call(model, model.functions().run, batch, numbers, "run", guard);
 }
 
 std::optional<BatchFailure> initialise_batch(const JointModel& model, kaya_jbatch& batch,
                                              const std::int32_t* numbers) {
-    return call(model, model.functions().initialise, batch, numbers, "initialise");
+    return call(model, model.functions().initialise, batch, numbers, "initialise", Guard::all);
 }
 
 } // namespace kaya

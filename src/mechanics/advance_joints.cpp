@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -164,7 +165,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     auto columns = columns_of(model, batch, model.clock.time_step, history.data());
     std::optional<BatchDashpots> dashpots;
     if (joints_are_damped(model.settings)) dashpots.emplace(model, batch);
-    if (const auto failure = run_batch(*batch.model, columns, subs.number.data() + batch.first))
+    if (const auto failure = run_batch(*batch.model, columns, subs.number.data() + batch.first, Guard::all_but_forces))
         throw joint_failure(model, batch, *failure);
     if (dashpots) sums.damped = dashpots->finish();
     JointWork after;
@@ -179,6 +180,9 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         }
         if (columns.stiffness_changed) note_stiffness(model, c, forces);
     }
+    // A force or work that is no number is in the sums.
+    if (!std::isfinite(sum(after.joint)) || !std::isfinite(sum(after.friction)))
+        if (const auto failure = unusable_output(*batch.model, columns)) throw joint_failure(model, batch, *failure);
     sums.work = -0.5 * (sum(before.joint) + sum(after.joint));
     sums.friction = sum(after.friction) - sum(before.friction) - recovered;
     sums.fluid = sum(before.fluid);

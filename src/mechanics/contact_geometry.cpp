@@ -333,11 +333,15 @@ bool lay_edges(const Model& model, TouchGeometry& touch, const Separation& s, Ro
 
 } // namespace
 
+double narrowest_touch(const Model& model, Row block1, Row block2) {
+    return narrowest * std::min(model.blocks.margin[block1], model.blocks.margin[block2]);
+}
+
 bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
                 TouchGeometry& touch) {
     // A block's margin is a small part of its size.
     const double size = std::min(model.blocks.margin[block1], model.blocks.margin[block2]);
-    const double tolerance = coincidence * size, sliver = narrowest * size;
+    const double tolerance = coincidence * size, sliver = narrowest_touch(model, block1, block2);
     const double flat = flat_limit(model, old);
     const Separation separation =
         find_separation(model, surfaces, block1, block2, {margin, 10 * tolerance, sliver, flat, persistence * size, old});

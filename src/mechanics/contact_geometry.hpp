@@ -30,6 +30,9 @@ struct TouchGeometry : TouchPlane {
     std::vector<TouchPoint> points;
 };
 
+/// Faces whose common area is no wider than this do not touch.
+double narrowest_touch(const Model& model, Row block1, Row block2);
+
 /// The touch of two blocks whose surfaces are nearer than `margin`; nothing when they are farther apart
 /// or touch in an edge or corner of parallel faces without area. Returns whether there is one.
 /// `old` is the contact that they have so far, if any.

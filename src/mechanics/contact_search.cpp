@@ -101,10 +101,28 @@ struct Pair {
     bool to_be_looked_at = true; ///< otherwise the contact stays as it is
 };
 
+/// Whether two blocks lie cornerwise: what their boxes have in common is no wider than `sliver` along two axes, so that no
+/// common area can be in it. `part` is how far each box reaches beyond its block.
+bool cornerwise(const Box& a, const Box& b, double part_a, double part_b, double sliver) {
+    int narrow = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double high = std::min(a.high[k] - part_a, b.high[k] - part_b);
+        const double low = std::max(a.low[k] + part_a, b.low[k] + part_b);
+        narrow += high - low <= sliver;
+    }
+    return narrow >= 2;
+}
+
 /// Pairs that must be looked at and contacts that stay as they are; sorted like the contacts and the near pairs.
 std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int, 2>>& near,
-                           const std::vector<Box>& boxes, const std::vector<char>& moved) {
+                           const std::vector<Box>& boxes, const std::vector<double>& ways, const std::vector<char>& moved) {
     const auto& contacts = model.contacts;
+    const auto& margin = model.blocks.margin;
+    // What moves may be wider together before the next look.
+    const auto beside = [&](int a, int b) {
+        const double sliver = narrowest_touch(model, a, b) - 2 * (ways[a] + ways[b]);
+        return cornerwise(boxes[a], boxes[b], margin[a] + 2 * ways[a], margin[b] + 2 * ways[b], sliver);
+    };
     std::vector<Pair> pairs;
     pairs.reserve(near.size() + contacts.size());
     std::size_t c = 0;
@@ -119,7 +137,7 @@ std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int,
         if (c < contacts.size() && blocks_of(c) == pair) {
             add(pair, static_cast<Row>(c));
             ++c;
-        } else if (!apart(boxes[pair[0]], boxes[pair[1]])) {
+        } else if (!apart(boxes[pair[0]], boxes[pair[1]]) && !beside(pair[0], pair[1])) {
             add(pair, no_row);
         }
     }
@@ -206,7 +224,7 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
             if (moved_[b]) blocks.travelled[b] = 0;
         }
     });
-    const std::vector<Pair> pairs = pairs_of(model, near_.of(boxes_), boxes_, moved_);
+    const std::vector<Pair> pairs = pairs_of(model, near_.of(boxes_), boxes_, ways_, moved_);
     wanted_.resize(blocks.size());
     std::iota(wanted_.begin(), wanted_.end(), Row{0});
     surfaces_.update(model, wanted_);

@@ -79,7 +79,9 @@ void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bo
     if (!any(changes.moved)) return;
     for (std::size_t row = 0; row < s.size(); ++row)
         if (changes.moved[row]) s.shear_displacement_increment.set(row, Vec3::Zero());
-    call_on_marked(model, joints, changes.moved, run_batch);
+    call_on_marked(model, joints, changes.moved, [](const JointModel& joint, kaya_jbatch& rows, const std::int32_t* numbers) {
+        return run_batch(joint, rows, numbers);
+    });
     for (std::size_t row = 0; row < s.size(); ++row) {
         if (!changes.moved[row]) continue;
         s.normal_displacement[row] += s.normal_displacement_increment[row];
@@ -176,15 +178,22 @@ struct Load {
     Load(const Model& model, Row c) {
         const auto& subs = model.sub_contacts;
         const Span span = model.contacts.sub_contacts[c];
-        for (Row s = span.first; s < span.end(); ++s) {
-            const double stiffness = subs.normal_stiffness[s] * subs.area[s];
-            const double shear_stiffness = subs.shear_stiffness[s] * subs.area[s];
-            const double squared = subs.shear_force[s].squaredNorm();
-            if (stiffness > 0) energy += 0.5 * subs.normal_force[s] * subs.normal_force[s] / stiffness;
-            if (shear_stiffness > 0) shear_energy += 0.5 * squared / shear_stiffness;
-            normal += subs.normal_force[s];
-            shear += std::sqrt(squared);
+        for (Row s = span.first; s < span.end(); s += lane_count) {
+            const LaneGroup group(span.end() - s);
+            const Lanes area = group.load(subs.area.data() + s), force = group.load(subs.normal_force.data() + s);
+            const Lanes3 along = group.load(subs.shear_force, s);
+            const Lanes squared = along.dot(along);
+            energy += in_springs(force * force, group.load(subs.normal_stiffness.data() + s) * area);
+            shear_energy += in_springs(squared, group.load(subs.shear_stiffness.data() + s) * area);
+            normal += sum(force);
+            shear += sum(squared.sqrt());
         }
+    }
+    /// Where there is no stiffness there is no spring.
+    static double in_springs(const Lanes& force_squared, const Lanes& stiffness) {
+        Lanes energy;
+        for (Row i = 0; i < lane_count; ++i) energy[i] = stiffness[i] > 0 ? 0.5 * force_squared[i] / stiffness[i] : 0;
+        return sum(energy);
     }
     double stored() const { return energy + shear_energy; }
 };

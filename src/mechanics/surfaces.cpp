@@ -23,13 +23,6 @@ std::size_t number_groups(const Column<Span>& spans, std::vector<std::size_t>& f
 
 } // namespace
 
-double lowest(std::span<const Lanes3> vertices, const Vec3& direction) {
-    const Lanes3 n = Lanes3::of(direction);
-    Lanes low = Lanes::Constant(std::numeric_limits<double>::infinity());
-    for (const auto& four : vertices) low = low.min(n.dot(four));
-    return low.minCoeff();
-}
-
 Vec3 current_normal(const Model& model, Row face) {
     Vec3 sum = Vec3::Zero();
     const Span span = model.faces.triangles[face];

@@ -5,7 +5,9 @@
 #include "model/lanes.hpp"
 #include "model/model.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,7 +17,12 @@ namespace kaya {
 Vec3 current_normal(const Model& model, Row face);
 
 /// Where a block begins along a direction: the least x . direction of its vertices.
-double lowest(std::span<const Lanes3> vertices, const Vec3& direction);
+inline double lowest(std::span<const Lanes3> vertices, const Vec3& direction) {
+    const Lanes3 n = Lanes3::of(direction);
+    Lanes low = Lanes::Constant(std::numeric_limits<double>::infinity());
+    for (const auto& four : vertices) low = low.min(n.dot(four));
+    return std::min(std::min(low[0], low[1]), std::min(low[2], low[3]));
+}
 
 /// Planes of four faces of a block. Where there are fewer, the others have no normal and reach without end.
 struct FourPlanes {
