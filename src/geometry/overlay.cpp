@@ -16,7 +16,7 @@ namespace {
 
 /// A convex polygon of few corners: a triangle cut by three lines has six at most.
 struct Polygon {
-    std::array<Vec2, 8> corners;
+    std::array<Vec2, 8> corners; // what is beyond `size` is not set
     int size = 0;
 
     void push_back(const Vec2& p) { corners[size++] = p; }
@@ -28,6 +28,14 @@ double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(
 struct Line {
     Vec2 point = Vec2::Zero(), along = Vec2::Zero();
 };
+
+/// Whether a triangle lies on the right of a line, or on it.
+bool on_the_right(const std::array<Vec2, 3>& corners, const Line& line, double tolerance) {
+    if (line.along.isZero(0)) return false;
+    double highest = cross(line.along, corners[0] - line.point);
+    for (int i = 1; i < 3; ++i) highest = std::max(highest, cross(line.along, corners[i] - line.point));
+    return highest <= tolerance;
+}
 
 /// Leaves the part of a convex polygon on the left of a line (Sutherland and Hodgman 1974). Points within `tolerance`
 /// of the line count as on it.
@@ -193,6 +201,10 @@ void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, d
                              [](const SweepItem& item, double x) { return item.low.x() < x; });
         for (auto two = first; two != sweep2.end() && two->low.x() < one.high.x(); ++two) {
             if (two->high.x() <= one.low.x() || two->high.y() <= one.low.y() || two->low.y() >= one.high.y()) continue;
+            // Most pairs of triangles of two faces have an edge in common at most.
+            if (std::any_of(two->sides.begin(), two->sides.end(),
+                            [&](const Line& side) { return on_the_right(one.corners, side, tolerance); }))
+                continue;
             Polygon polygon;
             for (const auto& corner : one.corners) polygon.push_back(corner);
             for (int k = 0; k < 3 && polygon.size >= 3; ++k) clip(polygon, two->sides[k], tolerance);
@@ -202,7 +214,7 @@ void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, d
             const auto point_at = [&](const Vec2& p) {
                 const int index = finder.find(p);
                 if (index >= 0) return index;
-                OverlayPoint point;
+                OverlayPoint& point = points.emplace_back();
                 point.place = p;
                 point.triangle1 = one.triangle;
                 point.triangle2 = two->triangle;
@@ -210,7 +222,6 @@ void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, d
                 point.vertex2 = vertex_at(side2, two->triangle, p, 2 * tolerance);
                 if (point.vertex1 < 0) point.weights1 = barycentric(side1, one.triangle, p);
                 if (point.vertex2 < 0) point.weights2 = barycentric(side2, two->triangle, p);
-                points.push_back(point);
                 return static_cast<int>(points.size()) - 1;
             };
             ring.clear();

@@ -170,7 +170,7 @@ bool lay_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touc
     overlay(face1.laid(), face2.laid(), tolerance, edge, laid);
     if (rigid) balance_areas(laid);
     for (const auto& p : laid.points) {
-        TouchPoint point;
+        TouchPoint& point = touch.points.emplace_back();
         point.side1 = face1.attach(p.place, p.vertex1, p.triangle1, p.weights1);
         point.side2 = face2.attach(p.place, p.vertex2, p.triangle2, p.weights2);
         const Vec3 x1 = attached_position(model, point.side1), x2 = attached_position(model, point.side2);
@@ -182,7 +182,6 @@ bool lay_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touc
                                          : Meeting::edge_edge;
         near = near || point.gap < margin;
         touch.area += point.area;
-        touch.points.push_back(point);
     }
     if (!near) return false;
     go_over_to_corners(model, surfaces, touch, cosine);
