@@ -125,6 +125,8 @@ struct Import {
 };
 struct Export { std::string file; RangePhrase range; Place place; };
 struct Mark { std::int64_t region = 0; RangePhrase range; };
+/// Gives faces, and the contacts on them, the number of a joint set.
+struct MarkJoint { std::int64_t joint_set = 0; RangePhrase range; };
 /// Joins blocks that touch into one body, or takes bodies apart.
 struct Join { bool on = true; RangePhrase range; Place place; };
 /// Joins the two blocks of each contact.
@@ -132,7 +134,14 @@ struct JoinContact { RangePhrase range; Place place; };
 struct Hide { RangePhrase range; };
 struct Seek { RangePhrase range; };
 struct Delete { RangePhrase range; };
-struct Group { std::string kind; std::string name; RangePhrase range; }; ///< kind: block
+/// Takes blocks out and keeps them; fill puts them back.
+struct Excavate { RangePhrase range; };
+struct Fill { RangePhrase range; };
+struct Group {
+    enum class Kind { block, face, joint, zone } kind = Kind::block;
+    std::string name;
+    RangePhrase range;
+};
 struct NameRange { std::string name; RangePhrase range; }; ///< range name NAME elements
 /// facetri radial | rad8 | edge f | off: triangles of faces of rigid blocks, for their contacts
 struct FaceTriangulation {
@@ -245,6 +254,7 @@ struct HistoryAdd {
     std::optional<std::int64_t> number;   ///< of the first item, where the deck says it
     Place place;
 };
+struct HistoryDelete { std::vector<std::int64_t> numbers; Place place; };
 struct HistoryLabel { std::int64_t number = 0; std::string text; Place place; };
 struct HistoryWrite {
     std::vector<std::int64_t> numbers; ///< none: all

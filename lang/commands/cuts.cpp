@@ -116,17 +116,6 @@ CommandSpec densify() {
     return entry;
 }
 
-CommandSpec mark() {
-    Entry<Mark> entry({"mark"}, {"region"});
-    entry.help("gives blocks a region number");
-    entry.argument(integer("n").at_least(0).help("region number"), &Mark::region);
-    entry.range(&Mark::range);
-    entry.right("mark region 2 range z 0 10");
-    entry.wrong("mark 2", "'2' stands where a kind of mark must be");
-    entry.wrong("mark region", "a number is missing after 'region'");
-    return entry;
-}
-
 CommandSpec join() {
     Entry<Join> entry({"join"});
     entry.help("makes one body of blocks that lie face on face, or takes bodies apart");
@@ -151,6 +140,6 @@ CommandSpec join_contact() {
 
 } // namespace
 
-std::vector<CommandSpec> cut_commands() { return {joint_set(), tunnel(), densify(), mark(), join(), join_contact()}; }
+std::vector<CommandSpec> cut_commands() { return {joint_set(), tunnel(), densify(), join(), join_contact()}; }
 
 } // namespace kaya::lang

@@ -53,25 +53,6 @@ Family geometry() {
                 .right("delete range mat 1 union region 3 not")
                 .wrong("delete range plane dip 30", "the plane does not say which part is meant")
                 .wrong("delete range not z 0 1", "'not' stands before the element that it turns round"),
-            Entry<Delete>({"remove", "excavate"})
-                .help("takes blocks out of the model for good, as delete does; nothing can be filled again")
-                .range(&Delete::range)
-                .right("remove region 3")
-                .right("excavate range group tunnel")
-                .wrong("remove reigon 3", "'reigon' is not a keyword of remove"),
-            Entry<Group>({"group"}, {"block"})
-                .help("gives blocks a name by which a range finds them")
-                .argument(text("name").help("name of the group"),
-                          [](Group& g, std::string name) {
-                              g.kind = "block";
-                              g.name = std::move(name);
-                          })
-                .range(&Group::range)
-                .right("group block wall range z 0 3")
-                .right("group block 'left wall' range x -1 0 y 0 1")
-                .wrong("group", "a word is missing after 'group'")
-                .wrong("group wall", "'wall' is not a kind of group")
-                .wrong("group block", "a word is missing after 'block'"),
             Entry<NameRange>({"range"}, {"name", "nrange"})
                 .help("gives a range phrase a name, used as: range nrange NAME")
                 .argument(text("name").help("name of the range"), &NameRange::name)
@@ -125,7 +106,8 @@ Family geometry() {
                 .wrong("facetri off now", "'now' is not a keyword of facetri off"),
         }};
     auto& commands = family.commands;
-    auto cuts = cut_commands(), shapes = shape_commands();
+    auto cuts = cut_commands(), shapes = shape_commands(), selection = selection_commands();
+    commands.insert(commands.end(), selection.begin(), selection.end());
     commands.insert(commands.end(), cuts.begin(), cuts.end());
     commands.insert(commands.begin(), shapes.begin(), shapes.end());
     return family;

@@ -139,10 +139,32 @@ CommandSpec history_label() {
         .wrong("hist label 2 'Shear Stress", "the quote is not closed on this line");
 }
 
+CommandSpec history_delete() {
+    Entry<HistoryDelete> entry({"history"}, {"delete"});
+    entry.help("takes histories out; the others keep their numbers");
+    entry.place(&HistoryDelete::place);
+    const auto number = integer("n").at_least(1);
+    entry.otherwise({number.spec}, [number](Reader& reader, HistoryDelete& command) {
+        if (reader.peek()->kind != WordKind::number && reader.peek()->kind != WordKind::symbol) return false;
+        command.numbers.push_back(reader.integer(number.spec));
+        return true;
+    });
+    entry.finish([](const Reader& reader, HistoryDelete& command) {
+        if (command.numbers.empty())
+            incomplete_line(reader, "history delete needs the number of a history",
+                            "write for example: hist delete 2; reset hist takes out all");
+    });
+    entry.right("hist delete 2").right("history delete 1 3");
+    entry.wrong("hist delete", "history delete needs the number of a history");
+    entry.wrong("hist delete 0", "delete must be at least 1, not 0");
+    entry.wrong("hist delete all", "'all' is left over at the end of the line");
+    return entry;
+}
+
 } // namespace
 
 Family history() {
-    return {"history", "curves over cycles", {history_add(), history_write(), history_label()}};
+    return {"history", "curves over cycles", {history_add(), history_write(), history_label(), history_delete()}};
 }
 
 } // namespace kaya::lang

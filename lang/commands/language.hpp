@@ -18,6 +18,7 @@ Family not_supported_yet(); ///< known words, refused
 /// Parts of the family geometry.
 std::vector<CommandSpec> shape_commands(); ///< poly ...
 std::vector<CommandSpec> cut_commands();   ///< jset
+std::vector<CommandSpec> selection_commands(); ///< group, mark, excavate, fill
 
 CommandSpec insitu(); ///< part of the family boundary
 

@@ -11,20 +11,14 @@ struct Known {
     const char* about;
 };
 
-/// Of `generate` and `group` the forms that are missing; of the others the whole command.
+/// Of `generate` the forms that are missing; of the others the whole command.
 const std::vector<Known>& known() {
     static const std::vector<Known> commands = {
         {{"generate"}, {"quad", "hexahedra"}, "zones with eight corners"},
         {{"generate"}, {"center"}, "zones whose size varies"},
         {{"generate"}, {"grade"}, "zones whose size varies"},
         {{"generate"}, {"fix"}, "zones whose size varies"},
-        {{"group"}, {"face"}, "groups of faces"},
-        {{"group"}, {"joint"}, "groups of joints"},
-        {{"group"}, {"zone"}, "groups of zones"},
-        {{"mark"}, {"joint"}, "numbers of joints"},
-        {{"history"}, {"delete"}, "taking single histories out: reset hist takes out all"},
         {{"copy"}, {}, "copies of blocks"},
-        {{"fill"}, {}, "putting excavated blocks back"},
         {{"pfix"}, {}, "a pore pressure that is held"},
         {{"pfree"}, {}, "a pore pressure that is held"},
         {{"ffield"}, {}, "free fields at the sides of a model"},

@@ -30,7 +30,13 @@ const std::vector<Listed>& listed() {
         {{"hash"}, "one number that tells two states of a model apart"},
         {{"jmodel", "jmodels"}, "joint models that are loaded, with their properties"},
         {{"boundary"}, "loads and held velocities"},
-        {{"groups"}, "names of groups and how many blocks each has"},
+        {{"groups"}, "names of groups and how many blocks, faces, zones and joints each has"},
+        {{"excavated"}, "blocks that fill can put back"},
+        {{"state"}, "joints by joint model and state: sub-contacts and their area"},
+        {{"stress"}, "zones: principal, mean and greatest shear stress"},
+        {{"jset"}, "joint sets: mean orientation, faces, contacts"},
+        {{"memory"}, "what the tables of the model take"},
+        {{"version"}, "version of the program"},
         {{"settings"}, "settings of the model"},
         {{"tables"}, "tables: number of pairs and their limits"},
         {{Spelling{"ranges", 6}}, "named ranges"},
@@ -56,12 +62,7 @@ CommandSpec list() {
                       item.help);
     }
     for (const auto& [word, about] : std::initializer_list<std::pair<const char*, const char*>>{
-             {"state", "states of zones and joints"},
-             {"stress", "stresses alone: list zones shows them"},
-             {"jset", "joint sets"},
-             {"structure", "cables, beams and liners"},
-             {"memory", "memory"},
-             {"version", "the version: kaya --version"}})
+             {"structure", "cables, beams and liners"}})
         entry.not_yet({Spelling{word, 3}}, about);
     entry.otherwise({text("@name").optional().spec}, [](Reader& reader, List& command) {
         if (reader.peek()->kind != WordKind::symbol || !command.what.empty()) return false;

@@ -1,25 +1,37 @@
 // The range phrase as a table: each element says what follows it and adds one RangeElement.
-#include "lang/commands/builder.hpp"
+#include "lang/commands/range_parts.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace kaya::lang {
 
-namespace {
-
-using Kind = RangeElement::Kind;
-
-constexpr double degree = std::numbers::pi / 180;
-
-RangeElement& add(Reader& reader, RangePhrase& phrase, Kind kind) {
+RangeElement& add(Reader& reader, RangePhrase& phrase, RangeElement::Kind kind) {
     RangeElement element;
     element.kind = kind;
     element.place = reader.previous().place;
     phrase.elements.push_back(std::move(element));
     return phrase.elements.back();
 }
+
+void misspelt_part(const Reader& reader, std::string_view element, const std::vector<KeywordSpec>& words) {
+    const Word* next = reader.peek();
+    std::vector<std::string_view> candidates;
+    for (const auto& keyword : words)
+        for (const Spelling& s : keyword.words) candidates.push_back(s.word);
+    if (next && next->kind == WordKind::word && !find_keyword(range_elements(), next->folded) &&
+        !did_you_mean(next->folded, candidates).empty())
+        reader.unknown(fmt::format("a word of {}", element), candidates);
+}
+
+void lacks_part(const Reader& reader, std::string_view element,
+                             const std::vector<KeywordSpec>& words, std::string message, std::string hint) {
+    misspelt_part(reader, element, words);
+    incomplete_line(reader, std::move(message), std::move(hint));
+}
+
+namespace {
+
+using Kind = RangeElement::Kind;
 
 /// One or two numbers; one alone is both limits.
 void read_limits(Reader& reader, RangeElement& element, const ArgumentSpec& low, const ArgumentSpec& high) {
@@ -101,154 +113,6 @@ void both_sides(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind 
                   help);
 }
 
-/// Throws when the next word is no element, but nearly a word of the present one.
-void misspelt_part(const Reader& reader, std::string_view element, const std::vector<KeywordSpec>& words) {
-    const Word* next = reader.peek();
-    std::vector<std::string_view> candidates;
-    for (const auto& keyword : words)
-        for (const Spelling& s : keyword.words) candidates.push_back(s.word);
-    if (next && next->kind == WordKind::word && !find_keyword(range_elements(), next->folded) &&
-        !did_you_mean(next->folded, candidates).empty())
-        reader.unknown(fmt::format("a word of {}", element), candidates);
-}
-
-/// An element that lacks a part: a misspelt word in its place is what the message is about.
-[[noreturn]] void lacks_part(const Reader& reader, std::string_view element,
-                             const std::vector<KeywordSpec>& words, std::string message, std::string hint) {
-    misspelt_part(reader, element, words);
-    incomplete_line(reader, std::move(message), std::move(hint));
-}
-
-/// What is said about a plane while its words are read.
-struct PlaneText {
-    double dip = 0, dip_direction = 0;
-    std::optional<Vec3> normal;
-    Vec3 origin = Vec3::Zero();
-    int side = 0;
-    std::optional<double> distance;
-};
-
-std::vector<KeywordSpec> plane_words() {
-    Keywords<PlaneText> words;
-    words.keyword({"dip"}, real("dip").unit("degrees"), &PlaneText::dip, "angle below the horizontal");
-    words.keyword({"dd", "dip-direction"}, real("dd").unit("degrees"), &PlaneText::dip_direction,
-                  "direction of dip, clockwise from +y seen from above");
-    words.keyword({"origin", "org"}, vector("x y z").unit("length"), &PlaneText::origin,
-                  "a point of the plane");
-    words.keyword({"normal"}, vector("nx ny nz"), &PlaneText::normal, "normal, in place of dip and dd");
-    words.action({"above"}, [](PlaneText& p) { p.side = 1; }, "the side to which the normal points");
-    words.action({"below"}, [](PlaneText& p) { p.side = -1; }, "the other side");
-    words.keyword({"distance"}, real("distance").unit("length").at_least(0), &PlaneText::distance,
-                  "all within this distance of the plane");
-    return std::move(words).list();
-}
-
-void plane(Keywords<RangePhrase>& table) {
-    static const std::vector<KeywordSpec> words = plane_words();
-    const auto read = [](Reader& reader, RangePhrase& phrase) {
-        RangeElement& element = add(reader, phrase, Kind::plane);
-        PlaneText plane;
-        read_keywords(reader, words, &plane);
-        if (plane.side == 0 && !plane.distance)
-            lacks_part(reader, "plane", words, "the plane does not say which part is meant",
-                       "add above, below, or distance d");
-        const double dip = plane.dip * degree, dd = plane.dip_direction * degree;
-        Vec3 normal = {std::sin(dip) * std::sin(dd), std::sin(dip) * std::cos(dd), std::cos(dip)};
-        if (plane.normal) {
-            const double length = plane.normal->norm();
-            if (length == 0)
-                incomplete_line(reader, "the normal of the plane is zero", "it must have a direction");
-            normal = *plane.normal / length;
-        }
-        element.normal = normal;
-        element.centre = plane.origin;
-        element.side = plane.side;
-        element.distance = plane.distance.value_or(0);
-    };
-    table.special({"plane"}, {}, read, "one side of a plane, or what is near to it", words);
-}
-
-/// A sphere or a cylinder while its words are read.
-struct RoundText {
-    std::optional<Vec3> centre, end;
-    std::optional<double> inner, outer;
-};
-
-void read_radii(Reader& reader, RoundText& round) {
-    const auto radius = real("radius").unit("length").above(0).spec;
-    round.outer = reader.real(radius);
-    if (!reader.at_number()) return;
-    round.inner = *round.outer;
-    round.outer = reader.real(radius);
-    if (*round.inner > *round.outer) std::swap(round.inner, round.outer);
-}
-
-std::vector<KeywordSpec> sphere_words() {
-    Keywords<RoundText> words;
-    words.keyword({"center", "centre", "c"}, vector("x y z").unit("length"), &RoundText::centre,
-                  "the centre");
-    words.special({"radius", "r"}, {real("radius").unit("length").above(0).spec,
-                               real("outer").unit("length").above(0).optional().spec},
-                  read_radii, "the radius; two make a hollow ball");
-    return std::move(words).list();
-}
-
-std::vector<KeywordSpec> cylinder_words() {
-    Keywords<RoundText> words;
-    words.keyword({"end1", "end-1"}, vector("x y z").unit("length"), &RoundText::centre,
-                  "one end of the axis");
-    words.keyword({"end2", "end-2"}, vector("x y z").unit("length"), &RoundText::end, "the other end");
-    words.special({"radius", "r"}, {real("radius").unit("length").above(0).spec,
-                               real("outer").unit("length").above(0).optional().spec},
-                  read_radii, "the radius; two make a pipe");
-    return std::move(words).list();
-}
-
-void round_elements(Keywords<RangePhrase>& table) {
-    static const std::vector<KeywordSpec> of_sphere = sphere_words(), of_cylinder = cylinder_words();
-    const auto fill = [](RangeElement& element, const RoundText& round) {
-        element.centre = *round.centre;
-        element.radius1 = round.inner.value_or(0);
-        element.radius2 = *round.outer;
-    };
-    table.special({"sphere", "annulus"}, {},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, Kind::sphere);
-                      RoundText round;
-                      read_keywords(reader, of_sphere, &round);
-                      if (!round.centre || !round.outer)
-                          lacks_part(reader, "sphere", of_sphere, "the sphere needs center and radius",
-                                     "write: sphere center x y z radius r");
-                      fill(phrase.elements.back(), round);
-                  },
-                  "inside a sphere", of_sphere);
-    table.special({"cylinder"}, {},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, Kind::cylinder);
-                      RoundText round;
-                      read_keywords(reader, of_cylinder, &round);
-                      if (!round.centre || !round.end || !round.outer)
-                          lacks_part(reader, "cylinder", of_cylinder,
-                                     "the cylinder needs end1, end2 and radius",
-                                     "write: cylinder end1 x y z end2 x y z radius r");
-                      fill(phrase.elements.back(), round);
-                      phrase.elements.back().end2 = *round.end;
-                  },
-                  "inside a cylinder", of_cylinder);
-}
-
-void box(Keywords<RangePhrase>& table) {
-    const auto corner = vector("x y z").unit("length").spec;
-    table.special({"position"}, {corner, corner},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, Kind::box);
-                      const Vec3 one = reader.vector(corner), two = reader.vector(corner);
-                      phrase.elements.back().centre = one.cwiseMin(two);
-                      phrase.elements.back().end2 = one.cwiseMax(two);
-                  },
-                  "inside a box, given by two corners");
-}
-
 /// `group NAME [slot s] [matches n]`, or NAME alone with its slot in it.
 void group(Keywords<RangePhrase>& table) {
     const auto name = text("name").spec;
@@ -290,11 +154,13 @@ void group_intersection(Keywords<RangePhrase>& table) {
                   "contacts between blocks of two groups");
 }
 
-void volume(Keywords<RangePhrase>& table) {
-    const auto low = real("low").unit("volume").at_least(0).spec, high = real("high").unit("volume").spec;
-    table.special({"volume"}, {low, high},
+/// Two limits, both of which must be given.
+void between_limits(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view unit,
+                    std::string_view help) {
+    const auto low = real("low").unit(unit).at_least(0).spec, high = real("high").unit(unit).spec;
+    table.special(std::move(words), {low, high},
                   [=](Reader& reader, RangePhrase& phrase) {
-                      RangeElement& element = add(reader, phrase, Kind::volume);
+                      RangeElement& element = add(reader, phrase, kind);
                       if (reader.at_end()) reader.missing(low);
                       element.low = reader.real(low);
                       element.high = reader.real(high);
@@ -304,7 +170,7 @@ void volume(Keywords<RangePhrase>& table) {
                                            "write the smaller one first")
                               .at(reader.previous().place);
                   },
-                  "blocks of a volume between two limits");
+                  help);
 }
 
 void id_list(Keywords<RangePhrase>& table) {
@@ -322,21 +188,9 @@ void id_list(Keywords<RangePhrase>& table) {
 /// Elements of 3DEC that have no meaning in this engine yet.
 void elements_to_come(Keywords<RangePhrase>& table) {
     static constexpr std::pair<const char*, const char*> known[] = {
-        {"jgroup", "groups of contacts"},
         {"sregion", "regions of surfaces"},
         {"fid", "fractures of a network"},
         {"dfn", "fractures of a network"},
-        {"state", "the state of zones and joints"},
-        {"surface", "faces on the surface of the model"},
-        {"excavated", "blocks that may be filled again"},
-        {"concave", "the shape of blocks"},
-        {"edge-length", "the shape of blocks"},
-        {"aspect-ratio", "the shape of blocks"},
-        {"orientation", "the orientation of faces"},
-        {"leader-id", "joined blocks by their leader"},
-        {"rectangle", "plane figures in a range"},
-        {"polygon", "plane figures in a range"},
-        {"ellipse", "plane figures in a range"},
         {"geometry-space", "surfaces in a range"},
         {"geometry-distance", "surfaces in a range"},
     };
@@ -381,9 +235,7 @@ std::vector<KeywordSpec> all_elements() {
     coordinate(table, {"x", "xr", Spelling{"position-x", 10}}, Kind::x, "x between two limits, or at one value");
     coordinate(table, {"y", "yr", Spelling{"position-y", 10}}, Kind::y, "y between two limits, or at one value");
     coordinate(table, {"z", "zr", Spelling{"position-z", 10}}, Kind::z, "z between two limits, or at one value");
-    box(table);
-    plane(table);
-    round_elements(table);
+    space_elements(table);
     group(table);
     numbered(table, {"material", "mat"}, Kind::material, "blocks of a material number");
     numbered(table, {"constitutive", "cons"}, Kind::constitutive, "blocks of a constitutive number");
@@ -399,10 +251,23 @@ std::vector<KeywordSpec> all_elements() {
     named_ranges(table);
     group_intersection(table);
     named(table, {"jmodel"}, Kind::joint_model, "contacts that have a joint model");
-    volume(table);
+    between_limits(table, {"volume"}, Kind::volume, "volume", "blocks of a volume between two limits");
     flag(table, {"deformable"}, Kind::deformable, "blocks with zones, and what belongs to them");
     flag(table, {"visible"}, Kind::visible, "blocks that are not hidden");
     id_list(table);
+    named(table, {"jgroup"}, Kind::joint_group, "contacts of a group of joints");
+    flag(table, {"excavated"}, Kind::excavated, "blocks that fill can put back");
+    named(table, {Spelling{"state", 4}}, Kind::joint_state,
+          "sub-contacts in a state of their joint model, and contacts that have one; `slip` means slip-now and slip-past");
+    flag(table, {Spelling{"surface", 4}}, Kind::surface, "faces on which no other block lies, and what is on them");
+    flag(table, {Spelling{"concave", 4}}, Kind::concave, "joined blocks that make a body which is not convex");
+    between_limits(table, {Spelling{"edge-length", 4}}, Kind::edge_length, "length",
+                   "blocks whose shortest edge is between two limits");
+    between_limits(table, {Spelling{"aspect-ratio", 4}}, Kind::aspect_ratio, "",
+                   "blocks whose greatest extent over their thickness is between two limits");
+    numbers(table, {Spelling{"leader-id", 4}}, Kind::leader,
+            "blocks of bodies by the number of the body's first block; a block on its own is its own leader");
+    figure_elements(table);
     table.action({"extent"}, [](RangePhrase& phrase) { phrase.whole = true; },
                  "all corners of a block, a face or a zone must lie inside, not only its centroid");
     table.action({"union"}, [](RangePhrase& phrase) { phrase.any = true; },

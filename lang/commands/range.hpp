@@ -28,8 +28,20 @@ struct RangeElement {
         visible,      ///< objects of blocks that are not hidden
         group_intersection, ///< contacts between the groups name and second_name
         joint_model,  ///< contacts that have the joint model name
-        id_list       ///< numbers
+        id_list,      ///< numbers
+        joint_group,  ///< contacts of the group name
+        excavated,    ///< blocks that fill can put back
+        joint_state,  ///< sub-contacts in the state name, and contacts that have one
+        surface,      ///< faces on which no other block lies, and what touches them
+        orientation,  ///< normal, and radius1 as tolerance in degrees: faces and contacts
+        concave,      ///< bodies that are not convex
+        edge_length,  ///< low..high, shortest edge of a block
+        aspect_ratio, ///< low..high, extent over thickness of a block
+        leader,       ///< low..high, number of the first block of a body
+        polygon,      ///< vertices; distance from its plane
+        ellipse       ///< centre, half axes end2 and normal; distance from its plane
     };
+    static constexpr Kind last_kind = Kind::ellipse;
     Kind kind = Kind::x;
     double low = 0, high = 0;
     Vec3 centre = Vec3::Zero(), end2 = Vec3::Zero(), normal = Vec3::UnitZ();
@@ -37,6 +49,7 @@ struct RangeElement {
     int side = 0;
     std::string name, second_name;
     std::vector<std::int64_t> numbers;
+    std::vector<Vec3> vertices;
     bool both = false;  ///< `matches 2`: both blocks of a contact
     bool negated = false;
     Place place;

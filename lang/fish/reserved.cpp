@@ -17,7 +17,6 @@ struct Group {
 
 constexpr Group groups[] = {
     {true, "c_link1 c_link2", "walk the list of contact_head and compare c_b1 and c_b2 with the block"},
-    {true, "c_group cx_group face_group", "groups belong to blocks: b_group"},
     {true, "find_range in_range inbox", "compare coordinates, or select with the range of a command"},
     {true, "gp_pp gp_temp z_pp", "pore pressure belongs to sub-contacts: cx_pp"},
     {true, "z_fsi z_fsr z_fri z_frr z_ssi z_ssr z_vsi z_vsr z_total_strain", "there are no strains of zones yet"},

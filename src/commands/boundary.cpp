@@ -56,10 +56,10 @@ std::int32_t time_function(Session& session, const std::optional<lang::Multiplie
 Bodies pick_bodies(Session& session, const lang::RangePhrase& range) {
     const auto& model = session.model;
     Bodies bodies;
-    for (const Row b : select(model, ObjectKind::block, range_test(model, session.ranges, range, ObjectKind::block)))
+    for (const Row b : select(model, ObjectKind::block, session.test_of(ObjectKind::block, range)))
         if (!model.blocks.deformable[b]) bodies.blocks.push_back(b);
     const auto points =
-        select(model, ObjectKind::gridpoint, range_test(model, session.ranges, range, ObjectKind::gridpoint));
+        select(model, ObjectKind::gridpoint, session.test_of(ObjectKind::gridpoint, range));
     for (const Row g : points)
         if (model.blocks.deformable[model.gridpoints.block[g]]) bodies.gridpoints.push_back(g);
     if (!bodies.empty()) return bodies;
@@ -240,7 +240,7 @@ void run(Session& session, const lang::Initialize& command) {
 void run(Session& session, const lang::InSitu& command) {
     auto& model = session.model;
     find_contacts(model, session.joints);
-    const auto test = [&](ObjectKind kind) { return range_test(model, session.ranges, command.range, kind); };
+    const auto test = [&](ObjectKind kind) { return session.test_of(kind, command.range); };
     const auto zones = select(model, ObjectKind::zone, test(ObjectKind::zone));
     const auto points = select(model, ObjectKind::sub_contact, test(ObjectKind::sub_contact));
     if (zones.empty() && points.empty()) {

@@ -1,4 +1,4 @@
-// jset, tunnel, densify, mark, join: cutting blocks that are there, and putting them together.
+// jset, tunnel, densify, join: cutting blocks that are there, and putting them together.
 #include "commands/handlers.hpp"
 
 #include "geometry/block_cuts.hpp"
@@ -158,11 +158,6 @@ void run(Session& session, const lang::Densify& command) {
     const CutBlocks cut = densify(shapes_of(session.model, rows), parts);
     const std::vector<Row> pieces = apply(session, rows, cut, 0, "densify");
     if (command.join) join_pieces(session.model, cut, pieces);
-}
-
-void run(Session& session, const lang::Mark& command) {
-    for (const Row block : session.pick(ObjectKind::block, command.range))
-        session.model.blocks.region[block] = static_cast<std::int32_t>(command.region);
 }
 
 namespace {

@@ -1,9 +1,8 @@
-// gen, hide, seek, delete, group.
+// gen, hide, seek, delete, facetri.
 #include "commands/handlers.hpp"
 
 #include "model/build.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <map>
 #include <set>
@@ -25,16 +24,6 @@ void run(Session& session, const lang::Delete& command) {
     if (blocks.empty()) return;
     delete_blocks(session.model, blocks);
     session.world.rows_moved();
-}
-
-void run(Session& session, const lang::Group& command) {
-    const auto blocks = session.pick(ObjectKind::block, command.range);
-    if (blocks.empty()) return;
-    auto& names = session.model.group_names;
-    auto found = std::find(names.begin() + 1, names.end(), command.name);
-    if (found == names.end()) found = names.insert(names.end(), command.name);
-    for (const Row block : blocks)
-        session.model.blocks.group[block] = static_cast<std::int32_t>(found - names.begin());
 }
 
 void run(Session& session, const lang::FaceTriangulation& command) {

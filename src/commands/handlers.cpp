@@ -51,11 +51,14 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::TunnelCommand>(session, handlers, InCycle::waits);
     add<lang::Densify>(session, handlers, InCycle::waits);
     add<lang::Mark>(session, handlers, InCycle::runs);
+    add<lang::MarkJoint>(session, handlers, InCycle::waits);
     add<lang::Join>(session, handlers, InCycle::waits);
     add<lang::JoinContact>(session, handlers, InCycle::waits);
     add<lang::Hide>(session, handlers, InCycle::runs);
     add<lang::Seek>(session, handlers, InCycle::runs);
     add<lang::Delete>(session, handlers, InCycle::waits);
+    add<lang::Excavate>(session, handlers, InCycle::waits);
+    add<lang::Fill>(session, handlers, InCycle::waits);
     add<lang::Group>(session, handlers, InCycle::runs);
     add<lang::FaceTriangulation>(session, handlers, InCycle::waits);
     add<lang::GenerateEdge>(session, handlers, InCycle::waits);
@@ -79,6 +82,7 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
 
     add<lang::HistoryAdd>(session, handlers, InCycle::waits);
     add<lang::HistoryLabel>(session, handlers, InCycle::runs);
+    add<lang::HistoryDelete>(session, handlers, InCycle::waits);
     add<lang::HistoryWrite>(session, handlers, InCycle::runs);
 
     add<lang::VtkWrite>(session, handlers, InCycle::waits);

@@ -33,7 +33,6 @@ void run(Session&, const lang::Export&);
 void run(Session&, const lang::JointSetCommand&);
 void run(Session&, const lang::TunnelCommand&);
 void run(Session&, const lang::Densify&);
-void run(Session&, const lang::Mark&);
 void run(Session&, const lang::Join&);
 void run(Session&, const lang::JoinContact&);
 
@@ -41,9 +40,15 @@ void run(Session&, const lang::JoinContact&);
 void run(Session&, const lang::Hide&);
 void run(Session&, const lang::Seek&);
 void run(Session&, const lang::Delete&);
-void run(Session&, const lang::Group&);
 void run(Session&, const lang::FaceTriangulation&);
 void run(Session&, const lang::GenerateEdge&);
+
+// selection.cpp
+void run(Session&, const lang::Group&);
+void run(Session&, const lang::Mark&);
+void run(Session&, const lang::MarkJoint&);
+void run(Session&, const lang::Excavate&);
+void run(Session&, const lang::Fill&);
 
 // materials.cpp
 void run(Session&, const lang::Property&);
@@ -70,6 +75,7 @@ void run(Session&, const lang::WaterCommand&);
 // histories.cpp
 void run(Session&, const lang::HistoryAdd&);
 void run(Session&, const lang::HistoryLabel&);
+void run(Session&, const lang::HistoryDelete&);
 
 // listing.cpp
 void run(Session&, const lang::List&);

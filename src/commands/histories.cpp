@@ -89,6 +89,18 @@ void run(Session& session, const lang::HistoryAdd& command) {
     if (command.interval) session.model.histories.interval = static_cast<std::int32_t>(*command.interval);
 }
 
+void run(Session& session, const lang::HistoryDelete& command) {
+    for (const auto number : command.numbers) history_of(session, number, command.place);
+    auto& histories = session.model.histories;
+    std::erase_if(histories.all, [&](const History& history) {
+        return std::ranges::find(command.numbers, history.number) != command.numbers.end();
+    });
+    if (!histories.all.empty()) return;
+    // Without histories nobody knows what the samples of time were taken for.
+    histories.time.clear();
+    histories.cycle.clear();
+}
+
 void run(Session& session, const lang::HistoryLabel& command) {
     history_of(session, command.number, command.place).label = command.text;
 }

@@ -5,12 +5,15 @@
 #include "commands/handlers.hpp"
 #include "commands/materials.hpp"
 #include "commands/progress.hpp"
+#include "mechanics/contact_properties.hpp"
 #include "model/measure.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
+#include <numbers>
 
 namespace kaya {
 
@@ -31,11 +34,29 @@ struct Extreme {
     }
 };
 
+/// One of the two normals of a plane: the one that points up; of a vertical plane the one that points east, or north.
+bool points_up(const Vec3& normal) {
+    const double flat = 1e-9 * normal.norm();
+    if (std::abs(normal[2]) > flat) return normal[2] > 0;
+    if (std::abs(normal[0]) > flat) return normal[0] > 0;
+    return normal[1] > 0;
+}
+
+/// Dip and dip direction in degrees; the direction of a level plane is 0.
+std::pair<double, double> dip_of_normal(const Vec3& normal) {
+    constexpr double degrees = 180 / std::numbers::pi;
+    const double across = std::hypot(normal[0], normal[1]);
+    const double dip = std::atan2(across, normal[2]) * degrees;
+    if (across <= 1e-9 * normal.norm()) return {0, 0};
+    const double direction = std::atan2(normal[0], normal[1]) * degrees;
+    return {dip, direction < 0 ? direction + 360 : direction};
+}
+
 struct ListEntry {
     std::string_view word;
     std::string (*text)(Session&, const lang::List&);
 };
-constexpr std::array<ListEntry, 21> lists{{
+constexpr std::array<ListEntry, 27> lists{{
     {"blocks", list_blocks}, {"quality", list_block_quality},         {"contacts", list_contacts}, {"subcontacts", list_sub_contacts},
     {"gridpoints", list_gridpoints}, {"zones", list_zones},       {"prop", list_properties},
     {"jmodel", list_joint_models},   {"hist", list_histories},    {"time", list_time},
@@ -43,7 +64,9 @@ constexpr std::array<ListEntry, 21> lists{{
     {"timing", list_timing},         {"hash", list_hash},         {"ranges", list_ranges},
     {"tables", list_tables},
     {"fish", list_symbols},          {"groups", list_groups},     {"settings", list_settings},
-    {"boundary", list_boundary},
+    {"boundary", list_boundary},     {"excavated", list_excavated}, {"stress", list_stresses},
+    {"state", list_states},          {"jset", list_joint_sets},   {"memory", list_memory},
+    {"version", list_version},
 }};
 
 } // namespace
@@ -204,12 +227,67 @@ std::string list_symbols(Session& session, const lang::List&) {
 std::string list_groups(Session& session, const lang::List&) {
     const auto& model = session.model;
     if (model.group_names.size() < 2) return "no groups";
-    TextTable table({"group", "blocks"});
-    for (std::size_t i = 1; i < model.group_names.size(); ++i)
-        table.add({model.group_names[i],
-                   std::to_string(std::ranges::count(model.blocks.group, static_cast<std::int32_t>(i)))});
+    TextTable table({"group", "blocks", "faces", "zones", "joints"});
+    for (std::size_t i = 1; i < model.group_names.size(); ++i) {
+        std::vector<std::string> words{model.group_names[i]};
+        for (const auto* column : {&model.blocks.group, &model.faces.group, &model.zones.group, &model.contacts.group})
+            words.push_back(std::to_string(std::ranges::count(*column, static_cast<std::int32_t>(i))));
+        table.add(std::move(words));
+    }
     return table.text();
 }
+
+std::string list_joint_sets(Session& session, const lang::List&) {
+    find_contacts(session.model, session.joints);
+    const auto& model = session.model;
+    struct JointSetSums {
+        std::size_t faces = 0, contacts = 0;
+        double area = 0;              ///< of contacts
+        Vec3 normal = Vec3::Zero();   ///< mean of the upward normals of faces, weighted with area
+    };
+    std::map<std::int32_t, JointSetSums> sets;
+    for (Row f = 0; f < static_cast<Row>(model.faces.size()); ++f) {
+        auto& set = sets[model.faces.joint_set[f]];
+        const Vec3 normal = face_area_vector(model, f);
+        ++set.faces;
+        set.normal += points_up(normal) ? normal : Vec3(-normal);
+    }
+    for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+        auto& set = sets[model.contacts.joint_set[c]];
+        ++set.contacts;
+        set.area += model.contacts.area[c];
+    }
+    sets.erase(0);
+    if (sets.empty()) return "no joint sets";
+    TextTable table({"jset", "dip", "dd", "faces", "contacts", "area"});
+    for (const auto& [number, set] : sets) {
+        const auto [dip, direction] = dip_of_normal(set.normal);
+        table.add({std::to_string(number), number_text(dip), number_text(direction), std::to_string(set.faces),
+                   std::to_string(set.contacts), number_text(set.area)});
+    }
+    return table.text();
+}
+
+std::string list_memory(Session& session, const lang::List&) {
+    constexpr double megabyte = 1 << 20;
+    TextTable table({"table", "rows", "columns", "megabytes"});
+    double total = 0;
+    session.model.tables([&](const char* name, auto& rows) {
+        double bytes = 0;
+        std::size_t columns = 0;
+        rows.columns([&](const std::string&, const auto& column) {
+            bytes += static_cast<double>(column.capacity() * sizeof(column[0]));
+            ++columns;
+        });
+        total += bytes;
+        if (rows.size() > 0)
+            table.add({name, std::to_string(rows.size()), std::to_string(columns),
+                       fmt::format("{:.3f}", bytes / megabyte)});
+    });
+    return (table.size() > 0 ? table.text() + "\n" : "") + fmt::format("megabytes of all tables = {:.3f}", total / megabyte);
+}
+
+std::string list_version(Session&, const lang::List&) { return fmt::format("kaya {}", program_version()); }
 
 std::string list_settings(Session& session, const lang::List&) {
     static constexpr std::array dampings{"none", "local", "global", "combined", "rayleigh"};

@@ -12,11 +12,16 @@ namespace kaya {
 inline constexpr std::size_t longest_table = 100;
 
 std::string list_blocks(Session&, const lang::List&);
+std::string list_excavated(Session&, const lang::List&);
 std::string list_block_quality(Session&, const lang::List&);
 std::string list_gridpoints(Session&, const lang::List&);
 std::string list_zones(Session&, const lang::List&);
+std::string list_stresses(Session&, const lang::List&);
 std::string list_contacts(Session&, const lang::List&);
 std::string list_sub_contacts(Session&, const lang::List&);
+
+std::string list_states(Session&, const lang::List&);
+std::string list_joint_sets(Session&, const lang::List&);
 
 std::string list_properties(Session&, const lang::List&);
 std::string list_joint_models(Session&, const lang::List&);
@@ -32,6 +37,8 @@ std::string list_tables(Session&, const lang::List&);
 std::string list_symbols(Session&, const lang::List&);
 std::string list_groups(Session&, const lang::List&);
 std::string list_settings(Session&, const lang::List&);
+std::string list_memory(Session&, const lang::List&);
+std::string list_version(Session&, const lang::List&);
 std::string list_boundary(Session&, const lang::List&);
 
 } // namespace kaya

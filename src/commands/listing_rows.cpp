@@ -2,10 +2,12 @@
 #include "commands/listing.hpp"
 
 #include "mechanics/contact_properties.hpp"
+#include "model/excavation.hpp"
 #include "model/measure.hpp"
 
 #include <array>
 #include <fmt/format.h>
+#include <map>
 
 namespace kaya {
 
@@ -24,15 +26,14 @@ std::string fixity_text(std::uint8_t fixed) {
 }
 
 /// Visible rows in range. None is an answer, not a mistake.
-std::vector<Row> shown_rows(const Session& session, const lang::List& command, ObjectKind kind) {
-    return select(session.model, kind, range_test(session.model, session.ranges, command.range, kind));
+std::vector<Row> shown_rows(Session& session, const lang::List& command, ObjectKind kind) {
+    return select(session.model, kind, session.test_of(kind, command.range));
 }
 
 /// A line for each row, up to the longest table; the rest is counted.
 template <class Line>
-std::string rows_text(Session& session, const lang::List& command, ObjectKind kind,
+std::string rows_text(const std::vector<Row>& rows, const lang::List& command, ObjectKind kind,
                       std::vector<std::string> headings, Line line) {
-    const auto rows = shown_rows(session, command, kind);
     if (rows.empty()) return fmt::format("no {}{}", plural_of(kind), command.range.place ? " in range" : "");
     TextTable table(std::move(headings));
     for (const Row row : rows) {
@@ -44,6 +45,32 @@ std::string rows_text(Session& session, const lang::List& command, ObjectKind ki
         text += fmt::format("\n... and {} more {}; a range picks which are shown",
                             rows.size() - longest_table, plural_of(kind));
     return text;
+}
+
+template <class Line>
+std::string rows_text(Session& session, const lang::List& command, ObjectKind kind,
+                      std::vector<std::string> headings, Line line) {
+    return rows_text(shown_rows(session, command, kind), command, kind, std::move(headings), line);
+}
+
+std::string blocks_text(const Model& model, const std::vector<Row>& rows, const lang::List& command) {
+    const auto& blocks = model.blocks;
+    return rows_text(
+        rows, command, ObjectKind::block,
+        {"block", "kind", "region", "mat", "cons", "group", "centroid", "volume", "points", "zones", "fixed"},
+        [&](Row row) -> std::vector<std::string> {
+            return {std::to_string(blocks.number[row]),
+                    blocks.deformable[row] ? "deformable" : "rigid",
+                    std::to_string(blocks.region[row]),
+                    std::to_string(blocks.material[row]),
+                    std::to_string(blocks.constitutive[row]),
+                    blocks.group[row] == 0 ? "-" : model.group_names[blocks.group[row]],
+                    numbers(blocks.centroid[row]),
+                    number_text(blocks.volume[row]),
+                    std::to_string(blocks.gridpoints[row].count),
+                    std::to_string(blocks.zones[row].count),
+                    blocks.deformable[row] ? "-" : fixity_text(blocks.fixed[row])};
+        });
 }
 
 const char* touch_text(Touch touch) {
@@ -71,24 +98,14 @@ std::string state_text(const Session& session, Row contact, std::uint32_t state)
 } // namespace
 
 std::string list_blocks(Session& session, const lang::List& command) {
-    const auto& model = session.model;
-    const auto& blocks = model.blocks;
-    return rows_text(
-        session, command, ObjectKind::block,
-        {"block", "kind", "region", "mat", "cons", "group", "centroid", "volume", "points", "zones", "fixed"},
-        [&](Row row) -> std::vector<std::string> {
-            return {std::to_string(blocks.number[row]),
-                    blocks.deformable[row] ? "deformable" : "rigid",
-                    std::to_string(blocks.region[row]),
-                    std::to_string(blocks.material[row]),
-                    std::to_string(blocks.constitutive[row]),
-                    blocks.group[row] == 0 ? "-" : model.group_names[blocks.group[row]],
-                    numbers(blocks.centroid[row]),
-                    number_text(blocks.volume[row]),
-                    std::to_string(blocks.gridpoints[row].count),
-                    std::to_string(blocks.zones[row].count),
-                    blocks.deformable[row] ? "-" : fixity_text(blocks.fixed[row])};
-        });
+    return blocks_text(session.model, shown_rows(session, command, ObjectKind::block), command);
+}
+
+std::string list_excavated(Session& session, const lang::List& command) {
+    const Model kept = excavated_model(session.model);
+    if (kept.blocks.empty()) return "no excavated blocks";
+    const auto test = range_test(kept, session.ranges, command.range, ObjectKind::block, {&session.joints, true});
+    return blocks_text(kept, select(kept, ObjectKind::block, test), command);
 }
 
 std::string list_gridpoints(Session& session, const lang::List& command) {
@@ -143,6 +160,18 @@ std::string list_zones(Session& session, const lang::List& command) {
                      });
 }
 
+std::string list_stresses(Session& session, const lang::List& command) {
+    const auto& model = session.model;
+    return rows_text(session, command, ObjectKind::zone,
+                     {"zone", "block", "centroid", "s1", "s2", "s3", "mean", "shear"},
+                     [&](Row row) -> std::vector<std::string> {
+                         const Vec3 s = principal_stresses(model, row);
+                         return {std::to_string(row + 1), std::to_string(model.blocks.number[model.zones.block[row]]),
+                                 numbers(zone_centroid(model, row)), number_text(s[0]), number_text(s[1]),
+                                 number_text(s[2]), number_text(s.mean()), number_text(0.5 * (s[2] - s[0]))};
+                     });
+}
+
 std::string list_contacts(Session& session, const lang::List& command) {
     find_contacts(session.model, session.joints);
     const auto& model = session.model;
@@ -183,6 +212,29 @@ std::string list_sub_contacts(Session& session, const lang::List& command) {
                     number_text(points.shear_displacement[row].norm()),
                     state_text(session, points.contact[row], points.state[row])};
         });
+}
+
+std::string list_states(Session& session, const lang::List& command) {
+    find_contacts(session.model, session.joints);
+    const auto& model = session.model;
+    struct Share {
+        std::size_t count = 0;
+        double area = 0;
+    };
+    std::map<std::pair<std::string, std::string>, Share> shares;
+    for (const Row row : shown_rows(session, command, ObjectKind::sub_contact)) {
+        const Row contact = model.sub_contacts.contact[row];
+        const JointProperties* properties = properties_of(model, contact);
+        Share& share = shares[{properties == nullptr ? "-" : properties->model,
+                               state_text(session, contact, model.sub_contacts.state[row])}];
+        ++share.count;
+        share.area += model.sub_contacts.area[row];
+    }
+    if (shares.empty()) return command.range.place ? "no sub-contacts in range" : "no sub-contacts";
+    TextTable table({"jmodel", "state", "points", "area"});
+    for (const auto& [name, share] : shares)
+        table.add({name.first, name.second, std::to_string(share.count), number_text(share.area)});
+    return table.text();
 }
 
 } // namespace kaya

@@ -1,36 +1,29 @@
-#include "commands/ranges.hpp"
+#include "commands/range_tests.hpp"
 
 #include "mechanics/contact_properties.hpp"
+#include "model/groups.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <fmt/format.h>
+#include <set>
 #include <utility>
 
 namespace kaya {
 
+using lang::RangeElement;
+
+void needs_contacts(const RangeElement& e, const RangeContext& context, const char* word, const char* hint) {
+    if (is_contact(context.kind)) return;
+    throw Diagnostic(fmt::format("'{}' picks contacts, but this command acts on {}", word, plural_of(context.kind)),
+                     hint)
+        .at(e.place);
+}
+
 namespace {
 
-using lang::RangeElement;
 using Kind = RangeElement::Kind;
-
-/// What an element needs to become a test.
-struct Context {
-    const Model& model;
-    const NamedRanges& named;
-    ObjectKind kind;
-    double tolerance;
-    bool whole = false; ///< all corners of an object must lie inside
-    std::vector<std::string> open; ///< named ranges that are being looked into, against circles
-};
-
-bool is_contact(ObjectKind kind) { return kind == ObjectKind::contact || kind == ObjectKind::sub_contact; }
-
-Row contact_of(const Model& model, ObjectKind kind, Row row) {
-    return kind == ObjectKind::sub_contact ? model.sub_contacts.contact[row] : row;
-}
 
 std::string lower(std::string text) {
     std::ranges::transform(text, text.begin(),
@@ -38,113 +31,10 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// True when the block, or one of the two blocks of a contact, passes; or both of them.
-template <class Passes> RangeTest on_blocks(Passes passes, bool both = false) {
-    return [passes, both](const Model& model, ObjectKind kind, Row row) {
-        if (!is_contact(kind)) return passes(model, block_of(model, kind, row));
-        const Row contact = contact_of(model, kind, row);
-        const bool one = passes(model, model.contacts.block1[contact]);
-        const bool two = passes(model, model.contacts.block2[contact]);
-        return both ? one && two : one || two;
-    };
-}
-
-/// Calls `passes` with the corners of an object, until one does not pass. What has no corners has its place.
-template <class Passes> bool all_corners(const Model& model, ObjectKind kind, Row row, Passes passes) {
-    const auto& position = model.gridpoints.position;
-    const auto all = [&](const auto& rows) {
-        return std::ranges::all_of(rows, [&](Row g) { return passes(position[g]); });
-    };
-    switch (kind) {
-    case ObjectKind::block: {
-        const Span span = model.blocks.gridpoints[row];
-        return std::all_of(&position[span.first], &position[span.first] + span.count, passes);
-    }
-    case ObjectKind::zone:
-        return all(model.zones.gridpoints[row]);
-    case ObjectKind::triangle:
-        return all(model.triangles.gridpoints[row]);
-    case ObjectKind::face: {
-        const Span span = model.faces.triangles[row];
-        for (Row t = span.first; t < span.end(); ++t)
-            if (!all(model.triangles.gridpoints[t])) return false;
-        return true;
-    }
-    case ObjectKind::contact: {
-        const Span span = model.contacts.sub_contacts[row];
-        for (Row s = span.first; s < span.end(); ++s)
-            if (!passes(model.sub_contacts.position[s])) return false;
-        return true;
-    }
-    case ObjectKind::gridpoint:
-    case ObjectKind::sub_contact:
-        break;
-    }
-    return passes(reference_point(model, kind, row));
-}
-
-template <class Passes> RangeTest on_place(const Context& context, Passes passes) {
-    if (context.whole)
-        return [passes](const Model& model, ObjectKind kind, Row row) { return all_corners(model, kind, row, passes); };
-    return [passes](const Model& model, ObjectKind kind, Row row) {
-        return passes(reference_point(model, kind, row));
-    };
-}
-
-RangeTest along_axis(const RangeElement& e, const Context& context, int axis) {
-    const double low = std::min(e.low, e.high) - context.tolerance;
-    const double high = std::max(e.low, e.high) + context.tolerance;
-    return on_place(context, [=](const Vec3& p) { return p[axis] >= low && p[axis] <= high; });
-}
-
-RangeTest in_box(const RangeElement& e, const Context& context) {
-    const Vec3 slack = Vec3::Constant(context.tolerance);
-    const Vec3 low = e.centre.cwiseMin(e.end2) - slack, high = e.centre.cwiseMax(e.end2) + slack;
-    return on_place(
-        context, [=](const Vec3& p) { return (p.array() >= low.array()).all() && (p.array() <= high.array()).all(); });
-}
-
-RangeTest by_plane(const RangeElement& e, const Context& context) {
-    const Vec3 normal = e.normal.normalized(), origin = e.centre;
-    const double slack = context.tolerance, limit = e.distance + slack;
-    const int side = e.side;
-    return on_place(context, [=](const Vec3& p) {
-        const double height = normal.dot(p - origin);
-        if (side > 0) return height >= -slack;
-        if (side < 0) return height <= slack;
-        return std::abs(height) <= limit;
-    });
-}
-
-RangeTest in_sphere(const RangeElement& e, const Context& context) {
-    const Vec3 centre = e.centre;
-    const double inner = e.radius1 - context.tolerance, outer = e.radius2 + context.tolerance;
-    return on_place(context, [=](const Vec3& p) {
-        const double distance = (p - centre).norm();
-        return distance >= inner && distance <= outer;
-    });
-}
-
-RangeTest in_cylinder(const RangeElement& e, const Context& context) {
-    const Vec3 end1 = e.centre;
-    const double length = (e.end2 - e.centre).norm();
-    if (length <= context.tolerance)
-        throw Diagnostic("the two ends of the cylinder are the same point").at(e.place);
-    const Vec3 axis = (e.end2 - e.centre) / length;
-    const double inner = e.radius1 - context.tolerance, outer = e.radius2 + context.tolerance,
-                 slack = context.tolerance;
-    return on_place(context, [=](const Vec3& p) {
-        const double along = axis.dot(p - end1);
-        const double distance = (p - end1 - along * axis).norm();
-        return along >= -slack && along <= length + slack && distance >= inner && distance <= outer;
-    });
-}
-
-std::int32_t group_number(const RangeElement& e, const std::string& name, const Context& context) {
+std::int32_t group_number(const RangeElement& e, const std::string& name, const RangeContext& context) {
+    const std::int32_t group = find_group(context.model, name);
+    if (group >= 0) return group;
     const auto& names = context.model.group_names;
-    const std::string wanted = lower(name);
-    for (std::size_t i = 1; i < names.size(); ++i)
-        if (lower(names[i]) == wanted) return static_cast<std::int32_t>(i);
     const std::vector<std::string_view> known(names.begin() + 1, names.end());
     const auto near = did_you_mean(name, known);
     std::string hint = known.empty()  ? "no group has been made yet"
@@ -153,9 +43,20 @@ std::int32_t group_number(const RangeElement& e, const std::string& name, const 
     throw Diagnostic(fmt::format("there is no group '{}'", name), std::move(hint)).at(e.place);
 }
 
-RangeTest in_group(const RangeElement& e, const Context& context) {
+/// An object is in a group itself, or because its block is; a contact because one of its blocks is, or both.
+RangeTest in_group(const RangeElement& e, const RangeContext& context) {
     const auto group = group_number(e, e.name, context);
-    return on_blocks([group](const Model& model, Row block) { return model.blocks.group[block] == group; }, e.both);
+    const auto through_block =
+        on_blocks([group](const Model& model, Row block) { return model.blocks.group[block] == group; }, e.both);
+    return [=](const Model& model, ObjectKind kind, Row row) {
+        return group_of(model, kind, row) == group || through_block(model, kind, row);
+    };
+}
+
+RangeTest in_joint_group(const RangeElement& e, const RangeContext& context) {
+    needs_contacts(e, context, "jgroup", "use 'group' for groups of blocks, faces and zones");
+    const auto group = group_number(e, e.name, context);
+    return [group](const Model& model, ObjectKind kind, Row row) { return group_of(model, kind, row) == group; };
 }
 
 /// Numbers of blocks: the column is picked by `column`.
@@ -168,12 +69,9 @@ RangeTest by_block_number(const RangeElement& e, Column<std::int32_t> Blocks::*c
 }
 
 /// Contacts between a block of one number and a block of the other.
-RangeTest between(const RangeElement& e, const Context& context, const char* word,
+RangeTest between(const RangeElement& e, const RangeContext& context, const char* word,
                   Column<std::int32_t> Blocks::*column, double a, double b) {
-    if (!is_contact(context.kind))
-        throw Diagnostic(
-            fmt::format("'{}' picks contacts, but this command acts on {}", word, plural_of(context.kind)))
-            .at(e.place);
+    needs_contacts(e, context, word);
     return [=](const Model& model, ObjectKind kind, Row row) {
         const Row contact = contact_of(model, kind, row);
         const double one = (model.blocks.*column)[model.contacts.block1[contact]];
@@ -182,12 +80,8 @@ RangeTest between(const RangeElement& e, const Context& context, const char* wor
     };
 }
 
-RangeTest by_joint_material(const RangeElement& e, const Context& context) {
-    if (!is_contact(context.kind))
-        throw Diagnostic(
-            fmt::format("'jmat' picks contacts, but this command acts on {}", plural_of(context.kind)),
-            "use 'mat' for the material of blocks")
-            .at(e.place);
+RangeTest by_joint_material(const RangeElement& e, const RangeContext& context) {
+    needs_contacts(e, context, "jmat", "use 'mat' for the material of blocks");
     const double low = std::min(e.low, e.high), high = std::max(e.low, e.high);
     return [=](const Model& model, ObjectKind kind, Row row) {
         const double number = model.contacts.material[contact_of(model, kind, row)];
@@ -195,11 +89,8 @@ RangeTest by_joint_material(const RangeElement& e, const Context& context) {
     };
 }
 
-RangeTest by_joint_model(const RangeElement& e, const Context& context) {
-    if (!is_contact(context.kind))
-        throw Diagnostic(
-            fmt::format("'jmodel' picks contacts, but this command acts on {}", plural_of(context.kind)))
-            .at(e.place);
+RangeTest by_joint_model(const RangeElement& e, const RangeContext& context) {
+    needs_contacts(e, context, "jmodel");
     // `jcons n` gives a number, `jmodel NAME` a name.
     std::string name;
     try {
@@ -221,7 +112,7 @@ RangeTest by_volume(const RangeElement& e) {
     });
 }
 
-RangeTest by_joint_set(const RangeElement& e, const Context& context) {
+RangeTest by_joint_set(const RangeElement& e, const RangeContext& context) {
     const double low = std::min(e.low, e.high), high = std::max(e.low, e.high);
     const auto passes = [low, high](double number) { return number >= low && number <= high; };
     switch (context.kind) {
@@ -274,9 +165,9 @@ RangeTest by_id_list(const RangeElement& e) {
     };
 }
 
-RangeTest phrase_test(const lang::RangePhrase& phrase, Context& context);
+RangeTest phrase_test(const lang::RangePhrase& phrase, RangeContext& context);
 
-RangeTest by_name(const RangeElement& e, Context& context) {
+RangeTest by_name(const RangeElement& e, RangeContext& context) {
     const std::string name = lower(e.name);
     const auto found = context.named.find(name);
     if (found == context.named.end()) {
@@ -296,7 +187,7 @@ RangeTest by_name(const RangeElement& e, Context& context) {
     return test;
 }
 
-RangeTest element_test(const RangeElement& e, Context& context) {
+RangeTest element_test(const RangeElement& e, RangeContext& context) {
     switch (e.kind) {
     case Kind::x:
         return along_axis(e, context, 0);
@@ -345,13 +236,35 @@ RangeTest element_test(const RangeElement& e, Context& context) {
         return on_blocks([](const Model& model, Row block) { return model.blocks.hidden[block] == 0; });
     case Kind::id_list:
         return by_id_list(e);
+    case Kind::joint_group:
+        return in_joint_group(e, context);
+    case Kind::excavated:
+        return [excavated = context.extras.excavated](const Model&, ObjectKind, Row) { return excavated; };
     case Kind::named:
         return by_name(e, context);
+    case Kind::joint_state:
+        return by_joint_state(e, context);
+    case Kind::surface:
+        return on_surface(e, context);
+    case Kind::orientation:
+        return by_orientation(e, context);
+    case Kind::concave:
+        return in_concave_body(context);
+    case Kind::edge_length:
+        return by_edge_length(e);
+    case Kind::aspect_ratio:
+        return by_aspect_ratio(e);
+    case Kind::leader:
+        return by_leader(e, context);
+    case Kind::polygon:
+        return in_polygon(e, context);
+    case Kind::ellipse:
+        return in_ellipse(e, context);
     }
     throw std::logic_error("a range element of no known kind");
 }
 
-RangeTest phrase_test(const lang::RangePhrase& phrase, Context& context) {
+RangeTest phrase_test(const lang::RangePhrase& phrase, RangeContext& context) {
     const bool whole_outside = std::exchange(context.whole, context.whole || phrase.whole);
     std::vector<std::pair<RangeTest, bool>> tests;
     for (const auto& element : phrase.elements)
@@ -370,10 +283,23 @@ RangeTest phrase_test(const lang::RangePhrase& phrase, Context& context) {
 
 } // namespace
 
+bool has_element(const NamedRanges& named, const lang::RangePhrase& phrase, RangeElement::Kind kind) {
+    std::set<std::string> seen;
+    const auto look = [&](const auto& self, const lang::RangePhrase& in) -> bool {
+        return std::ranges::any_of(in.elements, [&](const RangeElement& e) {
+            if (e.kind == kind) return true;
+            if (e.kind != Kind::named || !seen.insert(lower(e.name)).second) return false;
+            const auto found = named.find(lower(e.name));
+            return found != named.end() && self(self, found->second);
+        });
+    };
+    return look(look, phrase);
+}
+
 RangeTest range_test(const Model& model, const NamedRanges& named, const lang::RangePhrase& phrase,
-                     ObjectKind kind) {
+                     ObjectKind kind, const RangeExtras& extras) {
     if (phrase.elements.empty()) return {};
-    Context context{model, named, kind, 1e-6 * model_size(model), false, {}};
+    RangeContext context{model, named, kind, 1e-6 * model_size(model), extras, false, {}};
     return phrase_test(phrase, context);
 }
 

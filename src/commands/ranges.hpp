@@ -9,8 +9,19 @@
 
 namespace kaya {
 
+class JointRegistry;
+
 /// Phrases that `range name NAME ...` keeps; names are lower case.
 using NamedRanges = std::map<std::string, lang::RangePhrase>;
+
+/// What some elements need besides.
+struct RangeExtras {
+    const JointRegistry* joints = nullptr; ///< for states of joint models
+    bool excavated = false;                ///< the model is that of the blocks that fill can put back
+};
+
+/// Whether a phrase, or a named range in it, has an element of that kind.
+bool has_element(const NamedRanges& named, const lang::RangePhrase& phrase, lang::RangeElement::Kind kind);
 
 /// The test that a phrase asks for, of objects of that kind. Limits are inclusive, with a tolerance of
 /// 1e-6 of the model's size; one value means a plane. Properties of blocks (group, material, region)
@@ -18,7 +29,7 @@ using NamedRanges = std::map<std::string, lang::RangePhrase>;
 /// Throws Diagnostic at the element: no such group or named range, an element that cannot pick objects
 /// of that kind.
 RangeTest range_test(const Model& model, const NamedRanges& named, const lang::RangePhrase& phrase,
-                     ObjectKind kind);
+                     ObjectKind kind, const RangeExtras& extras = {});
 
 /// "blocks", "gridpoints": for messages.
 const char* plural_of(ObjectKind kind);

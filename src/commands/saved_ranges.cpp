@@ -26,6 +26,9 @@ std::string element_text(const RangeElement& e) {
     visit_numbers(e, [&](double value) { text += fmt::format(" {:a}", value); });
     text += fmt::format(" {}", e.numbers.size());
     for (const auto number : e.numbers) text += fmt::format(" {}", number);
+    text += fmt::format(" {}", e.vertices.size());
+    for (const Vec3& vertex : e.vertices)
+        for (int k = 0; k < 3; ++k) text += fmt::format(" {:a}", vertex[k]);
     return text + fmt::format(" {} {} {} {}\n", e.name.size(), e.name, e.second_name.size(), e.second_name);
 }
 
@@ -58,7 +61,7 @@ RangeElement read_element(std::istream& stream) {
     RangeElement e;
     int kind = -1, negated = 0, both = 0;
     stream >> kind >> e.side >> negated >> both;
-    if (!stream || kind < 0 || kind > static_cast<int>(RangeElement::Kind::id_list)) refuse();
+    if (!stream || kind < 0 || kind > static_cast<int>(RangeElement::last_kind)) refuse();
     e.kind = static_cast<RangeElement::Kind>(kind);
     e.negated = negated != 0;
     e.both = both != 0;
@@ -68,6 +71,11 @@ RangeElement read_element(std::istream& stream) {
     if (!stream || count > 1 << 20) refuse();
     e.numbers.resize(count);
     for (auto& number : e.numbers) stream >> number;
+    stream >> count;
+    if (!stream || count > 1 << 20) refuse();
+    e.vertices.resize(count);
+    for (Vec3& vertex : e.vertices)
+        for (int k = 0; k < 3; ++k) vertex[k] = read_number(stream);
     e.name = read_name(stream);
     e.second_name = read_name(stream);
     return e;

@@ -5,6 +5,7 @@
 #include "commands/lua_joint_models.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/fish/compiler.hpp"
+#include "mechanics/contact_properties.hpp"
 #include "lang/script/value_text.hpp"
 
 #include <algorithm>
@@ -179,7 +180,7 @@ void Session::note_once(const std::string& message, const std::string& hint) {
 }
 
 std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& range, bool hidden_too) {
-    auto rows = select(model, kind, range_test(model, ranges, range, kind), hidden_too);
+    auto rows = select(model, kind, test_of(kind, range), hidden_too);
     if (!rows.empty()) return rows;
     const std::size_t tested = select(model, kind, {}, hidden_too).size();
     const std::size_t hidden = hidden_too ? 0 : select(model, kind, {}, true).size() - tested;
@@ -191,6 +192,12 @@ std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& ra
     if (tested > 0 && hidden > 0) hint += fmt::format("; {} hidden {} were not looked at", hidden, things);
     warn(Diagnostic(std::move(text), std::move(hint)).at(range.place));
     return rows;
+}
+
+RangeTest Session::test_of(ObjectKind kind, const lang::RangePhrase& range) {
+    // What lies on the surface is told by contacts.
+    if (has_element(ranges, range, lang::RangeElement::Kind::surface)) find_contacts(model, joints);
+    return range_test(model, ranges, range, kind, {&joints, false});
 }
 
 std::vector<Row> Session::pick(ObjectKind kind, const lang::RangePhrase& range) {

@@ -60,6 +60,8 @@ public:
     /// added when it has none.
     void warn(Diagnostic warning);
 
+    /// The test of a range, of objects of that kind. Throws Diagnostic at the element that is wrong.
+    RangeTest test_of(ObjectKind kind, const lang::RangePhrase& range);
     /// Visible rows in a range, ascending. Warns when the range picks none.
     std::vector<Row> pick(ObjectKind kind, const lang::RangePhrase& range);
     /// The same, hidden blocks and their parts included.

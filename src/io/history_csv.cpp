@@ -20,9 +20,13 @@ const History& find_history(const Histories& histories, std::int64_t number) {
     for (const auto& history : histories.all)
         if (history.number == number) return history;
     const auto count = histories.all.size();
+    std::string known;
+    for (const auto& history : histories.all) known += fmt::format("{}{}", known.empty() ? "" : ", ", history.number);
+    const bool all_there = count > 0 && histories.all.back().number == static_cast<std::int32_t>(count);
     throw Diagnostic(fmt::format("there is no history {}", number),
                      count == 0 ? std::string("no history is defined")
-                                : fmt::format("histories 1 to {} are defined", histories.all.back().number));
+                     : all_there ? fmt::format("histories 1 to {} are defined", count)
+                                 : fmt::format("these histories are defined: {}", known));
 }
 
 /// RFC 4180: quotes around what has a separator in it, and quotes doubled.

@@ -141,12 +141,14 @@ class Faces : public Table<Faces> {
 public:
     Column<Row> block;
     Column<std::int32_t> joint_set; ///< 0: made with the block
+    Column<std::int32_t> group;     ///< of the face itself: index into Model::group_names, 0 is none
     Column<Span> triangles;
     Column<Vec3> normal; ///< outward, unit, in the block's own axes
 
     template <class Visit> void columns(Visit&& visit) {
         visit("block", block);
         visit("joint_set", joint_set);
+        visit("group", group);
         visit("triangles", triangles);
         visit("normal", normal);
     }
@@ -168,6 +170,7 @@ public:
 class Zones : public Table<Zones> {
 public:
     Column<Row> block;
+    Column<std::int32_t> group; ///< of the zone itself: index into Model::group_names, 0 is none
     Column<std::array<Row, 4>> gridpoints; ///< positive volume in this order
     Column<Stress> stress;
     Column<Stress> dashpot; ///< viscous stress besides, where damping asks for it
@@ -175,6 +178,7 @@ public:
 
     template <class Visit> void columns(Visit&& visit) {
         visit("block", block);
+        visit("group", group);
         visit("gridpoints", gridpoints);
         visit("stress", stress);
         visit("dashpot", dashpot);

@@ -4,8 +4,11 @@
 
 #include "base/vector.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -52,6 +55,8 @@ public:
 
     /// Keeps the rows listed, in that order. `rows` may repeat a row.
     void gather(const std::vector<std::int32_t>& rows) {
+        const bool ascending = std::adjacent_find(rows.begin(), rows.end(), std::greater_equal<>()) == rows.end();
+        if (ascending) return compact(rows);
         derived().columns([&rows](const std::string&, auto& column) {
             std::decay_t<decltype(column)> kept;
             kept.reserve(rows.size());
@@ -73,12 +78,37 @@ public:
         size_ = rows.size();
     }
 
+    /// Puts copies of the rows listed of another table behind the rows of this one. Returns the row of the first.
+    std::int32_t append(Derived& from, const std::vector<std::int32_t>& rows) {
+        std::vector<void*> columns;
+        from.columns([&columns](const std::string&, auto& column) { columns.push_back(&column); });
+        std::size_t next = 0;
+        derived().columns([&](const std::string&, auto& column) {
+            const auto& source = *static_cast<std::decay_t<decltype(column)>*>(columns[next++]);
+            for (const auto row : rows) column.push_back(source[static_cast<std::size_t>(row)]);
+        });
+        const auto first = static_cast<std::int32_t>(size_);
+        size_ += rows.size();
+        return first;
+    }
+
     /// Gives back the room that growing has taken in advance.
     void trim() {
         derived().columns([](const std::string&, auto& column) { column.shrink_to_fit(); });
     }
 
 private:
+    /// Ascending rows move up in place: no memory is taken, and the rows before the first gap are not touched.
+    void compact(const std::vector<std::int32_t>& rows) {
+        std::size_t gap = 0;
+        while (gap < rows.size() && static_cast<std::size_t>(rows[gap]) == gap) ++gap;
+        derived().columns([&rows, gap](const std::string&, auto& column) {
+            for (std::size_t k = gap; k < rows.size(); ++k) column[k] = std::move(column[static_cast<std::size_t>(rows[k])]);
+            column.erase(column.begin() + static_cast<std::ptrdiff_t>(rows.size()), column.end());
+        });
+        size_ = rows.size();
+    }
+
     Derived& derived() { return static_cast<Derived&>(*this); }
     std::size_t size_ = 0;
 };

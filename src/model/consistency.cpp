@@ -1,5 +1,7 @@
 #include "model/consistency.hpp"
 
+#include "model/excavation.hpp"
+
 #include <fmt/format.h>
 
 namespace kaya {
@@ -77,18 +79,28 @@ void check_ids(Findings& findings, const char* table, const IdMap<Tag>& ids, con
 
 template <class T> bool between(T value, T first, T last) { return value >= first && value <= last; }
 
-void check_blocks(Findings& findings, const Model& model) {
+void check_groups(Findings& findings, const char* table, const Column<std::int32_t>& group, const Model& model) {
+    for (std::size_t i = 0; i < group.size() && findings.clean(); ++i)
+        findings.require(inside(group[i], model.group_names.size()), table, i,
+                         fmt::format("group {} of {}", group[i], model.group_names.size()));
+}
+
+void check_rows_of_blocks(Findings& findings, const Model& model) {
     const auto& blocks = model.blocks;
-    check_ids(findings, "blocks", blocks.ids, blocks.id);
     check_spans(findings, "blocks", "gridpoint", blocks.gridpoints, model.gridpoints.block);
     check_spans(findings, "blocks", "face", blocks.faces, model.faces.block);
     check_spans(findings, "blocks", "zone", blocks.zones, model.zones.block);
-    for (std::size_t i = 0; i < blocks.size() && findings.clean(); ++i) {
-        findings.require(inside(blocks.group[i], model.group_names.size()), "blocks", i,
-                         fmt::format("group {} of {}", blocks.group[i], model.group_names.size()));
+    check_groups(findings, "blocks", blocks.group, model);
+    check_groups(findings, "faces", model.faces.group, model);
+    check_groups(findings, "zones", model.zones.group, model);
+    for (std::size_t i = 0; i < blocks.size() && findings.clean(); ++i)
         findings.require(blocks.number[i] >= 1 && blocks.number[i] < model.next_block_number, "blocks", i,
                          fmt::format("number {} where {} is the next", blocks.number[i], model.next_block_number));
-    }
+}
+
+void check_blocks(Findings& findings, const Model& model) {
+    check_ids(findings, "blocks", model.blocks.ids, model.blocks.id);
+    check_rows_of_blocks(findings, model);
 }
 
 /// Corners of triangles and zones belong to the block that the face or zone belongs to.
@@ -110,6 +122,14 @@ void check_geometry(Findings& findings, const Model& model) {
     check_corners("zones", model.zones.gridpoints, model.zones.block);
 }
 
+/// What was excavated is linked in the same way.
+void check_excavated(Findings& findings, const Model& model) {
+    if (model.excavated.blocks.empty() && model.excavated.gridpoints.empty()) return;
+    const Model kept = excavated_model(model);
+    check_rows_of_blocks(findings, kept);
+    if (findings.clean()) check_geometry(findings, kept);
+}
+
 void check_contacts(Findings& findings, const Model& model) {
     const auto& contacts = model.contacts;
     check_ids(findings, "contacts", contacts.ids, contacts.id);
@@ -119,6 +139,7 @@ void check_contacts(Findings& findings, const Model& model) {
     check_links(findings, "contacts", "face", contacts.face2, model.faces.size(), true);
     check_links(findings, "contacts", "property set", contacts.properties, model.joint_properties.size(), true);
     check_spans(findings, "contacts", "sub-contact", contacts.sub_contacts, model.sub_contacts.contact);
+    check_groups(findings, "contacts", contacts.group, model);
     for (std::size_t i = 0; i < contacts.size() && findings.clean(); ++i) {
         findings.require(contacts.block1[i] != contacts.block2[i], "contacts", i, "a block touches itself");
         findings.require(between(contacts.touch[i], Touch::face_face, Touch::vertex_vertex), "contacts", i,
@@ -159,7 +180,8 @@ void check_histories(Findings& findings, const Model& model) {
     findings.require(histories.interval > 0, fmt::format("histories are sampled every {} cycles", histories.interval));
     for (std::size_t k = 0; k < histories.all.size(); ++k) {
         const auto& history = histories.all[k];
-        findings.require(history.number == static_cast<std::int32_t>(k) + 1, "histories", k, "its number is another");
+        const std::int32_t before = k == 0 ? 0 : histories.all[k - 1].number;
+        findings.require(history.number > before, "histories", k, "its number is not above the one before");
         findings.require(history.first_sample <= samples && history.values.size() == samples - history.first_sample,
                          "histories", k, "it has not as many values as there are samples");
         findings.require(between(history.source.kind, HistorySource::Kind::global, HistorySource::Kind::function),
@@ -206,7 +228,7 @@ std::string inconsistency(Model& model) {
     if (!findings.clean()) return findings.text();
 
     for (const auto check :
-         {check_blocks, check_geometry, check_contacts, check_sub_contacts, check_histories, check_drives}) {
+         {check_blocks, check_geometry, check_excavated, check_contacts, check_sub_contacts, check_histories, check_drives}) {
         check(findings, model);
         if (!findings.clean()) break;
     }

@@ -43,6 +43,7 @@ public:
     Column<std::int32_t> material; ///< number of `prop jmat`
     Column<Row> properties;        ///< row of Model::joint_properties: model and values
     Column<std::int32_t> joint_set;
+    Column<std::int32_t> group; ///< index into Model::group_names, 0 is none
     Column<Span> sub_contacts; ///< a contact's rows are contiguous and in contact order
     Column<double> slid;       ///< relative tangential motion since the geometry was made anew
     Column<double> sunk;       ///< overlap beyond that which its force belongs to
@@ -63,6 +64,7 @@ public:
         visit("material", material);
         visit("properties", properties);
         visit("joint_set", joint_set);
+        visit("group", group);
         visit("sub_contacts", sub_contacts);
         visit("slid", slid);
         visit("given_up", given_up);

@@ -48,24 +48,6 @@ FieldValue next_joined(const Model& model, Row block) {
     return Link{FieldTable::block, body[block] != 0 && next < rows ? next : no_row};
 }
 
-FieldValue group(const Model& model, Row block) {
-    return model.group_names[static_cast<std::size_t>(model.blocks.group[block])];
-}
-
-/// Groups are compared without case, as everywhere in the language.
-void set_group(Model& model, Row block, const FieldValue& value) {
-    const std::string& name = text(value);
-    const auto same_letters = [&name](const std::string& other) {
-        return std::equal(name.begin(), name.end(), other.begin(), other.end(), [](char a, char b) {
-            return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-        });
-    };
-    auto& names = model.group_names;
-    const auto found = std::find_if(names.begin(), names.end(), same_letters);
-    model.blocks.group[block] = static_cast<std::int32_t>(found - names.begin());
-    if (found == names.end()) names.push_back(name);
-}
-
 void set_velocity(Model& model, Row block, const FieldValue& value) {
     const Vec3 velocity = vector(value);
     model.blocks.velocity[block] = velocity;
@@ -145,7 +127,7 @@ const Fields& block_fields() {
          read<rows_of, &Blocks::constitutive>, nullptr},
         {table, "region", "b_region", "", "-", "region number", read<rows_of, &Blocks::region>,
          write<rows_of, &Blocks::region>},
-        {table, "group", "b_group", "", "-", "name of its group, empty when it has none", group, set_group},
+        {table, "group", "b_group", "", "-", "name of its group, empty when it has none", read_group<ObjectKind::block>, write_group<ObjectKind::block>},
         {table, "body", "b_ms", "", "-", "number of the joined body that it is part of, 0 on its own",
          read<rows_of, &Blocks::body>, nullptr},
         {table, "next_joined", "b_msnext", "", "-", "next block of the same joined body, null at the end", next_joined,

@@ -83,6 +83,8 @@ const Fields& contact_fields() {
          call<constitutive>, nullptr},
         {table, "joint_set", "c_jset", "", "-", "joint set that made it, 0 for none",
          read<rows_of, &Contacts::joint_set>, nullptr},
+        {table, "group", "c_group", "", "-", "group of the contact, empty when it has none",
+         read_group<ObjectKind::contact>, write_group<ObjectKind::contact>},
         {table, "model", "c_model", "", "-", "name of its joint model, empty when it has none", joint_model,
          nullptr},
         {table, "normal_displacement", "c_ndis", "", "length", "mean, opening positive", call<normal_displacement>,

@@ -31,6 +31,8 @@ const Fields& face_fields() {
          link<rows_of, &Faces::block, FieldTable::block>, nullptr},
         {table, "joint_set", "face_jset", "", "-", "joint set that cut it, 0 when made with the block",
          read<rows_of, &Faces::joint_set>, nullptr},
+        {table, "group", "face_group", "", "-", "group that it is in itself, else that of its block",
+         read_group<ObjectKind::face>, write_group<ObjectKind::face>},
         {table, "position", "face_pos", "", "length", "centroid", call<face_centroid>, nullptr},
         {table, "x", "face_x", "", "length", "x of the centroid", call<face_centroid, 0>, nullptr},
         {table, "y", "face_y", "", "length", "y of the centroid", call<face_centroid, 1>, nullptr},

@@ -4,6 +4,7 @@
 
 #include "base/diagnostic.hpp"
 #include "model/field.hpp"
+#include "model/groups.hpp"
 
 #include <cmath>
 #include <type_traits>
@@ -56,6 +57,15 @@ template <auto table, auto column, FieldTable to> FieldValue first(const Model& 
 /// A function of the row: call<zone_volume>.
 template <auto function> FieldValue call(const Model& model, Row row) { return value_of(function(model, row)); }
 template <auto function, int k> FieldValue call(const Model& model, Row row) { return function(model, row)[k]; }
+
+/// The name of the group that an object is in, itself or through its block.
+template <ObjectKind kind> FieldValue read_group(const Model& model, Row row) {
+    return model.group_names[static_cast<std::size_t>(group_of(model, kind, row))];
+}
+template <ObjectKind kind> void write_group(Model& model, Row row, const FieldValue& value) {
+    const std::int32_t group = make_group(model, text(value));
+    (*own_groups(model, kind))[row] = group;
+}
 
 template <class T> void assign(T& target, const FieldValue& value) {
     if constexpr (std::is_same_v<T, Vec3>) target = vector(value);

@@ -96,6 +96,8 @@ const Fields& sub_contact_fields() {
         {table, "face", "cx_face", "", "-", "face that a vertex meets, null when there is none", face, nullptr},
         {table, "pressure_force", "cx_ppforce", "", "force", "pore pressure times area", call<pressure_force>,
          nullptr},
+        {table, "group", "cx_group", "", "-", "group of its contact, empty when that has none",
+         read_group<ObjectKind::sub_contact>, nullptr},
         {table, "model", "cx_model", "", "-", "name of its joint model, empty when it has none", joint_model,
          nullptr},
         {table, "normal_displacement", "cx_ndis", "ndis", "length", "opening positive",

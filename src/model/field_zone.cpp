@@ -19,9 +19,6 @@ const Material& material_of(const Model& model, Row zone) {
 std::int64_t material(const Model& model, Row zone) { return model.blocks.material[model.zones.block[zone]]; }
 double mass(const Model& model, Row zone) { return material_of(model, zone).density * model.zones.volume[zone]; }
 double bulk(const Model& model, Row zone) { return material_of(model, zone).bulk; }
-FieldValue group(const Model& model, Row zone) {
-    return find_field(FieldTable::block, "group")->get(model, model.zones.block[zone]);
-}
 double shear(const Model& model, Row zone) { return material_of(model, zone).shear; }
 
 } // namespace
@@ -39,7 +36,8 @@ const Fields& zone_fields() {
         {table, "volume", "z_vol", "", "volume", "volume as it is now", call<zone_volume>, nullptr},
         {table, "mass", "z_mass", "", "mass", "density times the volume when made, NaN without a density",
          call<mass>, nullptr},
-        {table, "group", "z_group", "", "-", "group of its block", group, nullptr},
+        {table, "group", "z_group", "", "-", "group that it is in itself, else that of its block",
+         read_group<ObjectKind::zone>, write_group<ObjectKind::zone>},
         {table, "material", "z_mat", "", "-", "number of its material", call<material>, nullptr},
         {table, "bulk", "z_bulk", "", "stress", "bulk modulus, NaN when not given", call<bulk>, nullptr},
         {table, "shear", "z_shear", "", "stress", "shear modulus, NaN when not given", call<shear>, nullptr},

@@ -15,6 +15,16 @@
 
 namespace kaya {
 
+/// Blocks that take no part, with all that belongs to them. Their rows are linked as those of the model are; they
+/// have no ids.
+struct Excavated {
+    Blocks blocks;
+    Gridpoints gridpoints;
+    Faces faces;
+    Triangles triangles;
+    Zones zones;
+};
+
 struct Model {
     Blocks blocks;
     Gridpoints gridpoints;
@@ -24,6 +34,7 @@ struct Model {
     Contacts contacts;
     SubContacts sub_contacts;
     Drives drives;
+    Excavated excavated; ///< blocks that were taken out and may be put back
 
     std::map<std::int32_t, Material> materials;
     std::vector<JointProperties> joint_properties;
@@ -55,6 +66,11 @@ struct Model {
         visit("contacts", contacts);
         visit("sub_contacts", sub_contacts);
         visit("drives", drives);
+        visit("excavated_blocks", excavated.blocks);
+        visit("excavated_gridpoints", excavated.gridpoints);
+        visit("excavated_faces", excavated.faces);
+        visit("excavated_triangles", excavated.triangles);
+        visit("excavated_zones", excavated.zones);
     }
 };
 

@@ -116,7 +116,8 @@ History& add_history(Model& model, HistorySource source, std::string label) {
     locate(model, source);
     if (field) sample(model, *field, source.row); // so that a text or a vector is refused now, not while cycling
     History history;
-    history.number = static_cast<std::int32_t>(model.histories.all.size()) + 1;
+    const auto& all = model.histories.all;
+    history.number = all.empty() ? 1 : all.back().number + 1;
     history.label = label.empty() ? source.quantity : std::move(label);
     history.source = std::move(source);
     history.first_sample = model.histories.time.size();

@@ -170,6 +170,7 @@ syntax keyword kayaKeyword end2
 syntax keyword kayaKeyword energy
 syntax keyword kayaKeyword etol
 syntax keyword kayaKeyword etouch
+syntax keyword kayaKeyword excavated
 syntax keyword kayaKeyword ezone
 syntax keyword kayaKeyword face
 syntax keyword kayaKeyword feblock
@@ -400,6 +401,10 @@ syntax keyword kayaRange range
 syntax keyword kayaRange above
 syntax keyword kayaRange annulus
 syntax keyword kayaRange aspect-ratio
+syntax keyword kayaRange axis-1
+syntax keyword kayaRange axis-2
+syntax keyword kayaRange axis1
+syntax keyword kayaRange axis2
 syntax keyword kayaRange below
 syntax keyword kayaRange bid
 syntax keyword kayaRange block
@@ -470,7 +475,9 @@ syntax keyword kayaRange sphere
 syntax keyword kayaRange sregion
 syntax keyword kayaRange state
 syntax keyword kayaRange surface
+syntax keyword kayaRange tolerance
 syntax keyword kayaRange union
+syntax keyword kayaRange vertices
 syntax keyword kayaRange visible
 syntax keyword kayaRange volume
 syntax keyword kayaRange x

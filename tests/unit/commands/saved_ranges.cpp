@@ -31,6 +31,7 @@ NamedRanges sample() {
     listed.kind = Kind::id_list;
     listed.numbers = {5, -1, 7};
     listed.both = true;
+    listed.vertices = {Vec3(0, 1.0 / 3.0, 2), Vec3(-1e300, 0, 5)};
     return {{"slab", {{slab}, false, {}}},
             {"empty", {}},
             {"any of two", {{stones, ball}, true, {}}},
@@ -56,6 +57,7 @@ TEST(SavedRanges, ComeBackWithEveryBit) {
     EXPECT_EQ(whole.elements[0].second_name, "b b");
     EXPECT_EQ(whole.elements[1].numbers, (std::vector<std::int64_t>{5, -1, 7}));
     EXPECT_TRUE(whole.elements[1].both);
+    EXPECT_EQ(whole.elements[1].vertices, (std::vector<Vec3>{Vec3(0, 1.0 / 3.0, 2), Vec3(-1e300, 0, 5)}));
     EXPECT_EQ(ranges_text(back), ranges_text(sample()));
 }
 

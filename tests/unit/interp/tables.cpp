@@ -123,7 +123,7 @@ TEST(Tables, ShortSpellingsResolveInTableOrder) {
         {"tab 1 0 0 1 1", "table"}, {"ta 1 clear", "table"}, {"js", "jset"}, {"jse dip 1", "jset"},
         {"tu a 0 0 0 1 0 0 0 1 0 b 0 0 1 1 0 1 0 1 1", "tunnel"}, {"dens 2 2 2", "densify"}, {"mar reg 1", "mark region"},
         {"joi", "join"}, {"join_c", "join_contact"}, {"fac rad8", "facetri rad8"}, {"fac rad", "facetri radial"}, {"gro bl a", "group block"},
-        {"gr block a", "group block"}, {"ra na a z 0", "range name"}, {"rem", "remove"}, {"exc", "remove"},
+        {"gr block a", "group block"}, {"ra na a z 0", "range name"}, {"rem", "excavate"}, {"exc", "excavate"}, {"fil", "fill"}, {"gr jo a", "group joint"},
         {"fin", "find"}, {"wat off", "water"}, {"wa off", "water"}, {"msc on", "mscale"}, {"ms on", "mscale"},
         {"sol", "solve"}, {"lis max", "list"}, {"li max", "list"}, {"print max", "list"}, {"prin max", "list"},
         {"vt wr a", "vtk write"}, {"mov on", "movie"}, {"lab a", "label"}, {"plo", "plot"},

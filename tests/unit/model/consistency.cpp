@@ -1,5 +1,7 @@
 #include "model/consistency.hpp"
 
+#include "model/excavation.hpp"
+
 #include "model/sampling.hpp"
 #include "tests/unit/model/hand_made.hpp"
 
@@ -39,6 +41,17 @@ const std::vector<Damage>& damages() {
         {"triangles of a block", [](Model& m) { m.blocks.triangles[0] = {0, 3}; },
          "some rows of triangle belong to no row of blocks"},
         {"group", [](Model& m) { m.blocks.group[0] = 2; }, "row 0 of blocks: group 2 of 2"},
+        {"group of a zone", [](Model& m) { m.zones.group[0] = -1; }, "row 0 of zones: group -1 of 2"},
+        {"group of a face", [](Model& m) { m.faces.group[7] = 2; }, "row 7 of faces: group 2 of 2"},
+        {"group of a contact", [](Model& m) { m.contacts.group[0] = 2; }, "row 0 of contacts: group 2 of 2"},
+        {"excavated zone", [](Model& m) {
+             excavate_blocks(m, {0});
+             m.excavated.zones.gridpoints[0][2] = 99;
+         }, "row 0 of zones: gridpoint 99 is not one of its block"},
+        {"excavated span", [](Model& m) {
+             excavate_blocks(m, {1});
+             m.excavated.blocks.faces[0].count = 3;
+         }, "some rows of face belong to no row of blocks"},
         {"block number", [](Model& m) { m.blocks.number[0] = 3; }, "row 0 of blocks: number 3 where 3 is the next"},
         {"block id", [](Model& m) { m.blocks.id[0].generation = 9; }, "row 0 of blocks: its id stands for another row"},
         {"id row", [](Model& m) { m.blocks.ids.slots()[0].row = 1; }, "row 0 of blocks: its id stands for another row"},
@@ -81,8 +94,8 @@ const std::vector<Damage>& damages() {
          "row 0 of histories: it has not as many values as there are samples"},
         {"history kind", [](Model& m) { m.histories.all[0].source.kind = static_cast<HistorySource::Kind>(6); },
          "row 0 of histories: its kind is unknown"},
-        {"history number", [](Model& m) { m.histories.all[0].number = 4; },
-         "row 0 of histories: its number is another"},
+        {"history number", [](Model& m) { m.histories.all[0].number = 0; },
+         "row 0 of histories: its number is not above the one before"},
     };
     return all;
 }

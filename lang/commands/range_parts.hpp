@@ -1,0 +1,21 @@
+// What the parts of the table of range elements share.
+#pragma once
+
+#include "lang/commands/builder.hpp"
+
+namespace kaya::lang {
+
+/// A new element of the phrase; its place is that of the word read last.
+RangeElement& add(Reader& reader, RangePhrase& phrase, RangeElement::Kind kind);
+
+/// Throws when the next word is no element, but nearly a word of the present one.
+void misspelt_part(const Reader& reader, std::string_view element, const std::vector<KeywordSpec>& words);
+
+/// An element that lacks a part: a misspelt word in its place is what the message is about.
+[[noreturn]] void lacks_part(const Reader& reader, std::string_view element, const std::vector<KeywordSpec>& words,
+                             std::string message, std::string hint);
+
+void space_elements(Keywords<RangePhrase>& table);  ///< box, plane, sphere, cylinder
+void figure_elements(Keywords<RangePhrase>& table); ///< orientation, polygon, rectangle, ellipse
+
+} // namespace kaya::lang

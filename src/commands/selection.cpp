@@ -1,0 +1,75 @@
+// group, mark, excavate, fill.
+#include "commands/handlers.hpp"
+
+#include "mechanics/contact_properties.hpp"
+#include "model/excavation.hpp"
+#include "model/groups.hpp"
+
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+ObjectKind members_of(lang::Group::Kind kind) {
+    switch (kind) {
+    case lang::Group::Kind::block: return ObjectKind::block;
+    case lang::Group::Kind::face: return ObjectKind::face;
+    case lang::Group::Kind::joint: return ObjectKind::contact;
+    case lang::Group::Kind::zone: return ObjectKind::zone;
+    }
+    return ObjectKind::block;
+}
+
+} // namespace
+
+void run(Session& session, const lang::Group& command) {
+    const ObjectKind kind = members_of(command.kind);
+    if (kind == ObjectKind::contact) find_contacts(session.model, session.joints);
+    const auto rows = session.pick(kind, command.range);
+    if (rows.empty()) return;
+    const std::int32_t group = make_group(session.model, command.name);
+    auto& column = *own_groups(session.model, kind);
+    for (const Row row : rows) column[row] = group;
+}
+
+void run(Session& session, const lang::Mark& command) {
+    for (const Row block : session.pick(ObjectKind::block, command.range))
+        session.model.blocks.region[block] = static_cast<std::int32_t>(command.region);
+}
+
+void run(Session& session, const lang::MarkJoint& command) {
+    auto& model = session.model;
+    find_contacts(model, session.joints);
+    const auto faces = session.pick(ObjectKind::face, command.range);
+    for (const Row face : faces) model.faces.joint_set[face] = static_cast<std::int32_t>(command.joint_set);
+    // A contact has the number of its face, as when it was found.
+    auto& contacts = model.contacts;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const Row face = contacts.face1[c] != no_row ? contacts.face1[c] : contacts.face2[c];
+        contacts.joint_set[c] = face != no_row ? model.faces.joint_set[face] : 0;
+    }
+}
+
+void run(Session& session, const lang::Excavate& command) {
+    const auto blocks = session.pick(ObjectKind::block, command.range);
+    if (blocks.empty()) return;
+    excavate_blocks(session.model, blocks);
+    session.world.rows_moved();
+}
+
+void run(Session& session, const lang::Fill& command) {
+    const Model kept = excavated_model(session.model);
+    const auto test = range_test(kept, session.ranges, command.range, ObjectKind::block, {&session.joints, true});
+    const auto rows = select(kept, ObjectKind::block, test);
+    if (rows.empty())
+        return session.warn(Diagnostic(kept.blocks.empty()
+                                           ? std::string("no block was excavated")
+                                           : fmt::format("0 of {} excavated blocks matched", kept.blocks.size()),
+                                       "the command has no effect")
+                                .at(command.range.place));
+    fill_blocks(session.model, rows);
+    session.world.rows_moved();
+}
+
+} // namespace kaya

@@ -1,0 +1,64 @@
+#include "model/groups.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace kaya {
+
+namespace {
+
+bool same_letters(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char one, char other) {
+        return std::tolower(static_cast<unsigned char>(one)) == std::tolower(static_cast<unsigned char>(other));
+    });
+}
+
+} // namespace
+
+std::int32_t find_group(const Model& model, std::string_view name) {
+    const auto& names = model.group_names;
+    const auto found = std::find_if(names.begin(), names.end(),
+                                    [name](const std::string& other) { return same_letters(name, other); });
+    return found == names.end() ? -1 : static_cast<std::int32_t>(found - names.begin());
+}
+
+std::int32_t make_group(Model& model, std::string_view name) {
+    const std::int32_t group = find_group(model, name);
+    if (group >= 0) return group;
+    model.group_names.emplace_back(name);
+    return static_cast<std::int32_t>(model.group_names.size() - 1);
+}
+
+const Column<std::int32_t>* own_groups(const Model& model, ObjectKind kind) {
+    switch (kind) {
+    case ObjectKind::block: return &model.blocks.group;
+    case ObjectKind::face: return &model.faces.group;
+    case ObjectKind::zone: return &model.zones.group;
+    case ObjectKind::contact: return &model.contacts.group;
+    case ObjectKind::gridpoint:
+    case ObjectKind::triangle:
+    case ObjectKind::sub_contact: break;
+    }
+    return nullptr;
+}
+
+Column<std::int32_t>* own_groups(Model& model, ObjectKind kind) {
+    return const_cast<Column<std::int32_t>*>(own_groups(static_cast<const Model&>(model), kind));
+}
+
+std::int32_t group_of(const Model& model, ObjectKind kind, Row row) {
+    switch (kind) {
+    case ObjectKind::contact: return model.contacts.group[row];
+    case ObjectKind::sub_contact: return model.contacts.group[model.sub_contacts.contact[row]];
+    case ObjectKind::triangle: return group_of(model, ObjectKind::face, model.triangles.face[row]);
+    case ObjectKind::block:
+    case ObjectKind::gridpoint:
+    case ObjectKind::face:
+    case ObjectKind::zone: break;
+    }
+    const auto* own = own_groups(model, kind);
+    if (own != nullptr && (*own)[row] != 0) return (*own)[row];
+    return model.blocks.group[block_of(model, kind, row)];
+}
+
+} // namespace kaya
