@@ -27,7 +27,7 @@ syntax keyword kayaCommand fa[ctor]
 syntax keyword kayaCommand feb
 syntax keyword kayaCommand fe[block]
 syntax keyword kayaCommand ff[ield]
-syntax keyword kayaCommand fi[ll]
+syntax keyword kayaCommand fil[l]
 syntax keyword kayaCommand fi[nd]
 syntax keyword kayaCommand fi[sh]
 syntax keyword kayaCommand fi[x]
