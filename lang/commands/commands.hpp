@@ -158,7 +158,7 @@ struct GenerateEdge { double edge = 0; RangePhrase range; Place place; };
 struct Property {
     bool joint = false; ///< `jmat` was typed
     std::int64_t number = 1;
-    struct Item { std::string word; double value; Place place; };
+    struct Item { std::string word; double value; Place place; bool is_switch = false; }; ///< a switch: `on` or `off` was typed
     std::vector<Item> items;
 };
 struct Change {

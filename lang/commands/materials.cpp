@@ -47,13 +47,14 @@ bool read_unknown_property(Reader& reader, std::vector<Property::Item>& items) {
     const Word& word = *reader.peek();
     if (word.kind != WordKind::word) return false;
     const std::size_t index = static_cast<std::size_t>(&word - reader.statement().words.data());
-    const bool number_follows = index + 1 < reader.statement().words.size() &&
-                                (reader.statement().words[index + 1].kind == WordKind::number ||
-                                 reader.statement().words[index + 1].late());
-    if (!number_follows && !did_you_mean(word.folded, {"range", "model", "load"}).empty()) return false;
+    const auto& words = reader.statement().words;
+    const Word* next = index + 1 < words.size() ? &words[index + 1] : nullptr;
+    const bool number_follows = next && (next->kind == WordKind::number || next->late());
+    const bool switch_follows = next && next->kind == WordKind::word && (next->folded == "on" || next->folded == "off");
+    if (!number_follows && !switch_follows && !did_you_mean(word.folded, {"range", "model", "load"}).empty()) return false;
     reader.take();
-    Property::Item item{word.folded, 0, word.place};
-    item.value = reader.real(real(word.folded).spec);
+    Property::Item item{word.folded, 0, word.place, switch_follows};
+    item.value = switch_follows ? reader.on_off(on_off().spec) : reader.real(real(word.folded).spec);
     items.push_back(std::move(item));
     return true;
 }
@@ -176,6 +177,7 @@ CommandSpec jmodel_assign() {
     model_properties(entry, &JointModelCommand::items);
     entry.range(&JointModelCommand::range, true);
     entry.right("jmodel model barton-bandis").right("jmodel model mohr jkn 1e5 jks 1e4 jfric 30 range z 0 1");
+    entry.right("jmodel model softening-mohr jkn 1e5 jks 1e4 jfric 30 dc 0.01 healing off");
     entry.wrong("jmodel model", "a word is missing after 'model'");
     entry.wrong("jmodel model mohr jkn", "a number is missing after 'jkn'");
     entry.wrong("jmodel model mohr rang z 0 one", "'one' is not a range element");

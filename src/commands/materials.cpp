@@ -106,6 +106,19 @@ void set_block_property(Material& material, const BlockProperty& property, const
     material.shear = both ? material.young / (2 * (1 + material.poisson)) : nan;
 }
 
+/// `on` and `off` are 1 and 0 of properties that have no other values.
+void refuse_wrong_switch(const JointRegistry& joints, const Items& items) {
+    for (const auto& item : items) {
+        if (!item.is_switch) continue;
+        const bool is_known = std::ranges::any_of(joints.loaded(), [&](const auto& model) {
+            const auto found = model->find_property(item.word);
+            return found && model->properties[*found].minimum == 0 && model->properties[*found].maximum == 1;
+        });
+        if (!is_known)
+            throw Diagnostic(fmt::format("'{}' cannot be switched on or off", item.word), "give it a number").at(item.place);
+    }
+}
+
 std::vector<std::pair<std::string, double>> names_and_values(const Items& items) {
     std::vector<std::pair<std::string, double>> pairs;
     for (const auto& item : items) pairs.emplace_back(item.word, item.value);
@@ -163,6 +176,7 @@ void warn_unused(Session& session, std::int32_t number, const Material& material
 
 void run(Session& session, const lang::Property& command) {
     const auto number = static_cast<std::int32_t>(command.number);
+    refuse_wrong_switch(session.joints, command.items);
     const auto existing = session.model.materials.find(number);
     Material material = existing == session.model.materials.end() ? Material{} : existing->second;
     Items of_joints;
@@ -224,6 +238,7 @@ void run(Session& session, const lang::JointModelCommand& command) {
         }
         if (command.action == Action::load) return;
     }
+    refuse_wrong_switch(session.joints, command.items);
     find_contacts(session.model, session.joints);
     // Where nothing touches yet, a command for all contacts is one for those to come.
     const bool to_come = !command.range.place && select(session.model, ObjectKind::contact, {}, true).empty();
@@ -231,7 +246,7 @@ void run(Session& session, const lang::JointModelCommand& command) {
     if (contacts.empty() && !to_come) return;
     if (command.action == Action::assign) {
         try {
-            assign_joint_model(session.model, session.joints, contacts, command.model, session.here());
+            assign_joint_model(session.model, session.joints, contacts, session.joints.get(command.model).name, session.here());
         } catch (Diagnostic& mistake) {
             mistake.at(command.model_place);
             throw;

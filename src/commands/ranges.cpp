@@ -94,7 +94,7 @@ RangeTest by_joint_model(const RangeElement& e, const RangeContext& context) {
     // `jcons n` gives a number, `jmodel NAME` a name.
     std::string name;
     try {
-        name = lower(e.name.empty() ? joint_model_of_number(context.model, static_cast<std::int32_t>(e.low)) : e.name);
+        name = lower(JointRegistry::keyword_of(e.name.empty() ? joint_model_of_number(context.model, static_cast<std::int32_t>(e.low)) : e.name));
     } catch (Diagnostic& mistake) {
         throw mistake.at(e.place);
     }

@@ -134,7 +134,7 @@ bool are_a_vector(std::string_view x, std::string_view y, std::string_view z) {
 std::string too_soft(const JointModel& model, const std::vector<double>& values) {
     const auto trial = try_stiffness(model, values);
     if (!trial || trial->found <= 2 * trial->reported) return {};
-    return fmt::format("it resists closing with a stiffness of {:.4g}, and reports {:.4g}", trial->found,
+    return fmt::format("it resists {} with a stiffness of {:.4g}, and reports {:.4g}", trial->resists, trial->found,
                        trial->reported);
 }
 

@@ -70,7 +70,7 @@ public:
 
     /// Throws Diagnostic (Fault::run) when the model throws, or gives a number that is not finite, a
     /// negative one, a normal stiffness of 0, or one that is
-    /// less than half of that with which it resists a small closing.
+    /// less than half of that with which it resists closing and shear up to a moderate load.
     JointStiffness initial_stiffness(const std::vector<double>& values) const;
 
     /// Whether it keeps an object of each sub-contact: then a batch needs the column of objects.
@@ -105,10 +105,13 @@ public:
     /// Files with that ending (".lua") are made into models by `maker`.
     void understand(const std::string& ending, Maker maker) { makers_[ending] = std::move(maker); }
 
-    /// The model with that keyword, loaded when it is not yet. A name with a slash or with the ending
-    /// .so, or one that is understood, is a file. Throws Diagnostic: not found (with the names that are there and did-you-mean),
+    /// The model with that keyword, loaded when it is not yet; libraries named as those of 3DEC are, libjmodelslip009.so, are
+    /// opened to see what they hold. A name with a slash or with the ending .so, or one that is understood, is a file. Throws Diagnostic: not found (with the names that are there and did-you-mean),
     /// not a joint model, other interface version (both numbers), bad table, name taken.
     const JointModel& get(std::string_view name);
+
+    /// The keyword of a model that 3DEC calls otherwise (cyjm), in lower case; else the word itself.
+    static std::string keyword_of(std::string_view word);
 
     const JointModel* find(std::string_view name) const; ///< among the loaded ones
     std::vector<std::string> available() const;          ///< loaded or in the folders, sorted
@@ -123,6 +126,7 @@ private:
     std::filesystem::path file_named(const std::filesystem::path& name) const;
     std::optional<std::filesystem::path> file_of(const std::string& keyword) const;
     std::unique_ptr<JointModel> open(const std::filesystem::path& file) const;
+    const JointModel* find_among_3dec(const std::string& keyword);
     const JointModel& load(const std::filesystem::path& file);
 
     std::vector<std::filesystem::path> path_;

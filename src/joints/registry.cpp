@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <set>
+#include <utility>
 
 namespace kaya {
 
@@ -31,6 +32,22 @@ std::string folded(std::string_view word) {
     std::string lower(word);
     for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return lower;
+}
+
+/// Words of 3DEC for models that have another name here.
+constexpr std::pair<std::string_view, std::string_view> synonyms[] = {{"cyjm", "continuously-yielding"}};
+
+/// The part of a file's name between `jmodel` and three digits, as libraries of 3DEC are called: libjmodelslip009.so holds
+/// `slip`, as a rule; only the model itself knows its keyword.
+std::optional<std::string> stem_of_3dec(const fs::path& file) {
+    if (file.extension() != library_ending) return std::nullopt;
+    std::string name = folded(file.stem().string());
+    if (name.starts_with("lib")) name.erase(0, 3);
+    constexpr std::string_view beginning = "jmodel";
+    constexpr std::size_t digits = 3;
+    if (!name.starts_with(beginning) || name.size() <= beginning.size() + digits) return std::nullopt;
+    if (!std::all_of(name.end() - digits, name.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) return std::nullopt;
+    return name.substr(beginning.size(), name.size() - beginning.size() - digits);
 }
 
 bool same_file(const fs::path& a, const fs::path& b) {
@@ -104,6 +121,13 @@ std::unique_ptr<JointModel> JointRegistry::open(const fs::path& file) const {
     return std::make_unique<JointModel>(descriptor_of(library.get(), file), file, library);
 }
 
+std::string JointRegistry::keyword_of(std::string_view word) {
+    const std::string keyword = folded(word);
+    for (const auto& [synonym, meant] : synonyms)
+        if (keyword == synonym) return std::string(meant);
+    return keyword;
+}
+
 const JointModel& JointRegistry::get(std::string_view name) {
     if (is_file_name(name)) return load(file_named(fs::path(name)));
 
@@ -112,6 +136,8 @@ const JointModel& JointRegistry::get(std::string_view name) {
 
     const auto file = file_of(keyword);
     if (!file) {
+        if (const auto meant = keyword_of(keyword); meant != keyword) return get(meant);
+        if (const auto* model = find_among_3dec(keyword)) return *model;
         const auto names = available();
         const auto near = did_you_mean(keyword, {names.begin(), names.end()});
         Diagnostic error(fmt::format("there is no joint model '{}'", name),
@@ -145,7 +171,7 @@ const JointModel& JointRegistry::load(const fs::path& file) {
                fmt::format("the joint model in {} is named '{}', and that name belongs to {}", file.string(),
                            model->name, owner->string()),
                "give the model another name in its descriptor");
-    if (!owner && std::any_of(path_.begin(), path_.end(),
+    if (!owner && !stem_of_3dec(file) && std::any_of(path_.begin(), path_.end(),
                               [&](const fs::path& folder) { return same_file(folder, file.parent_path()); }))
         refuse("joint-model-name",
                fmt::format("{} holds a joint model named '{}'", file.string(), model->name),
@@ -175,6 +201,30 @@ std::optional<fs::path> JointRegistry::file_of(const std::string& keyword) const
     return std::nullopt;
 }
 
+const JointModel* JointRegistry::find_among_3dec(const std::string& keyword) {
+    // Those first whose file name promises it. File names do lie, so then all of them.
+    std::vector<fs::path> promising, others;
+    for (const auto& folder : path_) {
+        std::error_code unreadable;
+        for (const auto& entry : fs::directory_iterator(folder, unreadable))
+            if (const auto stem = stem_of_3dec(entry.path())) (*stem == keyword ? promising : others).push_back(entry.path());
+    }
+    std::sort(promising.begin(), promising.end());
+    std::sort(others.begin(), others.end());
+    for (const auto* files : {&promising, &others})
+        for (const auto& file : *files) {
+            try {
+                const auto model = open(file);
+                if (model->name != keyword) continue;
+            } catch (const Diagnostic&) {
+                if (files == &promising) throw; // what was asked for is broken
+                continue;
+            }
+            return &load(file);
+        }
+    return nullptr;
+}
+
 std::vector<std::string> JointRegistry::available() const {
     std::set<std::string> names;
     for (const auto& model : models_) names.insert(model->name);
@@ -182,7 +232,8 @@ std::vector<std::string> JointRegistry::available() const {
     for (const auto& folder : path_) {
         std::error_code unreadable; // a folder of the list need not be there
         for (const auto& entry : fs::directory_iterator(folder, unreadable))
-            if (entry.path().extension() == library_ending) names.insert(entry.path().stem().string());
+            if (entry.path().extension() == library_ending)
+                names.insert(stem_of_3dec(entry.path()).value_or(entry.path().stem().string()));
     }
     return {names.begin(), names.end()};
 }

@@ -12,7 +12,7 @@ namespace {
 
 /// One sub-contact, by itself.
 struct Bench {
-    double area = 1, opening = 0, step = 0, none = 0, normal = 0, shear[3] = {0, 0, 0};
+    double area = 1, opening = 0, opening_step = 0, slip = 0, slip_step = 0, none = 0, normal = 0, shear[3] = {0, 0, 0};
     double normal_stiffness = 0, shear_stiffness = 0, work = 0;
     std::uint32_t state = 0;
     std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
@@ -27,9 +27,10 @@ struct Bench {
         b.time_step = 1;
         b.area = &area;
         b.normal_disp = &opening;
-        b.normal_disp_inc = &step;
+        b.normal_disp_inc = &opening_step;
         for (int k = 0; k < 3; ++k) {
-            b.shear_disp[k] = b.shear_disp_inc[k] = &none;
+            b.shear_disp[k] = k == 0 ? &slip : &none;
+            b.shear_disp_inc[k] = k == 0 ? &slip_step : &none;
             b.shear_force[k] = &shear[k];
         }
         b.pore_pressure = &none;
@@ -48,20 +49,31 @@ struct Bench {
 } // namespace
 
 std::optional<StiffnessTrial> try_stiffness(const JointModel& model, const std::vector<double>& values) {
-    constexpr int steps = 4;
-    constexpr double closing = 1e-9; // of the deck's length: stresses that are small for any joint
+    // Of the deck's length: from stresses that are small for any joint up to those of a hard one under load.
+    constexpr double ways[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4};
     Bench bench;
     auto batch = bench.batch(model, values);
     if (initialise_batch(model, batch)) return std::nullopt;
     std::optional<StiffnessTrial> worst;
-    bench.step = -closing;
-    for (int i = 0; i < steps; ++i) {
-        const double before = bench.normal, stiffness = bench.normal_stiffness;
-        if (run_batch(model, batch)) return std::nullopt;
-        bench.opening += bench.step;
-        const StiffnessTrial trial{(bench.normal - before) / closing, std::max(stiffness, bench.normal_stiffness)};
+    // One step; false when the model refuses it.
+    const auto reported = [&] { return std::max(bench.normal_stiffness, bench.shear_stiffness); };
+    const auto advance = [&](const char* resists, double& place, double& step, double way, const double& force) {
+        const double before = force, reported_before = reported();
+        step = way;
+        const bool well = !run_batch(model, batch);
+        place += step;
+        step = 0;
+        if (!well) return false;
+        const StiffnessTrial trial{resists, (std::abs(force) - std::abs(before)) / std::abs(way),
+                                   std::max(reported_before, reported())};
         if (!worst || trial.found * worst->reported > worst->found * trial.reported) worst = trial;
-    }
+        return true;
+    };
+    for (const double way : ways)
+        for (int i = 0; i < 2; ++i) {
+            if (!advance("closing", bench.opening, bench.opening_step, -way, bench.normal)) return worst;
+            if (!advance("shear", bench.slip, bench.slip_step, way, bench.shear[0])) return worst;
+        }
     return worst;
 }
 

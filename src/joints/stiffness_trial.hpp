@@ -8,14 +8,15 @@
 
 namespace kaya {
 
-/// How one sub-contact of area 1 answers a small closing.
+/// How one sub-contact of area 1 answers a small step.
 struct StiffnessTrial {
-    double found;    ///< normal force per closing
-    double reported; ///< the larger of the normal stiffnesses before and after it
+    const char* resists; ///< "closing" or "shear"
+    double found;        ///< growth of the force per way
+    double reported;     ///< the largest of the stiffnesses before and after it: the time step knows no more
 };
 
-/// Closes a sub-contact by a few small steps and gives the worst of them; nullopt when the model fails or gives
-/// no number, which is found again, with its place, when it runs.
+/// Closes and shears a sub-contact in turn by ever larger steps and gives the worst of them; nullopt when the model fails
+/// at once. A later failure ends the trial: it is found again, with its place, when the model runs.
 std::optional<StiffnessTrial> try_stiffness(const JointModel& model, const std::vector<double>& values);
 
 } // namespace kaya

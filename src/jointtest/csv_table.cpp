@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -19,22 +20,43 @@ std::string_view trimmed(std::string_view text) {
     return first == text.npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-std::vector<std::string_view> cells_of(std::string_view line) {
+/// How the numbers of a file are parted, as the line of names shows. Spreadsheets of many countries write semicolons between
+/// and commas inside of numbers.
+struct Style {
+    char between = ',';
+    bool decimal_comma = false;
+
+    explicit Style(std::string_view names) {
+        if (names.find(';') != names.npos) between = ';';
+        else if (names.find('\t') != names.npos) between = '\t';
+        decimal_comma = between != ',';
+    }
+};
+
+std::vector<std::string_view> cells_of(std::string_view line, const Style& style) {
     std::vector<std::string_view> cells;
     while (true) {
-        const auto comma = line.find(',');
-        cells.push_back(trimmed(line.substr(0, comma)));
-        if (comma == line.npos) return cells;
-        line.remove_prefix(comma + 1);
+        const auto end = line.find(style.between);
+        cells.push_back(trimmed(line.substr(0, end)));
+        if (end == line.npos) return cells;
+        line.remove_prefix(end + 1);
     }
 }
 
-double number_of(std::string_view cell, const std::filesystem::path& file, int line) {
+/// "Shear displacement" is shear_displacement.
+std::string column_name(std::string_view cell) {
+    std::string name(cell);
+    for (char& c : name) c = c == ' ' || c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return name;
+}
+
+double number_of(std::string cell, const Style& style, const std::filesystem::path& file, int line) {
+    if (style.decimal_comma) std::replace(cell.begin(), cell.end(), ',', '.');
     double value = 0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
         throw Diagnostic(fmt::format("{}, line {}: '{}' stands where a number must be", file.string(), line, cell),
-                         "columns are parted by commas, and the first line has their names");
+                         "columns are parted by commas, semicolons or tabs, and the first line has their names");
     return value;
 }
 
@@ -54,23 +76,26 @@ void CsvTable::add(std::string name, std::vector<double> values) {
 CsvTable read_csv(const std::filesystem::path& file) {
     std::ifstream stream(file);
     if (!stream) throw Diagnostic(fmt::format("there is no file {}", file.string()), "give the path from the working folder");
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     CsvTable table;
+    std::optional<Style> style;
     int number = 0;
     for (std::string line; std::getline(stream, line);) {
-        ++number;
+        if (++number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
         const auto text = trimmed(line);
         if (text.empty() || text.front() == '#') continue;
-        const auto cells = cells_of(text);
-        if (table.names.empty()) {
-            for (const auto cell : cells) table.add(std::string(cell), {});
+        if (!style) {
+            style.emplace(text);
+            for (const auto cell : cells_of(text, *style)) table.add(column_name(cell), {});
             continue;
         }
+        const auto cells = cells_of(text, *style);
         if (cells.size() != table.names.size())
             throw Diagnostic(fmt::format("{}, line {}: {} numbers where the first line has {} names", file.string(), number,
                                          cells.size(), table.names.size()),
                              "give every column a number in every row");
         for (std::size_t k = 0; k < cells.size(); ++k)
-            table.columns[k].push_back(number_of(cells[k], file, number));
+            table.columns[k].push_back(number_of(std::string(cells[k]), *style, file, number));
     }
     return table;
 }

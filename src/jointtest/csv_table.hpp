@@ -19,7 +19,9 @@ struct CsvTable {
     void add(std::string name, std::vector<double> values);
 };
 
-/// Throws Diagnostic with file and line when a cell is no number or a row has another length.
+/// Commas, semicolons or tabs part the columns, as in the line of names; beside the last two a number may have a decimal
+/// comma. Names come out in lower case, with underscores for blanks. Throws Diagnostic with file and line when a cell is no
+/// number or a row has another length.
 CsvTable read_csv(const std::filesystem::path& file);
 
 /// With 17 digits, so that nothing is lost. Throws Diagnostic (Fault::run) when the file cannot be written.

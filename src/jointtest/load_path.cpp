@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace kaya {
 
@@ -26,7 +27,8 @@ LoadPath read_load_path(const std::filesystem::path& file) {
     if (opening && stress)
         refuse(file, "it gives normal_displacement and normal_stress", "one of them follows from the other: leave one out");
     if (!opening && !stress)
-        refuse(file, "it has neither a column normal_displacement nor normal_stress", "say what happens across the joint");
+        throw Diagnostic(fmt::format("{}: it has neither a column normal_displacement nor normal_stress", file.string()),
+                         fmt::format("say what happens across the joint; its columns are: {}", fmt::join(table.names, ", ")));
     if (stiffness && !stress)
         refuse(file, "boundary_stiffness needs a column normal_stress", "give the normal stress at the first point");
     if (table.rows() < 2) refuse(file, "a path needs two points at least", "the first is where the test begins");

@@ -9,6 +9,8 @@
 namespace {
 
 using namespace kaya::joints;
+using coulomb::Shear;
+using coulomb::length;
 
 enum Property {
     stiffness_normal,
@@ -63,31 +65,21 @@ constexpr const char* state_names = "open past-peak";
 constexpr uint32_t is_open = 1, is_past_peak = 2;
 constexpr double largest_ratio = 0.75; // of r: beyond it F would be noise
 
-PowerSpring normal_spring(const double* p) {
-    return PowerSpring({p[stiffness_normal], p[exponent_normal], p[kn_minimum], p[kn_maximum]});
-}
-
-PowerStiffness shear_stiffness(const double* p) {
-    return {p[stiffness_shear], p[exponent_shear], p[ks_minimum], p[ks_maximum]};
+PowerSprings springs_of(const double* p) {
+    return {PowerSpring({p[stiffness_normal], p[exponent_normal], p[kn_minimum], p[kn_maximum]}),
+            {p[stiffness_shear], p[exponent_shear], p[ks_minimum], p[ks_maximum]}};
 }
 
 ptrdiff_t initialise(kaya_jbatch* batch) {
-    const PowerSpring spring = normal_spring(batch->properties);
-    const PowerStiffness shear = shear_stiffness(batch->properties);
-    for (std::size_t i = 0; i < batch->n; ++i) {
-        const double stress = batch->area[i] > 0 ? std::max(0.0, batch->normal_force[i] / batch->area[i]) : 0;
-        double& closed = batch->history[closure][i];
-        if (stress > 0)
-            closed = spring.closure(stress);
-        else
-            closed = std::min({0.0, closed, -batch->normal_disp[i]});
-        double& angle = batch->history[friction_mobilised][i];
-        if (angle == 0) angle = batch->properties[friction_initial];
-        batch->normal_stiffness[i] = spring.tangent(stress);
-        batch->shear_stiffness[i] = shear.at(stress);
-    }
+    springs_of(batch->properties).begin(*batch, batch->history[closure]);
+    double* angles = batch->history[friction_mobilised];
+    for (std::size_t i = 0; i < batch->n; ++i)
+        if (angles[i] == 0) angles[i] = batch->properties[friction_initial];
     return -1;
 }
+
+/// e to the power x; x below 0 or 0.
+[[gnu::always_inline]] inline double left_of(double x) { return exponential(std::max(-700.0, x)); }
 
 /// Motion of one step along its own direction, at one normal stress.
 struct Advance {
@@ -98,107 +90,126 @@ struct Advance {
 };
 
 /// (2), (3) and (5) integrated over the step: for a fixed bound the stress nears it exponentially, and for a known
-/// plastic displacement so does the angle; two passes with the mean angle make the step of second order.
-Advance advance(double start, double motion, double ks, double ratio, double normal, double angle, double intrinsic,
-                double per_roughness) {
-    Advance a{start, 0, angle, normal * tangent_of_degrees(angle)};
+/// plastic displacement so does the angle; two passes with the mean angle make the step of second order. The bound is above 0.
+[[gnu::always_inline]] inline Advance advance(double start, double motion, double ks, double ratio, double normal, double angle,
+                                              double intrinsic, double per_roughness) {
+    Advance a{start, 0, angle, normal};
+#pragma GCC unroll 2
     for (int pass = 0; pass < 2; ++pass) {
         const double bound = normal * tangent_of_degrees(0.5 * (angle + a.friction));
         a.bound_before = bound;
-        const double left = bound > 0 ? exponential(std::max(-700.0, -ks * motion / (bound * (1 - ratio)))) : 0;
+        const double left = left_of(-ks * motion / (bound * (1 - ratio)));
         a.stress = std::min(bound + (start - bound) * left, start + ks * motion); // F is 1 at most
         a.plastic = std::max(0.0, motion - (a.stress - start) / ks);
-        a.friction = intrinsic + (angle - intrinsic) * exponential(std::max(-700.0, -a.plastic * per_roughness));
+        a.friction = intrinsic + (angle - intrinsic) * left_of(-a.plastic * per_roughness);
     }
     return a;
 }
 
-ptrdiff_t run(kaya_jbatch* batch) {
+/// With dilation the step is done three times: it closes the joint further, which changes the normal stress (1) and with it
+/// all the rest.
+template <int passes> void run_rows(kaya_jbatch* batch) {
+    constexpr double tiny = std::numeric_limits<double>::min();
     const double* p = batch->properties;
-    const PowerSpring spring = normal_spring(p);
-    const PowerStiffness shear = shear_stiffness(p);
-    const double per_roughness = 1 / p[roughness], intrinsic = p[friction];
-    const bool dilation_acts = p[dilates] != 0;
+    const PowerSprings springs = springs_of(p);
+    const PowerSpring spring = springs.normal;
+    const PowerStiffness shear = springs.shear;
+    const double per_roughness = 1 / p[roughness], intrinsic = p[friction], worn = coulomb::tan_degrees(p[friction]);
 
-    for (std::size_t i = 0; i < batch->n; ++i) {
-        const double area = batch->area[i], per_area = area > 0 ? 1 / area : 0;
-        double& closed = batch->history[closure][i];
-        double& angle = batch->history[friction_mobilised][i];
-        double& ratio = batch->history[reversal_ratio][i];
-        double& head = batch->history[heading][i];
-
-        const double old_normal = batch->normal_force[i] * per_area, old_ks = shear.at(old_normal);
-        const double old_bound = old_normal * tangent_of_degrees(angle);
-        closed -= batch->normal_disp_inc[i];
+    const double *area_of = batch->area, *openings = batch->normal_disp_inc;
+    const double *motion_x = batch->shear_disp_inc[0], *motion_y = batch->shear_disp_inc[1], *motion_z = batch->shear_disp_inc[2];
+    double *normal_force = batch->normal_force, *force_x = batch->shear_force[0], *force_y = batch->shear_force[1],
+           *force_z = batch->shear_force[2], *work = batch->frictional_work;
+    double *closures = batch->history[closure], *angles = batch->history[friction_mobilised], *plastics = batch->history[plastic];
+    double *ratios = batch->history[reversal_ratio], *heads = batch->history[heading];
+    double *normal_stiffness = batch->normal_stiffness, *shear_stiffness = batch->shear_stiffness;
+    std::uint32_t* states = batch->state;
+    const std::size_t n = batch->n;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < n; ++i) {
+        const double area = area_of[i], per_area = area > 0 ? 1 / area : 0;
+        const double angle = angles[i], ratio = ratios[i], head = heads[i], tangent = tangent_of_degrees(angle);
+        const double old_normal = normal_force[i] * per_area, old_ks = shear.at(old_normal), old_bound = old_normal * tangent;
+        const double closed = closures[i] - openings[i];
 
         // Resistance on the side that is moved: minus the force on block 2.
-        double resistance[3], motion[3], way = 0, dot = 0, old_square = 0;
-        for (int k = 0; k < 3; ++k) {
-            resistance[k] = -batch->shear_force[k][i] * per_area;
-            motion[k] = batch->shear_disp_inc[k][i];
-            old_square += resistance[k] * resistance[k];
-            way += motion[k] * motion[k];
-            dot += resistance[k] * motion[k];
-        }
-        const double size = std::sqrt(old_square);
-        way = std::sqrt(way);
-        const double over = old_bound > 0 ? std::max(1.0, size / old_bound) : 1;
+        const Shear resistance = {-force_x[i] * per_area, -force_y[i] * per_area, -force_z[i] * per_area};
+        const Shear motion = {motion_x[i], motion_y[i], motion_z[i]};
+        const double size = length(resistance), way = length(motion);
+        const double dot = resistance.x * motion.x + resistance.y * motion.y + resistance.z * motion.z;
+        const double per_way = way > 0 ? 1 / std::max(way, tiny) : 0;
+        const double over = old_bound > 0 ? std::max(1.0, size / std::max(old_bound, tiny)) : 1;
         // The motion turns back when it goes against the resistance after it went with it, or the other way round (4).
-        const bool turns = size > 0 && way > 0 && dot * head < 0;
+        const bool turns = dot * head < 0;
 
-        // Dilation closes the joint further, which changes the normal stress (1) and with it all the rest.
-        double normal = 0, ks = 0, bound = 0, kept = 1, along = 0, lifting = 0, across = 1;
+        double normal = 0, bound = 0, kept = 1, along = 0, lifting = 0, across = 1;
         Advance step{};
-        for (int pass = 0; pass < (dilation_acts ? 3 : 1); ++pass) {
+#pragma GCC unroll 3
+        for (int pass = 0; pass < passes; ++pass) {
             normal = std::max(0.0, spring.stress(closed + lifting));
-            ks = shear.at(normal);
-            bound = normal * tangent_of_degrees(angle);
+            const double ks = shear.at(normal);
+            bound = normal * tangent;
             // A normal stress that falls takes resistance with it, as much as stiffness (7) and bounding strength say.
-            kept = std::min(1.0, ks / old_ks);
-            if (size * kept > bound * over) kept = bound * over / size;
-            along = way > 0 ? dot / way * kept : 0; // component in the direction of motion
-            step = {along, 0, angle, bound};
-            if (!(way > 0 && bound > 0)) continue;
-            const double last_ratio = turns ? std::min(largest_ratio, along / bound) : ratio;
-            step = advance(along, way, ks, last_ratio, normal, angle, intrinsic, per_roughness);
+            const double softer = std::min(1.0, ks / old_ks), held = bound * over / std::max(size, tiny);
+            kept = size * softer > bound * over ? held : softer;
+            along = dot * per_way * kept; // component in the direction of motion
+            const bool moves = way > 0 && bound > 0;
+            const double some_bound = std::max(bound, tiny), some_normal = std::max(normal, tiny);
+            const double turned = std::min(largest_ratio, along / some_bound);
+            const Advance moved =
+                advance(along, way, ks, turns ? turned : ratio, some_normal, angle, intrinsic, per_roughness);
+            step.stress = moves ? moved.stress : along;
+            step.plastic = moves ? moved.plastic : 0;
+            step.friction = moves ? moved.friction : angle;
             // Resistance across the motion is worn off by the plastic part of the motion.
-            across = exponential(std::max(-700.0, -ks * step.plastic / step.bound_before));
-            const double above = coulomb::degrees_of_tangent(step.stress / normal) - intrinsic; // (8)
-            if (dilation_acts) lifting = tangent_of_degrees(std::max(0.0, above)) * step.plastic;
+            const double worn_off = left_of(-ks * moved.plastic / moved.bound_before);
+            across = moves ? worn_off : across;
+            // The tangent of the angle of the stress above the intrinsic friction (8).
+            const double slope = moved.stress / some_normal, above = std::max(0.0, (slope - worn) / (1 + slope * worn));
+            lifting = passes > 1 && moves ? above * moved.plastic : lifting;
         }
-        if (turns && bound > 0) ratio = std::min(largest_ratio, along / bound);
+        const double turned = std::min(largest_ratio, along / std::max(bound, tiny));
+        const double new_ratio = turns ? turned : ratio;
 
-        double worked = 0, new_square = 0, new_along = 0, fresh[3];
-        for (int k = 0; k < 3; ++k) {
-            const double direction = way > 0 ? motion[k] / way : 0;
-            const double part = way > 0 ? along * direction : 0;
-            fresh[k] = (resistance[k] * kept - part) * across + (way > 0 ? step.stress * direction : 0);
-            if (!(bound > 0)) fresh[k] = 0;
-            worked += 0.5 * (resistance[k] + fresh[k]) * motion[k];
-            new_square += fresh[k] * fresh[k];
-            new_along += fresh[k] * direction;
-            batch->shear_force[k][i] = -fresh[k] * area;
-        }
-        closed += lifting;
-        normal = std::max(0.0, spring.stress(closed));
+        // What is along the motion, and what is across it.
+        const bool bears = bound > 0;
+        const double forward = bears ? (way > 0 ? step.stress : 0) * per_way : 0;
+        const double taken = along * per_way, rest = bears ? across : 0;
+        const Shear fresh = {(resistance.x * kept - taken * motion.x) * rest + forward * motion.x,
+                             (resistance.y * kept - taken * motion.y) * rest + forward * motion.y,
+                             (resistance.z * kept - taken * motion.z) * rest + forward * motion.z};
+        const double worked = 0.5 * ((resistance.x + fresh.x) * motion.x + (resistance.y + fresh.y) * motion.y +
+                                     (resistance.z + fresh.z) * motion.z);
+        const double new_closed = closed + lifting, new_normal = std::max(0.0, spring.stress(new_closed));
+        const double new_ks = shear.at(new_normal), new_size = length(fresh);
         // What is put in and neither stored in the springs nor spent on dilation.
-        const double stored = 0.5 * new_square / shear.at(normal) - 0.5 * old_square / old_ks;
-        const double lifted = 0.5 * (old_normal + normal) * lifting;
-        batch->frictional_work[i] += area * (worked - stored - lifted);
+        const double stored = 0.5 * new_size * new_size / new_ks - 0.5 * size * size / old_ks;
+        const double lifted = 0.5 * (old_normal + new_normal) * lifting;
+        work[i] += area * (worked - stored - lifted);
 
-        const double new_size = std::sqrt(new_square);
-        if (way > 0 && new_size > 0) head = new_along / new_size;
-        if (!(bound > 0)) ratio = head = 0;
-        angle = step.friction;
-        batch->history[plastic][i] += step.plastic;
-        batch->normal_force[i] = normal * area;
-        batch->normal_stiffness[i] = spring.tangent(normal);
-        batch->shear_stiffness[i] = shear.at(normal);
-        batch->state[i] = (normal > 0 ? 0 : is_open) |
-                          (step.stress > 0 && step.stress >= normal * tangent_of_degrees(angle) && step.plastic > 0 ? is_past_peak
-                                                                                                           : 0);
+        const double cosine = (fresh.x * motion.x + fresh.y * motion.y + fresh.z * motion.z) * per_way / std::max(new_size, tiny);
+        const double new_head = way > 0 && new_size > 0 ? cosine : head;
+        const double new_angle = step.friction;
+        const bool past_peak = step.stress > 0 && step.stress >= new_normal * tangent_of_degrees(new_angle) && step.plastic > 0;
+        closures[i] = new_closed;
+        angles[i] = new_angle;
+        ratios[i] = bears ? new_ratio : 0;
+        heads[i] = bears ? new_head : 0;
+        plastics[i] += step.plastic;
+        normal_force[i] = new_normal * area;
+        force_x[i] = -fresh.x * area;
+        force_y[i] = -fresh.y * area;
+        force_z[i] = -fresh.z * area;
+        normal_stiffness[i] = spring.tangent(new_normal);
+        shear_stiffness[i] = new_ks;
+        states[i] = (new_normal > 0 ? 0 : is_open) | (past_peak ? is_past_peak : 0);
     }
     batch->stiffness_changed = 1;
+}
+
+ptrdiff_t run(kaya_jbatch* batch) {
+    if (batch->properties[dilates] != 0) run_rows<3>(batch);
+    else run_rows<1>(batch);
     return -1;
 }
 
@@ -210,19 +221,13 @@ const char* check(const double* p) {
     if (p[friction] > p[friction_initial])
         return "friction is above friction-initial: this joint only wears, give a friction-initial of at least that";
     if (!(p[friction_initial] > 0)) return "friction-initial is 0: a joint without friction is jmodel mohr";
-    if (const char* fault = fault_of_limits(normal_spring(p).stiffness(),
-                                            "kn-minimum is 0: a joint without stiffness at first touch never closes, "
-                                            "give a small value",
-                                            "kn-minimum is above kn-maximum: exchange them"))
-        return fault;
-    return fault_of_limits(shear_stiffness(p),
-                           "ks-minimum is 0: give the joint a small shear stiffness at first touch",
-                           "ks-minimum is above ks-maximum: exchange them");
+    return springs_of(p).fault();
 }
 
 void max_stiffness(const double* p, double* normal, double* shear) {
-    *normal = normal_spring(p).first_tangent();
-    *shear = shear_stiffness(p).at(0);
+    const PowerSprings springs = springs_of(p);
+    *normal = springs.normal.first_tangent();
+    *shear = springs.shear.at(0);
 }
 
 constexpr kaya_jmodel descriptor = {

@@ -8,6 +8,7 @@
 #include "kaya/jmodel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,36 +18,53 @@
 namespace kaya::joints::coulomb {
 
 inline double tan_degrees(double angle) { return std::tan(angle * (std::numbers::pi / 180)); }
-inline double degrees_of_tangent(double tangent) { return std::atan(tangent) * (180 / std::numbers::pi); }
 
-// --- rows of the tables of properties, history and states that several models have -----------------------------------
+// --- tables: what most models begin with, before what is their own ------------------------------------------------------
+
+enum Property : std::size_t {
+    stiffness_normal,
+    stiffness_shear,
+    friction,
+    cohesion,
+    tension,
+    dilation,
+    dilation_zero,
+    friction_residual,
+    cohesion_residual,
+    tension_residual,
+    property_count
+};
 
 // Aliases are whole words: any leading part of one, as in jfric, is understood too.
-inline constexpr kaya_jproperty stiffness_normal_row = {
-    "stiffness-normal", "jkn kn", "stress/length", "normal stress per closure", NAN, 0, INFINITY, 0};
-inline constexpr kaya_jproperty stiffness_shear_row = {
-    "stiffness-shear", "jks ks", "stress/length", "shear stress per shear displacement", NAN, 0, INFINITY, 0};
-inline constexpr kaya_jproperty friction_row = {
-    "friction", "jfriction fric", "angle", "angle of friction before failure", 0, 0, 90, 0};
-inline constexpr kaya_jproperty cohesion_row = {
-    "cohesion", "jcohesion coh", "stress", "shear strength at zero normal stress before failure", 0, 0, INFINITY, 0};
-inline constexpr kaya_jproperty tension_row = {
-    "tension", "jtension ten", "stress", "tensile strength before failure", 0, 0, INFINITY, 0};
-inline constexpr kaya_jproperty dilation_row = {
-    "dilation", "jdilation dil", "angle", "angle of dilation while it slips", 0, 0, 89, 0};
-inline constexpr kaya_jproperty dilation_zero_row = {
-    "dilation-zero", "zdilation", "length", "slip at which dilation ends; 0: it does not end", 0, 0, INFINITY, 0};
-inline constexpr kaya_jproperty friction_residual_row = {
-    "friction-residual", "jrfriction", "angle", "angle of friction after failure; not given: that before",
-    NAN, 0, 90, 1};
-inline constexpr kaya_jproperty cohesion_residual_row = {
-    "cohesion-residual", "jrcohesion", "stress", "cohesion after failure", 0, 0, INFINITY, 0};
-inline constexpr kaya_jproperty tension_residual_row = {
-    "tension-residual", "jrtension", "stress", "tensile strength after failure", 0, 0, INFINITY, 0};
+inline constexpr std::array<kaya_jproperty, property_count> properties = {{
+    {"stiffness-normal", "jkn kn", "stress/length", "normal stress per closure", NAN, 0, INFINITY, 0},
+    {"stiffness-shear", "jks ks", "stress/length", "shear stress per shear displacement", NAN, 0, INFINITY, 0},
+    {"friction", "jfriction fric", "angle", "angle of friction before failure", 0, 0, 90, 0},
+    {"cohesion", "jcohesion coh", "stress", "shear strength at zero normal stress before failure", 0, 0, INFINITY, 0},
+    {"tension", "jtension ten", "stress", "tensile strength before failure", 0, 0, INFINITY, 0},
+    {"dilation", "jdilation dil", "angle", "angle of dilation while it slips", 0, 0, 89, 0},
+    {"dilation-zero", "zdilation", "length", "slip at which dilation ends; 0: it does not end", 0, 0, INFINITY, 0},
+    {"friction-residual", "jrfriction", "angle", "angle of friction after failure; not given: that before", NAN, 0, 90,
+     1},
+    {"cohesion-residual", "jrcohesion", "stress", "cohesion after failure", 0, 0, INFINITY, 0},
+    {"tension-residual", "jrtension", "stress", "tensile strength after failure", 0, 0, INFINITY, 0},
+}};
 
-inline constexpr kaya_jhistory gap_row = {
-    "gap", "length", "opening beyond the displacement at which the tensile limit was reached"};
-inline constexpr kaya_jhistory slip_row = {"slip", "length", "plastic shear displacement, added up"};
+enum History : std::size_t { gap, slip, history_count };
+
+inline constexpr std::array<kaya_jhistory, history_count> history = {{
+    {"gap", "length", "opening beyond the displacement at which the tensile limit was reached"},
+    {"slip", "length", "plastic shear displacement, added up"},
+}};
+
+/// The rows that are shared, and behind them those of a model.
+template <class Row, std::size_t shared, std::size_t own>
+constexpr std::array<Row, shared + own> operator+(const std::array<Row, shared>& first, const std::array<Row, own>& more) {
+    std::array<Row, shared + own> rows{};
+    std::copy(first.begin(), first.end(), rows.begin());
+    std::copy(more.begin(), more.end(), rows.begin() + shared);
+    return rows;
+}
 
 inline constexpr const char* state_names = "slip-now tension-now slip-past tension-past";
 inline constexpr uint32_t slip_now = 1, tension_now = 2, tension_past = 8;
@@ -60,15 +78,20 @@ inline const char* fault_of_stiffness(double normal, double shear) {
     return nullptr;
 }
 
-inline const char* fault_of_residuals(double tension, double tension_residual, double cohesion,
-                                      double cohesion_residual) {
-    if (tension_residual > tension)
+inline const char* fault_of_residuals(double tension_before, double tension_after, double cohesion_before,
+                                      double cohesion_after) {
+    if (tension_after > tension_before)
         return "tension-residual is above tension: failure cannot make the joint stronger, give a tension of "
                "at least that";
-    if (cohesion_residual > cohesion)
+    if (cohesion_after > cohesion_before)
         return "cohesion-residual is above cohesion: failure cannot make the joint stronger, give a cohesion "
                "of at least that";
     return nullptr;
+}
+
+inline const char* check(const double* p) {
+    if (const char* fault = fault_of_stiffness(p[stiffness_normal], p[stiffness_shear])) return fault;
+    return fault_of_residuals(p[tension], p[tension_residual], p[cohesion], p[cohesion_residual]);
 }
 
 // --- the step ------------------------------------------------------------------------------------------------------------
@@ -79,7 +102,7 @@ struct Columns {
     double *normal_force, *force_x, *force_y, *force_z, *work, *gaps, *slips;
     uint32_t* states;
 
-    Columns(const kaya_jbatch& b, std::size_t gap, std::size_t slip)
+    explicit Columns(const kaya_jbatch& b)
         : area(b.area), opening(b.normal_disp_inc), shear_x(b.shear_disp_inc[0]), shear_y(b.shear_disp_inc[1]),
           shear_z(b.shear_disp_inc[2]), normal_force(b.normal_force), force_x(b.shear_force[0]),
           force_y(b.shear_force[1]), force_z(b.shear_force[2]), work(b.frictional_work), gaps(b.history[gap]),
@@ -95,11 +118,6 @@ struct Line {
     [[gnu::always_inline]] double slope(double) const { return tangent; }
 };
 
-/// No creep: the trial stands as it is.
-struct Rigid {
-    [[gnu::always_inline]] double relaxed(double trial) const { return trial; }
-};
-
 /// What holds in one step for one row; stresses.
 struct Limits {
     double tension;          ///< at which the row breaks
@@ -108,11 +126,49 @@ struct Limits {
     double last_dilation;    ///< slip at which dilation ends
 };
 
+/// What the shared properties say, as a loop over rows needs it.
+struct Values {
+    double kn, ks;
+    double tension[2], cohesion[2], tangent[2]; ///< before and after failure
+    double dilatancy, last_dilation;
+
+    explicit Values(const double* p)
+        : kn(p[stiffness_normal]), ks(p[stiffness_shear]), tension{p[coulomb::tension], p[tension_residual]},
+          cohesion{p[coulomb::cohesion], p[cohesion_residual]},
+          tangent{tan_degrees(p[friction]),
+                  tan_degrees(std::isnan(p[friction_residual]) ? p[friction] : p[friction_residual])},
+          dilatancy(tan_degrees(p[dilation])), last_dilation(p[dilation_zero] > 0 ? p[dilation_zero] : INFINITY) {}
+
+    /// A choice, not a look into a table: it becomes a vector instruction.
+    [[gnu::always_inline]] static double of(const double (&pair)[2], bool failed) { return failed ? pair[1] : pair[0]; }
+    [[gnu::always_inline]] Line line(bool failed, double area) const { return {of(cohesion, failed) * area, of(tangent, failed)}; }
+    [[gnu::always_inline]] Limits limits(bool failed) const {
+        return {of(tension, failed), tension[1], dilatancy, last_dilation};
+    }
+};
+
+/// No creep: the trial stands as it is.
+struct Rigid {
+    [[gnu::always_inline]] double relaxed(double trial) const { return trial; }
+};
+
 /// What became of it.
 struct Outcome {
     double slipped; ///< plastic shear displacement of the step
-    bool slips, breaks;
+    double excess;  ///< of the shear force above the strength; above 0 when it slips and does not only creep
 };
+
+struct Shear {
+    double x, y, z;
+};
+
+[[gnu::always_inline]] inline double length(const Shear& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+/// Shear force of a row that does not slip (3).
+[[gnu::always_inline]] inline Shear elastic_shear(const Columns& c, std::size_t i, double ks) {
+    const double k = ks * c.area[i];
+    return {c.force_x[i] - k * c.shear_x[i], c.force_y[i] - k * c.shear_y[i], c.force_z[i] - k * c.shear_z[i]};
+}
 
 /// One row, one step. `strength.at(normal force)` is the shear force that it carries and `strength.slope` its
 /// derivative; `creep.relaxed(force)` is what is left of an elastic shear force at the end of the step.
@@ -137,10 +193,8 @@ template <class Strength, class Creep = Rigid>
 
     // Shear: elastic trial (3), less what creep lets go, against the limit (4).
     const double old_x = c.force_x[i], old_y = c.force_y[i], old_z = c.force_z[i];
-    const double trial_x = old_x - ks * area * c.shear_x[i];
-    const double trial_y = old_y - ks * area * c.shear_y[i];
-    const double trial_z = old_z - ks * area * c.shear_z[i];
-    const double elastic = std::sqrt(trial_x * trial_x + trial_y * trial_y + trial_z * trial_z);
+    const auto [trial_x, trial_y, trial_z] = elastic_shear(c, i, ks);
+    const double elastic = length({trial_x, trial_y, trial_z});
     const double trial = creep.relaxed(elastic);
     const double excess = apart ? 0 : std::max(0.0, trial - strength.at(elastic_normal));
 
@@ -172,22 +226,62 @@ template <class Strength, class Creep = Rigid>
     c.slips[i] += apart ? 0 : slipped;
     c.states[i] = (c.states[i] & ~now) | ((c.states[i] & now) << from_now_to_past) | (excess > 0 ? slip_now : 0) |
                   (breaks ? tension_now : 0);
-    return {apart ? 0 : slipped, excess > 0, breaks};
+    return {apart ? 0 : slipped, excess};
 }
 
+// --- the frame of a model -------------------------------------------------------------------------------------------------
+
 /// New rows: what is apart has a gap, and no bond that could pull it together.
-inline void initialise(kaya_jbatch& b, std::size_t gap, double kn, double ks) {
+inline ptrdiff_t initialise(kaya_jbatch* batch) {
     // A gap of this part of the size of the sub-contact is rounding of coordinates, and is none.
     constexpr double rounding = 1e-9;
-    for (std::size_t i = 0; i < b.n; ++i) {
-        b.normal_stiffness[i] = kn;
-        b.shear_stiffness[i] = ks;
-        const double apart = b.normal_disp[i] > rounding * std::sqrt(b.area[i]) ? b.normal_disp[i] : 0;
-        const bool loaded = b.normal_force[i] != 0;
-        const double opened = b.history[gap][i] > 0 ? b.history[gap][i] : apart;
-        b.history[gap][i] = loaded ? 0 : opened;
-        if (!loaded && opened > 0) b.state[i] |= tension_past;
+    double* gaps = batch->history[gap];
+    for (std::size_t i = 0; i < batch->n; ++i) {
+        batch->normal_stiffness[i] = batch->properties[stiffness_normal];
+        batch->shear_stiffness[i] = batch->properties[stiffness_shear];
+        const double apart = batch->normal_disp[i] > rounding * std::sqrt(batch->area[i]) ? batch->normal_disp[i] : 0;
+        const bool loaded = batch->normal_force[i] != 0;
+        const double opened = gaps[i] > 0 ? gaps[i] : apart;
+        gaps[i] = loaded ? 0 : opened;
+        if (!loaded && opened > 0) batch->state[i] |= tension_past;
     }
+    return -1;
+}
+
+/// The same for a model that shows its present angle of friction: it begins with the one at rest.
+template <std::size_t current> ptrdiff_t initialise_with_angle(kaya_jbatch* batch) {
+    initialise(batch);
+    double* angle = batch->history[current];
+    for (std::size_t i = 0; i < batch->n; ++i)
+        if (angle[i] == 0) angle[i] = batch->properties[friction];
+    return -1;
+}
+
+inline void max_stiffness(const double* p, double* normal, double* shear) {
+    *normal = p[stiffness_normal];
+    *shear = p[stiffness_shear];
+}
+
+/// A model of the family: its tables begin with the shared rows.
+template <std::size_t property_rows, std::size_t history_rows>
+constexpr kaya_jmodel model(const char* name, const char* title, const std::array<kaya_jproperty, property_rows>& its_properties,
+                            const std::array<kaya_jhistory, history_rows>& its_history, ptrdiff_t (*run)(kaya_jbatch*),
+                            const char* (*check_values)(const double*) = check,
+                            ptrdiff_t (*begin)(kaya_jbatch*) = initialise) {
+    return {KAYA_JMODEL_INTERFACE,
+            sizeof(kaya_jmodel),
+            name,
+            title,
+            "1.0",
+            its_properties.data(),
+            property_rows,
+            its_history.data(),
+            history_rows,
+            state_names,
+            begin,
+            run,
+            check_values,
+            max_stiffness};
 }
 
 } // namespace kaya::joints::coulomb

@@ -1,4 +1,4 @@
-// Logarithm, exponential and tangent that the compiler can put into vector instructions.
+// Logarithm, exponential, tangent and arctangent that the compiler can put into vector instructions.
 //
 // The functions of the C library are calls, one number at a time, and their last bits differ between
 // versions of the library. These are plain arithmetic: every machine gives the same bits, and a loop
@@ -26,7 +26,7 @@ constexpr double factorial(std::size_t n) { return n < 2 ? 1 : static_cast<doubl
 template <std::size_t n>
 [[gnu::always_inline]] inline double polynomial(const std::array<double, n>& coefficients, double x) {
     double sum = coefficients[n - 1];
-#pragma GCC unroll 16
+#pragma GCC unroll 32
     for (std::size_t k = n - 1; k > 0; --k) sum = coefficients[k - 1] + x * sum;
     return sum;
 }
@@ -70,6 +70,19 @@ template <std::size_t n>
     const double h = angle * (std::numbers::pi / 360), q = h * h;
     const double s = h * polynomial(sine, q), c = polynomial(cosine, q);
     return 2 * s * c / (c * c - s * s);
+}
+
+/// Angle in degrees of a tangent from 0 on.
+[[gnu::always_inline]] inline double arctangent_in_degrees(double x) {
+    // The smaller one of the angle and what it lacks of 90 degrees, and of this what is beyond 45 degrees: at most 22.5.
+    const bool steep = x > 1;
+    const double t = steep ? 1 / x : x;
+    const bool beyond = t > std::numbers::sqrt2 - 1;
+    const double u = beyond ? (t - 1) / (t + 1) : t, q = u * u;
+    constexpr auto arctan = series<22>([](std::size_t k) { return (k % 2 ? -1.0 : 1.0) / static_cast<double>(2 * k + 1); });
+    const double near = u * polynomial(arctan, q) * (180 / std::numbers::pi);
+    const double below = beyond ? 45 + near : near;
+    return steep ? 90 - below : below;
 }
 
 } // namespace kaya::joints

@@ -8,6 +8,9 @@
 namespace {
 
 using namespace kaya::joints;
+using coulomb::Columns;
+using coulomb::Shear;
+using coulomb::length;
 using coulomb::tan_degrees;
 
 enum Property {
@@ -42,13 +45,13 @@ constexpr kaya_jproperty properties[] = {
      "least shear stiffness; not given: 1/100 of stiffness-shear if its exponent is above 0", NAN, 0, INFINITY, 1},
     {"ks-maximum", "", "stress/length", "greatest shear stiffness; not given: no limit", NAN, 0, INFINITY, 1},
     {"exponent-shear", "jes", "-", "power of the normal stress in the shear stiffness", 0, 0, 1, 0},
-    coulomb::friction_row,
-    coulomb::cohesion_row,
-    coulomb::tension_row,
-    coulomb::dilation_row,
-    coulomb::dilation_zero_row,
-    coulomb::friction_residual_row,
-    coulomb::cohesion_residual_row,
+    coulomb::properties[coulomb::friction],
+    coulomb::properties[coulomb::cohesion],
+    coulomb::properties[coulomb::tension],
+    coulomb::properties[coulomb::dilation],
+    coulomb::properties[coulomb::dilation_zero],
+    coulomb::properties[coulomb::friction_residual],
+    coulomb::properties[coulomb::cohesion_residual],
 };
 static_assert(std::size(properties) == property_count);
 
@@ -56,128 +59,133 @@ enum History { closure, slip, history_count };
 
 constexpr kaya_jhistory history[] = {
     {"closure", "length", "closure of the joint; negative: how far it is open"},
-    coulomb::slip_row,
+    coulomb::history[coulomb::slip],
 };
 static_assert(std::size(history) == history_count);
 
-PowerSpring normal_spring(const double* p) {
-    return PowerSpring({p[stiffness_normal], p[exponent_normal], p[kn_minimum], p[kn_maximum]});
-}
-
-PowerStiffness shear_stiffness(const double* p) {
-    return {p[stiffness_shear], p[exponent_shear], p[ks_minimum], p[ks_maximum]};
+PowerSprings springs_of(const double* p) {
+    return {PowerSpring({p[stiffness_normal], p[exponent_normal], p[kn_minimum], p[kn_maximum]}),
+            {p[stiffness_shear], p[exponent_shear], p[ks_minimum], p[ks_maximum]}};
 }
 
 ptrdiff_t initialise(kaya_jbatch* batch) {
-    const PowerSpring spring = normal_spring(batch->properties);
-    const PowerStiffness shear = shear_stiffness(batch->properties);
-    for (std::size_t i = 0; i < batch->n; ++i) {
-        const double stress = batch->area[i] > 0 ? batch->normal_force[i] / batch->area[i] : 0;
-        double& closed = batch->history[closure][i];
-        if (stress != 0)
-            closed = spring.closure(stress);
-        else
-            closed = std::min({0.0, closed, -batch->normal_disp[i]});
-        // What is apart has no bond that could pull it together.
-        if (stress == 0 && -closed > 1e-9 * std::sqrt(batch->area[i])) batch->state[i] |= coulomb::tension_past;
-        batch->normal_stiffness[i] = spring.tangent(stress);
-        batch->shear_stiffness[i] = shear.at(stress);
-    }
+    double* closures = batch->history[closure];
+    springs_of(batch->properties).begin(*batch, closures);
+    // What is apart has no bond that could pull it together.
+    for (std::size_t i = 0; i < batch->n; ++i)
+        if (batch->normal_force[i] == 0 && -closures[i] > 1e-9 * std::sqrt(batch->area[i]))
+            batch->state[i] |= coulomb::tension_past;
     return -1;
 }
 
-/// Strength and dilation of one row; stresses.
-struct Yield {
-    double cohesion, tangent, dilatancy, dilation_left;
+constexpr std::size_t together = 32; ///< rows of one pass
+using Numbers = std::array<double, together>;
 
-    double at(double normal_stress) const { return std::max(0.0, cohesion + normal_stress * tangent); }
+/// What the first pass over some rows leaves to the next.
+struct Trials {
+    Numbers closed, normal, ks, x, y, z, size; ///< elastic: closure, and stresses
+    Numbers cohesion, tangent, dilation_left;  ///< what holds for the row
+    Numbers kept, broken, slipped;             ///< 0 for a row that is apart, else 1; 1 for one that breaks; slip
 };
 
-/// Slip that brings the trial down to the strength, which dilation raises (3).
-double slip_to_strength(const PowerSpring& spring, const Yield& yield, double closed, double trial, double ks) {
-    double slipped = 0;
+[[gnu::always_inline]] inline double strength(const Trials& t, std::size_t j, double normal) {
+    return std::max(0.0, t.cohesion[j] + normal * t.tangent[j]);
+}
+
+/// Slip that brings the trial down to the strength, which dilation raises (3), by Newton's method in all rows at once.
+void slip_to_strength(const PowerSpring& spring, double dilatancy, Trials& t) {
     for (int k = 0; k < 40; ++k) {
-        const double dilating = std::min(slipped, yield.dilation_left);
-        const double stress = spring.stress(closed + yield.dilatancy * dilating);
-        const double over = trial - ks * slipped - yield.at(stress);
-        const double rise = slipped < yield.dilation_left ? yield.tangent * yield.dilatancy * spring.tangent(stress) : 0;
-        const double more = over / (ks + rise);
-        slipped = std::max(0.0, slipped + more);
-        if (std::abs(more) <= 1e-15 * slipped) break;
+        std::uint64_t moving = 0;
+        for (std::size_t j = 0; j < together; ++j) {
+            const double slipped = t.slipped[j], dilating = std::min(slipped, t.dilation_left[j]);
+            const double stress = spring.stress(t.closed[j] + dilatancy * dilating);
+            const double over = t.kept[j] * (t.size[j] - t.ks[j] * slipped - strength(t, j, stress));
+            const double rise = t.tangent[j] * dilatancy * spring.tangent(stress);
+            const double more = over / (t.ks[j] + (slipped < t.dilation_left[j] ? rise : 0));
+            const double next = std::max(0.0, slipped + more);
+            moving |= static_cast<std::uint64_t>(std::abs(next - slipped) > 1e-15 * next);
+            t.slipped[j] = next;
+        }
+        if (moving == 0) break;
     }
-    return slipped;
 }
 
 ptrdiff_t run(kaya_jbatch* batch) {
     const double* p = batch->properties;
-    const PowerSpring spring = normal_spring(p);
-    const PowerStiffness shear = shear_stiffness(p);
-    const double peak_friction = tan_degrees(p[friction]);
-    const double residual_friction =
-        std::isnan(p[friction_residual]) ? peak_friction : tan_degrees(p[friction_residual]);
-    const double dilatancy = tan_degrees(p[dilation]);
+    const PowerSprings springs = springs_of(p);
+    const PowerSpring normal_spring = springs.normal;
+    const PowerStiffness shear_spring = springs.shear;
+    const double friction_before = tan_degrees(p[friction]);
+    const double friction_after = std::isnan(p[friction_residual]) ? friction_before : tan_degrees(p[friction_residual]);
+    const double cohesion_before = p[cohesion], cohesion_after = p[cohesion_residual], tension_before = p[tension];
+    const double dilatancy = tan_degrees(p[dilation]), per_first_tangent = 1 / normal_spring.first_tangent();
     const double last_dilation = p[dilation_zero] > 0 ? p[dilation_zero] : INFINITY;
 
-    for (std::size_t i = 0; i < batch->n; ++i) {
-        const double area = batch->area[i], per_area = area > 0 ? 1 / area : 0;
-        uint32_t& state = batch->state[i];
-        double& closed = batch->history[closure][i];
-        double& slips = batch->history[slip][i];
-        const bool failed = state != 0;
-        const double old_normal = batch->normal_force[i] * per_area;
-        const double old_ks = shear.at(old_normal);
-
-        const double before = closed;
-        closed -= batch->normal_disp_inc[i];
-        double normal = spring.stress(closed); // (1)
-        const bool breaks = normal < (failed ? 0.0 : -p[tension]);
-        const double lost = breaks && before < 0 ? 0.5 * old_normal * old_normal / spring.first_tangent() : 0;
-        if (breaks) normal = 0;
-        const bool apart = breaks || (failed && closed < 0);
-
-        // A falling normal stress takes shear force with its stiffness; a rising one adds none (2).
-        const double ks = shear.at(normal), kept = std::min(1.0, ks / old_ks);
-        double old[3], trial[3], trial_size = 0, old_square = 0;
-        for (int k = 0; k < 3; ++k) {
-            old[k] = batch->shear_force[k][i] * per_area;
-            trial[k] = old[k] * kept - ks * batch->shear_disp_inc[k][i];
-            trial_size += trial[k] * trial[k];
-            old_square += old[k] * old[k];
+    const Columns c(*batch); // its gap is the closure here
+    double *kn = batch->normal_stiffness, *ks = batch->shear_stiffness;
+    Trials t{};
+    t.ks.fill(1); // rows that are not there
+    for (std::size_t begin = 0; begin < batch->n; begin += together) {
+        const std::size_t count = std::min(together, batch->n - begin);
+#pragma GCC ivdep
+        for (std::size_t j = 0; j < count; ++j) {
+            const std::size_t i = begin + j;
+            const double area = c.area[i], per_area = area > 0 ? 1 / area : 0;
+            const bool failed = c.states[i] != 0;
+            const double closed = c.gaps[i] - c.opening[i], elastic = normal_spring.stress(closed); // (1)
+            const bool breaks = elastic < (failed ? 0 : -tension_before);
+            const double normal = breaks ? 0 : elastic, unbroken = breaks ? 0.0 : 1.0;
+            t.closed[j] = closed;
+            t.normal[j] = normal;
+            t.kept[j] = failed && closed < 0 ? 0 : unbroken;
+            t.broken[j] = 1 - unbroken;
+            // A falling normal stress takes shear force with its stiffness; a rising one adds none (2).
+            const double k = shear_spring.at(normal), kept = std::min(1.0, k / shear_spring.at(c.normal_force[i] * per_area)) * per_area;
+            t.ks[j] = k;
+            t.x[j] = c.force_x[i] * kept - k * c.shear_x[i];
+            t.y[j] = c.force_y[i] * kept - k * c.shear_y[i];
+            t.z[j] = c.force_z[i] * kept - k * c.shear_z[i];
+            t.size[j] = length({t.x[j], t.y[j], t.z[j]});
+            t.cohesion[j] = failed ? cohesion_after : cohesion_before;
+            t.tangent[j] = failed ? friction_after : friction_before;
+            t.dilation_left[j] = std::max(0.0, last_dilation - c.slips[i]);
+            // Without dilation it is known at once.
+            t.slipped[j] = dilatancy > 0 ? 0 : t.kept[j] * std::max(0.0, t.size[j] - strength(t, j, normal)) / k;
         }
-        trial_size = std::sqrt(trial_size);
+        if (dilatancy > 0) slip_to_strength(normal_spring, dilatancy, t);
+#pragma GCC ivdep
+        for (std::size_t j = 0; j < count; ++j) {
+            const std::size_t i = begin + j;
+            const double area = c.area[i], per_area = area > 0 ? 1 / area : 0;
+            const double old_normal = c.normal_force[i] * per_area, old_ks = shear_spring.at(old_normal);
+            const bool slides = t.slipped[j] > 0;
+            const double dilating = std::min(t.slipped[j], t.dilation_left[j]);
+            const double closed = t.closed[j] + dilatancy * dilating, dilated = normal_spring.stress(closed);
+            const double normal = slides ? dilated : t.normal[j];
+            const double most = slides ? std::min(t.size[j], strength(t, j, normal)) : t.size[j], limit = t.kept[j] * most;
+            const double scale = limit / std::max(t.size[j], std::numeric_limits<double>::min());
+            const Shear old = {c.force_x[i] * per_area, c.force_y[i] * per_area, c.force_z[i] * per_area};
+            const Shear now = {t.x[j] * scale, t.y[j] * scale, t.z[j] * scale};
+            const double sheared = -0.5 * ((old.x + now.x) * c.shear_x[i] + (old.y + now.y) * c.shear_y[i] + (old.z + now.z) * c.shear_z[i]);
 
-        const Yield yield{failed ? p[cohesion_residual] : p[cohesion], failed ? residual_friction : peak_friction,
-                          dilatancy, std::max(0.0, last_dilation - slips)};
-        double slipped = 0, dilating = 0, limit = trial_size;
-        const bool slides = apart ? false : trial_size > yield.at(normal);
-        if (apart) limit = 0;
-        if (slides) {
-            slipped = slip_to_strength(spring, yield, closed, trial_size, ks);
-            dilating = std::min(slipped, yield.dilation_left);
-            closed += dilatancy * dilating;
-            normal = spring.stress(closed);
-            limit = std::min(trial_size, yield.at(normal));
+            // What is put in and neither stored in the springs nor spent on dilation (4), and the energy of a bond that breaks.
+            const double new_ks = shear_spring.at(normal), old_size = length(old);
+            const double stored = 0.5 * limit * limit / new_ks - 0.5 * old_size * old_size / old_ks;
+            const double lifted = 0.5 * (old_normal + normal) * dilatancy * dilating;
+            const double pull = std::min(0.0, old_normal), lost = t.broken[j] * 0.5 * pull * pull * per_first_tangent;
+            c.work[i] += area * (sheared - stored - lifted + lost);
+
+            c.gaps[i] = closed;
+            c.slips[i] += t.slipped[j];
+            c.normal_force[i] = normal * area;
+            c.force_x[i] = now.x * area;
+            c.force_y[i] = now.y * area;
+            c.force_z[i] = now.z * area;
+            kn[i] = normal_spring.tangent(normal);
+            ks[i] = new_ks;
+            c.states[i] = (c.states[i] & ~coulomb::now) | ((c.states[i] & coulomb::now) << coulomb::from_now_to_past) |
+                          (slides ? coulomb::slip_now : 0) | (t.broken[j] > 0 ? coulomb::tension_now : 0);
         }
-        const double scale = trial_size > 0 ? limit / trial_size : 1;
-
-        double sheared = 0;
-        for (int k = 0; k < 3; ++k) {
-            const double now = trial[k] * scale;
-            sheared -= 0.5 * (old[k] + now) * batch->shear_disp_inc[k][i];
-            batch->shear_force[k][i] = now * area;
-        }
-        // What is put in and neither stored in the springs nor spent on dilation (4).
-        const double final_ks = shear.at(normal);
-        const double stored = 0.5 * limit * limit / final_ks - 0.5 * old_square / old_ks;
-        const double lifted = 0.5 * (old_normal + normal) * dilatancy * dilating;
-        batch->frictional_work[i] += area * (sheared - stored - lifted + lost);
-
-        batch->normal_force[i] = normal * area;
-        batch->normal_stiffness[i] = spring.tangent(normal);
-        batch->shear_stiffness[i] = final_ks;
-        slips += slipped;
-        state = (state & ~coulomb::now) | ((state & coulomb::now) << coulomb::from_now_to_past) |
-                (slides ? coulomb::slip_now : 0) | (breaks ? coulomb::tension_now : 0);
     }
     batch->stiffness_changed = 1;
     return -1;
@@ -185,21 +193,14 @@ ptrdiff_t run(kaya_jbatch* batch) {
 
 const char* check(const double* p) {
     if (const char* fault = coulomb::fault_of_stiffness(p[stiffness_normal], p[stiffness_shear])) return fault;
-    if (const char* fault = fault_of_limits(normal_spring(p).stiffness(),
-                                            "kn-minimum is 0: a joint without stiffness at first touch never closes, "
-                                            "give a small value",
-                                            "kn-minimum is above kn-maximum: exchange them"))
-        return fault;
-    if (const char* fault = fault_of_limits(shear_stiffness(p),
-                                            "ks-minimum is 0: give the joint a small shear stiffness at first touch",
-                                            "ks-minimum is above ks-maximum: exchange them"))
-        return fault;
+    if (const char* fault = springs_of(p).fault()) return fault;
     return coulomb::fault_of_residuals(p[tension], 0, p[cohesion], p[cohesion_residual]);
 }
 
 void max_stiffness(const double* p, double* normal, double* shear) {
-    *normal = normal_spring(p).first_tangent();
-    *shear = shear_stiffness(p).at(0);
+    const PowerSprings springs = springs_of(p);
+    *normal = springs.normal.first_tangent();
+    *shear = springs.shear.at(0);
 }
 
 constexpr kaya_jmodel descriptor = {

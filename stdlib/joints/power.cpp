@@ -1,46 +1,25 @@
 // Joint model `power`: Coulomb slip, and creep in shear below the strength with a rate that is a power of the shear
 // stress. docs/joint-models/power.md has the equations; (n) below are their numbers.
 #include "stdlib/joints/coulomb.hpp"
-
-#include <iterator>
+#include "stdlib/joints/elementary.hpp"
 
 namespace {
 
-using namespace kaya::joints;
-using coulomb::tan_degrees;
+using namespace kaya::joints::coulomb;
+using kaya::joints::exponential;
+using kaya::joints::logarithm;
 
-enum Property {
-    stiffness_normal,
-    stiffness_shear,
-    friction,
-    cohesion,
-    tension,
-    dilation,
-    dilation_zero,
-    friction_residual,
-    cohesion_residual,
-    tension_residual,
-    dilation_residual,
+enum OwnProperty : std::size_t {
+    dilation_residual = property_count,
     constant_1,
     exponent_1,
     stress_1,
     constant_2,
     exponent_2,
     stress_2,
-    property_count
 };
 
-constexpr kaya_jproperty properties[] = {
-    coulomb::stiffness_normal_row,
-    coulomb::stiffness_shear_row,
-    coulomb::friction_row,
-    coulomb::cohesion_row,
-    coulomb::tension_row,
-    coulomb::dilation_row,
-    coulomb::dilation_zero_row,
-    coulomb::friction_residual_row,
-    coulomb::cohesion_residual_row,
-    coulomb::tension_residual_row,
+constexpr auto all_properties = properties + std::to_array<kaya_jproperty>({
     {"dilation-residual", "jrdilation", "angle", "angle of dilation after failure; not given: that before", NAN, 0, 89,
      1},
     {"constant-1", "", "length/time/stress^exponent-1", "speed of the first creep at a shear stress of 1", 0, 0,
@@ -51,124 +30,124 @@ constexpr kaya_jproperty properties[] = {
      INFINITY, 0},
     {"exponent-2", "", "-", "power of the shear stress in the second creep", 1, 1, 50, 0},
     {"stress-2", "", "stress", "shear stress from which the second creep acts", 0, 0, INFINITY, 0},
-};
-static_assert(std::size(properties) == property_count);
+});
 
-enum History { gap, slip, creep, history_count };
+enum OwnHistory : std::size_t { creep = history_count };
 
-constexpr kaya_jhistory history[] = {
-    coulomb::gap_row,
-    coulomb::slip_row,
+constexpr auto all_history = history + std::to_array<kaya_jhistory>({
     {"creep", "length", "the part of the slip that is creep"},
-};
-static_assert(std::size(history) == history_count);
+});
 
 /// One of the two creep speeds: constant * stress^exponent from `from` on. By logarithms, so that a large power of a
 /// stress in Pa does not overflow before the small constant brings it back.
 struct Speed {
-    double constant, exponent, from, log_constant;
+    double constant, exponent, from, log_constant, acts;
 
     Speed(double constant_, double exponent_, double from_)
-        : constant(constant_), exponent(exponent_), from(from_), log_constant(std::log(constant_)) {}
-    double at(double stress) const {
-        return constant > 0 && stress > 0 ? std::exp(log_constant + exponent * std::log(stress)) : 0;
+        : constant(constant_), exponent(exponent_), from(from_), log_constant(std::log(std::max(constant_, 1e-300))),
+          acts(constant_ > 0 ? 1 : 0) {}
+    /// Of a stress above 0 with this logarithm.
+    [[gnu::always_inline]] double at(double log_stress) const {
+        return acts * exponential(std::min(700.0, std::max(-700.0, log_constant + exponent * log_stress)));
     }
-    double slope(double stress) const { return stress > 0 ? exponent * at(stress) / stress : 0; }
 };
 
-/// The stress at the end of a step that began with the elastic trial: trial = stress + ks dt speed(stress) (2). The
+constexpr std::size_t together = 32; ///< rows whose creep is found at once
+using Stresses = std::array<double, together>;
+
+/// The stresses at the end of a step that began with the elastic trials: trial = stress + ks dt speed(stress) (2). The
 /// left side minus the right is a falling convex function of stress, so Newton's method comes down from the trial
-/// without passing the root.
-double relaxed(double trial, double ks_dt, const Speed& one, const Speed* other) {
-    double stress = trial;
+/// without passing the root; it ends when no row comes down any more.
+void relax(const Stresses& trials, double ks_dt, const Speed low, const Speed high, Stresses& stresses) {
+    constexpr double least = 1e-300; // stands for 0, which has no logarithm
+    stresses = trials;
     for (int k = 0; k < 60; ++k) {
-        const double speed = one.at(stress) + (other ? other->at(stress) : 0);
-        const double slope = one.slope(stress) + (other ? other->slope(stress) : 0);
-        const double next = std::max(0.0, stress - (stress + ks_dt * speed - trial) / (1 + ks_dt * slope));
-        if (!(next < stress)) break;
-        stress = next;
+        std::uint64_t moving = 0;
+        for (std::size_t j = 0; j < together; ++j) {
+            const double stress = stresses[j], some = std::max(stress, least), log_stress = logarithm(some);
+            const double first = low.at(log_stress), second = high.at(log_stress);
+            const double slope = (low.exponent * first + high.exponent * second) / some;
+            const double newton = stress - (stress + ks_dt * (first + second) - trials[j]) / (1 + ks_dt * slope);
+            const double next = std::min(stress, std::max(0.0, newton));
+            moving |= static_cast<std::uint64_t>(next < stress);
+            stresses[j] = next;
+        }
+        if (moving == 0) break;
     }
-    return stress;
 }
 
-/// Creep of one row during one step.
-struct Creep {
+/// Creep of some rows during one step.
+struct Creeps {
     const Speed &low, &high; ///< by the stress from which they act
-    double ks_dt, area;
+    double ks_dt;
 
-    double relaxed(double force) const {
-        if (!(area > 0) || (low.constant == 0 && high.constant == 0)) return force;
-        const double trial = force / area;
+    /// Stresses at the end of the step for elastic trials.
+    void relaxed(const Stresses& trials, Stresses& stresses) const {
+        Stresses with_both, with_low;
+        relax(trials, ks_dt, low, high, with_both);
+        relax(trials, ks_dt, low, Speed(0, 1, 0), with_low);
         // A speed that starts with a jump holds the stress at the jump: of the solutions with both, one and none of
         // the speeds the one that lies in its own range is the stress, and minima and maxima pick it.
-        const double with_both = trial > high.from ? ::relaxed(trial, ks_dt, low, &high) : 0;
-        const double with_low = trial > low.from ? ::relaxed(trial, ks_dt, low, nullptr) : trial;
-        const double stress = std::max(with_both, std::min(high.from, with_low));
-        return area * std::max(stress, std::min(low.from, trial));
+        for (std::size_t j = 0; j < together; ++j) {
+            const double trial = trials[j];
+            const double both = trial > high.from ? with_both[j] : 0;
+            const double one = trial > low.from ? with_low[j] : trial;
+            const double stress = std::max(both, std::min(high.from, one));
+            stresses[j] = std::max(stress, std::min(low.from, trial));
+        }
     }
 };
 
-ptrdiff_t initialise(kaya_jbatch* batch) {
-    coulomb::initialise(*batch, gap, batch->properties[stiffness_normal], batch->properties[stiffness_shear]);
-    return -1;
-}
+/// What creep leaves of one row's elastic force, found before.
+struct Relaxed {
+    double force;
+    bool creeps;
+
+    [[gnu::always_inline]] double relaxed(double trial) const { return creeps ? force : trial; }
+};
 
 ptrdiff_t run(kaya_jbatch* batch) {
     const double* p = batch->properties;
-    const double kn = p[stiffness_normal], ks = p[stiffness_shear];
-    const double peak_friction = tan_degrees(p[friction]);
-    const double residual_friction =
-        std::isnan(p[friction_residual]) ? peak_friction : tan_degrees(p[friction_residual]);
-    const double peak_dilatancy = tan_degrees(p[dilation]);
+    const Values values(p);
     const double residual_dilatancy =
-        std::isnan(p[dilation_residual]) ? peak_dilatancy : tan_degrees(p[dilation_residual]);
-    const double last_dilation = p[dilation_zero] > 0 ? p[dilation_zero] : INFINITY;
+        std::isnan(p[dilation_residual]) ? values.dilatancy : tan_degrees(p[dilation_residual]);
     const Speed first(p[constant_1], p[exponent_1], p[stress_1]), second(p[constant_2], p[exponent_2], p[stress_2]);
     const bool in_order = first.from <= second.from;
+    const Creeps creeps{in_order ? first : second, in_order ? second : first, values.ks * batch->time_step};
+    const bool any_creep = first.constant > 0 || second.constant > 0;
 
-    const coulomb::Columns columns(*batch, gap, slip);
+    const Columns columns(*batch);
     double* crept = batch->history[creep];
-    for (std::size_t i = 0; i < batch->n; ++i) {
-        const bool failed = columns.states[i] != 0;
-        const double area = columns.area[i];
-        const coulomb::Line strength{(failed ? p[cohesion_residual] : p[cohesion]) * area,
-                                     failed ? residual_friction : peak_friction};
-        const Creep creeps{in_order ? first : second, in_order ? second : first, ks * batch->time_step, area};
-        const auto outcome = coulomb::step(columns, i, kn, ks,
-                                           {failed ? p[tension_residual] : p[tension], p[tension_residual],
-                                            failed ? residual_dilatancy : peak_dilatancy, last_dilation},
-                                           strength, creeps);
-        if (!outcome.slips) crept[i] += outcome.slipped;
+    Stresses trials{}, stresses{};
+    for (std::size_t begin = 0; begin < batch->n; begin += together) {
+        const std::size_t count = std::min(together, batch->n - begin);
+        if (any_creep) {
+            trials.fill(0);
+#pragma GCC ivdep
+            for (std::size_t j = 0; j < count; ++j) {
+                const std::size_t i = begin + j;
+                const double area = columns.area[i], elastic = length(elastic_shear(columns, i, values.ks));
+                trials[j] = area > 0 ? elastic / area : 0;
+            }
+            creeps.relaxed(trials, stresses);
+        }
+#pragma GCC ivdep
+        for (std::size_t j = 0; j < count; ++j) {
+            const std::size_t i = begin + j;
+            const bool failed = columns.states[i] != 0;
+            Limits limits = values.limits(failed);
+            limits.dilatancy = failed ? residual_dilatancy : values.dilatancy;
+            const double area = columns.area[i];
+            const Relaxed relaxed{area * stresses[j], any_creep && area > 0};
+            const auto outcome = step(columns, i, values.kn, values.ks, limits, values.line(failed, area), relaxed);
+            crept[i] += outcome.excess > 0 ? 0 : outcome.slipped;
+        }
     }
     return -1;
 }
 
-const char* check(const double* p) {
-    if (const char* fault = coulomb::fault_of_stiffness(p[stiffness_normal], p[stiffness_shear])) return fault;
-    return coulomb::fault_of_residuals(p[tension], p[tension_residual], p[cohesion], p[cohesion_residual]);
-}
-
-void max_stiffness(const double* p, double* normal, double* shear) {
-    *normal = p[stiffness_normal];
-    *shear = p[stiffness_shear];
-}
-
-constexpr kaya_jmodel descriptor = {
-    KAYA_JMODEL_INTERFACE,
-    sizeof(kaya_jmodel),
-    "power",
-    "Coulomb slip with power-law creep",
-    "1.0",
-    properties,
-    property_count,
-    history,
-    history_count,
-    coulomb::state_names,
-    initialise,
-    run,
-    check,
-    max_stiffness,
-};
+constexpr kaya_jmodel descriptor =
+    model("power", "Coulomb slip with power-law creep", all_properties, all_history, run);
 
 } // namespace
 

@@ -52,6 +52,16 @@
 #define KAYA_COMPAT_DECLSPEC_align(bytes) __attribute__((aligned(bytes)))
 #endif
 #define EXPORT_TAG __attribute__((visibility("default")))
+
+/* Of the Microsoft library. */
+inline int _isnan(double x) { return x != x; }
+inline int _finite(double x) { return x - x == 0; }
+template <class... Values> int sprintf_s(char* text, std::size_t size, const char* format, Values... values) {
+    return std::snprintf(text, size, format, values...);
+}
+template <std::size_t size, class... Values> int sprintf_s(char (&text)[size], const char* format, Values... values) {
+    return std::snprintf(text, size, format, values...);
+}
 #else
 #define EXPORT_TAG __declspec(dllexport)
 #endif

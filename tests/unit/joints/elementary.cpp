@@ -36,5 +36,13 @@ TEST(Elementary, TangentAgreesWithTheLibrary) {
     EXPECT_NEAR(tangent_of_degrees(-89) / std::tan(-89 * degree), 1, 3e-14);
 }
 
+TEST(Elementary, ArctangentAgreesWithTheLibrary) {
+    const double degrees = 180 / std::numbers::pi;
+    for (double x = 1e-12; x < 1e12; x *= 1.003)
+        EXPECT_NEAR(arctangent_in_degrees(x) / (std::atan(x) * degrees), 1, 1e-15) << x;
+    EXPECT_EQ(arctangent_in_degrees(0), 0);
+    EXPECT_EQ(arctangent_in_degrees(INFINITY), 90);
+}
+
 } // namespace
 } // namespace kaya::joints

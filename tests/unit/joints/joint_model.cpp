@@ -88,6 +88,17 @@ TEST(JointModel, RefusesAStiffnessThatGivesNoTimeStep) {
     } catch (const Diagnostic& d) {
         EXPECT_EQ(d.context.at(0), "it resists closing with a stiffness of 5, and reports 0.05");
     }
+    const auto reason = [](const char* name) -> std::string {
+        try {
+            plugin(name).initial_stiffness({5});
+        } catch (const Diagnostic& d) {
+            return d.context.at(0);
+        }
+        return "taken";
+    };
+    EXPECT_EQ(reason("shears-hard"), "it resists shear with a stiffness of 50, and reports 5");
+    EXPECT_EQ(reason("stiffens"), "it resists closing with a stiffness of 50, and reports 5");
+    EXPECT_EQ(reason("works"), "taken");
     EXPECT_THROW(plugin("works").initial_stiffness({NAN}), Diagnostic);
     EXPECT_THROW(plugin("works").initial_stiffness({INFINITY}), Diagnostic);
 }

@@ -53,6 +53,33 @@ TEST(JointRegistry, LoadsAFile) {
     EXPECT_EQ(&registry.get("works"), &model);
 }
 
+TEST(JointRegistry, KnowsModelsByTheWordsOf3dec) {
+    JointRegistry registry;
+    registry.set_path({shipped_folder});
+    EXPECT_EQ(registry.get("cyjm").name, "continuously-yielding");
+    EXPECT_EQ(&registry.get("CYJM"), &registry.get("continuously-yielding"));
+    EXPECT_EQ(JointRegistry::keyword_of("cyjm"), "continuously-yielding");
+    EXPECT_EQ(JointRegistry::keyword_of("Mohr"), "mohr");
+}
+
+TEST(JointRegistry, FindsTheLibrariesOf3decByWhatTheyHold) {
+    const fs::path folder = fs::path(testing::TempDir()) / "libraries-of-3dec";
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    fs::copy_file(plugin_folder / "works.so", folder / "libjmodelsomething009.so"); // the file name lies
+    fs::copy_file(plugin_folder / "too-soft.so", folder / "jmodeltoo-soft007.so");
+    fs::copy_file(plugin_folder / "no-entry.so", folder / "libjmodelbroken009.so");
+    fs::copy_file(plugin_folder / "twin.so", folder / "jmodel-twin.so"); // not named like one
+    JointRegistry registry;
+    registry.set_path({folder});
+    EXPECT_EQ(registry.get("works").file, folder / "libjmodelsomething009.so");
+    EXPECT_EQ(registry.get("too-soft").file, folder / "jmodeltoo-soft007.so");
+    EXPECT_EQ(&registry.get("works"), &registry.get((folder / "libjmodelsomething009.so").string()));
+    EXPECT_EQ(refusal(registry, "something").message, "there is no joint model 'something'");
+    EXPECT_THAT(refusal(registry, "broken").message, HasSubstr("is not a joint model"));
+    EXPECT_THAT(registry.available(), testing::IsSupersetOf({"works", "too-soft", "something", "jmodel-twin"}));
+}
+
 TEST(JointRegistry, ListsWhatIsThere) {
     JointRegistry registry;
     registry.set_path({shipped_folder});

@@ -169,6 +169,21 @@ TEST_F(JointBench, SaysWhatIsWrongWithPathOrValues) {
     EXPECT_THAT(refusal(order("no-such-model", {}, good)), HasSubstr("no joint model 'no-such-model'"));
 }
 
+TEST_F(JointBench, ReadsTablesOfSpreadsheets) {
+    const std::vector<std::string> texts = {
+        "\xef\xbb\xbfNormal stress; Shear displacement\r\n2,5; 0\r\n2,5; 1e-3\r\n",
+        "normal-stress\tshear_displacement\n2.5\t0\n2,5\t0,001\n",
+        "# measured\nnormal_stress , shear_displacement\n 2.5, 0\n2.5 ,0.001\n",
+    };
+    for (const auto& text : texts) {
+        const auto table = read_csv(file("sheet.csv", text));
+        ASSERT_EQ(table.names, (std::vector<std::string>{"normal_stress", "shear_displacement"})) << text;
+        EXPECT_EQ(table.columns[0], (std::vector<double>{2.5, 2.5})) << text;
+        EXPECT_EQ(table.columns[1], (std::vector<double>{0, 1e-3})) << text;
+    }
+    EXPECT_THAT(refusal(order("mohr", coulomb, "stress,slip\n1,0\n")), HasSubstr("neither a column normal_displacement nor"));
+}
+
 TEST_F(JointBench, FindsPropertiesFromTheirOwnCurve) {
     const std::vector<std::pair<std::string, double>> truth = {{"jkn", 1e5},   {"jks", 1e4},   {"resfric", 20}, {"jrco", 8},
                                                                {"jcso", 100}, {"sigmac", 150}};
