@@ -3,6 +3,8 @@
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
 
+#include <algorithm>
+
 namespace kaya::lang {
 
 namespace {
@@ -102,13 +104,21 @@ CommandSpec bound() {
     entry.keyword({"zgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"),
                   &Boundary::z_gradient, "change of the stress with z");
     add_multiplier(entry);
-    for (const char* word : {"xviscous", "yviscous", "zviscous", "nviscous", "sviscous"})
-        entry.not_yet({Spelling{word, 3}}, "quiet boundaries, which swallow waves");
-    for (const char* word : {"xreaction", "yreaction", "zreaction"})
-        entry.not_yet({Spelling{word, 3}}, "forces in place of what holds a boundary");
+    static constexpr const char* quiet[][2] = {{"xviscous", "quiet boundary: swallows waves by their velocity in x"},
+                                               {"yviscous", "quiet boundary: swallows waves by their velocity in y"},
+                                               {"zviscous", "quiet boundary: swallows waves by their velocity in z"},
+                                               {"nviscous", "quiet boundary: by the velocity along the normal of a face"},
+                                               {"sviscous", "quiet boundary: by the velocity in the plane of a face"}};
+    for (std::size_t i = 0; i < 5; ++i)
+        entry.action({Spelling{quiet[i][0], 3}}, [i](Boundary& b) { b.quiet[i] = true; }, quiet[i][1]);
+    static constexpr const char* reaction[] = {"xreaction", "yreaction", "zreaction"};
+    for (std::size_t i = 0; i < 3; ++i)
+        entry.action({Spelling{reaction[i], 3}}, [i](Boundary& b) { b.reaction[i] = true; },
+                     "lets go what is held in this direction, with the force that has held it as a load");
+    entry.keyword({"nvel", "nvelocity"}, real("v").unit("velocity"), &Boundary::normal_velocity,
+                  "velocity along the outward normals of faces that is held; their planes stay free");
     entry.not_yet({"ff", "freefield"}, "free fields at the sides of a model");
-    entry.not_yet({"nvel", "nvelocity"}, "velocities along the normals of faces");
-    entry.not_yet({"pp"}, "pore pressure at a boundary: see water");
+    entry.not_yet({"pp"}, "pore pressure at a boundary: see initialize pp and water");
     entry.not_yet({"point", "nload", "sload"}, "loads on faces");
     entry.not_yet({"temperature", "flux"}, "heat and flow");
     entry.range(&Boundary::range);
@@ -119,21 +129,26 @@ CommandSpec bound() {
         if (gradient && !b.stress)
             incomplete_line(reader, "a gradient of stress needs the stress at the origin",
                             "write: bound stress sxx syy szz sxy sxz syz xgrad ...");
-        if (!driven && !any(b.free))
+        const auto none_of = [](const auto& words) { return std::ranges::none_of(words, [](bool word) { return word; }); };
+        const bool silent = none_of(b.quiet) && none_of(b.reaction) && !b.normal_velocity;
+        if (!driven && !any(b.free) && silent)
             incomplete_line(reader, "bound does not say what acts on the boundary",
-                            "expected: xvel, xload, xfree (or y, z) or stress");
+                            "expected: xvel, xload, xfree, xvisc, xreac (or y, z), nvel or stress");
         if (b.multiplier && !driven)
-            incomplete_line(reader, "hist has nothing to multiply", "give a velocity, a load or a stress");
+            incomplete_line(reader, "hist has nothing to multiply", "give xvel (or y, z), a load or a stress");
     });
     entry.right("bound xvel = 0 zvel=0 range zr -1 0.01").right("bound str 0 0 -5 0 0 0 range z .09 .11");
     entry.right("bound zload -1e4 range group roof").right("bound xfree yfree zfree");
     entry.right("bound stress -1 -1 -2 0 0 0 zgrad 0.1 0.1 0.2 0 0 0 range x 0");
-    entry.right("bound xvel @v y 0 1");
+    entry.right("bound xvel @v y 0 1").right("bound xvisc yvisc zvisc range region 3").right("bound nvisc svisc range x 0");
+    entry.right("bound zreaction range z -0.1 0.1").right("bound nvel 0 range x -0.1 0.1");
     entry.right("bound xvel 0.2 hist sine 5 range region 1").right("bound xvel 1 hist table 3 range z 0");
     entry.right("bound str 0 0 -1e6 0 0 0 hist @wave range z 10");
     entry.wrong("bound", "bound does not say what acts on the boundary");
     entry.wrong("bound xvel range x 0", "'range' stands where a number must be");
-    entry.wrong("bound xvisc", "'boundary xviscous' is known, but kaya does not support it yet");
+    entry.wrong("bound ff", "'boundary ff' is known, but kaya does not support it yet");
+    entry.wrong("bound nvel", "a number is missing after 'nvel'");
+    entry.wrong("bound xvisc 1", "'1' stands where a keyword of boundary must be");
     entry.wrong("bound xvle 0", "'xvle' is not a keyword of boundary");
     entry.wrong("bound stress 0 0 -5", "a number is missing after '-5'");
     entry.wrong("bound stress 0 0 -5 0 0 0 0", "'0' stands where a keyword of boundary must be");
@@ -167,33 +182,6 @@ CommandSpec apply() {
     entry.wrong("apply", "apply does not say what acts on the blocks");
     entry.wrong("apply xvel", "a number is missing after 'xvel'");
     entry.wrong("apply xvle 1", "'xvle' is not a keyword of apply");
-    return entry;
-}
-
-CommandSpec initialize() {
-    Entry<Initialize> entry({"initialize"});
-    entry.help("gives gridpoints and rigid blocks a velocity or a displacement to start with");
-    add_velocities(entry, "velocity", "rotation of rigid blocks");
-    static constexpr const char* displacement[][2] = {
-        {"xdis", "xdisplacement"}, {"ydis", "ydisplacement"}, {"zdis", "zdisplacement"}};
-    for (std::size_t i = 0; i < 3; ++i)
-        entry.keyword({displacement[i][0], displacement[i][1]}, real("d").unit("length"),
-                      [i](Initialize& c) -> auto& { return c.displacement[i]; },
-                      "displacement that is counted from; nothing moves");
-    for (const char* word : {"sxx", "syy", "szz", "sxy", "sxz", "syz", "pp", "temperature"})
-        entry.not_yet({Spelling{word, 2}}, "single components of stress, pore pressure or heat: see insitu and water");
-    entry.range(&Initialize::range);
-    entry.finish([](const Reader& reader, Initialize& c) {
-        if (!any(c.velocity) && !any(c.displacement))
-            incomplete_line(reader, "initialize does not say what to set",
-                            "expected: xvel, rxvel or xdis (or y, z) and a number");
-    });
-    entry.right("ini xvel 1").right("initialize xvel 0 yvel 0 zvel -2 range group ball");
-    entry.right("ini rzvel 0.5 range id 2").right("ini xdis 0 ydis 0 zdis 0 range z 0 1");
-    entry.wrong("ini", "initialize does not say what to set");
-    entry.wrong("ini sxx -1e6", "'initialize sxx' is known, but kaya does not support it yet");
-    entry.wrong("ini xvel", "a number is missing after 'xvel'");
-    entry.wrong("ini zval 1", "'zval' is not a keyword of initialize");
     return entry;
 }
 

@@ -151,6 +151,14 @@ struct FaceTriangulation {
     Place place;
 };
 struct GenerateEdge { double edge = 0; RangePhrase range; Place place; };
+/// generate quad n1 n2 n3: blocks with eight corners are cut in cells along their own axes.
+struct GenerateQuad {
+    std::array<std::int64_t, 3> parts{1, 1, 1};
+    std::array<double, 3> ratio{1, 1, 1}; ///< of each cell to the one before it
+    bool given = false;                   ///< the line has said how many
+    RangePhrase range;
+    Place place;
+};
 
 // --- materials ----------------------------------------------------------------------------------
 /// prop mat n | jmat n  word value ...: words are the classic ones (dens, bulk, k, g, ymod, jkn, ...)
@@ -196,6 +204,8 @@ struct Multiplier {
     std::string symbol; ///< without @
     Place place;
 };
+/// A number at the origin of coordinates and its change with x, y and z.
+struct LinearNumber { double at_origin = 0; Vec3 gradient = Vec3::Zero(); };
 struct Boundary {
     std::array<std::optional<double>, 6> velocity;  ///< xvel yvel zvel rxvel ryvel rzvel
     std::array<std::optional<double>, 3> load;      ///< xload yload zload, added
@@ -203,6 +213,9 @@ struct Boundary {
     std::optional<std::array<double, 6>> stress;    ///< xx yy zz xy xz yz
     std::array<double, 6> x_gradient{}, y_gradient{}, z_gradient{};
     std::optional<Multiplier> multiplier;
+    std::array<bool, 5> quiet{};                    ///< xviscous yviscous zviscous nviscous sviscous
+    std::array<bool, 3> reaction{};                 ///< xreaction yreaction zreaction
+    std::optional<double> normal_velocity;          ///< nvel
     RangePhrase range;
     Place place;
 };
@@ -216,12 +229,19 @@ struct Apply {
 struct Initialize {
     std::array<std::optional<double>, 6> velocity;
     std::array<std::optional<double>, 3> displacement;
+    std::array<std::optional<LinearNumber>, 6> stress; ///< sxx syy szz sxy sxz syz
+    std::optional<LinearNumber> pore_pressure;
     RangePhrase range;
+    Place place;
 };
+/// insitu topography [kx k] [ky k]: stress of the weight above; ratios of horizontal to vertical stress
+struct Topography { double kx = 1, ky = 1; };
 /// insitu stress sxx syy szz sxy sxz syz [xgrad ..] [ygrad ..] [zgrad ..]
 struct InSitu {
     std::optional<std::array<double, 6>> stress;
     std::array<double, 6> x_gradient{}, y_gradient{}, z_gradient{};
+    std::optional<Topography> topography;
+    std::optional<LinearNumber> pore_pressure;
     RangePhrase range;
     Place place;
 };
@@ -278,6 +298,11 @@ struct Solve {
     std::optional<double> force, time, clock;                ///< clock in minutes
     std::optional<std::int64_t> cycles;
     bool elastic = false;
+    bool factor_of_safety = false;
+    std::optional<std::array<double, 2>> bracket; ///< of the factor: where it stands and where it fails
+    double resolution = 0.005;                    ///< of the factor, as a part of it
+    std::string file;                             ///< where the failing state is saved
+    Place place;
 };
 struct Damp {
     std::string kind; ///< auto (=global), local, global, combined, rayleigh, none; empty: as it was

@@ -17,6 +17,37 @@ Entry<FaceTriangulation> face_triangulation(std::vector<Spelling> form, FaceTria
     return entry;
 }
 
+CommandSpec generate_quad() {
+    Entry<GenerateQuad> entry({"generate"}, {"quad", "hexahedra"});
+    entry.help("cuts blocks of six faces with four corners in cells, each of six tetrahedral zones");
+    entry.place(&GenerateQuad::place);
+    const auto part = [](std::string_view name) { return integer(name).at_least(1).at_most(1000).spec; };
+    const auto ratio = [](std::string_view name) { return real(name).above(0).spec; };
+    const std::vector<ArgumentSpec> parts{part("n1"), part("n2"), part("n3")}, ratios{ratio("r1"), ratio("r2"), ratio("r3")};
+    entry.special({"ndivisions", "divisions"}, parts,
+                  [parts](Reader& reader, GenerateQuad& g) {
+                      for (std::size_t k = 0; k < 3; ++k) g.parts[k] = reader.integer(parts[k]);
+                      g.given = true;
+                  },
+                  "cells along the block's edges that are nearest to x, y and z");
+    entry.special({"ratio"}, ratios,
+                  [ratios](Reader& reader, GenerateQuad& g) {
+                      for (std::size_t k = 0; k < 3; ++k) g.ratio[k] = reader.real(ratios[k]);
+                  },
+                  "length of each cell over that of the one before it, in the direction of growing x, y and z; 1 if not given");
+    entry.range(&GenerateQuad::range);
+    entry.finish([](const Reader& reader, GenerateQuad& g) {
+        if (!g.given)
+            incomplete_line(reader, "generate quad does not say how many cells", "write for example: generate quad ndiv 4 4 8");
+    });
+    entry.right("gen quad ndiv 4 4 8").right("generate quad ndiv 2 2 10 ratio 1 1 1.2 range region 1");
+    entry.wrong("gen quad", "generate quad does not say how many cells");
+    entry.wrong("gen quad ndiv 4 4", "a number is missing after '4'");
+    entry.wrong("gen quad ndiv 4 4 0", "n3 must be at least 1, not 0");
+    entry.wrong("gen quad ndiv 4 4 4 ratio 1 1 0", "r3 must be greater than 0, not 0");
+    return entry;
+}
+
 } // namespace
 
 Family geometry() {
@@ -81,6 +112,7 @@ Family geometry() {
                 .wrong("gen edge -0.5", "edge must be greater than 0, not -0.5")
                 .wrong("gen edge big", "'big' stands where a number must be")
                 .wrong("gen egde 1", "'egde' is not a kind of generate"),
+            generate_quad(),
             face_triangulation({"edge"}, FaceTriangulation::Way::edge)
                 .help("puts sub-contacts on the faces of rigid blocks that far apart, besides those at corners")
                 .argument(real("edge").unit("length").above(0).help("about how far apart"), &FaceTriangulation::edge)

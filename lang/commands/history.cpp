@@ -33,12 +33,19 @@ const std::vector<Recorded>& recorded() {
         {{"xvel", "xvelocity"}, true, "velocity in x of the nearest gridpoint"},
         {{"yvel", "yvelocity"}, true, "velocity in y of the nearest gridpoint"},
         {{"zvel", "zvelocity"}, true, "velocity in z of the nearest gridpoint"},
+        {{"xacc", "xacceleration"}, true, "acceleration in x of the nearest gridpoint, of the last step"},
+        {{"yacc", "yacceleration"}, true, "acceleration in y of the nearest gridpoint, of the last step"},
+        {{"zacc", "zacceleration"}, true, "acceleration in z of the nearest gridpoint, of the last step"},
         {{"sxx"}, true, "stress of the nearest zone"},
         {{"syy"}, true, "stress of the nearest zone"},
         {{"szz"}, true, "stress of the nearest zone"},
         {{"sxy"}, true, "stress of the nearest zone"},
         {{"sxz"}, true, "stress of the nearest zone"},
         {{"syz"}, true, "stress of the nearest zone"},
+        {{"sig1"}, true, "most compressive principal stress of the nearest zone"},
+        {{"sig2"}, true, "middle principal stress of the nearest zone"},
+        {{"sig3"}, true, "least compressive principal stress of the nearest zone"},
+        {{"pp"}, true, "pore pressure of the nearest zone: the mean of its gridpoints"},
         {{"ndis", "ndisplacement"}, true, "normal displacement of the nearest sub-contact, closing negative"},
         {{"sdis", "sdisplacement"}, true, "shear displacement of the nearest sub-contact"},
         {{"nstr", "nstress"}, true, "normal stress of the nearest sub-contact, compression positive"},
@@ -64,8 +71,6 @@ CommandSpec history_add() {
                       },
                       item.help);
     }
-    for (const char* axis : {"xacceleration", "yacceleration", "zacceleration"})
-        entry.not_yet({Spelling{axis, 4}}, "accelerations: take the velocity, and its slope");
     entry.keyword({"ncyc", "ncycle"}, integer("n").at_least(1), &HistoryAdd::interval,
                   "cycles from one record to the next, for all histories");
     entry.place(&HistoryAdd::place);
@@ -85,7 +90,7 @@ CommandSpec history_add() {
             incomplete_line(reader, "history does not say what to record", "write for example: hist unbal");
     });
     entry.right("hist unbal ncyc 5").right("hist @sstav @nstav").right("hist sdis -1 -1 0 ndis -1 -1 0");
-    entry.right("hist ekinetic eerror").right("hist 1 unbal");
+    entry.right("hist ekinetic eerror").right("hist xacc 0 0 10 sig1 0 0 0").right("hist 1 unbal");
     entry.right("hist zdisp 0 0 0.1")
         .right("his xvel (0,0,1)")
         .right("hist szz 0 0 0.1")
@@ -93,7 +98,7 @@ CommandSpec history_add() {
     entry.wrong("hist", "history does not say what to record");
     entry.wrong("hist xdis 0 0", "a number is missing after '0'");
     entry.wrong("hist xids 0 0 0", "'xids' is not a keyword of history");
-    entry.wrong("hist xacc 0 0 0", "'history xacceleration' is known, but kaya does not support it yet");
+    entry.wrong("hist xacc 0 0", "a number is missing after '0'");
     entry.wrong("hist ncyc 0", "ncyc must be at least 1, not 0");
     entry.wrong("hist unbal 5", "'5' stands where a keyword of history must be");
     return entry;

@@ -5,9 +5,22 @@
 
 namespace kaya::lang {
 
+namespace {
+
+Topography& topography(InSitu& c) {
+    if (!c.topography) c.topography.emplace();
+    return *c.topography;
+}
+LinearNumber& pore_pressure(InSitu& c) {
+    if (!c.pore_pressure) c.pore_pressure.emplace();
+    return *c.pore_pressure;
+}
+
+} // namespace
+
 CommandSpec insitu() {
     Entry<InSitu> entry({"insitu"});
-    entry.help("gives zones and joints the stress that is in the ground");
+    entry.help("gives zones and joints the stress, and joints the pore pressure, that is in the ground");
     entry.place(&InSitu::place);
     const auto gradient = tensor("sxx syy szz sxy sxz syz").unit("stress/length");
     entry.keyword({"stress"}, tensor("sxx syy szz sxy sxz syz").unit("stress"), &InSitu::stress,
@@ -16,21 +29,41 @@ CommandSpec insitu() {
     entry.keyword({"ygradient"}, gradient, &InSitu::y_gradient, "change of the stress with y");
     entry.keyword({"zgradient"}, gradient, &InSitu::z_gradient, "change of the stress with z");
     entry.action({"nodisplacements"}, [](InSitu&) {}, "joints keep their displacements, as they always do").ignored();
-    entry.not_yet({"pp"}, "pore pressure: see water");
-    entry.not_yet({"topography"}, "stresses below a hilly surface");
+    const auto pressure = real("p").unit("stress"), ratio = real("k").at_least(0);
+    const auto slope = vector("gx gy gz").unit("stress/length");
+    entry.special({"pp", "pressure"}, {pressure.spec},
+                  [=](Reader& reader, InSitu& c) { pore_pressure(c).at_origin = reader.real(pressure.spec); },
+                  "pore pressure at the origin of coordinates");
+    entry.special({"gradient"}, {slope.spec},
+                  [=](Reader& reader, InSitu& c) { pore_pressure(c).gradient = reader.vector(slope.spec); },
+                  "change of the pore pressure with x, y and z");
+    entry.action({"topography"}, [](InSitu& c) { topography(c); },
+                 "vertical stress of the weight of the blocks above, and horizontal stress as a part of it");
+    entry.special({"kx"}, {ratio.spec}, [=](Reader& reader, InSitu& c) { topography(c).kx = reader.real(ratio.spec); },
+                  "ratio of sxx to szz below the topography; 1 if not given");
+    entry.special({"ky"}, {ratio.spec}, [=](Reader& reader, InSitu& c) { topography(c).ky = reader.real(ratio.spec); },
+                  "ratio of syy to szz below the topography; 1 if not given");
     entry.range(&InSitu::range);
     entry.finish([](const Reader& reader, InSitu& c) {
-        if (!c.stress)
+        const std::array<double, 6> none{};
+        const bool slopes = c.x_gradient != none || c.y_gradient != none || c.z_gradient != none;
+        if (!c.stress && (slopes || (!c.topography && !c.pore_pressure)))
             incomplete_line(reader, "insitu does not say which stress",
                             "write: insitu stress sxx syy szz sxy sxz syz [zgrad ...]");
+        if (c.stress && c.topography)
+            incomplete_line(reader, "stress and topography exclude each other", "keep one of them");
     });
     entry.right("insitu stress -1e6 -1e6 -2e6 0 0 0");
     entry.right("insitu str 0 0 0 0 0 0 zgrad 1.3e4 1.3e4 2.6e4 0 0 0 nodis range z -100 0");
+    entry.right("insitu topo kx 0.5 ky 0.8 range z -100 0").right("insitu pp 1e5 gradient 0 0 -1e4");
     entry.wrong("insitu", "insitu does not say which stress");
     entry.wrong("insitu stress -1e6 -1e6", "a number is missing after '-1e6'");
     entry.wrong("insitu zgrad 0 0 1 0 0 0", "insitu does not say which stress");
     entry.wrong("insitu sterss 0 0 0 0 0 0", "'sterss' is not a keyword of insitu");
-    entry.wrong("insitu topo", "'insitu topography' is known, but kaya does not support it yet");
+    entry.wrong("insitu topo kx", "a number is missing after 'kx'");
+    entry.wrong("insitu topo kx -1", "k must be at least 0, not -1");
+    entry.wrong("insitu stress -1 -1 -1 0 0 0 topo", "stress and topography exclude each other");
+    entry.wrong("insitu pp", "a number is missing after 'pp'");
     return entry;
 }
 

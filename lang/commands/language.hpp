@@ -20,7 +20,9 @@ std::vector<CommandSpec> shape_commands(); ///< poly ...
 std::vector<CommandSpec> cut_commands();   ///< jset
 std::vector<CommandSpec> selection_commands(); ///< group, mark, excavate, fill
 
-CommandSpec insitu(); ///< part of the family boundary
+/// Parts of the family boundary.
+CommandSpec insitu();
+CommandSpec initialize();
 
 /// Built once, on first use.
 const Language& classic();

@@ -14,10 +14,9 @@ struct Known {
 /// Of `generate` the forms that are missing; of the others the whole command.
 const std::vector<Known>& known() {
     static const std::vector<Known> commands = {
-        {{"generate"}, {"quad", "hexahedra"}, "zones with eight corners"},
-        {{"generate"}, {"center"}, "zones whose size varies"},
-        {{"generate"}, {"grade"}, "zones whose size varies"},
-        {{"generate"}, {"fix"}, "zones whose size varies"},
+        {{"generate"}, {"center"}, "zones whose size varies: see the ratio of generate quad"},
+        {{"generate"}, {"grade"}, "zones whose size varies: see the ratio of generate quad"},
+        {{"generate"}, {"fix"}, "zones whose size varies: see the ratio of generate quad"},
         {{"copy"}, {}, "copies of blocks"},
         {{"pfix"}, {}, "a pore pressure that is held"},
         {{"pfree"}, {}, "a pore pressure that is held"},
@@ -33,8 +32,8 @@ const std::vector<Known>& known() {
         {{"dfn", "fracture"}, {}, "networks of fractures"},
         {{"geometry"}, {}, "surfaces as objects of their own"},
         {{Spelling{"zone", 4}}, {}, "zone models with a name; the zones of now are elastic"},
-        {{"topography"}, {}, "stresses below a hilly surface"},
-        {{"factor", "fos"}, {}, "factors of safety by reducing the strength"},
+        {{"topography"}, {}, "stresses below a hilly surface: see insitu topography"},
+        {{"factor", "fos"}, {}, "factors of safety: see solve fos"},
         {{"pstress", "prestress"}, {}, "prestress"},
     };
     return commands;

@@ -120,11 +120,33 @@ CommandSpec solve() {
         .action(
             {"elastic"}, [](Solve& s) { s.elastic = true; },
             "first with unbreakable joints, then with the true ones")
-        .not_yet({"fos"}, "factors of safety by reducing the strength")
+        .action(
+            {"fos", "factor"}, [](Solve& s) { s.factor_of_safety = true; },
+            "finds the factor by which the strength of joints can be divided until the model fails; the model stays")
+        .keyword({"bracket"}, pair("f1 f2").above(0), &Solve::bracket, "with fos: a factor where it stands and one where it fails")
+        .keyword({"resolution"}, real("f").above(0).below(1), &Solve::resolution,
+                 "with fos: how near the two factors come, as a part; 0.005 if not given")
+        .keyword({"file"}, text("file"), &Solve::file, "with fos: the model is saved there as it fails")
+        .place(&Solve::place)
+        .finish([](const Reader& reader, Solve& s) {
+            if (!s.factor_of_safety && (s.bracket || !s.file.empty()))
+                incomplete_line(reader, "bracket and file belong to fos", "write for example: solve fos bracket 1 2");
+            if (s.factor_of_safety && (s.elastic || s.force || s.time || s.clock || s.maximum_ratio || s.local_ratio))
+                incomplete_line(reader, "fos goes with ratio, cycles, bracket, resolution and file only",
+                                "give other limits to a `solve` of its own before");
+            if (s.bracket && !reader.wildcards() && !((*s.bracket)[0] < (*s.bracket)[1]))
+                incomplete_line(reader, "the factor where the model stands must be below the one where it fails",
+                                "write for example: solve fos bracket 1 2");
+        })
         .right("solve")
         .right("solve ratio 1e-6 cyc 5000")
         .right("solve elastic force 1e3")
         .right("solve ratio-local 1e-4 time 2 clock 10")
+        .right("solve fos")
+        .right("solve fos resolution 0.01 ratio 1e-4 cycles 2000 file 'failed.sav'")
+        .wrong("solve bracket 1 2", "bracket and file belong to fos")
+        .wrong("solve fos bracket 2 1", "the factor where the model stands must be below the one where it fails")
+        .wrong("solve fos force 1", "fos goes with ratio, cycles, bracket, resolution and file only")
         .wrong("solve raito 1e-5", "'raito' is not a keyword of solve")
         .wrong("solve ratio", "a number is missing after 'ratio'")
         .wrong("solve ratio 0", "ratio must be greater than 0, not 0")

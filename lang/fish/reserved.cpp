@@ -18,8 +18,8 @@ struct Group {
 constexpr Group groups[] = {
     {true, "c_link1 c_link2", "walk the list of contact_head and compare c_b1 and c_b2 with the block"},
     {true, "find_range in_range inbox", "compare coordinates, or select with the range of a command"},
-    {true, "gp_pp gp_temp z_pp", "pore pressure belongs to sub-contacts: cx_pp"},
-    {true, "z_fsi z_fsr z_fri z_frr z_ssi z_ssr z_vsi z_vsr z_total_strain", "there are no strains of zones yet"},
+    {true, "gp_temp", "there is no heat"},
+    {true, "z_fsi z_fsr z_fri z_frr z_total_strain", "there are no tensors: z_vsi, z_ssi, z_vsr, z_ssr are the strains and their rates"},
     {true, "z_state z_model", "all zones are of the one model that their block's material gives"},
     {true, "z_sig from_principal principal_stress b_moitensor",
      "there are no tensors: z_sxx and so on, z_sig1 to z_sig3, b_xmoi to b_zmoi"},
@@ -30,7 +30,6 @@ constexpr Group groups[] = {
     {true, "j_model j_prop", "use c_model(c) and c_prop(c,'jkn')"},
     {true, "water_table_head", "use the command water"},
     {true, "damp_alpha damp_beta", "the command damp takes the fraction and the frequency"},
-    {true, "fos", "there is no factor of safety yet"},
     {true, "table_name get_table", "tables have numbers only"},
     {false, "atol btol ctol dtol etol", "tolerances follow from the size of the blocks"},
     {false, "ftime ftdel flow_head flowrate flowvel fluid_density c_flowplane face_flow gp_fk z_perm z_poros",

@@ -1,10 +1,11 @@
-// fix, free, gravity, bound, apply, initialize, reset.
+// fix, free, gravity, bound, apply, reset.
+#include "commands/bodies.hpp"
 #include "commands/handlers.hpp"
 #include "commands/tables.hpp"
 
 #include "mechanics/boundary.hpp"
 #include "mechanics/contact_properties.hpp"
-#include "mechanics/insitu.hpp"
+#include "mechanics/face_conditions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,12 +17,10 @@ namespace {
 
 constexpr std::array axis_names{"x", "y", "z"};
 
-template <class Command> StressField stress_field(const Command& command) {
+StressField stress_field(const lang::Boundary& command) {
     const auto stress = [](const std::array<double, 6>& six) { return Stress(six.data()); };
-    StressField field;
-    field.at_origin = stress(*command.stress);
-    field.gradient = {stress(command.x_gradient), stress(command.y_gradient), stress(command.z_gradient)};
-    return field;
+    return {stress(*command.stress),
+            {stress(command.x_gradient), stress(command.y_gradient), stress(command.z_gradient)}};
 }
 
 struct KindEntry {
@@ -50,27 +49,6 @@ std::int32_t time_function(Session& session, const std::optional<lang::Multiplie
     }
     return time_function_row(session.model, {found->kind, multiplier->frequency, multiplier->duration,
                                              multiplier->table, multiplier->symbol, session.here()});
-}
-
-/// Rigid blocks by their centroid and gridpoints of the others by their position.
-Bodies pick_bodies(Session& session, const lang::RangePhrase& range) {
-    const auto& model = session.model;
-    Bodies bodies;
-    for (const Row b : select(model, ObjectKind::block, session.test_of(ObjectKind::block, range)))
-        if (!model.blocks.deformable[b]) bodies.blocks.push_back(b);
-    const auto points =
-        select(model, ObjectKind::gridpoint, session.test_of(ObjectKind::gridpoint, range));
-    for (const Row g : points)
-        if (model.blocks.deformable[model.gridpoints.block[g]]) bodies.gridpoints.push_back(g);
-    if (!bodies.empty()) return bodies;
-    if (points.empty()) session.pick(ObjectKind::gridpoint, range); // says why
-    else
-        session.warn(Diagnostic(fmt::format("the range holds {} vertices of rigid blocks but no centroid of one",
-                                            points.size()),
-                                "rigid blocks move as a whole and are picked by their centroid: the command has no "
-                                "effect")
-                         .at(range.place));
-    return bodies;
 }
 
 std::uint8_t bits_of(const std::array<bool, 6>& components) {
@@ -104,6 +82,72 @@ void warn_of_held_loads(Session& session, const std::vector<Row>& blocks, const 
                 if (model.gridpoints.load[g][k] != 0 && (model.gridpoints.fixed[g] & (1 << k)))
                     return say(b, k, "a gridpoint");
     }
+}
+
+void warn_of_no_face(Session& session, const lang::Boundary& command, std::size_t points, std::string_view what) {
+    session.warn(Diagnostic(fmt::format("no face on the surface has all its corners among the {} gridpoints in range", points),
+                            fmt::format("{} has no effect", what))
+                     .at(command.range.place ? command.range.place : command.place));
+}
+
+void put_reactions(Session& session, const lang::Boundary& command) {
+    auto& model = session.model;
+    session.cycle->prepare(); // forces and masses of now
+    const Bodies bodies = pick_bodies(session, command.range);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!command.reaction[axis]) continue;
+        const auto held = [&](std::uint8_t fixed) { return (fixed & (1 << axis)) != 0; };
+        if (std::ranges::none_of(bodies.blocks, [&](Row b) { return held(model.blocks.fixed[b]); }) &&
+            std::ranges::none_of(bodies.gridpoints, [&](Row g) { return held(model.gridpoints.fixed[g]); }))
+            session.warn(Diagnostic(fmt::format("nothing in range is held in {}", axis_names[axis]),
+                                    fmt::format("{}reaction has no effect: hold it first, e.g. `bound {}vel 0`, and cycle",
+                                                axis_names[axis], axis_names[axis]))
+                             .at(command.place));
+        replace_by_reaction(model, bodies, axis);
+    }
+}
+
+std::uint8_t quiet_bits(const lang::Boundary& command) {
+    std::uint8_t bits = 0;
+    for (std::size_t k = 0; k < command.quiet.size(); ++k) bits |= static_cast<std::uint8_t>(command.quiet[k] << k);
+    return bits;
+}
+
+/// The triangles on which nvel and quiet boundaries act. Throws Diagnostic when all are of rigid blocks.
+std::vector<Row> triangles_in_range(Session& session, const lang::Boundary& command, const std::vector<Row>& points) {
+    auto& model = session.model;
+    const bool quiet = quiet_bits(command) != 0;
+    find_contacts(model, session.joints); // they tell which faces are exterior
+    const auto triangles = exterior_triangles(model, points);
+    if (triangles.empty()) warn_of_no_face(session, command, points.size(), quiet ? "the quiet boundary" : "nvel");
+    const auto soft = [&](Row t) { return model.blocks.deformable[model.faces.block[model.triangles.face[t]]] != 0; };
+    if (!triangles.empty() && std::ranges::none_of(triangles, soft))
+        throw Diagnostic("all faces in range belong to rigid blocks",
+                         quiet ? "a quiet boundary needs zones, in which waves run: give `generate edge` before it"
+                               : "hold the blocks with `bound xvel` (or y, z), or give `generate edge` before it")
+            .at(command.place);
+    return triangles;
+}
+
+/// nvel, and quiet boundaries.
+void put_on_faces(Session& session, const lang::Boundary& command, const std::vector<Row>& triangles) {
+    auto& model = session.model;
+    const std::uint8_t bits = quiet_bits(command);
+    if (command.normal_velocity) hold_normals(model, triangles, *command.normal_velocity);
+    if (bits == 0) return;
+    make_quiet(model, triangles, bits);
+    for (const Row t : triangles)
+        for (const Row g : model.triangles.gridpoints[t])
+            for (int axis = 0; axis < 3; ++axis)
+                if ((model.gridpoints.fixed[g] & (1 << axis)) && (bits & ((quiet_x << axis) | quiet_normal | quiet_shear))) {
+                    session.warn(Diagnostic(fmt::format("a gridpoint of block {} on the quiet boundary is held in {}",
+                                                        model.blocks.number[model.gridpoints.block[g]], axis_names[axis]),
+                                            fmt::format("waves come back from it: let it go with `bound {}reaction`, which "
+                                                        "keeps the force that holds it",
+                                                        axis_names[axis]))
+                                     .at(command.place));
+                    return;
+                }
 }
 
 void reset_time(Session& session) { session.model.clock.time = 0; }
@@ -178,16 +222,22 @@ void run(Session& session, const lang::Boundary& command) {
     auto& model = session.model;
     const auto function = time_function(session, command.multiplier);
     const auto any = [](const auto& list) { return std::ranges::any_of(list, [](const auto& v) { return bool(v); }); };
+    const bool on_faces = any(command.quiet) || command.normal_velocity;
+    std::vector<Row> points, triangles;
+    if (any(command.load) || command.stress || on_faces) points = session.pick(ObjectKind::gridpoint, command.range);
+    if (on_faces && !points.empty()) triangles = triangles_in_range(session, command, points);
+    if (any(command.reaction)) put_reactions(session, command);
     if (any(command.velocity) || any(command.free)) {
         const Bodies bodies = pick_bodies(session, command.range);
         for (int k = 0; k < components; ++k) {
             if (command.velocity[k]) prescribe_velocity(model, bodies, k, *command.velocity[k], function);
             if (command.free[k]) release_velocity(model, bodies, k);
         }
+        const auto axes = static_cast<std::uint8_t>(command.free[0] | command.free[1] << 1 | command.free[2] << 2);
+        if (axes != 0) free_faces(model, bodies.gridpoints, axes);
     }
-    if (!any(command.load) && !command.stress) return;
-    const auto points = session.pick(ObjectKind::gridpoint, command.range);
-    if (points.empty()) return;
+    if (!triangles.empty()) put_on_faces(session, command, triangles);
+    if (points.empty() || (!any(command.load) && !command.stress)) return;
     for (int axis = 0; axis < 3; ++axis) {
         if (!command.load[axis]) continue;
         add_load(model, points, axis, *command.load[axis], function);
@@ -197,12 +247,7 @@ void run(Session& session, const lang::Boundary& command) {
     }
     if (command.stress) {
         find_contacts(model, session.joints); // they tell which faces are exterior
-        if (add_stress(model, points, stress_field(command), function) == 0)
-            session.warn(
-                Diagnostic(fmt::format("no face on the surface has all its corners among the {} gridpoints in range",
-                                       points.size()),
-                           "the stress has no effect")
-                    .at(command.range.place ? command.range.place : command.place));
+        if (add_stress(model, points, stress_field(command), function) == 0) warn_of_no_face(session, command, points.size(), "the stress");
     }
     std::vector<Row> blocks;
     for (const Row g : points)
@@ -227,28 +272,6 @@ void run(Session& session, const lang::Apply& command) {
         if (command.load[k]) add_block_load(model, blocks, k, *command.load[k], function);
     }
     if (loaded) warn_of_held_loads(session, blocks, command.place);
-}
-
-void run(Session& session, const lang::Initialize& command) {
-    const Bodies bodies = pick_bodies(session, command.range);
-    for (int k = 0; k < components; ++k)
-        if (command.velocity[k]) initialize_velocity(session.model, bodies, k, *command.velocity[k]);
-    for (int axis = 0; axis < 3; ++axis)
-        if (command.displacement[axis]) initialize_displacement(session.model, bodies, axis, *command.displacement[axis]);
-}
-
-void run(Session& session, const lang::InSitu& command) {
-    auto& model = session.model;
-    find_contacts(model, session.joints);
-    const auto test = [&](ObjectKind kind) { return session.test_of(kind, command.range); };
-    const auto zones = select(model, ObjectKind::zone, test(ObjectKind::zone));
-    const auto points = select(model, ObjectKind::sub_contact, test(ObjectKind::sub_contact));
-    if (zones.empty() && points.empty()) {
-        session.warn(Diagnostic("no zone and no joint is in range", "the command has no effect")
-                         .at(command.range.place ? command.range.place : command.place));
-        return;
-    }
-    set_insitu_stress(model, session.joints, zones, points, stress_field(command));
 }
 
 void run(Session& session, const lang::Reset& command) {

@@ -3,11 +3,53 @@
 
 #include "model/build.hpp"
 
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <map>
 #include <set>
 
 namespace kaya {
+
+namespace {
+
+/// Joined blocks get zones together or not at all.
+void take_bodies_whole(const Model& model, const std::vector<Row>& picked) {
+    const auto& blocks = model.blocks;
+    const std::set<Row> rows(picked.begin(), picked.end());
+    std::map<std::int32_t, Row> bodies;
+    for (const Row b : picked)
+        if (blocks.body[b] != 0) bodies.emplace(blocks.body[b], b);
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const auto body = bodies.find(blocks.body[b]);
+        if (body == bodies.end() || blocks.deformable[b] || rows.contains(static_cast<Row>(b))) continue;
+        throw Diagnostic(fmt::format("block {} is joined to block {}, which would get no zones",
+                                     blocks.number[body->second], blocks.number[b]),
+                         "take both into the range, or `join off` first");
+    }
+}
+
+template <class Command, class Generate>
+void give_zones_to_blocks(Session& session, const Command& command, const Generate& generate) {
+    const auto blocks = session.pick(ObjectKind::block, command.range);
+    if (blocks.empty()) return;
+    try {
+        take_bodies_whole(session.model, blocks);
+        const std::size_t zoned = generate(blocks);
+        if (zoned > 0)
+            session.world.rows_moved();
+        else
+            session.warn(
+                Diagnostic(fmt::format("all {} blocks that this acts on have zones already", blocks.size()),
+                           "the command has no effect")
+                    .at(command.place));
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+} // namespace
 
 void run(Session& session, const lang::Hide& command) {
     for (const Row block : session.pick(ObjectKind::block, command.range))
@@ -50,43 +92,17 @@ void run(Session& session, const lang::FaceTriangulation& command) {
                          .at(command.place));
 }
 
-namespace {
-
-/// Joined blocks get zones together or not at all.
-void take_bodies_whole(const Model& model, const std::vector<Row>& picked) {
-    const auto& blocks = model.blocks;
-    const std::set<Row> rows(picked.begin(), picked.end());
-    std::map<std::int32_t, Row> bodies;
-    for (const Row b : picked)
-        if (blocks.body[b] != 0) bodies.emplace(blocks.body[b], b);
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-        const auto body = bodies.find(blocks.body[b]);
-        if (body == bodies.end() || blocks.deformable[b] || rows.contains(static_cast<Row>(b))) continue;
-        throw Diagnostic(fmt::format("block {} is joined to block {}, which would get no zones",
-                                     blocks.number[body->second], blocks.number[b]),
-                         "take both into the range, or `join off` first");
-    }
+void run(Session& session, const lang::GenerateEdge& command) {
+    give_zones_to_blocks(session, command,
+                         [&](const std::vector<Row>& blocks) { return generate_zones(session.model, blocks, command.edge); });
 }
 
-} // namespace
-
-void run(Session& session, const lang::GenerateEdge& command) {
-    const auto blocks = session.pick(ObjectKind::block, command.range);
-    if (blocks.empty()) return;
-    try {
-        take_bodies_whole(session.model, blocks);
-        const std::size_t zoned = generate_zones(session.model, blocks, command.edge);
-        if (zoned > 0)
-            session.world.rows_moved();
-        else
-            session.warn(
-                Diagnostic(fmt::format("all {} blocks that this acts on have zones already", blocks.size()),
-                           "the command has no effect")
-                    .at(command.place));
-    } catch (Diagnostic& mistake) {
-        mistake.at(command.place);
-        throw;
-    }
+void run(Session& session, const lang::GenerateQuad& command) {
+    std::array<int, 3> parts;
+    for (std::size_t k = 0; k < 3; ++k) parts[k] = static_cast<int>(command.parts[k]);
+    give_zones_to_blocks(session, command, [&](const std::vector<Row>& blocks) {
+        return generate_zones(session.model, blocks, parts, command.ratio);
+    });
 }
 
 } // namespace kaya

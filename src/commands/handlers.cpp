@@ -62,6 +62,7 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::Group>(session, handlers, InCycle::runs);
     add<lang::FaceTriangulation>(session, handlers, InCycle::waits);
     add<lang::GenerateEdge>(session, handlers, InCycle::waits);
+    add<lang::GenerateQuad>(session, handlers, InCycle::waits);
 
     add<lang::Property>(session, handlers, InCycle::waits);
     add<lang::Change>(session, handlers, InCycle::waits);

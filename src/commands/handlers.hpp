@@ -42,6 +42,7 @@ void run(Session&, const lang::Seek&);
 void run(Session&, const lang::Delete&);
 void run(Session&, const lang::FaceTriangulation&);
 void run(Session&, const lang::GenerateEdge&);
+void run(Session&, const lang::GenerateQuad&);
 
 // selection.cpp
 void run(Session&, const lang::Group&);

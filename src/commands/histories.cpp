@@ -6,6 +6,7 @@
 #include "model/sampling.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace kaya {
@@ -34,6 +35,21 @@ Kind kind_of(const Field& field) {
                      "record a quantity of blocks, gridpoints, zones or sub-contacts");
 }
 
+/// Quantities that are the rate of another one.
+struct Rate {
+    std::string_view word, of, label;
+};
+constexpr std::array<Rate, 3> rates{{
+    {"xacc", "xvel", "x_acceleration"},
+    {"yacc", "yvel", "y_acceleration"},
+    {"zacc", "zvel", "z_acceleration"},
+}};
+
+std::string label_of(const lang::HistoryItem& item) {
+    const auto rate = std::ranges::find(rates, std::string_view(item.word), &Rate::word);
+    return rate == rates.end() ? std::string() : std::string(rate->label);
+}
+
 HistorySource source_of(Session& session, const lang::HistoryItem& item) {
     HistorySource source;
     source.place = item.place;
@@ -49,7 +65,9 @@ HistorySource source_of(Session& session, const lang::HistoryItem& item) {
         }
         return source;
     }
-    const Field* field = find_history_field(item.word);
+    const auto rate = std::ranges::find(rates, std::string_view(item.word), &Rate::word);
+    source.rate = rate != rates.end();
+    const Field* field = find_history_field(source.rate ? rate->of : std::string_view(item.word));
     if (field == nullptr)
         throw Diagnostic(fmt::format("'{}' is not a quantity that can be recorded", item.word));
     source.kind = kind_of(*field);
@@ -80,7 +98,7 @@ void run(Session& session, const lang::HistoryAdd& command) {
                          .at(command.place));
     for (const auto& item : command.items) {
         try {
-            add_history(session.model, source_of(session, item));
+            add_history(session.model, source_of(session, item), label_of(item));
         } catch (Diagnostic& mistake) {
             mistake.at(item.text);
             throw;

@@ -1,8 +1,7 @@
 // cycle, solve, damp, mscale, fraction.
+#include "commands/factor_of_safety.hpp"
 #include "commands/handlers.hpp"
-#include "commands/materials.hpp"
-#include "commands/progress.hpp"
-#include "commands/tables.hpp"
+#include "commands/run_cycles.hpp"
 
 #include "mechanics/dashpots.hpp"
 #include "mechanics/phases.hpp"
@@ -15,140 +14,6 @@
 namespace kaya {
 
 namespace {
-
-/// Where a run stops: at the first of these that is reached.
-struct Limits {
-    std::optional<std::int64_t> cycles; ///< from now on
-    std::optional<double> time;         ///< from now on
-    std::optional<double> ratio, maximum_ratio, local_ratio, force;
-    std::optional<double> clock; ///< seconds
-};
-
-void run_deferred(Session& session) {
-    while (!session.deferred.empty()) {
-        auto changes = std::move(session.deferred);
-        session.deferred.clear();
-        for (auto& [place, change] : changes) {
-            try {
-                change();
-            } catch (Diagnostic& mistake) {
-                mistake.at(place);
-                throw;
-            }
-        }
-    }
-}
-
-/// One cycle and what its hooks put off. Errors get the cycle, and the command that runs it.
-void advance(Session& session) {
-    struct Inside {
-        bool& flag;
-        explicit Inside(bool& f) : flag(f) { flag = true; }
-        ~Inside() { flag = false; }
-    };
-    const auto& clock = session.model.clock;
-    const std::int64_t number = clock.cycle + 1;
-    try {
-        {
-            const Inside inside(session.inside_cycle);
-            session.cycle->advance();
-        }
-        run_deferred(session);
-    } catch (Diagnostic& failure) {
-        session.deferred.clear();
-        const std::string here = session.here();
-        failure.add(fmt::format("in cycle {}, at time {}{}", number, time_text(session.model),
-                                here.empty() ? "" : ", run by the command at " + here));
-        if (failure.fault == Fault::deck) failure.fault = Fault::run;
-        throw;
-    }
-}
-
-/// Why the run stops here; empty when it goes on.
-std::string reached(const Limits& limits, const Clock& start, const Model& model, double seconds) {
-    const Clock& now = model.clock;
-    struct Ratio {
-        const char* name;
-        const std::optional<double>& limit;
-        double now;
-    };
-    for (const Ratio& ratio : {Ratio{"ratio", limits.ratio, now.average_ratio},
-                               Ratio{"maximum ratio", limits.maximum_ratio, now.maximum_ratio},
-                               Ratio{"local ratio", limits.local_ratio, now.local_ratio}})
-        if (ratio.limit && now.cycle > start.cycle && ratio.now <= *ratio.limit)
-            return fmt::format("the {} {:.3e} is not above {}", ratio.name, ratio.now, number_text(*ratio.limit));
-    if (limits.force && now.cycle > start.cycle && now.unbalanced_force <= *limits.force)
-        return fmt::format("the unbalanced force {} is not above {}", number_text(now.unbalanced_force),
-                           number_text(*limits.force));
-    if (limits.cycles && now.cycle - start.cycle >= *limits.cycles)
-        return fmt::format("{} cycles", *limits.cycles);
-    // Half a step of slack: a sum of steps misses the limit by rounding.
-    if (limits.time && now.time - start.time >= *limits.time - 0.5 * now.time_step && now.cycle > start.cycle)
-        return fmt::format("time {}", time_text(model));
-    if (limits.clock && seconds >= *limits.clock)
-        return fmt::format("{} minutes", number_text(*limits.clock / 60));
-    return {};
-}
-
-/// Runs until a limit is reached; returns which, in words.
-std::string advance_until(Session& session, const Limits& limits) {
-    check_materials(session);
-    check_time_functions(session);
-    session.joints.tables().refresh();
-    session.cycle->prepare();
-    const Clock start = session.model.clock;
-    Target target;
-    if (limits.cycles) target.cycle = start.cycle + *limits.cycles;
-    if (limits.time) target.time = start.time + *limits.time;
-
-    Progress progress(session.output, session.model, target);
-    std::string why = reached(limits, start, session.model, 0);
-    while (why.empty()) {
-        try {
-            advance(session);
-            session.stop_behind_cycle();
-        } catch (...) {
-            progress.finish();
-            throw;
-        }
-        progress.advanced();
-        why = reached(limits, start, session.model, progress.seconds());
-    }
-    progress.finish();
-    return why;
-}
-
-/// Gives joints a cohesion and a tensile strength that nothing reaches, for as long as it lives.
-class ElasticJoints {
-public:
-    explicit ElasticJoints(Session& session) : session_(session) {
-        for (const auto& set : session.model.joint_properties) true_values_.push_back(set.values);
-        constexpr double strong = 1e30;
-        for (const Row row : property_sets_in_use(session.model)) {
-            auto& set = session.model.joint_properties[row];
-            const JointModel& model = session.joints.get(set.model);
-            for (const char* word : {"jcohesion", "jtension"})
-                if (const auto index = model.find_property(word)) {
-                    set.values[*index] = strong;
-                    strengthened_ = true;
-                }
-        }
-    }
-    ~ElasticJoints() {
-        for (std::size_t i = 0; i < true_values_.size(); ++i)
-            session_.model.joint_properties[i].values = true_values_[i];
-    }
-    ElasticJoints(const ElasticJoints&) = delete;
-    ElasticJoints& operator=(const ElasticJoints&) = delete;
-
-    /// False when no joint model has such a strength: the first run is then like the second.
-    bool strengthened() const { return strengthened_; }
-
-private:
-    bool strengthened_ = false;
-    Session& session_;
-    std::vector<std::vector<double>> true_values_;
-};
 
 struct DampingEntry {
     std::string_view word;
@@ -192,6 +57,7 @@ void run(Session& session, const lang::Solve& command) {
     if (command.clock) limits.clock = *command.clock * 60;
     // Equilibrium is what `solve` looks for unless a limit says what else to wait for.
     if (!command.ratio && !command.maximum_ratio && !command.local_ratio && !command.force && !command.time) limits.ratio = 1e-5;
+    if (command.factor_of_safety) return find_factor_of_safety(session, command, limits);
     if (command.elastic) {
         session.cycle->prepare(); // contacts must have their properties before these can be made strong
         const ElasticJoints strong(session);

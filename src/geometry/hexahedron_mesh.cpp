@@ -75,27 +75,28 @@ std::optional<std::array<int, 8>> corners_of(const Polyhedron& p) {
 
 int divisions(double length, double edge) { return std::max(1, static_cast<int>(std::lround(length / edge))); }
 
-} // namespace
-
-std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, double edge) {
-    const auto corner = corners_of(polyhedron);
-    if (!corner) return std::nullopt;
-    const auto at = [&](int c) -> const Vec3& { return polyhedron.vertices[(*corner)[c]]; };
-
-    std::array<int, 3> n;
-    for (int axis = 0; axis < 3; ++axis) {
-        double length = 0;
-        for (int c = 0; c < 8; ++c)
-            if (!(c & (1 << axis))) length += (at(c | (1 << axis)) - at(c)).norm() / 4.0;
-        n[axis] = divisions(length, edge);
+/// Where the i-th of n + 1 points stands on a unit length whose n parts grow by a ratio.
+std::vector<double> graded(int n, double ratio) {
+    std::vector<double> places(n + 1);
+    for (int i = 0; i <= n; ++i) {
+        const bool even = std::abs(ratio - 1) < 1e-12;
+        places[i] = even ? static_cast<double>(i) / n : (std::pow(ratio, i) - 1) / (std::pow(ratio, n) - 1);
     }
+    places[n] = 1;
+    return places;
+}
 
+/// n cells along each axis, six tetrahedra in each.
+TetMesh grid_mesh(const Polyhedron& polyhedron, const std::array<int, 8>& corner, const std::array<int, 3>& n,
+                  const std::array<double, 3>& ratio) {
+    const auto at = [&](int c) -> const Vec3& { return polyhedron.vertices[corner[c]]; };
+    const std::array<std::vector<double>, 3> places{graded(n[0], ratio[0]), graded(n[1], ratio[1]), graded(n[2], ratio[2])};
     TetMesh mesh;
     const auto index = [&](int i, int j, int k) { return (k * (n[1] + 1) + j) * (n[0] + 1) + i; };
     for (int k = 0; k <= n[2]; ++k)
         for (int j = 0; j <= n[1]; ++j)
             for (int i = 0; i <= n[0]; ++i) {
-                const std::array<double, 3> t{double(i) / n[0], double(j) / n[1], double(k) / n[2]};
+                const std::array<double, 3> t{places[0][i], places[1][j], places[2][k]};
                 Vec3 point = Vec3::Zero();
                 for (int c = 0; c < 8; ++c) {
                     double weight = 1;
@@ -129,7 +130,7 @@ std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, double edge
         int common_set = 7, common_clear = 7;
         for (int c = 0; c < 8; ++c) {
             const auto& loop = polyhedron.faces[f].vertices;
-            if (std::find(loop.begin(), loop.end(), (*corner)[c]) == loop.end()) continue;
+            if (std::find(loop.begin(), loop.end(), corner[c]) == loop.end()) continue;
             common_set &= c;
             common_clear &= ~c;
         }
@@ -155,6 +156,47 @@ std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, double edge
                 mesh.boundary.push_back({first, static_cast<int>(f)});
                 mesh.boundary.push_back({second, static_cast<int>(f)});
             }
+    }
+    return mesh;
+}
+
+} // namespace
+
+std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, double edge) {
+    const auto corner = corners_of(polyhedron);
+    if (!corner) return std::nullopt;
+    const auto at = [&](int c) -> const Vec3& { return polyhedron.vertices[(*corner)[c]]; };
+
+    std::array<int, 3> n;
+    for (int axis = 0; axis < 3; ++axis) {
+        double length = 0;
+        for (int c = 0; c < 8; ++c)
+            if (!(c & (1 << axis))) length += (at(c | (1 << axis)) - at(c)).norm() / 4.0;
+        n[axis] = divisions(length, edge);
+    }
+    return grid_mesh(polyhedron, *corner, n, {1, 1, 1});
+}
+
+std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, const std::array<int, 3>& parts,
+                                       const std::array<double, 3>& ratio) {
+    const auto corner = corners_of(polyhedron);
+    if (!corner) return std::nullopt;
+    // Corners count in a right-handed order, which may have put the edge nearest to z before that nearest to y.
+    const auto edge = [&](int axis) {
+        return Vec3((polyhedron.vertices[(*corner)[1 << axis]] - polyhedron.vertices[(*corner)[0]]).normalized());
+    };
+    std::array<int, 3> axes{0, 1, 2};
+    if (std::abs(edge(2).y()) > std::abs(edge(1).y())) std::swap(axes[1], axes[2]);
+    std::array<int, 3> n;
+    std::array<double, 3> growth;
+    for (int axis = 0; axis < 3; ++axis) {
+        n[axis] = parts[axes[axis]];
+        growth[axis] = edge(axis)[axes[axis]] < 0 ? 1 / ratio[axes[axis]] : ratio[axes[axis]];
+    }
+    TetMesh mesh = grid_mesh(polyhedron, *corner, n, growth);
+    for (const auto& t : mesh.tetrahedra) {
+        const Vec3& x = mesh.points[t[0]];
+        if (!((mesh.points[t[1]] - x).dot((mesh.points[t[2]] - x).cross(mesh.points[t[3]] - x)) > 0)) return std::nullopt;
     }
     return mesh;
 }

@@ -24,6 +24,12 @@ struct TetMesh {
 /// Nothing when the polyhedron is not of that kind.
 std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, double edge);
 
+/// The same with the number of cells along each of the block's own axes, which are those of its edges that come nearest
+/// to x, y and z; every cell is `ratio` times as long as the one before it in the direction of growing x, y or z. Nothing, too, when a
+/// tetrahedron would have no volume.
+std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, const std::array<int, 3>& parts,
+                                       const std::array<double, 3>& ratio = {1, 1, 1});
+
 /// A conforming mesh of any convex polyhedron with edges close to `edge`, or to the polyhedron's own where
 /// those are shorter. Bricks and the like are meshed by hexahedron_mesh where that gives good shapes; other
 /// shapes by Delaunay tetrahedra of well spread points, improved by moving points and by exchanging

@@ -70,8 +70,9 @@ std::string column_title(const History& history) {
     if (source.kind == Kind::function) return fmt::format("{} [script {}]", head, source.quantity);
     const std::string_view unit = sampled_field(source)->unit;
     const std::string name = history.label == source.quantity ? "" : source.quantity + ", ";
-    if (source.kind == Kind::global) return fmt::format("{} [{}{}]", head, name, unit);
-    return fmt::format("{} [{}{}, {} nearest to {} {} {}]", head, name, unit, object_name(source.kind),
+    const char* rate = source.rate ? "/time" : "";
+    if (source.kind == Kind::global) return fmt::format("{} [{}{}{}]", head, name, unit, rate);
+    return fmt::format("{} [{}{}{}, {} nearest to {} {} {}]", head, name, unit, rate, object_name(source.kind),
                        source.place.x(), source.place.y(), source.place.z());
 }
 

@@ -135,6 +135,22 @@ private:
 
 } // namespace
 
+std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints) {
+    const auto listed = [&](Row g) { return std::binary_search(gridpoints.begin(), gridpoints.end(), g); };
+    // A face on which another block lies is not exterior.
+    std::vector<char> covered(model.faces.size(), 0);
+    for (std::size_t c = 0; c < model.contacts.size(); ++c)
+        if (model.contacts.touch[c] == Touch::face_face)
+            covered[model.contacts.face1[c]] = covered[model.contacts.face2[c]] = 1;
+    std::vector<Row> rows;
+    for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+        const auto& corners = model.triangles.gridpoints[t];
+        if (!covered[model.triangles.face[t]] && std::all_of(corners.begin(), corners.end(), listed))
+            rows.push_back(static_cast<Row>(t));
+    }
+    return rows;
+}
+
 std::int32_t time_function_row(Model& model, const TimeFunction& function) {
     auto& all = model.time_functions;
     const auto found = std::ranges::find(all, function);
@@ -184,6 +200,22 @@ void release_velocity(Model& model, const Bodies& bodies, int component) {
         });
     drop_velocity_drives(model, targets);
     model.properties_changed = true;
+}
+
+void replace_by_reaction(Model& model, const Bodies& bodies, int axis) {
+    auto& blocks = model.blocks;
+    auto& points = model.gridpoints;
+    const double gravity = model.settings.gravity[axis];
+    // What is held has a load that balances all other forces from now on.
+    each_body(
+        model, bodies, axis,
+        [&](Row b) {
+            if (blocks.fixed[b] & bit_of(axis)) blocks.load[b][axis] = -(blocks.force[b][axis] + blocks.mass[b] * gravity);
+        },
+        [&](Row g) {
+            if (points.fixed[g] & bit_of(axis)) points.load[g][axis] = -(points.force[g][axis] + points.mass[g] * gravity);
+        });
+    release_velocity(model, bodies, axis);
 }
 
 void initialize_velocity(Model& model, const Bodies& bodies, int component, double value) {
@@ -248,18 +280,10 @@ Stress StressField::at(const Vec3& place) const {
 
 double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress,
                   std::int32_t function) {
-    const auto listed = [&](Row g) { return std::binary_search(gridpoints.begin(), gridpoints.end(), g); };
-    // A face on which another block lies is not exterior.
-    std::vector<char> covered(model.faces.size(), 0);
-    for (std::size_t c = 0; c < model.contacts.size(); ++c)
-        if (model.contacts.touch[c] == Touch::face_face)
-            covered[model.contacts.face1[c]] = covered[model.contacts.face2[c]] = 1;
     LoadSums sums(model, function);
     double loaded = 0;
-    for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    for (const Row t : exterior_triangles(model, gridpoints)) {
         const auto& corners = model.triangles.gridpoints[t];
-        if (covered[model.triangles.face[t]]) continue;
-        if (!std::all_of(corners.begin(), corners.end(), listed)) continue;
         const auto& x = model.gridpoints.position;
         const Vec3 area = 0.5 * (x[corners[1]] - x[corners[0]]).cross(x[corners[2]] - x[corners[0]]);
         loaded += area.norm();

@@ -33,6 +33,10 @@ void prescribe_velocity(Model& model, const Bodies& bodies, int component, doubl
 /// Lets a component move again.
 void release_velocity(Model& model, const Bodies& bodies, int component);
 
+/// Lets held components move again and puts a load on them that balances the forces of the last cycle, so that nothing
+/// starts to move. Forces and masses must be those of the present: Cycle::prepare.
+void replace_by_reaction(Model& model, const Bodies& bodies, int axis);
+
 /// Gives a component a velocity to start with; one that is prescribed keeps its own.
 /// Throws Diagnostic for the rotation of a block whose density is not known.
 void initialize_velocity(Model& model, const Bodies& bodies, int component, double value);
@@ -54,6 +58,10 @@ struct StressField {
     std::array<Stress, 3> gradient{Stress::Zero(), Stress::Zero(), Stress::Zero()};
     Stress at(const Vec3& place) const;
 };
+
+/// Triangles whose three gridpoints are all in the list (sorted rows), on faces on which no other block lies. Contacts
+/// must have been found. Ascending rows.
+std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints);
 
 /// Adds the tractions of a stress to the exterior triangles whose three gridpoints are all in the list
 /// (sorted rows); a face on which another block lies is not exterior. Contacts must have been found.

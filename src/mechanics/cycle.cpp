@@ -103,6 +103,7 @@ struct Cycle::Scratch {
     std::vector<Batch> batches;
     std::vector<ElasticConstants> elastic;
     DriveLists drives;
+    QuietPoints quiet;
     StepBounds bounds;
     JointForces joints;
     std::vector<Vec3> corner_forces;
@@ -141,6 +142,7 @@ void Cycle::prepare() {
     }
     if (model_.lists_changed || model_.properties_changed) {
         make_lists();
+        s.quiet = quiet_points(model_);
         s.search = ContactSearch{}; // blocks may be others now
         model_.lists_changed = false;
     }
@@ -271,7 +273,7 @@ void Cycle::advance() {
     const MotionSums motion = s.timed(move, [&] {
         driven = drive_velocities(model_, s.drives, hooks);
         MotionSums sums = move_blocks(model_, s.adjacency.bodies);
-        sums.add(move_gridpoints(model_));
+        sums.add(move_gridpoints(model_, s.quiet));
         return sums;
     });
     const JointSums joint_sums = s.timed(joint, [&] {

@@ -90,9 +90,13 @@ void gather_forces(Model& model, const Adjacency& adjacency, const JointForces& 
                 }
                 g.force[row] = sum;
                 const Vec3 weight = g.mass[row] * gravity;
-                if ((g.fixed[row] & 7) != 7)
-                    part.add(free_part(sum + g.load[row] + weight, g.fixed[row]),
-                             acting + g.load[row].norm() + weight.norm());
+                if ((g.fixed[row] & 7) != 7) {
+                    Vec3 unbalanced = free_part(sum + g.load[row] + weight, g.fixed[row]);
+                    if (g.roller[row] != 0)
+                        unbalanced += roller_change(model.rollers[static_cast<std::size_t>(g.roller[row])], unbalanced,
+                                                    g.fixed[row], Vec3::Zero());
+                    part.add(unbalanced, acting + g.load[row].norm() + weight.norm());
+                }
             }
             return part;
         },

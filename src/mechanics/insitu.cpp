@@ -1,7 +1,11 @@
 #include "mechanics/insitu.hpp"
 
+#include "base/parallel.hpp"
 #include "mechanics/contact_table.hpp"
+#include "mechanics/topography.hpp"
 #include "model/measure.hpp"
+
+#include <algorithm>
 
 namespace kaya {
 
@@ -13,23 +17,70 @@ Vec3 traction(const Stress& s, const Vec3& n) {
             s[4] * n[0] + s[5] * n[1] + s[2] * n[2]};
 }
 
-} // namespace
-
-void set_insitu_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
-                       const std::vector<Row>& sub_contacts, const StressField& stress) {
-    for (const Row z : zones) model.zones.stress[z] = stress.at(zone_centroid(model, z));
+/// Forces of stresses on sub-contacts; stress_at(row) is that at the place of a sub-contact.
+template <class StressAt>
+void put_joint_stress(Model& model, JointRegistry& joints, const std::vector<Row>& sub_contacts, const StressAt& stress_at) {
     auto& points = model.sub_contacts;
     std::vector<char> marked(points.size(), 0);
     for (const Row s : sub_contacts) {
         const Vec3 n = model.contacts.normal[points.contact[s]];
         // What block 1 does to block 2, whose surface looks against n.
-        const Vec3 on_block2 = -points.area[s] * traction(stress.at(points.position[s]), n);
+        const Vec3 on_block2 = -points.area[s] * traction(stress_at(s), n);
         const double normal = on_block2.dot(n);
         points.normal_force[s] = normal;
         points.shear_force.set(s, on_block2 - normal * n);
         marked[s] = 1;
     }
     initialise_sub_contacts(model, joints, marked);
+    model.properties_changed = true;
+}
+
+/// Sub-contacts stand at corners and edges of faces, where a vertical line may pass by the blocks; a place that is nearer
+/// to the middle of the joint by a hair has the same weight above it.
+Vec3 inside_joint(const Model& model, Row s) {
+    constexpr double hair = 1e-6;
+    const auto& subs = model.sub_contacts;
+    const Row c = subs.contact[s];
+    const Span span = model.contacts.sub_contacts[c];
+    Vec3 middle = Vec3::Zero();
+    for (Row k = span.first; k < span.end(); ++k) middle += subs.position[k] / span.count;
+    const Vec3 blocks = 0.5 * (model.blocks.centroid[model.contacts.block1[c]] + model.blocks.centroid[model.contacts.block2[c]]);
+    return (1 - 2 * hair) * Vec3(subs.position[s]) + hair * middle + hair * blocks;
+}
+
+} // namespace
+
+void set_insitu_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
+                       const std::vector<Row>& sub_contacts, const StressField& stress) {
+    for (const Row z : zones) model.zones.stress[z] = stress.at(zone_centroid(model, z));
+    put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress.at(model.sub_contacts.position[s]); });
+}
+
+void set_topography_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
+                           const std::vector<Row>& sub_contacts, double kx, double ky) {
+    const Overburden overburden(model);
+    const auto stress_at = [&](const Vec3& place) {
+        const double vertical = -overburden.at(place);
+        Stress stress = Stress::Zero();
+        stress.head<3>() = Vec3(kx * vertical, ky * vertical, vertical);
+        return stress;
+    };
+    for_chunks(zones.size(), 256, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) model.zones.stress[zones[i]] = stress_at(zone_centroid(model, zones[i]));
+    });
+    put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress_at(inside_joint(model, s)); });
+}
+
+void set_stress_component(Model& model, const std::vector<Row>& zones, int component, double at_origin,
+                          const Vec3& gradient) {
+    for (const Row z : zones) model.zones.stress[z][component] = at_origin + gradient.dot(zone_centroid(model, z));
+    model.properties_changed = true;
+}
+
+void set_pore_pressure(Model& model, const std::vector<Row>& gridpoints, double at_origin, const Vec3& gradient) {
+    auto& points = model.gridpoints;
+    for (const Row g : gridpoints) points.pore_pressure[g] = at_origin + gradient.dot(points.position[g]);
+    model.settings.water = Water::points;
     model.properties_changed = true;
 }
 

@@ -27,9 +27,38 @@ void add_travel(Model& model) {
     });
 }
 
+/// Moves the velocity of a gridpoint on a quiet boundary or on rollers. What a roller pushes is the boundary's work; what
+/// a quiet boundary brakes counts as damped.
+void advance_on_boundary(Model& model, const QuietPoints& quiet, Row row, const DampingFactors& damping, MotionLanes& sums) {
+    auto& g = model.gridpoints;
+    const double mass = g.inertial_mass[row], step = model.clock.time_step;
+    const std::uint8_t fixed = g.fixed[row];
+    const Vec3 weight = g.mass[row] * model.settings.gravity, force = g.force[row] + g.load[row] + weight;
+    Vec3 brake = Vec3::Zero(), support = Vec3::Zero();
+    if (quiet.at(row)) brake = quiet_force(quiet.dashpot[quiet.index[row]], mass, g.velocity[row], force, fixed, step);
+    const Lanes before = lanes(g.velocity[row]), held = prescribed(fixed);
+    Lanes after = damping.advance(before, lanes(force + brake), step / mass, g.last_force[row]);
+    for (int k = 0; k < lane_count; ++k) after[k] = held[k] != 0 ? before[k] : after[k];
+    store(g.velocity[row], after);
+    if (g.roller[row] != 0) {
+        const Roller& roller = model.rollers[static_cast<std::size_t>(g.roller[row])];
+        const Vec3 change = roller_change(roller, g.velocity[row], fixed, roller.speed);
+        g.velocity[row] += change;
+        support = mass * change;
+        after = lanes(g.velocity[row]);
+    }
+    const Lanes mean = 0.5 * (before + after);
+    const Lanes rest = (mass * (after - before) - lanes(support) - lanes(force) * step) * mean;
+    sums.gravity += lanes(weight) * mean * step;
+    sums.boundary += (lanes(g.load[row]) * step + lanes(support)) * mean + held * rest;
+    sums.damped -= (1 - held) * rest;
+    sums.kinetic_before += 0.5 * mass * before * before;
+    sums.kinetic += 0.5 * mass * after * after;
+}
+
 } // namespace
 
-MotionSums move_gridpoints(Model& model) {
+MotionSums move_gridpoints(Model& model, const QuietPoints& quiet) {
     auto& g = model.gridpoints;
     const Settings& settings = model.settings;
     const DampingFactors damping(settings, model.clock);
@@ -42,8 +71,11 @@ MotionSums move_gridpoints(Model& model) {
             for (std::size_t row = first; row < last; ++row) {
                 if (!model.blocks.deformable[g.block[row]]) continue;
                 Vec3& v = g.velocity[row];
-                advance_velocity(v, g.force[row], g.load[row], g.mass[row] * gravity, g.inertial_mass[row], step,
-                                 g.fixed[row], damping, g.last_force[row], sums);
+                if (quiet.at(row) || g.roller[row] != 0)
+                    advance_on_boundary(model, quiet, static_cast<Row>(row), damping, sums);
+                else
+                    advance_velocity(v, g.force[row], g.load[row], g.mass[row] * gravity, g.inertial_mass[row], step,
+                                     g.fixed[row], damping, g.last_force[row], sums);
                 const Vec3 way = v * step;
                 g.displacement[row] += way;
                 if (settings.large_strain) g.position[row] += way;

@@ -4,6 +4,7 @@
 
 #include "mechanics/adjacency.hpp"
 #include "mechanics/batches.hpp"
+#include "mechanics/quiet_boundary.hpp"
 #include "mechanics/step_bounds.hpp"
 #include "model/lanes.hpp"
 #include "model/model.hpp"
@@ -57,8 +58,8 @@ void drive_loads(Model& model, DriveLists& lists, const Hooks& hooks);
 /// and the positions of their vertices. Joined blocks move as one.
 MotionSums move_blocks(Model& model, const JoinedBodies& bodies);
 
-/// The same for gridpoints of deformable blocks, and their blocks' centroids.
-MotionSums move_gridpoints(Model& model);
+/// The same for gridpoints of deformable blocks; quiet boundaries brake theirs, rollers keep theirs on their way.
+MotionSums move_gridpoints(Model& model, const QuietPoints& quiet);
 
 /// What contacts pass on in a cycle; derived, so that it is not part of the model.
 struct JointForces {

@@ -17,8 +17,29 @@ LinearPressure water_pressure(const Settings& settings) {
     return {-gradient.dot(settings.water_origin), gradient};
 }
 
+namespace {
+
+/// Of one side of a joint, from the gridpoints around.
+double pressure_beside(const Model& model, const Attachment& side) {
+    double sum = 0;
+    if (side.attached())
+        for (int k = 0; k < 3; ++k) sum += side.weights[k] * model.gridpoints.pore_pressure[side.gridpoints[k]];
+    return sum;
+}
+
+} // namespace
+
 void put_water(Model& model) {
     if (model.settings.water == Water::none) return;
+    if (model.settings.water == Water::points) {
+        auto& subs = model.sub_contacts;
+        for_chunks(subs.size(), 4096, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i)
+                subs.pore_pressure[i] =
+                    std::max(0.0, 0.5 * (pressure_beside(model, subs.side1[i]) + pressure_beside(model, subs.side2[i])));
+        });
+        return;
+    }
     const LinearPressure pressure = water_pressure(model.settings);
     auto& s = model.sub_contacts;
     for_chunks(s.size(), 4096, [&](std::size_t first, std::size_t last) {

@@ -118,6 +118,8 @@ public:
     Column<Vec3> force; ///< sum of the last cycle, gravity and damping not included
     Column<Vec3> load;  ///< applied force
     Column<Vec3> last_force; ///< sum of all forces one step ago, for combined damping
+    Column<std::int32_t> roller; ///< index into Model::rollers, 0 is none
+    Column<double> pore_pressure; ///< where the settings take water from gridpoints
     Column<double> zone_frequency; ///< bound of the zones' part of its frequency with its true mass, (rad/time)^2
 
     template <class Visit> void columns(Visit&& visit) {
@@ -132,6 +134,8 @@ public:
         visit("force", force);
         visit("load", load);
         visit("last_force", last_force);
+        visit("roller", roller);
+        visit("pore_pressure", pore_pressure);
         visit("zone_frequency", zone_frequency);
     }
 };
@@ -154,15 +158,20 @@ public:
     }
 };
 
+/// Bits of Triangles::quiet: which part of the velocity a quiet boundary brakes.
+enum Quiet : std::uint8_t { quiet_x = 1, quiet_y = 2, quiet_z = 4, quiet_normal = 8, quiet_shear = 16 };
+
 /// The surface of a block in triangles: of zones when it is deformable. Anticlockwise from outside.
 class Triangles : public Table<Triangles> {
 public:
     Column<Row> face;
     Column<std::array<Row, 3>> gridpoints;
+    Column<std::uint8_t> quiet; ///< Quiet bits
 
     template <class Visit> void columns(Visit&& visit) {
         visit("face", face);
         visit("gridpoints", gridpoints);
+        visit("quiet", quiet);
     }
 };
 

@@ -316,26 +316,23 @@ void delete_blocks(Model& model, const std::vector<Row>& rows) {
     model.structure_changed = model.properties_changed = true;
 }
 
-std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double edge) {
-    if (!(edge > 0) || !std::isfinite(edge))
-        throw Diagnostic("the edge length of zones must be a number above 0");
+namespace {
+
+constexpr double most_zones = 5e7; ///< more would not fit in the memory of any machine of today
+
+/// Gives the rigid ones of the blocks the zones that mesh(block, shape) makes; first all meshes, then the model.
+template <class Mesh> std::size_t fill_with_zones(Model& model, const std::vector<Row>& rows, const Mesh& mesh) {
     struct Meshed {
         Row block;
         Polyhedron shape;
         TetMesh mesh;
     };
     std::vector<Meshed> meshed;
-    constexpr double most = 5e7; // zones; more would not fit in the memory of any machine of today
-    double count = 0;
     for (const Row block : rows) {
         if (model.blocks.deformable[block]) continue;
-        count += 6 * std::max(1.0, model.blocks.volume[block] / std::pow(edge, 3));
-        if (count > most)
-            throw Diagnostic(fmt::format("an edge of {} would make more than {:.0e} zones", edge, most),
-                             "give a longer edge or a smaller range");
         Polyhedron shape = shape_of(model, block);
-        TetMesh mesh = make_mesh(shape, edge);
-        meshed.push_back({block, std::move(shape), std::move(mesh)});
+        TetMesh zones = mesh(block, shape);
+        meshed.push_back({block, std::move(shape), std::move(zones)});
     }
     for (const auto& m : meshed) give_zones(model, m.block, m.shape, m.mesh);
     if (!meshed.empty()) {
@@ -343,6 +340,39 @@ std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double ed
         model.structure_changed = model.properties_changed = true;
     }
     return meshed.size();
+}
+
+} // namespace
+
+std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double edge) {
+    if (!(edge > 0) || !std::isfinite(edge))
+        throw Diagnostic("the edge length of zones must be a number above 0");
+    double count = 0;
+    return fill_with_zones(model, rows, [&](Row block, const Polyhedron& shape) {
+        count += 6 * std::max(1.0, model.blocks.volume[block] / std::pow(edge, 3));
+        if (count > most_zones)
+            throw Diagnostic(fmt::format("an edge of {} would make more than {:.0e} zones", edge, most_zones),
+                             "give a longer edge or a smaller range");
+        return make_mesh(shape, edge);
+    });
+}
+
+std::size_t generate_zones(Model& model, const std::vector<Row>& rows, const std::array<int, 3>& parts,
+                           const std::array<double, 3>& ratio) {
+    double count = 0;
+    return fill_with_zones(model, rows, [&](Row block, const Polyhedron& shape) {
+        count += 6.0 * parts[0] * parts[1] * parts[2];
+        if (count > most_zones)
+            throw Diagnostic(fmt::format("{} x {} x {} cells would make more than {:.0e} zones", parts[0], parts[1], parts[2],
+                                         most_zones),
+                             "give fewer cells or a smaller range");
+        auto mesh = hexahedron_mesh(shape, parts, ratio);
+        if (!mesh)
+            throw Diagnostic(fmt::format("block {} cannot be cut in cells: that needs six faces of four corners, not too oblique",
+                                         model.blocks.number[block]),
+                             "leave it out of the range, or use `generate edge`");
+        return std::move(*mesh);
+    });
 }
 
 } // namespace kaya

@@ -44,4 +44,8 @@ void delete_blocks(Model& model, const std::vector<Row>& blocks);
 /// become deformable. Returns how many blocks were zoned. Throws Diagnostic, model unchanged.
 std::size_t generate_zones(Model& model, const std::vector<Row>& blocks, double edge);
 
+/// The same with six tetrahedra in each of so many cells along the axes of blocks with six faces of four corners: hexahedron_mesh.
+std::size_t generate_zones(Model& model, const std::vector<Row>& blocks, const std::array<int, 3>& parts,
+                           const std::array<double, 3>& ratio);
+
 } // namespace kaya

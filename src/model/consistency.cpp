@@ -221,8 +221,13 @@ std::string inconsistency(Model& model) {
         });
     });
     findings.require(!model.group_names.empty() && model.group_names.front().empty(), "group 0 has a name");
+    findings.require(!model.rollers.empty() && model.rollers.front().count == 0, "roller 0 holds something");
+    for (const Roller& roller : model.rollers)
+        findings.require(between(roller.count, 0, 3), "a roller holds another number of directions than 0 to 3");
+    for (std::size_t i = 0; i < model.gridpoints.size(); ++i)
+        findings.require(inside(model.gridpoints.roller[i], model.rollers.size()), "gridpoints", i, "its roller is not there");
     findings.require(between(model.settings.damping, Damping::none, Damping::rayleigh), "the damping is unknown");
-    findings.require(between(model.settings.water, Water::none, Water::field), "the kind of water is unknown");
+    findings.require(between(model.settings.water, Water::none, Water::points), "the kind of water is unknown");
     findings.require(inside_or_none(model.settings.default_properties, model.joint_properties.size()),
                      "the joint properties of new contacts are not there");
     if (!findings.clean()) return findings.text();

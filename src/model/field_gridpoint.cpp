@@ -33,9 +33,12 @@ Vec3 reaction(const Model& model, Row row) {
     const auto& g = model.gridpoints;
     Vec3 force = Vec3::Zero();
     if (!model.blocks.deformable[g.block[row]]) return force;
+    const Vec3 acting = g.force[row] + g.load[row] + g.mass[row] * model.settings.gravity;
     for (int k = 0; k < 3; ++k)
-        if (g.fixed[row] & (1 << k))
-            force[k] = -(g.force[row][k] + g.load[row][k] + g.mass[row] * model.settings.gravity[k]);
+        if (g.fixed[row] & (1 << k)) force[k] = -acting[k];
+    if (g.roller[row] != 0)
+        force += roller_change(model.rollers[static_cast<std::size_t>(g.roller[row])], acting + force, g.fixed[row],
+                               Vec3::Zero());
     return force;
 }
 
@@ -88,10 +91,12 @@ const Fields& gridpoint_fields() {
         {table, "z_force", "gp_zforce", "", "force", "z unbalanced force", read<rows_of, &Gridpoints::force, 2>,
          nullptr},
         {table, "reaction", "gp_reaction", "", "force",
-         "force that holds the components whose velocity is prescribed, of deformable blocks", call<reaction>, nullptr},
+         "force that holds what is prescribed of its velocity, of deformable blocks", call<reaction>, nullptr},
         {table, "x_reaction", "gp_xreaction", "", "force", "x reaction", call<reaction, 0>, nullptr},
         {table, "y_reaction", "gp_yreaction", "", "force", "y reaction", call<reaction, 1>, nullptr},
         {table, "z_reaction", "gp_zreaction", "", "force", "z reaction", call<reaction, 2>, nullptr},
+        {table, "pore_pressure", "gp_pp", "", "stress", "pore pressure given by initialize pp or insitu pp",
+         read<rows_of, &Gridpoints::pore_pressure>, write<rows_of, &Gridpoints::pore_pressure>},
         {table, "load", "gp_load", "", "force", "applied force", read<rows_of, &Gridpoints::load>,
          write<rows_of, &Gridpoints::load>},
         {table, "x_load", "gp_xload", "", "force", "x applied force", read<rows_of, &Gridpoints::load, 0>,

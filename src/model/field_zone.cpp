@@ -2,6 +2,9 @@
 #include "model/field_rows.hpp"
 #include "model/measure.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
 namespace kaya::field_rows {
 
 namespace {
@@ -19,6 +22,32 @@ const Material& material_of(const Model& model, Row zone) {
 std::int64_t material(const Model& model, Row zone) { return model.blocks.material[model.zones.block[zone]]; }
 double mass(const Model& model, Row zone) { return material_of(model, zone).density * model.zones.volume[zone]; }
 double bulk(const Model& model, Row zone) { return material_of(model, zone).bulk; }
+double pore_pressure(const Model& model, Row zone) {
+    double sum = 0;
+    for (const Row g : model.zones.gridpoints[zone]) sum += model.gridpoints.pore_pressure[g];
+    return 0.25 * sum;
+}
+/// The symmetric part of the gradient of displacements or velocities, with the corners where they were when the zones were
+/// made.
+Mat3 strain_of(const Model& model, Row zone, const Column<Vec3>& motion) {
+    const auto& corner = model.zones.gridpoints[zone];
+    const auto& x = model.gridpoints.reference;
+    Mat3 edges, ways;
+    for (int k = 0; k < 3; ++k) {
+        edges.col(k) = x[corner[k + 1]] - x[corner[0]];
+        ways.col(k) = motion[corner[k + 1]] - motion[corner[0]];
+    }
+    const Mat3 gradient = ways * edges.inverse();
+    return 0.5 * (gradient + gradient.transpose());
+}
+double greatest_shear(const Mat3& strain) {
+    const Vec3 principal = Eigen::SelfAdjointEigenSolver<Mat3>(strain, Eigen::EigenvaluesOnly).eigenvalues();
+    return 0.5 * (principal[2] - principal[0]);
+}
+double volumetric_strain(const Model& model, Row zone) { return strain_of(model, zone, model.gridpoints.displacement).trace(); }
+double volumetric_strain_rate(const Model& model, Row zone) { return strain_of(model, zone, model.gridpoints.velocity).trace(); }
+double shear_strain(const Model& model, Row zone) { return greatest_shear(strain_of(model, zone, model.gridpoints.displacement)); }
+double shear_strain_rate(const Model& model, Row zone) { return greatest_shear(strain_of(model, zone, model.gridpoints.velocity)); }
 double shear(const Model& model, Row zone) { return material_of(model, zone).shear; }
 
 } // namespace
@@ -53,6 +82,17 @@ const Fields& zone_fields() {
          write<rows_of, &Zones::stress, 4>},
         {table, "yz_stress", "z_syz", "syz", "stress", "yz stress", read<rows_of, &Zones::stress, 5>,
          write<rows_of, &Zones::stress, 5>},
+        {table, "pore_pressure", "z_pp", "pp", "stress", "mean pore pressure of its gridpoints", call<pore_pressure>,
+         nullptr},
+        {table, "volumetric_strain", "z_vsi", "", "-", "volumetric strain by the displacements of its gridpoints",
+         call<volumetric_strain>, nullptr},
+        {table, "volumetric_strain_rate", "z_vsr", "", "1/time", "the same by their velocities",
+         call<volumetric_strain_rate>, nullptr},
+        {table, "shear_strain", "z_ssi", "", "-",
+         "half the difference of largest and smallest principal strain, by the displacements of its gridpoints",
+         call<shear_strain>, nullptr},
+        {table, "shear_strain_rate", "z_ssr", "", "1/time", "the same by their velocities", call<shear_strain_rate>,
+         nullptr},
         {table, "principal_stress_1", "z_sig1", "sig1", "stress", "most compressive principal stress",
          call<principal_stresses, 0>, nullptr},
         {table, "principal_stress_2", "z_sig2", "sig2", "stress", "middle principal stress",

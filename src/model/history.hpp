@@ -24,6 +24,9 @@ struct HistorySource {
     std::uint32_t generation = 0; ///< 0: not located yet
     Row offset = 0;               ///< of a gridpoint or zone from the first one of its block
     Row rows_of_block = 0;        ///< gridpoints or zones of that block then; other when it was zoned since
+
+    bool rate = false; ///< records the change of the quantity in the last step, over the step
+    double last = 0;   ///< of a rate: the quantity one step ago
 };
 
 struct History {

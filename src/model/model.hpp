@@ -9,6 +9,7 @@
 #include "model/materials.hpp"
 #include "model/settings.hpp"
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -24,6 +25,18 @@ struct Excavated {
     Triangles triangles;
     Zones zones;
 };
+
+/// Directions in which gridpoints are held, and how fast they move along each: `bound nvel`.
+struct Roller {
+    std::int32_t count = 0;
+    std::array<Vec3, 3> direction{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; ///< unit, at right angles; the first `count`
+    Vec3 speed = Vec3::Zero();                                               ///< along each of them
+    bool operator==(const Roller&) const = default;
+};
+
+/// What has to be added to a velocity so that its parts along the roller's directions become `speed`; components that
+/// are held (Fixity bits) stay. A force loses its parts along the directions with the speed 0.
+Vec3 roller_change(const Roller& roller, const Vec3& value, std::uint8_t fixed, const Vec3& speed);
 
 struct Model {
     Blocks blocks;
@@ -41,6 +54,7 @@ struct Model {
     std::map<std::int32_t, std::string> joint_constitutive; ///< model name of each `jcons` number
     std::vector<std::string> group_names{""};
     std::vector<TimeFunction> time_functions; ///< of drives
+    std::vector<Roller> rollers{Roller{}};    ///< the first holds nothing
 
     Settings settings;
     Clock clock;

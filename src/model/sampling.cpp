@@ -4,8 +4,8 @@
 #include "model/field.hpp"
 #include "model/selection.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
-
 #include <limits>
 
 namespace kaya {
@@ -64,6 +64,11 @@ double sample(const Model& model, const Field& field, Row row) {
                      "name one of its components");
 }
 
+/// Rates need their quantity in every cycle.
+bool any_rate(const Histories& histories) {
+    return std::ranges::any_of(histories.all, [](const History& history) { return history.source.rate; });
+}
+
 } // namespace
 
 const Field* sampled_field(const HistorySource& source) {
@@ -114,7 +119,7 @@ void locate(const Model& model, HistorySource& source) {
 History& add_history(Model& model, HistorySource source, std::string label) {
     const Field* field = sampled_field(source);
     locate(model, source);
-    if (field) sample(model, *field, source.row); // so that a text or a vector is refused now, not while cycling
+    if (field) source.last = sample(model, *field, source.row); // a text or a vector is refused now, not while cycling
     History history;
     const auto& all = model.histories.all;
     history.number = all.empty() ? 1 : all.back().number + 1;
@@ -126,13 +131,15 @@ History& add_history(Model& model, HistorySource source, std::string label) {
 
 void sample_histories(Model& model, const std::function<double(const std::string&)>& script_value) {
     auto& histories = model.histories;
-    if (histories.all.empty() || model.clock.cycle % histories.interval != 0) return;
+    const bool due = model.clock.cycle % histories.interval == 0;
+    if (histories.all.empty() || (!due && !any_rate(histories))) return;
     // Values first, then all of them at once: a function of the deck may fail half way.
     std::vector<double> values;
     values.reserve(histories.all.size());
     for (auto& history : histories.all) {
         auto& source = history.source;
         if (source.kind == Kind::function) {
+            if (!due) continue;
             if (!script_value)
                 throw Diagnostic(fmt::format("history {} records '{}', but no script is loaded", history.number,
                                              source.quantity),
@@ -140,6 +147,7 @@ void sample_histories(Model& model, const std::function<double(const std::string
             values.push_back(script_value(source.quantity));
             continue;
         }
+        if (!due && !source.rate) continue;
         const Field* field = sampled_field(source);
         if (has_place(source.kind)) {
             source.row = present_row(model, source);
@@ -149,8 +157,11 @@ void sample_histories(Model& model, const std::function<double(const std::string
                 continue;
             }
         }
-        values.push_back(sample(model, *field, source.row));
+        const double value = sample(model, *field, source.row);
+        values.push_back(source.rate ? (value - source.last) / model.clock.time_step : value);
+        source.last = value;
     }
+    if (!due) return;
     for (std::size_t k = 0; k < values.size(); ++k) histories.all[k].values.push_back(values[k]);
     histories.time.push_back(model.clock.time);
     histories.cycle.push_back(model.clock.cycle);

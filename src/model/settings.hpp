@@ -14,7 +14,8 @@ enum class Damping : std::int32_t { none, local, global, combined, rayleigh };
 enum class Water : std::int32_t {
     none,  ///< nobody touches SubContacts::pore_pressure
     table, ///< hydrostatic below a plane
-    field  ///< linear in space
+    field, ///< linear in space
+    points ///< of the gridpoints beside, Gridpoints::pore_pressure
 };
 
 /// Density scaling: which bodies have another mass in the equation of motion than in their weight.
@@ -60,6 +61,7 @@ struct Clock {
     double global_viscosity = 0; ///< of adaptive global damping, 1/time
     double unbalanced_force = 0; ///< largest of the last cycle
     double average_ratio = 0, maximum_ratio = 0, local_ratio = 0; ///< docs/theory/motion.md
+    double factor_of_safety = 0; ///< of the last `solve fos`; 0: none yet
 };
 
 } // namespace kaya

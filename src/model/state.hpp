@@ -52,7 +52,7 @@ template <class Archive> void visit_state(Archive& archive, Settings& settings) 
 
 template <class Archive> void visit_state(Archive& archive, Clock& clock) {
     auto& [time, cycle, time_step, global_viscosity, unbalanced_force, average_ratio,
-           maximum_ratio, local_ratio] = clock;
+           maximum_ratio, local_ratio, factor_of_safety] = clock;
     archive.value("time", time);
     archive.value("cycle", cycle);
     archive.value("time_step", time_step);
@@ -61,6 +61,7 @@ template <class Archive> void visit_state(Archive& archive, Clock& clock) {
     archive.value("average_ratio", average_ratio);
     archive.value("maximum_ratio", maximum_ratio);
     archive.value("local_ratio", local_ratio);
+    archive.aside([&] { archive.value("factor_of_safety", factor_of_safety); });
 }
 
 template <class Archive> void visit_state(Archive& archive, Energy& energy) {
@@ -120,7 +121,7 @@ template <class Archive> void visit_state(Archive& archive, TimeFunction& functi
 }
 
 template <class Archive> void visit_state(Archive& archive, HistorySource& source) {
-    auto& [kind, quantity, place, row, slot, generation, offset, rows_of_block] = source;
+    auto& [kind, quantity, place, row, slot, generation, offset, rows_of_block, rate, last] = source;
     archive.value("kind", kind);
     archive.text("quantity", quantity);
     archive.value("place", place);
@@ -129,6 +130,8 @@ template <class Archive> void visit_state(Archive& archive, HistorySource& sourc
     archive.value("generation", generation);
     archive.value("offset", offset);
     archive.value("rows_of_block", rows_of_block);
+    archive.value("rate", rate);
+    archive.value("last", last);
 }
 
 template <class Archive> void visit_state(Archive& archive, History& history) {
@@ -233,7 +236,7 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
 
 template <class Archive> void visit_state(Archive& archive, Model& model) {
     auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, drives, excavated, materials, joint_properties,
-           joint_constitutive, group_names, time_functions, settings, clock, energy, histories, next_block_number, next_contact_number,
+           joint_constitutive, group_names, time_functions, rollers, settings, clock, energy, histories, next_block_number, next_contact_number,
            next_sub_contact_number, structure_changed, properties_changed, lists_changed] = model;
     // The tables named above stand here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
@@ -251,6 +254,14 @@ template <class Archive> void visit_state(Archive& archive, Model& model) {
     archive.records("group_names", group_names, [&](std::string& name) { archive.text("name", name); });
     archive.records("time_functions", time_functions,
                     [&](TimeFunction& function) { visit_state(archive, function); });
+    archive.records("rollers", rollers, [&](Roller& roller) {
+        auto& [count, direction, speed] = roller;
+        archive.value("count", count);
+        archive.value("direction_1", direction[0]);
+        archive.value("direction_2", direction[1]);
+        archive.value("direction_3", direction[2]);
+        archive.value("speed", speed);
+    });
     archive.section("settings", [&] { visit_state(archive, settings); });
     archive.section("clock", [&] { visit_state(archive, clock); });
     archive.section("energy", [&] { visit_state(archive, energy); });

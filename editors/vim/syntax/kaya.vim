@@ -115,6 +115,7 @@ syntax keyword kayaKeyword bfriction
 syntax keyword kayaKeyword block
 syntax keyword kayaKeyword blocks
 syntax keyword kayaKeyword boundary
+syntax keyword kayaKeyword bracket
 syntax keyword kayaKeyword brick
 syntax keyword kayaKeyword bten
 syntax keyword kayaKeyword btension
@@ -150,6 +151,7 @@ syntax keyword kayaKeyword dip
 syntax keyword kayaKeyword dip-direction
 syntax keyword kayaKeyword disp
 syntax keyword kayaKeyword displacements
+syntax keyword kayaKeyword divisions
 syntax keyword kayaKeyword drum
 syntax keyword kayaKeyword dt
 syntax keyword kayaKeyword dtol
@@ -173,6 +175,7 @@ syntax keyword kayaKeyword etouch
 syntax keyword kayaKeyword excavated
 syntax keyword kayaKeyword ezone
 syntax keyword kayaKeyword face
+syntax keyword kayaKeyword factor
 syntax keyword kayaKeyword feblock
 syntax keyword kayaKeyword ff
 syntax keyword kayaKeyword file
@@ -233,6 +236,8 @@ syntax keyword kayaKeyword jset
 syntax keyword kayaKeyword jten
 syntax keyword kayaKeyword jtension
 syntax keyword kayaKeyword k
+syntax keyword kayaKeyword kx
+syntax keyword kayaKeyword ky
 syntax keyword kayaKeyword label
 syntax keyword kayaKeyword length
 syntax keyword kayaKeyword lhs
@@ -252,6 +257,7 @@ syntax keyword kayaKeyword ncyc
 syntax keyword kayaKeyword ncycle
 syntax keyword kayaKeyword ndis
 syntax keyword kayaKeyword ndisplacement
+syntax keyword kayaKeyword ndivisions
 syntax keyword kayaKeyword nfor
 syntax keyword kayaKeyword nforce
 syntax keyword kayaKeyword nload
@@ -297,6 +303,7 @@ syntax keyword kayaKeyword rayleigh
 syntax keyword kayaKeyword read
 syntax keyword kayaKeyword region
 syntax keyword kayaKeyword remove
+syntax keyword kayaKeyword resolution
 syntax keyword kayaKeyword rhs
 syntax keyword kayaKeyword rotation
 syntax keyword kayaKeyword rxfree
@@ -316,6 +323,9 @@ syntax keyword kayaKeyword sfor
 syntax keyword kayaKeyword sforce
 syntax keyword kayaKeyword shear
 syntax keyword kayaKeyword sides
+syntax keyword kayaKeyword sig1
+syntax keyword kayaKeyword sig2
+syntax keyword kayaKeyword sig3
 syntax keyword kayaKeyword sine
 syntax keyword kayaKeyword sload
 syntax keyword kayaKeyword spacing
@@ -357,6 +367,7 @@ syntax keyword kayaKeyword velocity
 syntax keyword kayaKeyword version
 syntax keyword kayaKeyword vs
 syntax keyword kayaKeyword write
+syntax keyword kayaKeyword xacc
 syntax keyword kayaKeyword xacceleration
 syntax keyword kayaKeyword xdis
 syntax keyword kayaKeyword xdisplacement
@@ -368,6 +379,7 @@ syntax keyword kayaKeyword xreaction
 syntax keyword kayaKeyword xvel
 syntax keyword kayaKeyword xvelocity
 syntax keyword kayaKeyword xviscous
+syntax keyword kayaKeyword yacc
 syntax keyword kayaKeyword yacceleration
 syntax keyword kayaKeyword ydis
 syntax keyword kayaKeyword ydisplacement
@@ -382,6 +394,7 @@ syntax keyword kayaKeyword yreaction
 syntax keyword kayaKeyword yvel
 syntax keyword kayaKeyword yvelocity
 syntax keyword kayaKeyword yviscous
+syntax keyword kayaKeyword zacc
 syntax keyword kayaKeyword zacceleration
 syntax keyword kayaKeyword zdil
 syntax keyword kayaKeyword zdilation

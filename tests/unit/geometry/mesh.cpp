@@ -114,6 +114,27 @@ TEST(Mesh, BricksKeepTheirRegularCells) {
     EXPECT_NEAR(dihedral_angles(m).smallest, 45, 1e-9);
 }
 
+TEST(Mesh, CellsFollowTheEdgesOfABlockThatIsTurned) {
+    for (const double degrees : {0.0, 25.0, -25.0}) {
+        const Eigen::AngleAxisd turn(degrees * 3.14159265358979 / 180, Vec3::UnitZ());
+        Polyhedron brick = make_brick({0, 0, 0}, {3, 2, 1});
+        for (Vec3& x : brick.vertices) x = turn * x;
+        const auto mesh = hexahedron_mesh(brick, {4, 3, 1}, {2, 0.5, 1});
+        ASSERT_TRUE(mesh);
+        expect_sound(brick, *mesh);
+        EXPECT_EQ(mesh->tetrahedra.size(), 6u * 12);
+        // Cells of 1, 2, 4 and 8 fifteenths of the length; of 4, 2 and 1 sevenths of the width.
+        const std::vector<std::vector<double>> wanted{{0, 0.2, 0.6, 1.4, 3}, {0, 8.0 / 7, 12.0 / 7, 2}, {0, 1}};
+        for (int axis = 0; axis < 3; ++axis) {
+            std::set<long> places, expected;
+            for (const Vec3& x : mesh->points) places.insert(std::lround(1e9 * (turn.inverse() * x)[axis]));
+            for (const double place : wanted[axis]) expected.insert(std::lround(1e9 * place));
+            EXPECT_EQ(places, expected) << "axis " << axis << " at " << degrees << " degrees";
+        }
+    }
+    EXPECT_FALSE(hexahedron_mesh(wedge(), {1, 1, 1}));
+}
+
 TEST(Mesh, AnglesOfARegularTetrahedron) {
     const TetMesh m{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 3, 2}}, {}};
     EXPECT_NEAR(dihedral_angles(m).smallest, 70.528779, 1e-6);

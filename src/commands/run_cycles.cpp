@@ -1,0 +1,149 @@
+#include "commands/run_cycles.hpp"
+
+#include "commands/handlers.hpp"
+#include "commands/materials.hpp"
+#include "commands/progress.hpp"
+#include "commands/tables.hpp"
+
+#include <fmt/format.h>
+#include <utility>
+
+namespace kaya {
+
+namespace {
+
+void run_deferred(Session& session) {
+    while (!session.deferred.empty()) {
+        auto changes = std::move(session.deferred);
+        session.deferred.clear();
+        for (auto& [place, change] : changes) {
+            try {
+                change();
+            } catch (Diagnostic& mistake) {
+                mistake.at(place);
+                throw;
+            }
+        }
+    }
+}
+
+/// One cycle and what its hooks put off. Errors get the cycle, and the command that runs it.
+void advance(Session& session) {
+    struct Inside {
+        bool& flag;
+        explicit Inside(bool& f) : flag(f) { flag = true; }
+        ~Inside() { flag = false; }
+    };
+    const auto& clock = session.model.clock;
+    const std::int64_t number = clock.cycle + 1;
+    try {
+        {
+            const Inside inside(session.inside_cycle);
+            session.cycle->advance();
+        }
+        run_deferred(session);
+    } catch (Diagnostic& failure) {
+        session.deferred.clear();
+        const std::string here = session.here();
+        failure.add(fmt::format("in cycle {}, at time {}{}", number, time_text(session.model),
+                                here.empty() ? "" : ", run by the command at " + here));
+        if (failure.fault == Fault::deck) failure.fault = Fault::run;
+        throw;
+    }
+}
+
+void make_ready(Session& session) {
+    check_materials(session);
+    check_time_functions(session);
+    session.joints.tables().refresh();
+    session.cycle->prepare();
+}
+
+/// Why the run stops here; empty when it goes on.
+std::string reached(const Limits& limits, const Clock& start, const Model& model, double seconds) {
+    const Clock& now = model.clock;
+    struct Ratio {
+        const char* name;
+        const std::optional<double>& limit;
+        double now;
+    };
+    for (const Ratio& ratio : {Ratio{"ratio", limits.ratio, now.average_ratio},
+                               Ratio{"maximum ratio", limits.maximum_ratio, now.maximum_ratio},
+                               Ratio{"local ratio", limits.local_ratio, now.local_ratio}})
+        if (ratio.limit && now.cycle > start.cycle && ratio.now <= *ratio.limit)
+            return fmt::format("the {} {:.3e} is not above {}", ratio.name, ratio.now, number_text(*ratio.limit));
+    if (limits.force && now.cycle > start.cycle && now.unbalanced_force <= *limits.force)
+        return fmt::format("the unbalanced force {} is not above {}", number_text(now.unbalanced_force),
+                           number_text(*limits.force));
+    if (limits.cycles && now.cycle - start.cycle >= *limits.cycles)
+        return fmt::format("{} cycles", *limits.cycles);
+    // Half a step of slack: a sum of steps misses the limit by rounding.
+    if (limits.time && now.time - start.time >= *limits.time - 0.5 * now.time_step && now.cycle > start.cycle)
+        return fmt::format("time {}", time_text(model));
+    if (limits.clock && seconds >= *limits.clock)
+        return fmt::format("{} minutes", number_text(*limits.clock / 60));
+    return {};
+}
+
+} // namespace
+
+RestSpan advance_span(Session& session, std::int64_t cycles, double ratio) {
+    make_ready(session);
+    RestSpan span;
+    const Clock& now = session.model.clock;
+    double sum = 0;
+    while (span.cycles < cycles && !span.at_rest) {
+        advance(session);
+        session.stop_behind_cycle();
+        ++span.cycles;
+        sum += now.average_ratio;
+        span.at_rest = now.average_ratio <= ratio;
+    }
+    span.mean_ratio = span.cycles > 0 ? sum / static_cast<double>(span.cycles) : 0;
+    return span;
+}
+
+std::string advance_until(Session& session, const Limits& limits) {
+    make_ready(session);
+    const Clock start = session.model.clock;
+    Target target;
+    if (limits.cycles) target.cycle = start.cycle + *limits.cycles;
+    if (limits.time) target.time = start.time + *limits.time;
+
+    Progress progress(session.output, session.model, target);
+    std::string why = reached(limits, start, session.model, 0);
+    while (why.empty()) {
+        try {
+            advance(session);
+            session.stop_behind_cycle();
+        } catch (...) {
+            progress.finish();
+            throw;
+        }
+        progress.advanced();
+        why = reached(limits, start, session.model, progress.seconds());
+    }
+    progress.finish();
+    return why;
+}
+
+ElasticJoints::ElasticJoints(Session& session) : session_(session) {
+    for (const auto& set : session.model.joint_properties) true_values_.push_back(set.values);
+    constexpr double strong = 1e30;
+    for (const Row row : property_sets_in_use(session.model)) {
+        auto& set = session.model.joint_properties[row];
+        const JointModel& model = session.joints.get(set.model);
+        for (const char* word : {"jcohesion", "jtension"})
+            if (const auto index = model.find_property(word)) {
+                set.values[*index] = strong;
+                strengthened_ = true;
+            }
+    }
+}
+
+ElasticJoints::~ElasticJoints() {
+    for (std::size_t i = 0; i < true_values_.size(); ++i)
+        session_.model.joint_properties[i].values = true_values_[i];
+}
+
+} // namespace kaya

@@ -1,0 +1,52 @@
+// Cycling until something is reached.
+#pragma once
+
+#include "commands/session.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// Where a run stops: at the first of these that is reached.
+struct Limits {
+    std::optional<std::int64_t> cycles; ///< from now on
+    std::optional<double> time;         ///< from now on
+    std::optional<double> ratio, maximum_ratio, local_ratio, force;
+    std::optional<double> clock; ///< seconds
+};
+
+/// Runs until a limit is reached; returns which, in words.
+std::string advance_until(Session& session, const Limits& limits);
+
+/// What a number of cycles has shown.
+struct RestSpan {
+    bool at_rest = false;    ///< the ratio was reached, and the span ended there
+    double mean_ratio = 0;   ///< average ratio of unbalanced force, over the cycles
+    std::int64_t cycles = 0; ///< that were run
+};
+
+/// Cycles without a word, until the average ratio is not above `ratio` or that many cycles are done.
+RestSpan advance_span(Session& session, std::int64_t cycles, double ratio);
+
+/// Gives joints a cohesion and a tensile strength that nothing reaches, for as long as it lives. Contacts must have their
+/// properties: Cycle::prepare.
+class ElasticJoints {
+public:
+    explicit ElasticJoints(Session& session);
+    ~ElasticJoints();
+    ElasticJoints(const ElasticJoints&) = delete;
+    ElasticJoints& operator=(const ElasticJoints&) = delete;
+
+    /// False when no joint model has such a strength: the first run is then like the second.
+    bool strengthened() const { return strengthened_; }
+
+private:
+    bool strengthened_ = false;
+    Session& session_;
+    std::vector<std::vector<double>> true_values_;
+};
+
+} // namespace kaya

@@ -1,0 +1,26 @@
+// Boundaries that swallow waves: docs/theory/loads.md.
+#pragma once
+
+#include "model/model.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+/// Dashpots of the gridpoints on quiet boundaries; derived.
+struct QuietPoints {
+    std::vector<Row> index;        ///< by gridpoint: row below, or no_row; empty when nothing is quiet
+    std::vector<Mat3> dashpot;     ///< force against velocity, force*time/length
+
+    bool at(std::size_t gridpoint) const { return !index.empty() && index[gridpoint] != no_row; }
+};
+
+/// Tractions -rho Cp v_n and -rho Cs v_s (Lysmer and Kuhlemeyer 1969, J. Eng. Mech. Div. ASCE 95) on the triangles that
+/// are quiet, a third of each at its corners. Areas and normals are those of the block when its zones were made.
+QuietPoints quiet_points(const Model& model);
+
+/// Force of a dashpot on a gridpoint in a step, taken at the mean of the velocities before and after it, so that it
+/// is stable for any step. `force` is the sum of all others; held components (Fixity bits) keep their velocity.
+Vec3 quiet_force(const Mat3& dashpot, double mass, const Vec3& velocity, const Vec3& force, std::uint8_t fixed, double step);
+
+} // namespace kaya
