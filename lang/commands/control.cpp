@@ -24,7 +24,8 @@ CommandSpec set() {
     entry.keyword({"threads"}, integer("n").at_least(1), &Set::threads, "number of threads");
     entry.keyword({"echo"}, on_off(), &Set::echo, "shows the commands while they run");
     for (const char* word :
-         {"pagination", "atol", "btol", "ctol", "dtol", "etol", "nmech", "ncyc", "cust1", "cust2"})
+         {"pagination", "atol", "btol", "ctol", "dtol", "etol", "nmech", "ncyc", "cust1", "cust2", "messages", "warnings",
+          "overwrite", "delcontact"})
         entry.special({word}, {},
                       [word](Reader& reader, Set& set) {
                           set.accepted.emplace_back(word);
@@ -37,6 +38,14 @@ CommandSpec set() {
                           }
                       },
                       "accepted, without effect").ignored();
+    // What shows a model on a screen takes the rest of its line.
+    for (const char* word : {"plot", "background", "directory", "output"})
+        entry.special({word}, {text("...").optional().spec},
+                      [word](Reader& reader, Set& set) {
+                          set.accepted.emplace_back(word);
+                          (void)reader.take_raw();
+                      },
+                      "accepted with the rest of the line, without effect").ignored();
     entry.not_yet({"fishcall"}, "functions at numbered places of the cycle: use fish callback add");
     entry.otherwise({text("@name value").optional().spec}, [](Reader& reader, Set& set) {
         if (reader.peek()->kind != WordKind::symbol) return false;

@@ -38,7 +38,7 @@ CommandSpec joint_set() {
                   "of joints, 1 if not given; the first passes through the origin, the others lie on both sides");
     entry.keyword({"origin", "org"}, vector("x y z").unit("length"), &JointSetCommand::origin,
                   "a point of the first joint");
-    entry.keyword({"persistence"}, real("p").at_least(0).at_most(1), &JointSetCommand::persistence,
+    entry.keyword({Spelling{"persistence", 1}}, real("p").at_least(0).at_most(1), &JointSetCommand::persistence,
                   "chance that a block in the way of a joint is cut, 1 if not given");
     entry.keyword({"id"}, integer("n").at_least(1).at_most(2000000000), &JointSetCommand::id,
                   "number of the set, which its faces keep; counts up if not given");

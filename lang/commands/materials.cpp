@@ -13,6 +13,7 @@ struct ClassicWord {
     std::vector<Spelling> words;
     const char* unit;
     const char* help;
+    bool from_zero = false; ///< no joint model has a meaning for less
 };
 
 /// The property words of the classic language. Others belong to loaded joint models and are passed on.
@@ -27,11 +28,11 @@ const std::vector<ClassicWord>& classic_words() {
         {{"bfric", "bfriction"}, "degrees", "friction angle of Mohr-Coulomb blocks"},
         {{"bten", "btension"}, "stress", "tensile strength of Mohr-Coulomb blocks"},
         {{"bdil", "bdilation"}, "degrees", "dilation angle of Mohr-Coulomb blocks"},
-        {{"jkn"}, "stress/length", "normal stiffness of joints"},
-        {{"jks"}, "stress/length", "shear stiffness of joints"},
+        {{"jkn"}, "stress/length", "normal stiffness of joints", true},
+        {{"jks"}, "stress/length", "shear stiffness of joints", true},
         {{"jfric", "jfriction"}, "degrees", "friction angle of joints"},
-        {{"jcoh", "jcohesion"}, "stress", "cohesion of joints"},
-        {{"jten", "jtension"}, "stress", "tensile strength of joints"},
+        {{"jcoh", "jcohesion"}, "stress", "cohesion of joints", true},
+        {{"jten", "jtension"}, "stress", "tensile strength of joints", true},
         {{"jdil", "jdilation"}, "degrees", "dilation angle of joints"},
         {{"zdil", "zdilation"}, "length", "slip at which dilation stops"},
         // In full only: jrc and jrco are properties of other joint models.
@@ -77,7 +78,8 @@ CommandSpec prop() {
         {"jmaterial", "jmat"}, number, [](Property& p, std::int64_t n) { p.number = n, p.joint = true; },
         "number of the joint material");
     for (const auto& known : classic_words()) {
-        const auto value = real(known.words.front().word).unit(known.unit);
+        auto value = real(known.words.front().word).unit(known.unit);
+        if (known.from_zero) value.spec.limits.low = 0;
         entry.special(known.words, {value.spec},
                       [value](Reader& reader, Property& property) {
                           const Place place = reader.previous().place;
@@ -98,6 +100,7 @@ CommandSpec prop() {
     entry.wrong("prop mat 1", "no property is given");
     entry.wrong("prop mat 1 dens", "a number is missing after 'dens'");
     entry.wrong("prop mat 1 dens heavy", "'heavy' stands where a number must be");
+    entry.wrong("prop jmat 1 jkn -1e9", "jkn must be at least 0, not -1e+09");
     entry.wrong("prop mat 1.5 dens 1", "mat takes a whole number, not 1.5");
     entry.wrong("prop mat 0 dens 1", "mat must be at least 1, not 0");
     entry.wrong("prop mat 1 dens 2600 1", "'1' stands where a keyword of property must be");

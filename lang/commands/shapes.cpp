@@ -76,13 +76,13 @@ CommandSpec poly_brick() {
 CommandSpec poly_prism() {
     Entry<PolyPrism> entry({"poly"}, {"prism"});
     entry.help("joins two polygons with matching corners side by side; sides may be warped");
-    const auto polygon = [&](const char* word, std::vector<Vec3> PolyPrism::*member, std::string_view help) {
+    const auto polygon = [&](std::vector<Spelling> words, std::vector<Vec3> PolyPrism::*member, std::string_view help) {
         const ArgumentSpec spec = corners(help);
-        entry.special({word}, {spec},
+        entry.special(std::move(words), {spec},
                       [=](Reader& reader, PolyPrism& prism) { read_corners(reader, prism.*member, spec); }, help);
     };
-    polygon("a", &PolyPrism::first, "corners of the first polygon, in order around it");
-    polygon("b", &PolyPrism::second, "corners of the second, each opposite its partner");
+    polygon({"a", "face1", "face-1"}, &PolyPrism::first, "corners of the first polygon, in order around it");
+    polygon({"b", "face2", "face-2"}, &PolyPrism::second, "corners of the second, each opposite its partner");
     block_options(entry);
     entry.finish([](const Reader& reader, PolyPrism& prism) {
         if (prism.first.empty() || prism.second.empty())
@@ -164,6 +164,9 @@ CommandSpec poly_tet() {
                         tet.corners.push_back(reader.vector(spec));
                         return true;
                     });
+    for (const char* word : {"a", "b", "c", "d"})
+        entry.special({word}, {spec}, [spec](Reader& reader, PolyTet& tet) { tet.corners.push_back(reader.vector(spec)); },
+                      "the same");
     block_options(entry);
     entry.finish([](const Reader& reader, PolyTet& tet) {
         if (!reader.wildcards() && tet.corners.size() != 4)
@@ -171,6 +174,7 @@ CommandSpec poly_tet() {
                             "write: poly tet x1 y1 z1 x2 y2 z2 x3 y3 z3 x4 y4 z4");
     });
     entry.right("poly tet 0,0,0 1,0,0 0,1,0 0,0,1").right("poly region 4 tet @a @b @c @d");
+    entry.right("poly tet a 0,0,0 b 1,0,0 c 0,1,0 d 0,0,1");
     entry.wrong("poly tet 0 0 0 1 0 0 0 1 0", "a tetrahedron has four corners, and 3 are given");
     entry.wrong("poly tet 0 0 0 1 0 0 0 1 0 0 0 1 1 1 1", "'1' stands where a keyword of poly tet must be");
     return entry;
@@ -192,9 +196,9 @@ CommandSpec poly_cube() {
 CommandSpec poly_drum() {
     Entry<PolyDrum> entry({"poly"}, {"drum"});
     entry.help("makes a round column with flat sides, or a cone");
-    entry.keyword({"end1", "center1"}, vector("x y z").unit("length"), &PolyDrum::end1,
+    entry.keyword({"end1", "end-1", "center1", "center-1", "a"}, vector("x y z").unit("length"), &PolyDrum::end1,
                   "centre of one end");
-    entry.keyword({"end2", "center2"}, vector("x y z").unit("length"), &PolyDrum::end2,
+    entry.keyword({"end2", "end-2", "center2", "center-2", "b"}, vector("x y z").unit("length"), &PolyDrum::end2,
                   "centre of the other");
     const ArgumentSpec radius1 = real("radius1").unit("length").at_least(0).spec;
     const ArgumentSpec radius2 = real("radius2").unit("length").at_least(0).optional().spec;
@@ -204,8 +208,29 @@ CommandSpec poly_drum() {
                       if (reader.at_number()) drum.radius2 = reader.real(radius2);
                   },
                   "of both ends, or of each; 0 makes a cone");
-    entry.keyword({"edges", "sides"}, integer("n").at_least(3).at_most(10000), &PolyDrum::sides,
-                  "flat sides, 8 if not given");
+    entry.keyword({"radius1", "radius-1"}, real("radius1").unit("length").at_least(0),
+                  [](PolyDrum& drum, double r) {
+                      drum.radius1 = r;
+                      if (!drum.radius2) drum.radius2 = r;
+                  },
+                  "of the first end");
+    entry.keyword({"radius2", "radius-2"}, real("radius2").unit("length").at_least(0), &PolyDrum::radius2,
+                  "of the other");
+    const auto edges = integer("n").at_least(3).at_most(10000);
+    entry.keyword({"edges", "sides"}, edges, &PolyDrum::sides, "flat sides, 8 if not given");
+    // Without words: both ends, both radii, the number of sides.
+    const auto end = vector("x y z").unit("length").spec;
+    entry.otherwise({vector("x1 y1 z1").unit("length").spec, vector("x2 y2 z2").unit("length").spec, radius1, radius2,
+                     integer("n").optional().spec},
+                    [=](Reader& reader, PolyDrum& drum) {
+                        if (!reader.at_number() || drum.radius1) return false;
+                        if (!drum.end1) return drum.end1 = reader.vector(end), true;
+                        if (!drum.end2) return drum.end2 = reader.vector(end), true;
+                        drum.radius1 = drum.radius2 = reader.real(radius1);
+                        if (reader.at_number()) drum.radius2 = reader.real(radius2);
+                        if (reader.at_number()) drum.sides = reader.integer(edges.spec);
+                        return true;
+                    });
     block_options(entry);
     entry.finish([](const Reader& reader, PolyDrum& drum) {
         if (!drum.end1 || !drum.end2 || !drum.radius1)
@@ -214,6 +239,7 @@ CommandSpec poly_drum() {
     });
     entry.right("poly drum end1 0,0,0 end2 0,0,3 radius 0.5");
     entry.right("poly drum end1 0 0 0 end2 0 0 1 radius 0.5 0.4 edges 12 region 2");
+    entry.right("poly drum (0,0,0) (0,0,1) 0.5 0.45 12 reg 2").right("poly drum center-1 0 0 0 center-2 0 0 1 radius-1 0.5");
     entry.wrong("poly drum end1 0 0 0 radius 1", "a drum needs both ends and a radius");
     entry.wrong("poly drum edges 2", "edges must be at least 3, not 2");
     entry.wrong("poly drum raduis 1", "'raduis' is not a keyword of poly drum");

@@ -13,7 +13,15 @@ CommandSpec damp() {
     const auto kind = [](std::string_view word) {
         return [word](Damp& d) { d.kind = word; };
     };
-    entry.action({"auto"}, kind("auto"), "adaptive global damping, the same as global");
+    const auto ratio = real("ratio").above(0).below(1).optional().spec;
+    for (const char* word : {"auto", "global"})
+        entry.special({word}, {ratio},
+                      [=](Reader& reader, Damp& d) {
+                          d.kind = word;
+                          if (reader.at_number()) d.value = reader.real(ratio);
+                      },
+                      "viscous damping that follows the kinetic energy: the ratio of its power to the change of the "
+                      "kinetic energy, 0.5 if not given");
     entry.special({"local"}, {real("factor").at_least(0).at_most(1).optional().spec},
                   [](Reader& reader, Damp& d) {
                       d.kind = "local";
@@ -21,7 +29,6 @@ CommandSpec damp() {
                           d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
                   },
                   "a force against the motion, a part of the unbalanced force; 0.8 if not given");
-    entry.action({"global"}, kind("global"), "viscous damping that follows the kinetic energy");
     entry.special({"combined"}, {real("factor").at_least(0).at_most(1).optional().spec},
                   [](Reader& reader, Damp& d) {
                       d.kind = "combined";
@@ -67,6 +74,7 @@ CommandSpec damp() {
                             "write for example: damp 0.05 1.5 mass");
     });
     entry.right("damp auto")
+        .right("damp global 0.7")
         .right("damp local")
         .right("DAMP LOCAL 0.8")
         .right("damp 0.05 1.5 mass")
@@ -114,7 +122,7 @@ CommandSpec solve() {
         .keyword({"ratio-local", "local"}, real("r").above(0), &Solve::local_ratio,
                  "largest ratio of unbalanced to acting force of one body")
         .keyword({"force"}, real("f").unit("force").at_least(0), &Solve::force, "largest unbalanced force")
-        .keyword({"cycles"}, integer("n").at_least(1), &Solve::cycles, "number of cycles")
+        .keyword({"cycles", "steps"}, integer("n").at_least(1), &Solve::cycles, "number of cycles")
         .keyword({"time"}, real("t").unit("time").above(0), &Solve::time, "time to be covered")
         .keyword({"clock"}, real("m").unit("minutes").above(0), &Solve::clock, "minutes on the clock")
         .action(
@@ -140,6 +148,7 @@ CommandSpec solve() {
         })
         .right("solve")
         .right("solve ratio 1e-6 cyc 5000")
+        .right("solve step 100")
         .right("solve elastic force 1e3")
         .right("solve ratio-local 1e-4 time 2 clock 10")
         .right("solve fos")

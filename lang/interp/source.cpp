@@ -16,6 +16,10 @@ namespace {
 /// No deck is near this size; reading a 10 GB result file as text would only exhaust the memory.
 constexpr std::uintmax_t largest_deck = 512u << 20;
 
+/// The longest lines that are known of, written by programs, have some thousand characters. A file without line ends
+/// is no command file, and would fill the memory with its words.
+constexpr std::size_t longest_line = 4u << 20;
+
 constexpr std::array suffixes = {"", ".3dd", ".dat", ".3ddat", ".fis", ".txt"};
 
 /// What a file that is no text most likely is, by its first bytes.
@@ -43,6 +47,14 @@ void refuse_binary(const std::string& name, std::string_view text) {
                          "a command file is plain text");
 }
 
+void refuse_long_line(const std::shared_ptr<SourceText>& source) {
+    const std::string& line = source->lines.back();
+    if (line.size() <= longest_line) return;
+    throw Diagnostic(fmt::format("this line has {} characters, more than {}", line.size(), longest_line),
+                     "are the ends of the lines lost?")
+        .at({source, static_cast<int>(source->lines.size()), 1, 1});
+}
+
 Diagnostic no_file(const std::string& name, std::string_view near) {
     Diagnostic d(fmt::format("there is no file '{}'", name),
                  near.empty() ? "check the name and the folder" : fmt::format("did you mean '{}'?", near));
@@ -64,9 +76,11 @@ Source source_from_text(std::string name, std::string_view text, int first_line)
         const auto end = text.find_first_of("\r\n");
         if (end == std::string_view::npos) {
             source->lines.emplace_back(text);
+            refuse_long_line(source);
             break;
         }
         source->lines.emplace_back(text.substr(0, end));
+        refuse_long_line(source);
         text.remove_prefix(end + (text.substr(end).starts_with("\r\n") ? 2 : 1));
     }
     return source;

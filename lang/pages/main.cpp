@@ -155,7 +155,9 @@ std::string range_page(const Language& language) {
            "hold, or one of them when the word `union` stands among them; `not` behind an element turns it round.\n"
            "Limits are inclusive, with a small tolerance. Blocks and zones are tested by their centroid, gridpoints by\n"
            "their position, contacts and sub-contacts by theirs: `hide range z 0 0.1` hides the blocks whose centroid lies between 0 and\n"
-           "0.1, not those that reach into it. `extent` asks for all corners. Hidden blocks and what belongs to them are never meant.\n\n"
+           "0.1, not those that reach into it. `extent` asks for all corners. Hidden blocks and what belongs to them are never meant.\n"
+           "The tolerance is a millionth of the model's size; for one value, `x 4`, a ten-thousandth, so that a face is still found\n"
+           "when loads have moved it.\n\n"
            "| word | values | meaning |\n|---|---|---|\n" +
            rows;
 }

@@ -160,7 +160,7 @@ int start(int argc, char** argv) {
     app.add_flag("--echo", line.options.echo, "show each command before it runs");
     app.add_flag("--trust", line.options.trust, "scripts of the deck may use files and start programs");
     app.add_option("--script-memory", line.options.script_memory,
-                   "megabytes that scripts of the deck may take; 0 is as much as there is")
+                   "megabytes that scripts of the deck may take; half of the machine's memory if not given")
         ->check(CLI::Range(0, 1 << 20));
     app.add_flag("--no-journal", line.no_journal, "do not write the journal (the deck's name with .journal)");
     auto* formatting = app.add_subcommand("fmt", "show decks in their long form: whole words, single blanks");

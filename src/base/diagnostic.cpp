@@ -105,6 +105,16 @@ Mistakes mistakes(std::string_view typed, std::string_view meant, Rows& rows) {
     return {last[m], beginning};
 }
 
+/// A message may hold a word of the deck, and that may be a whole file: its beginning is enough, and its end.
+std::string readable(const std::string& message) {
+    constexpr std::size_t longest = 500, kept = 200;
+    if (message.size() <= longest) return message;
+    std::size_t from = kept, to = message.size() - kept;
+    while (from > 0 && continues_character(message[from])) --from;
+    while (to < message.size() && continues_character(message[to])) ++to;
+    return fmt::format("{} ... {}", message.substr(0, from), message.substr(to));
+}
+
 } // namespace
 
 std::string render(const Diagnostic& d, bool colour) {
@@ -114,13 +124,13 @@ std::string render(const Diagnostic& d, bool colour) {
     const std::string code = colour && !d.code.empty() ? fmt::format(" \033[2m[{}]\033[0m", d.code) : std::string();
     std::string text;
     if (d.place) {
-        text = fmt::format("{}:{}:{}: {}: {}{}", d.place.source->name, d.place.line, d.place.column, kind, d.message,
-                           code);
+        text = fmt::format("{}:{}:{}: {}: {}{}", d.place.source->name, d.place.line, d.place.column, kind,
+                           readable(d.message), code);
         const std::string lines = underlined(d);
         if (!lines.empty()) text += "\n" + lines;
         if (!d.hint.empty()) text += lines.empty() ? "\n  " + d.hint : " " + d.hint;
     } else {
-        text = fmt::format("{}: {}{}", kind, d.message, code);
+        text = fmt::format("{}: {}{}", kind, readable(d.message), code);
         if (!d.hint.empty()) text += "\n  " + d.hint;
     }
     for (const auto& line : d.context) text += "\n  " + line;

@@ -46,6 +46,15 @@ constexpr std::array<std::string_view, 12> joint_words{"jkn",        "jks",     
                                                        "jtension",   "jdilation", "zdilation", "jrfriction",
                                                        "jrcohesion", "jrtension", "jphi",      "jrdilation"};
 
+/// The words of files for early versions, where no joint model has properties of these names.
+using EarlyWord = std::pair<std::string_view, std::string_view>;
+constexpr std::array<EarlyWord, 6> early_words{{{"kn", "jkn"},
+                                                {"ks", "jks"},
+                                                {"fric", "jfriction"},
+                                                {"coh", "jcohesion"},
+                                                {"ten", "jtension"},
+                                                {"dil", "jdilation"}}};
+
 const BlockProperty* find_block_property(std::string_view word) {
     const auto exact = std::ranges::find(block_properties, word, &BlockProperty::word);
     if (exact != block_properties.end()) return &*exact;
@@ -186,6 +195,9 @@ void run(Session& session, const lang::Property& command) {
             set_block_property(material, *property, item);
         else if (is_joint_word(session.joints, item.word))
             of_joints.push_back(item);
+        else if (const auto early = std::ranges::find(early_words, std::string_view(item.word), &EarlyWord::first);
+                 early != early_words.end())
+            of_joints.push_back({std::string(early->second), item.value, item.place});
         else
             refuse_word(session, item, command.joint);
     }

@@ -14,8 +14,11 @@ namespace kaya {
 using lang::RangeElement;
 
 RangeTest along_axis(const RangeElement& e, const RangeContext& context, int axis) {
-    const double low = std::min(e.low, e.high) - context.tolerance;
-    const double high = std::max(e.low, e.high) + context.tolerance;
+    // One value means what lies in that plane, also when the loads have moved it a little.
+    constexpr double plane_slack = 100; // a ten-thousandth of the model's size
+    const double slack = context.tolerance * (e.low == e.high ? plane_slack : 1);
+    const double low = std::min(e.low, e.high) - slack;
+    const double high = std::max(e.low, e.high) + slack;
     return on_place(context, [=](const Vec3& p) { return p[axis] >= low && p[axis] <= high; });
 }
 

@@ -12,6 +12,7 @@
 #include <charconv>
 #include <fmt/format.h>
 #include <thread>
+#include <unistd.h>
 
 namespace kaya {
 
@@ -48,6 +49,13 @@ std::optional<JointTables::Points> table_points(script::Scripts& scripts, const 
     return points;
 }
 
+/// Bytes that scripts may take: a text that is doubled too often shall end with a message, not take the machine down.
+std::size_t memory_for_scripts(std::size_t megabytes) {
+    if (megabytes > 0) return megabytes << 20;
+    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
+    return pages > 0 && page > 0 ? static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(page) : 0;
+}
+
 } // namespace
 
 Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
@@ -61,7 +69,7 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
 
     script::Options script_options;
     script_options.trusted = options.trust;
-    script_options.memory = options.script_memory << 20;
+    script_options.memory = memory_for_scripts(options.script_memory);
     scripts = std::make_unique<script::Scripts>(world, script_options);
     scripts->on_print([this](const std::string& line) { output.print(line); });
     scripts->on_require([this] { return interpreter.searched(); });

@@ -164,6 +164,10 @@ std::vector<Polyhedron> make_tunnel(const TunnelBlocks& tunnel) {
     need_at_least(tunnel.radial, 1, "blocks along the radius");
     need_at_least(tunnel.tangential, 1, "blocks around 45 degrees");
     need_at_least(tunnel.axial, 1, "blocks along the axis");
+    constexpr double most_blocks = 5e6;
+    if (const double count = 8.0 * tunnel.tangential * tunnel.radial * tunnel.axial; count > most_blocks)
+        throw Diagnostic(fmt::format("this would make {:g} blocks, more than {:g}", count, most_blocks),
+                         "there are 8 times tangential in each ring, and radial times axial rings");
     const double degree = std::numbers::pi / 180;
     const Vec3 level(std::sin(tunnel.dip_direction * degree), std::cos(tunnel.dip_direction * degree), 0);
     const Vec3 axis = std::cos(tunnel.dip * degree) * level - std::sin(tunnel.dip * degree) * Vec3::UnitZ();

@@ -106,4 +106,11 @@ TEST(DidYouMean, BetweenEqualsTakesTheOneThatStartsLikeTheWord) {
     EXPECT_EQ(did_you_mean("cycl", {"bycl", "cyco"}), "cyco");
 }
 
+TEST(Diagnostic, AMessageThatHoldsAWholeFileIsCut) {
+    const std::string text = render(Diagnostic("'" + std::string(100000, 'a') + "' is not a command"));
+    EXPECT_LT(text.size(), 600u);
+    EXPECT_TRUE(text.starts_with("error: 'aaa"));
+    EXPECT_TRUE(text.ends_with("aaa' is not a command"));
+}
+
 } // namespace

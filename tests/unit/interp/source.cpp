@@ -114,4 +114,15 @@ TEST_F(Files, FirstFolderWins) {
 }
 
 } // namespace
+TEST(Source, ALineWithoutEndIsRefused) {
+    EXPECT_EQ(source_from_text("long", "a\n" + std::string(4u << 20, 'b'))->lines.size(), 2u);
+    try {
+        source_from_text("long", "a\n" + std::string((4u << 20) + 1, 'b') + "\nc");
+        FAIL();
+    } catch (const Diagnostic& problem) {
+        EXPECT_EQ(problem.message, "this line has 4194305 characters, more than 4194304");
+        EXPECT_EQ(problem.place.line, 2);
+    }
+}
+
 } // namespace kaya::lang
