@@ -61,7 +61,7 @@ CommandSpec insitu() {
     entry.wrong("insitu zgrad 0 0 1 0 0 0", "insitu does not say which stress");
     entry.wrong("insitu sterss 0 0 0 0 0 0", "'sterss' is not a keyword of insitu");
     entry.wrong("insitu topo kx", "a number is missing after 'kx'");
-    entry.wrong("insitu topo kx -1", "k must be at least 0, not -1");
+    entry.wrong("insitu topo kx -1", "kx must be at least 0, not -1");
     entry.wrong("insitu stress -1 -1 -1 0 0 0 topo", "stress and topography exclude each other");
     entry.wrong("insitu pp", "a number is missing after 'pp'");
     return entry;

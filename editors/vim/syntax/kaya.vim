@@ -106,6 +106,7 @@ syntax keyword kayaKeyword atol
 syntax keyword kayaKeyword auto
 syntax keyword kayaKeyword axial
 syntax keyword kayaKeyword b
+syntax keyword kayaKeyword background
 syntax keyword kayaKeyword bcoh
 syntax keyword kayaKeyword bcohesion
 syntax keyword kayaKeyword bdil
@@ -121,8 +122,11 @@ syntax keyword kayaKeyword bten
 syntax keyword kayaKeyword btension
 syntax keyword kayaKeyword btol
 syntax keyword kayaKeyword bulk
+syntax keyword kayaKeyword c
 syntax keyword kayaKeyword callback
 syntax keyword kayaKeyword center
+syntax keyword kayaKeyword center-1
+syntax keyword kayaKeyword center-2
 syntax keyword kayaKeyword center1
 syntax keyword kayaKeyword center2
 syntax keyword kayaKeyword centre
@@ -141,14 +145,17 @@ syntax keyword kayaKeyword cube
 syntax keyword kayaKeyword cust1
 syntax keyword kayaKeyword cust2
 syntax keyword kayaKeyword cycles
+syntax keyword kayaKeyword d
 syntax keyword kayaKeyword damp
 syntax keyword kayaKeyword damping
 syntax keyword kayaKeyword dd
 syntax keyword kayaKeyword define
+syntax keyword kayaKeyword delcontact
 syntax keyword kayaKeyword delete
 syntax keyword kayaKeyword density
 syntax keyword kayaKeyword dip
 syntax keyword kayaKeyword dip-direction
+syntax keyword kayaKeyword directory
 syntax keyword kayaKeyword disp
 syntax keyword kayaKeyword displacements
 syntax keyword kayaKeyword divisions
@@ -167,6 +174,8 @@ syntax keyword kayaKeyword egravity
 syntax keyword kayaKeyword ejoint
 syntax keyword kayaKeyword ekinetic
 syntax keyword kayaKeyword elastic
+syntax keyword kayaKeyword end-1
+syntax keyword kayaKeyword end-2
 syntax keyword kayaKeyword end1
 syntax keyword kayaKeyword end2
 syntax keyword kayaKeyword energy
@@ -175,6 +184,10 @@ syntax keyword kayaKeyword etouch
 syntax keyword kayaKeyword excavated
 syntax keyword kayaKeyword ezone
 syntax keyword kayaKeyword face
+syntax keyword kayaKeyword face-1
+syntax keyword kayaKeyword face-2
+syntax keyword kayaKeyword face1
+syntax keyword kayaKeyword face2
 syntax keyword kayaKeyword factor
 syntax keyword kayaKeyword feblock
 syntax keyword kayaKeyword ff
@@ -251,6 +264,7 @@ syntax keyword kayaKeyword material
 syntax keyword kayaKeyword max
 syntax keyword kayaKeyword maximum
 syntax keyword kayaKeyword memory
+syntax keyword kayaKeyword messages
 syntax keyword kayaKeyword model
 syntax keyword kayaKeyword name
 syntax keyword kayaKeyword ncyc
@@ -276,9 +290,12 @@ syntax keyword kayaKeyword off
 syntax keyword kayaKeyword on
 syntax keyword kayaKeyword org
 syntax keyword kayaKeyword origin
+syntax keyword kayaKeyword output
+syntax keyword kayaKeyword overwrite
 syntax keyword kayaKeyword pagination
 syntax keyword kayaKeyword partial
 syntax keyword kayaKeyword persistence
+syntax keyword kayaKeyword plot
 syntax keyword kayaKeyword point
 syntax keyword kayaKeyword poisson
 syntax keyword kayaKeyword pp
@@ -294,6 +311,10 @@ syntax keyword kayaKeyword rad8
 syntax keyword kayaKeyword radial
 syntax keyword kayaKeyword radial-8
 syntax keyword kayaKeyword radius
+syntax keyword kayaKeyword radius-1
+syntax keyword kayaKeyword radius-2
+syntax keyword kayaKeyword radius1
+syntax keyword kayaKeyword radius2
 syntax keyword kayaKeyword ranges
 syntax keyword kayaKeyword ratio
 syntax keyword kayaKeyword ratio-average
@@ -366,6 +387,7 @@ syntax keyword kayaKeyword velocities
 syntax keyword kayaKeyword velocity
 syntax keyword kayaKeyword version
 syntax keyword kayaKeyword vs
+syntax keyword kayaKeyword warnings
 syntax keyword kayaKeyword write
 syntax keyword kayaKeyword xacc
 syntax keyword kayaKeyword xacceleration

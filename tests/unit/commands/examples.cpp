@@ -123,6 +123,7 @@ void write_inputs(const std::function<void(const char*, const std::string&)>& wr
 std::string before(std::string_view example) {
     if (example.find("jcso") != std::string_view::npos)
         return "jmodel model barton-bandis\n";
+    if (example.starts_with("insitu topo")) return "gravity 0 0 -9.81\n";
     if (example.starts_with("fish callback remove")) return "fish callback add watch\n";
     if (example.find("jrco") != std::string_view::npos) return "jmodel load barton-bandis\n";
     if (example.starts_with("import wall.3dgrid")) return "export wall.3dgrid\n";

@@ -67,7 +67,7 @@ TEST(Help, OnAnUnknownWord) {
 TEST(Completion, OfCommandsKeywordsAndElements) {
     EXPECT_THAT(completions(classic(), "po"), ElementsAre("poly"));
     EXPECT_THAT(completions(classic(), "poly br"), ElementsAre("brick"));
-    EXPECT_THAT(completions(classic(), "BOUND XV"), ElementsAre("xvel", "xvelocity"));
+    EXPECT_THAT(completions(classic(), "BOUND XV"), ElementsAre("xvel", "xvelocity", "xviscous"));
     EXPECT_THAT(completions(classic(), "hide range sp"), ElementsAre("sphere"));
     EXPECT_THAT(completions(classic(), "hide range plane ab"), ElementsAre("above"));
     EXPECT_THAT(completions(classic(), "solve ratio 1e-5 el"), ElementsAre("elastic"));

@@ -75,7 +75,7 @@ TEST(Tables, WhatIsNotSupportedYetSaysSo) {
             ++count;
             EXPECT_EQ(mistake("hide range z 0 " + std::string(element.words.front().word)).code, "not-supported-yet");
         }
-    EXPECT_GT(count, 60);
+    EXPECT_GT(count, 30);
 }
 
 TEST(Tables, EverythingIsExplained) {
