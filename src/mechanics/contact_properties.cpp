@@ -4,7 +4,7 @@
 #include "mechanics/contact_search.hpp"
 #include "mechanics/contact_table.hpp"
 #include "mechanics/property_sets.hpp"
-#include "model/joined.hpp"
+#include "model/selection.hpp"
 
 #include <algorithm>
 #include <array>
@@ -67,10 +67,9 @@ constexpr std::array<std::pair<std::int32_t, const char*>, 2> numbered_models{{{
 
 void initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts);
 
+/// Glue is no joint, and select() leaves it out.
 bool are_all_joints(const Model& model, const std::vector<Row>& contacts) {
-    std::size_t joints = 0;
-    for (std::size_t c = 0; c < model.contacts.size(); ++c) joints += !glued(model, static_cast<Row>(c));
-    return contacts.size() == joints;
+    return contacts.size() == select(model, ObjectKind::contact, {}, true).size();
 }
 
 /// A search of all contacts takes much for a moment, and the columns made meanwhile stand behind it on the heap.

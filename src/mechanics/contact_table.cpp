@@ -231,11 +231,16 @@ std::vector<std::pair<Row, Load>> loads_of(const Model& model, const std::vector
     return loads;
 }
 
-/// The energy in the springs of contacts that will not be there any more.
-double stored_in_parted(const Model& model, const std::vector<ContactDraft>& drafts) {
+/// Which contacts will still be there.
+std::vector<char> kept_contacts(const Model& model, const std::vector<ContactDraft>& drafts) {
     std::vector<char> kept(model.contacts.size(), 0);
     for (const auto& draft : drafts)
         if (draft.old != no_row) kept[draft.old] = 1;
+    return kept;
+}
+
+/// The energy in the springs of those that will not.
+double stored_in_parted(const Model& model, const std::vector<char>& kept) {
     double stored = 0;
     for (std::size_t c = 0; c < kept.size(); ++c)
         if (!kept[c]) stored += Load(model, static_cast<Row>(c)).stored();
@@ -303,7 +308,8 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
                                bool moving) {
     if (moving && same_rows(model, drafts) && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
     const auto loads = loads_of(model, drafts);
-    double lost = stored_in_parted(model, drafts);
+    const std::vector<char> contact_kept = kept_contacts(model, drafts);
+    double lost = stored_in_parted(model, contact_kept);
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
 
@@ -326,7 +332,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         spans.push_back({first, static_cast<Row>(sub_source.size()) - first});
     }
 
-    std::vector<char> contact_kept(contacts.size(), 0), sub_kept(subs.size(), 0);
+    std::vector<char> sub_kept(subs.size(), 0);
     const auto old_contact_ids = contacts.id;
     const auto old_sub_ids = subs.id;
     contacts.resize(contacts.size() + 1);
@@ -348,7 +354,6 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
             contacts.properties[c] =
                 property_set(model, joints, default_joint_model(model), contacts.material[c], "");
         } else {
-            contact_kept[draft.old] = 1;
             contacts.ids.move(contacts.id[c], row);
         }
         const bool is_new = draft.kind == DraftKind::new_geometry;

@@ -17,13 +17,8 @@ constexpr std::size_t grain = 256;
 
 void combine(MotionSums& sum, const MotionSums& part) { sum.add(part); }
 
-/// A vector turned by a quaternion, without making a matrix of it.
-inline Vec3 turned(const Eigen::Quaterniond& q, const Vec3& x) {
-    const Vec3 t = 2 * q.vec().cross(x);
-    return x + q.w() * t + q.vec().cross(t);
-}
-
 Rotor rotor(const Quaternion& q) { return {q[0], {q[1], q[2], q[3]}}; }
+Quaternion quaternion_of(const Rotor& r) { return {r.w, r.v.x, r.v.y, r.v.z}; }
 
 /// Turns a block with angular momentum `momentum` for one step by the implicit midpoint rule: the
 /// velocity of the middle of the step, found by fixed-point iteration, carries it from end to end.
@@ -42,8 +37,7 @@ Triple turn(Quaternion& orientation, const SymmetricInverse& inverse_inertia, co
     }
     const Rotor end = start * Rotor::by(step * velocity);
     // Its length is 1 but for rounding: one step of Newton's method for 1/sqrt makes it so again.
-    const double length = 1.5 - 0.5 * (end.w * end.w + end.v.dot(end.v));
-    orientation = Quaternion(length * end.w, length * end.v.x, length * end.v.y, length * end.v.z);
+    orientation = (1.5 - 0.5 * (end.w * end.w + end.v.dot(end.v))) * quaternion_of(end);
     return start.turned(velocity);
 }
 
@@ -113,8 +107,7 @@ inline void advance(const RigidBody& body, const Settings& settings, double step
             if (fixed & (fix_rx << k)) w[k] = right[k];
         momentum = global * w;
         if (settings.large_strain) {
-            const Rotor q = Rotor::by(step * Triple(w)) * rotor(body.orientation);
-            body.orientation = Quaternion(q.w, q.v.x, q.v.y, q.v.z).normalized();
+            body.orientation = quaternion_of(Rotor::by(step * Triple(w)) * rotor(body.orientation)).normalized();
         }
     } else if (!momentum.isZero(0)) {
         Quaternion turned = body.orientation;
@@ -189,9 +182,9 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
     advance({body.mass, factor * body.mass, inertia, factor, fixed, force, load, moment, torque, velocity, spin,
              blocks.angular_momentum[first], blocks.last_force[first], blocks.last_moment[first], after},
             model.settings, step, damping, sums);
-    const Eigen::Quaterniond turn = quaternion(after) * quaternion(before).conjugate();
+    const Rotor turn = rotor(after) * rotor(before).conjugate();
     for (const Row b : members) {
-        const Vec3 arm = blocks.centroid[b] - body.centroid, arm_after = turned(turn, arm);
+        const Vec3 arm = blocks.centroid[b] - body.centroid, arm_after = turn.turned(Triple(arm)).vector();
         blocks.velocity[b] = velocity + spin.cross(arm_after);
         blocks.rotational_velocity[b] = spin;
         if (!model.settings.large_strain) {
@@ -204,8 +197,7 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
         if (b == first) {
             blocks.orientation[b] = after;
         } else {
-            const Eigen::Quaterniond q = (turn * quaternion(blocks.orientation[b])).normalized();
-            blocks.orientation[b] = Quaternion(q.w(), q.x(), q.y(), q.z());
+            blocks.orientation[b] = quaternion_of(turn * rotor(blocks.orientation[b])).normalized();
         }
         blocks.travelled[b] += place_vertices(model, static_cast<std::size_t>(b));
     }
