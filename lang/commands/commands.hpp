@@ -137,6 +137,19 @@ struct Delete { RangePhrase range; };
 /// Takes blocks out and keeps them; fill puts them back.
 struct Excavate { RangePhrase range; };
 struct Fill { RangePhrase range; };
+/// Copies of blocks: mirrored at a plane, then moved.
+struct Copy {
+    std::optional<Vec3> offset;
+    bool mirror = false;
+    double dip = 0, dip_direction = 0; ///< of the mirror
+    std::optional<Vec3> normal;        ///< of the mirror, in place of dip and dip direction
+    Vec3 origin = Vec3::Zero();        ///< a point of the mirror
+    std::int64_t number = 1;
+    std::optional<std::int64_t> region;
+    std::string group;
+    RangePhrase range;
+    Place place;
+};
 struct Group {
     enum class Kind { block, face, joint, zone } kind = Kind::block;
     std::string name;

@@ -17,7 +17,6 @@ const std::vector<Known>& known() {
         {{"generate"}, {"center"}, "zones whose size varies: see the ratio of generate quad"},
         {{"generate"}, {"grade"}, "zones whose size varies: see the ratio of generate quad"},
         {{"generate"}, {"fix"}, "zones whose size varies: see the ratio of generate quad"},
-        {{"copy"}, {}, "copies of blocks"},
         {{"pfix"}, {}, "a pore pressure that is held"},
         {{"pfree"}, {}, "a pore pressure that is held"},
         {{"ffield"}, {}, "free fields at the sides of a model"},

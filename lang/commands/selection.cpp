@@ -38,10 +38,52 @@ CommandSpec mark_joint() {
     return entry;
 }
 
+CommandSpec copy() {
+    Entry<Copy> entry({"copy"});
+    entry.help("makes copies of blocks: moved, or mirrored at a plane, or both");
+    entry.keyword({"offset"}, vector("dx dy dz").unit("length"), &Copy::offset, "how far a copy is moved");
+    entry.action({"mirror"}, [](Copy& command) { command.mirror = true; },
+                 "copies are mirrored at a plane, given by normal or dip and dd, and origin");
+    entry.keyword({"dip"}, real("dip").unit("degrees"), &Copy::dip, "of the mirror: angle below the horizontal");
+    entry.keyword({"dd", "dip-direction"}, real("dd").unit("degrees"), &Copy::dip_direction,
+                  "of the mirror: direction of dip, clockwise from +y seen from above");
+    entry.keyword({"normal"}, vector("nx ny nz"), &Copy::normal, "of the mirror, in place of dip and dd");
+    entry.keyword({"origin", "org"}, vector("x y z").unit("length"), &Copy::origin, "a point of the mirror");
+    entry.keyword({"number"}, integer("n").at_least(1).at_most(1e6), &Copy::number,
+                  "of copies, each one offset farther; 1 if not given");
+    entry.keyword({"region"}, integer("n").at_least(0).at_most(2000000000), &Copy::region,
+                  "region number of the copies; that of the block if not given");
+    entry.keyword({"group"}, text("name"), &Copy::group, "group of the copies; that of the block if not given");
+    entry.range(&Copy::range, true); // region and group stand for the copies; the range begins with its word
+    entry.place(&Copy::place);
+    entry.finish([](const Reader& reader, Copy& command) {
+        if (!command.offset && !command.mirror)
+            incomplete_line(reader, "copy does not say where the copies stand",
+                            "give offset dx dy dz, or mirror normal nx ny nz origin x y z");
+        if (reader.wildcards()) return;
+        if (command.number > 1 && (!command.offset || command.mirror))
+            throw Diagnostic("several copies need an offset and no mirror", "give one copy command for each").at(command.place);
+        if (command.normal && !command.mirror)
+            throw Diagnostic("the normal is that of a mirror", "write: copy mirror normal nx ny nz origin x y z").at(command.place);
+        if (command.normal && command.normal->norm() == 0)
+            throw Diagnostic("the normal of the mirror is zero", "it must have a direction").at(command.place);
+    });
+    entry.right("copy offset 0 2 0 number 5 range region 1");
+    entry.right("copy mirror normal 1 0 0 origin 4 0 0 group right");
+    entry.right("copy mirror dip 90 dd 0 origin 0 0 0 offset 0 0 3");
+    entry.wrong("copy", "copy does not say where the copies stand");
+    entry.wrong("copy offset 1 0", "a number is missing after '0'");
+    entry.wrong("copy mirror normal 1 0 0 number 3", "several copies need an offset and no mirror");
+    entry.wrong("copy offset 1 0 0 normal 1 0 0", "the normal is that of a mirror");
+    entry.wrong("copy mirror normal 0 0 0", "the normal of the mirror is zero");
+    return entry;
+}
+
 } // namespace
 
 std::vector<CommandSpec> selection_commands() {
     return {
+        copy(),
         Entry<Excavate>({"excavate", "remove"})
             .help("takes blocks out of the model and keeps them; fill puts them back")
             .range(&Excavate::range)

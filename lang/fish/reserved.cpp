@@ -16,21 +16,14 @@ struct Group {
 };
 
 constexpr Group groups[] = {
-    {true, "c_link1 c_link2", "walk the list of contact_head and compare c_b1 and c_b2 with the block"},
-    {true, "find_range in_range inbox", "compare coordinates, or select with the range of a command"},
     {true, "gp_temp", "there is no heat"},
     {true, "z_fsi z_fsr z_fri z_frr z_total_strain", "there are no tensors: z_vsi, z_ssi, z_vsr, z_ssr are the strains and their rates"},
-    {true, "z_state z_model", "all zones are of the one model that their block's material gives"},
     {true, "z_sig from_principal principal_stress b_moitensor",
      "there are no tensors: z_sxx and so on, z_sig1 to z_sig3, b_xmoi to b_zmoi"},
     {true, "apply_head bou_head bou_new gp_bou", "use the command bound, and gp_xload for loads"},
-    {true, "face_vlist vl_next vl_vertex vl_gp", "use face_ngp(f) and face_gp(f,i)"},
     {true, "cx_edge1 cx_edge2", "there are no pointers to edges"},
     {true, "fc_arg", "the function is called without an argument"},
-    {true, "j_model j_prop", "use c_model(c) and c_prop(c,'jkn')"},
     {true, "water_table_head", "use the command water"},
-    {true, "damp_alpha damp_beta", "the command damp takes the fraction and the frequency"},
-    {true, "table_name get_table", "tables have numbers only"},
     {false, "atol btol ctol dtol etol", "tolerances follow from the size of the blocks"},
     {false, "ftime ftdel flow_head flowrate flowvel fluid_density c_flowplane face_flow gp_fk z_perm z_poros",
      "there is no flow of fluids"},

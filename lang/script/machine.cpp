@@ -71,6 +71,7 @@ Machine::Machine(World& the_world, Options the_options)
         add_mathematics(*this);
         add_texts(*this);
         add_tables(*this);
+        add_ranges(*this);
         add_files(*this);
         add_accessors(*this);
         add_walkers(*this);

@@ -13,7 +13,7 @@ namespace kaya::script {
 namespace {
 
 constexpr std::string_view mark = "KAYASCRIPT";
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version = 3;
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
 
 /// Every part of the state passes through `io` in one order, for writing and for reading.
@@ -182,6 +182,7 @@ std::string to_bytes(const ScriptState& state) {
     out.number(static_cast<std::uint64_t>(state.tables.size()));
     for (const auto& [number, table] : state.tables) {
         out.number(number);
+        out.text(table.name);
         out.list(table.points, [&](const TablePoint& point) {
             out.number(point.x);
             out.number(point.y);
@@ -229,6 +230,7 @@ ScriptState from_bytes(const std::string& bytes) {
     });
     for (auto count = taken<std::uint64_t>(in); count > 0; --count) {
         const auto number = taken<std::int64_t>(in);
+        in.text(state.tables[number].name);
         in.list(state.tables[number].points, [&](TablePoint& point) {
             in.number(point.x);
             in.number(point.y);

@@ -5,6 +5,7 @@
 #include "lang/script/machine.hpp"
 #include "lang/script/values.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
@@ -101,6 +102,37 @@ int identify(lua_State* L) {
     return 1;
 }
 
+int read_name(lua_State* L) {
+    const Tables& tables = machine_of(L).tables;
+    const auto found = tables.find(integer_argument(L, 1, "table_name"));
+    const std::string name = found == tables.end() ? std::string() : found->second.name;
+    lua_pushlstring(L, name.data(), name.size());
+    return 1;
+}
+
+int write_name(lua_State* L) {
+    const std::int64_t number = integer_argument(L, 1, "table_name");
+    machine_of(L).tables[number].name = text_argument(L, 2, "table_name");
+    return 0;
+}
+
+/// get_table(n): the number, and the table is there from then on; get_table(name): the number of the table that has
+/// this name, 0 when none has.
+int find(lua_State* L) {
+    Tables& tables = machine_of(L).tables;
+    if (lua_type(L, 1) != LUA_TSTRING) {
+        const std::int64_t number = integer_argument(L, 1, "get_table");
+        tables[number];
+        lua_pushinteger(L, number);
+        return 1;
+    }
+    const std::string name = text_argument(L, 1, "get_table");
+    const auto found =
+        std::ranges::find_if(tables, [&name](const auto& entry) { return entry.second.name == name; });
+    lua_pushinteger(L, name.empty() || found == tables.end() ? 0 : found->first);
+    return 1;
+}
+
 int remove(lua_State* L) {
     lua_pushinteger(L, static_cast<lua_Integer>(
                            machine_of(L).tables.erase(integer_argument(L, 1, "del_table"))));
@@ -114,6 +146,8 @@ constexpr std::array functions{
     BuiltInFunction{"vtable", 2, 2, guarded<read_vector>, guarded<write_vector>},
     BuiltInFunction{"table_size", 1, 1, guarded<size>},
     BuiltInFunction{"table_id", 1, 1, guarded<identify>},
+    BuiltInFunction{"table_name", 1, 1, guarded<read_name>, guarded<write_name>},
+    BuiltInFunction{"get_table", 1, 1, guarded<find>},
     BuiltInFunction{"del_table", 1, 1, guarded<remove>},
 };
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace kaya::script {
@@ -23,6 +24,7 @@ public:
     void insert(double x, double y);
 
     std::vector<TablePoint> points;
+    std::string name; ///< what table_name gives; may be empty
 };
 
 /// All tables by number.

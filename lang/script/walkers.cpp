@@ -6,6 +6,7 @@
 #include "lang/script/machine.hpp"
 #include "lang/script/values.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
@@ -13,7 +14,7 @@ namespace kaya::script {
 
 namespace {
 
-enum class Walk { head, next, child, nearest, gridpoint, property, extra };
+enum class Walk { head, next, child, nearest, gridpoint, property, joint, side, extra };
 
 struct Walker {
     const char* name;
@@ -22,7 +23,7 @@ struct Walker {
     const char* child = "";
 };
 
-constexpr std::array<Walker, 39> walkers{{
+constexpr std::array<Walker, 45> walkers{{
     {"block_head", Walk::head, "block"},
     {"contact_head", Walk::head, "contact"},
     {"b_next", Walk::next, "block"},
@@ -46,6 +47,12 @@ constexpr std::array<Walker, 39> walkers{{
     {"c_prop", Walk::property, "contact"},
     {"cx_prop", Walk::property, "sub_contact"},
     {"z_prop", Walk::property, "zone"},
+    {"j_prop", Walk::joint, "contact"},
+    {"j_model", Walk::joint, "contact"},
+    {"c_link1", Walk::side, "contact"},
+    {"c_link2", Walk::side, "contact"},
+    {"face_vlist", Walk::child, "face", "corner"},
+    {"vl_next", Walk::next, "corner"},
     {"b_extra", Walk::extra, "block"},
     {"c_extra", Walk::extra, "contact"},
     {"cx_extra", Walk::extra, "sub_contact"},
@@ -144,6 +151,30 @@ int property(lua_State* L) {
     return 1;
 }
 
+/// (contact or sub-contact) and (contact or sub-contact, name): the name of its joint model, a property of it.
+int joint(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::int32_t sub_contacts = find_table(machine.world, "sub_contact");
+    Handle owner;
+    if (lua_type(L, 1) == LUA_TLIGHTUSERDATA) owner = unpack_handle(lua_touserdata(L, 1));
+    if (owner.generation == 0 || owner.table != sub_contacts) owner = pointer_argument(L);
+    if (lua_gettop(L) == 2) {
+        push_fish_value(L, machine.world.property(owner, text_argument(L, 2, walker_of(L).name)));
+        return 1;
+    }
+    const auto& fields = machine.world.tables()[owner.table].fields;
+    const auto model = std::ranges::find(fields, "model", &FieldInfo::name);
+    push_fish_value(L, machine.world.get(owner, static_cast<std::size_t>(model - fields.begin())));
+    return 1;
+}
+
+/// c_link1, c_link2: the last letter says whose list is walked.
+int side(lua_State* L) {
+    const Handle contact = pointer_argument(L);
+    push_handle(L, machine_of(L).world.next_of_block(contact, std::string_view(walker_of(L).name).back() - '0'));
+    return 1;
+}
+
 /// "b_extra", or "b_extra 2" for a second value: `index` is the stack place of its number.
 std::string extra_name(lua_State* L, int index, bool given) {
     const char* name = walker_of(L).name;
@@ -201,6 +232,10 @@ Kind kind_of(Walk walk) {
         return {guarded<gridpoint>, 2, 2};
     case Walk::property:
         return {guarded<property>, 2, 2};
+    case Walk::joint:
+        return {guarded<joint>, 1, 2};
+    case Walk::side:
+        return {guarded<side>, 1, 1};
     case Walk::extra:
         break;
     }

@@ -61,6 +61,16 @@ public:
     /// The i-th gridpoint (from 0) of a zone or a face. Throws Diagnostic when there is none.
     virtual Handle gridpoint_of(Handle object, std::size_t index) = 0;
 
+    /// The next contact of the same block in the list of contacts: of its first (1) or second (2) block.
+    virtual Handle next_of_block(Handle contact, int side) = 0;
+
+    /// Whether there is a range of that name.
+    virtual bool has_range(const std::string& name) = 0;
+    /// Whether an object, or a place, is in a named range. Throws Diagnostic when there is no such range, or when the
+    /// range asks for more than a place.
+    virtual bool in_range(const std::string& name, Handle object) = 0;
+    virtual bool in_range(const std::string& name, const Vec3& place) = 0;
+
     /// A property by its name: of the joint model of a contact or sub-contact, of the material of a zone.
     virtual Value property(Handle object, const std::string& name) = 0;
     /// What the command `prop` has given to the material of that number, by the word of `prop`; 0 when nothing.

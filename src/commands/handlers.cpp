@@ -59,6 +59,7 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::Delete>(session, handlers, InCycle::waits);
     add<lang::Excavate>(session, handlers, InCycle::waits);
     add<lang::Fill>(session, handlers, InCycle::waits);
+    add<lang::Copy>(session, handlers, InCycle::waits);
     add<lang::Group>(session, handlers, InCycle::runs);
     add<lang::FaceTriangulation>(session, handlers, InCycle::waits);
     add<lang::GenerateEdge>(session, handlers, InCycle::waits);

@@ -17,6 +17,8 @@ void run(Session&, const lang::Set&);
 void run(Session&, const lang::NameRange&);
 
 // shapes.cpp
+/// Warns, the first time in a model, when one of the blocks from `first` on stands where another is.
+void look_for_overlaps(Session& session, Row first, const Place& place);
 void run(Session&, const lang::PolyBrick&);
 void run(Session&, const lang::PolyPrism&);
 void run(Session&, const lang::PolyFace&);
@@ -50,6 +52,7 @@ void run(Session&, const lang::Mark&);
 void run(Session&, const lang::MarkJoint&);
 void run(Session&, const lang::Excavate&);
 void run(Session&, const lang::Fill&);
+void run(Session&, const lang::Copy&);
 
 // materials.cpp
 void run(Session&, const lang::Property&);

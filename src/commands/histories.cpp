@@ -29,6 +29,7 @@ Kind kind_of(const Field& field) {
         return Kind::sub_contact;
     case FieldTable::face:
     case FieldTable::contact:
+    case FieldTable::corner:
         break;
     }
     throw Diagnostic(fmt::format("'{}' cannot be recorded", field.name),

@@ -20,13 +20,14 @@ struct TableEntry {
     FieldTable fields;
     ObjectKind kind;
 };
-constexpr std::array<TableEntry, 6> entries{{
+constexpr std::array<TableEntry, 7> entries{{
     {"block", FieldTable::block, ObjectKind::block},
     {"gridpoint", FieldTable::gridpoint, ObjectKind::gridpoint},
     {"zone", FieldTable::zone, ObjectKind::zone},
     {"face", FieldTable::face, ObjectKind::face},
     {"contact", FieldTable::contact, ObjectKind::contact},
     {"sub_contact", FieldTable::sub_contact, ObjectKind::sub_contact},
+    {"corner", FieldTable::corner, ObjectKind::triangle}, // three rows for each triangle
 }};
 
 std::string_view name_of(std::int32_t table) { return entries[static_cast<std::size_t>(table)].name; }
@@ -55,6 +56,8 @@ std::size_t size_of(const Model& model, ScriptTable table) {
         return model.contacts.size();
     case ScriptTable::sub_contact:
         return model.sub_contacts.size();
+    case ScriptTable::corner:
+        return 3 * model.triangles.size();
     }
     return 0;
 }
@@ -86,6 +89,10 @@ Span siblings(const Model& model, ScriptTable table, Row row) {
         return model.blocks.faces[model.faces.block[row]];
     case ScriptTable::sub_contact:
         return model.contacts.sub_contacts[model.sub_contacts.contact[row]];
+    case ScriptTable::corner: {
+        const Span triangles = model.faces.triangles[model.triangles.face[row / 3]];
+        return {3 * triangles.first, 3 * triangles.count};
+    }
     case ScriptTable::block:
     case ScriptTable::contact:
         break;
@@ -93,7 +100,17 @@ Span siblings(const Model& model, ScriptTable table, Row row) {
     return {0, static_cast<Row>(size_of(model, table))};
 }
 
+/// Triangles of a face share corners; a list names each gridpoint once.
+bool named_before(const Model& model, Row first, Row corner) {
+    const auto gridpoint = [&](Row row) { return model.triangles.gridpoints[row / 3][row % 3]; };
+    for (Row row = first; row < corner; ++row)
+        if (gridpoint(row) == gridpoint(corner)) return true;
+    return false;
+}
+
 } // namespace
+
+ObjectKind object_kind(ScriptTable table) { return entries[static_cast<std::size_t>(table)].kind; }
 
 ModelWorld::ModelWorld(Model& model, JointRegistry& joints)
     : model_(model), joints_(joints), fields_(entries.size()) {
@@ -123,6 +140,7 @@ Row ModelWorld::row_of(Handle object) const {
     case ScriptTable::gridpoint:
     case ScriptTable::zone:
     case ScriptTable::face:
+    case ScriptTable::corner:
         if (object.generation != generation_ || object.slot >= size_of(model_, table)) return no_row;
         return static_cast<Row>(object.slot);
     }
@@ -154,6 +172,7 @@ Handle ModelWorld::handle(ScriptTable table, Row row) const {
     case ScriptTable::gridpoint:
     case ScriptTable::zone:
     case ScriptTable::face:
+    case ScriptTable::corner:
         break;
     }
     return {static_cast<std::int32_t>(table), static_cast<std::uint32_t>(row), generation_};
@@ -197,7 +216,10 @@ bool ModelWorld::alive(Handle object) { return row_of(object) != no_row; }
 Handle ModelWorld::next(Handle object) {
     const auto table = static_cast<ScriptTable>(object.table);
     const Row row = living_row(object);
-    return handle(table, row + 1 < siblings(model_, table, row).end() ? row + 1 : no_row);
+    const Span list = siblings(model_, table, row);
+    Row after = row + 1;
+    while (table == ScriptTable::corner && after < list.end() && named_before(model_, list.first, after)) ++after;
+    return handle(table, after < list.end() ? after : no_row);
 }
 
 Handle ModelWorld::first_child(Handle parent, std::int32_t child_table) {
@@ -211,6 +233,10 @@ Handle ModelWorld::first_child(Handle parent, std::int32_t child_table) {
     if (from == ScriptTable::block && child == ScriptTable::face) return first(model_.blocks.faces[row]);
     if (from == ScriptTable::contact && child == ScriptTable::sub_contact)
         return first(model_.contacts.sub_contacts[row]);
+    if (from == ScriptTable::face && child == ScriptTable::corner) {
+        const Span triangles = model_.faces.triangles[row];
+        return first({3 * triangles.first, 3 * triangles.count});
+    }
     throw Diagnostic(fmt::format("a {} has no list of {}s", name_of(parent.table), name_of(child_table)), {},
                      Fault::run);
 }

@@ -2,18 +2,22 @@
 #pragma once
 
 #include "joints/joint_model.hpp"
+#include "lang/commands/range.hpp"
 #include "lang/script/world.hpp"
 #include "model/field.hpp"
 #include "model/selection.hpp"
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace kaya {
 
 /// Numbers of the script tables, in the order of ModelWorld::tables().
-enum class ScriptTable : std::int32_t { block, gridpoint, zone, face, contact, sub_contact };
+enum class ScriptTable : std::int32_t { block, gridpoint, zone, face, contact, sub_contact, corner };
+
+ObjectKind object_kind(ScriptTable table);
 
 class ModelWorld : public script::World {
 public:
@@ -30,6 +34,10 @@ public:
     script::Handle nearest(std::int32_t table, const Vec3& place) override;
     const std::vector<script::FieldInfo>& globals() const override { return global_infos_; }
     script::Handle gridpoint_of(script::Handle object, std::size_t index) override;
+    script::Handle next_of_block(script::Handle contact, int side) override;
+    bool has_range(const std::string& name) override;
+    bool in_range(const std::string& name, script::Handle object) override;
+    bool in_range(const std::string& name, const Vec3& place) override;
     script::Value property(script::Handle object, const std::string& name) override;
     double material_value(std::int64_t number, const std::string& word) override;
     void set_material_value(std::int64_t number, const std::string& word, double value) override;
@@ -40,7 +48,12 @@ public:
 
     /// Rows of gridpoints, zones and faces have moved: handles to them are dead from now on. Blocks,
     /// contacts and sub-contacts have ids of their own that outlive a move.
-    void rows_moved() { ++generation_; }
+    void rows_moved() {
+        ++generation_;
+        forget_ranges();
+    }
+    /// The tests of named ranges are kept from one question to the next until a command or a cycle has run.
+    void forget_ranges() { range_tests_.clear(); }
 
     /// Saved with the scripts that hold handles.
     std::uint32_t generation() const { return generation_; }
@@ -48,6 +61,10 @@ public:
 
     /// What `command` does; given by the session.
     std::function<void(const std::string& text, const std::string& chunk, int line)> run_command;
+    /// The phrase of a named range and its test; null and nothing when there is none. Given by the session.
+    std::function<const lang::RangePhrase*(const std::string& name)> range_phrase;
+    std::function<RangeTest(ObjectKind kind, const lang::RangePhrase& range)> range_test_of;
+    std::function<bool(const lang::RangePhrase& range)> asks_for_objects; ///< for more than a place
 
 private:
     Row row_of(script::Handle object) const; ///< no_row when it is gone
@@ -55,8 +72,12 @@ private:
     script::Handle handle(ScriptTable table, Row row) const;
     script::Value script_value(const FieldValue& value) const;
 
+    const RangeTest& test_of(const std::string& range, ObjectKind kind);
+
     Model& model_;
     JointRegistry& joints_;
+    std::map<std::pair<std::string, ObjectKind>, RangeTest> range_tests_;
+    std::int64_t cycle_of_tests_ = 0;
     std::uint32_t generation_ = 1;
     std::vector<script::TableInfo> infos_;
     std::vector<std::vector<const Field*>> fields_; ///< of each table, in the order of its FieldInfo

@@ -23,6 +23,51 @@ script::Handle ModelWorld::gridpoint_of(script::Handle object, std::size_t index
     return handle(ScriptTable::gridpoint, gridpoints[index]);
 }
 
+script::Handle ModelWorld::next_of_block(script::Handle contact, int side) {
+    const Row row = living_row(contact);
+    const auto& contacts = model_.contacts;
+    const Row block = side == 1 ? contacts.block1[row] : contacts.block2[row];
+    Row after = row + 1;
+    const Row end = static_cast<Row>(contacts.size());
+    while (after < end && contacts.block1[after] != block && contacts.block2[after] != block) ++after;
+    return handle(ScriptTable::contact, after < end ? after : no_row);
+}
+
+bool ModelWorld::has_range(const std::string& name) { return range_phrase(name) != nullptr; }
+
+const RangeTest& ModelWorld::test_of(const std::string& range, ObjectKind kind) {
+    if (cycle_of_tests_ != model_.clock.cycle) forget_ranges();
+    cycle_of_tests_ = model_.clock.cycle;
+    const auto found = range_tests_.find({range, kind});
+    if (found != range_tests_.end()) return found->second;
+    const lang::RangePhrase* phrase = range_phrase(range);
+    if (phrase == nullptr)
+        throw Diagnostic(fmt::format("there is no named range '{}'", range), "'range name NAME ...' makes one",
+                         Fault::run);
+    return range_tests_[{range, kind}] = range_test_of(kind, *phrase);
+}
+
+bool ModelWorld::in_range(const std::string& name, script::Handle object) {
+    const auto table = static_cast<ScriptTable>(object.table);
+    if (table == ScriptTable::corner)
+        throw Diagnostic("'in_range' needs an object, not a place in the list of a face", "use vl_gp", Fault::run);
+    const ObjectKind kind = object_kind(table);
+    const Row row = living_row(object);
+    return test_of(name, kind)(model_, kind, row);
+}
+
+/// A place is tested as a gridpoint that stands there.
+bool ModelWorld::in_range(const std::string& name, const Vec3& place) {
+    const RangeTest& test = test_of(name, ObjectKind::gridpoint);
+    if (asks_for_objects(*range_phrase(name)))
+        throw Diagnostic(fmt::format("the range '{}' asks for more than a place", name),
+                         "give a pointer to an object", Fault::run);
+    Model only;
+    only.gridpoints.resize(1);
+    only.gridpoints.position[0] = place;
+    return test(only, ObjectKind::gridpoint, 0);
+}
+
 script::Value ModelWorld::property(script::Handle object, const std::string& name) {
     const Row row = living_row(object);
     const auto table = static_cast<ScriptTable>(object.table);

@@ -283,17 +283,33 @@ RangeTest phrase_test(const lang::RangePhrase& phrase, RangeContext& context) {
 
 } // namespace
 
-bool has_element(const NamedRanges& named, const lang::RangePhrase& phrase, RangeElement::Kind kind) {
+namespace {
+
+/// Whether an element of the phrase, or of a named range in it, passes.
+template <class Passes>
+bool any_element(const NamedRanges& named, const lang::RangePhrase& phrase, Passes passes) {
     std::set<std::string> seen;
     const auto look = [&](const auto& self, const lang::RangePhrase& in) -> bool {
         return std::ranges::any_of(in.elements, [&](const RangeElement& e) {
-            if (e.kind == kind) return true;
-            if (e.kind != Kind::named || !seen.insert(lower(e.name)).second) return false;
+            if (e.kind != Kind::named) return passes(e.kind);
+            if (!seen.insert(lower(e.name)).second) return false;
             const auto found = named.find(lower(e.name));
             return found != named.end() && self(self, found->second);
         });
     };
     return look(look, phrase);
+}
+
+} // namespace
+
+bool has_element(const NamedRanges& named, const lang::RangePhrase& phrase, Kind kind) {
+    return any_element(named, phrase, [kind](Kind other) { return other == kind; });
+}
+
+bool asks_for_objects(const NamedRanges& named, const lang::RangePhrase& phrase) {
+    static const std::set<Kind> places{Kind::x,      Kind::y,        Kind::z,       Kind::box,    Kind::plane,
+                                       Kind::sphere, Kind::cylinder, Kind::polygon, Kind::ellipse};
+    return any_element(named, phrase, [](Kind kind) { return !places.contains(kind); });
 }
 
 RangeTest range_test(const Model& model, const NamedRanges& named, const lang::RangePhrase& phrase,

@@ -23,6 +23,9 @@ struct RangeExtras {
 /// Whether a phrase, or a named range in it, has an element of that kind.
 bool has_element(const NamedRanges& named, const lang::RangePhrase& phrase, lang::RangeElement::Kind kind);
 
+/// Whether a phrase asks for more than a place.
+bool asks_for_objects(const NamedRanges& named, const lang::RangePhrase& phrase);
+
 /// The test that a phrase asks for, of objects of that kind. Limits are inclusive, with a tolerance of
 /// 1e-6 of the model's size; one value means a plane. Properties of blocks (group, material, region)
 /// match a contact when one of its two blocks has them. An empty phrase gives an empty test.

@@ -1,7 +1,9 @@
-// group, mark, excavate, fill.
+// group, mark, excavate, fill, copy.
 #include "commands/handlers.hpp"
 
+#include "geometry/plane.hpp"
 #include "mechanics/contact_properties.hpp"
+#include "model/copy_blocks.hpp"
 #include "model/excavation.hpp"
 #include "model/groups.hpp"
 
@@ -70,6 +72,28 @@ void run(Session& session, const lang::Fill& command) {
                                 .at(command.range.place));
     fill_blocks(session.model, rows);
     session.world.rows_moved();
+}
+
+void run(Session& session, const lang::Copy& command) {
+    const auto blocks = session.pick(ObjectKind::block, command.range);
+    if (blocks.empty()) return;
+    Model& model = session.model;
+    const Vec3 normal =
+        command.normal ? Vec3(command.normal->normalized()) : normal_from_dip(command.dip, command.dip_direction);
+    std::vector<Placement> placements;
+    for (std::int64_t i = 1; i <= command.number; ++i) {
+        placements.push_back(command.mirror ? reflection(normal, command.origin) : Placement{});
+        if (command.offset) placements.back().shift += static_cast<double>(i) * *command.offset;
+    }
+    const Row first = copy_blocks(model, blocks, placements);
+    const std::int32_t group = command.group.empty() ? 0 : make_group(model, command.group);
+    for (Row b = first; b < static_cast<Row>(model.blocks.size()); ++b) {
+        if (command.region) model.blocks.region[b] = static_cast<std::int32_t>(*command.region);
+        if (group != 0) model.blocks.group[b] = group;
+    }
+    session.world.rows_moved();
+    session.output.say(fmt::format("{} copies of {} blocks", command.number, blocks.size()));
+    look_for_overlaps(session, first, command.place);
 }
 
 } // namespace kaya

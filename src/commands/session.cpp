@@ -84,6 +84,13 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
         --commands_of_scripts_;
     };
 
+    world.range_phrase = [this](const std::string& name) -> const lang::RangePhrase* {
+        const auto found = ranges.find(lang::fold(name));
+        return found == ranges.end() ? nullptr : &found->second;
+    };
+    world.range_test_of = [this](ObjectKind kind, const lang::RangePhrase& range) { return test_of(kind, range); };
+    world.asks_for_objects = [this](const lang::RangePhrase& range) { return asks_for_objects(ranges, range); };
+
     register_handlers(*this, handlers);
     interpreter.values = [this](const std::string& expression, const Place& place) {
         return command_value(scripts->value(expression, place), expression, place);
@@ -136,6 +143,7 @@ lang::Ended Session::run_deck(const std::string& file) {
 void Session::show_command(const lang::BoundCommand& command) {
     stop_if_interrupted();
     last_place = command.place;
+    world.forget_ranges();
     const auto& source = command.place.source;
     // What a script gives is part of a deck that has been read; it may be very many texts.
     if (source->is_file && (sources.empty() || sources.back() != source))

@@ -8,17 +8,6 @@
 
 namespace kaya {
 
-namespace {
-
-NewBlock block_of_command(const lang::BlockOptions& options) {
-    NewBlock block;
-    block.material = static_cast<std::int32_t>(options.material);
-    block.constitutive = static_cast<std::int32_t>(options.constitutive);
-    block.region = static_cast<std::int32_t>(options.region);
-    return block;
-}
-
-/// Warns, the first time in a model, when one of the blocks from `first` on stands where another is.
 void look_for_overlaps(Session& session, Row first, const Place& place) {
     static const std::string once = "two blocks in one place";
     if (session.said_once.contains(once)) return;
@@ -32,6 +21,16 @@ void look_for_overlaps(Session& session, Row first, const Place& place) {
                                        "they will be pressed apart; said once, `list blocks quality` shows all such pairs")
                                 .at(place));
     }
+}
+
+namespace {
+
+NewBlock block_of_command(const lang::BlockOptions& options) {
+    NewBlock block;
+    block.material = static_cast<std::int32_t>(options.material);
+    block.constitutive = static_cast<std::int32_t>(options.constitutive);
+    block.region = static_cast<std::int32_t>(options.region);
+    return block;
 }
 
 /// Makes the shapes and puts them into the model; a mistake points at the command.

@@ -2,16 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace kaya {
 
 namespace {
-
-double angular_frequency(const Settings& settings) { return 2 * std::numbers::pi * settings.rayleigh_frequency; }
-
-/// Both parts share the damping at the given frequency; one alone has all of it there.
-double share(const Settings& settings) { return settings.rayleigh_mass && settings.rayleigh_stiffness ? 1 : 2; }
 
 /// 1 over the mass of a body on one side of a contact; what is held everywhere has none.
 double inverse_mass(const Model& model, Row block) {
@@ -50,17 +44,6 @@ std::vector<double>& friction_room() {
 }
 
 } // namespace
-
-double stiffness_damping(const Settings& settings) {
-    if (settings.damping != Damping::rayleigh || !settings.rayleigh_stiffness || settings.rayleigh_fraction == 0)
-        return 0;
-    return share(settings) * settings.rayleigh_fraction / angular_frequency(settings);
-}
-
-double mass_damping(const Settings& settings) {
-    if (settings.damping != Damping::rayleigh || !settings.rayleigh_mass) return 0;
-    return share(settings) * settings.rayleigh_fraction * angular_frequency(settings);
-}
 
 bool joints_are_damped(const Settings& settings) {
     return settings.contact_damping > 0 || stiffness_damping(settings) > 0;

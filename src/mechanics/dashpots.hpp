@@ -3,16 +3,11 @@
 
 #include "mechanics/batches.hpp"
 #include "model/model.hpp"
+#include "model/rayleigh.hpp"
 
 #include <vector>
 
 namespace kaya {
-
-/// beta of C = alpha M + beta K, time; 0 when the damping of the settings has no such part.
-double stiffness_damping(const Settings& settings);
-
-/// alpha of C = alpha M + beta K, 1/time.
-double mass_damping(const Settings& settings);
 
 /// True when joints carry viscous forces besides those of their law.
 bool joints_are_damped(const Settings& settings);

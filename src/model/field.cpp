@@ -50,7 +50,7 @@ std::vector<Field> all_fields() {
     using namespace field_rows;
     std::vector<Field> all;
     for (const auto* table : {&global_fields(), &block_fields(), &gridpoint_fields(), &face_fields(), &zone_fields(),
-                              &contact_fields(), &sub_contact_fields()})
+                              &contact_fields(), &sub_contact_fields(), &corner_fields()})
         all.insert(all.end(), table->begin(), table->end());
     return all;
 }

@@ -10,7 +10,7 @@
 
 namespace kaya {
 
-enum class FieldTable { global, block, gridpoint, face, zone, contact, sub_contact };
+enum class FieldTable { global, block, gridpoint, face, zone, contact, sub_contact, corner };
 
 /// A link to a row of another table.
 struct Link {

@@ -1,5 +1,6 @@
 // Quantities of the whole model. The row that getters take has no meaning here.
 #include "model/field_rows.hpp"
+#include "model/rayleigh.hpp"
 
 #include <fmt/format.h>
 
@@ -30,6 +31,8 @@ void set_fraction(Model& model, Row, const FieldValue& value) {
 template <Damping way> FieldValue damped_by(const Model& model, Row) {
     return static_cast<std::int64_t>(model.settings.damping == way);
 }
+
+template <auto factor> FieldValue rayleigh(const Model& model, Row) { return factor(model.settings); }
 
 template <auto rows> FieldValue count(const Model& model, Row) {
     return static_cast<std::int64_t>((model.*rows).size());
@@ -87,6 +90,10 @@ const Fields& global_fields() {
         {table, "globally_damped", "damp_auto", "", "-", "1 with adaptive global damping", damped_by<Damping::global>,
          nullptr},
         {table, "locally_damped", "damp_local", "", "-", "1 with local damping", damped_by<Damping::local>, nullptr},
+        {table, "rayleigh_alpha", "damp_alpha", "", "1/time", "Rayleigh damping of the mass, 0 when that part does not act",
+         rayleigh<mass_damping>, nullptr},
+        {table, "rayleigh_beta", "damp_beta", "", "time", "Rayleigh damping of the stiffness, 0 when that part does not act",
+         rayleigh<stiffness_damping>, nullptr},
         {table, "block_count", "nblock", "", "-", "number of blocks", count<&Model::blocks>, nullptr},
         {table, "gridpoint_count", "", "", "-", "number of gridpoints and vertices", count<&Model::gridpoints>,
          nullptr},

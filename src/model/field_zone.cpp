@@ -48,6 +48,8 @@ double volumetric_strain(const Model& model, Row zone) { return strain_of(model,
 double volumetric_strain_rate(const Model& model, Row zone) { return strain_of(model, zone, model.gridpoints.velocity).trace(); }
 double shear_strain(const Model& model, Row zone) { return greatest_shear(strain_of(model, zone, model.gridpoints.displacement)); }
 double shear_strain_rate(const Model& model, Row zone) { return greatest_shear(strain_of(model, zone, model.gridpoints.velocity)); }
+FieldValue model_name(const Model&, Row) { return std::string("elastic"); }
+FieldValue state(const Model&, Row) { return std::int64_t{0}; }
 double shear(const Model& model, Row zone) { return material_of(model, zone).shear; }
 
 } // namespace
@@ -67,6 +69,8 @@ const Fields& zone_fields() {
          call<mass>, nullptr},
         {table, "group", "z_group", "", "-", "group that it is in itself, else that of its block",
          read_group<ObjectKind::zone>, write_group<ObjectKind::zone>},
+        {table, "model", "z_model", "", "-", "name of its model: all zones are elastic", model_name, nullptr},
+        {table, "state", "z_state", "", "-", "bits of its state: elastic zones have none", state, nullptr},
         {table, "material", "z_mat", "", "-", "number of its material", call<material>, nullptr},
         {table, "bulk", "z_bulk", "", "stress", "bulk modulus, NaN when not given", call<bulk>, nullptr},
         {table, "shear", "z_shear", "", "stress", "shear modulus, NaN when not given", call<shear>, nullptr},

@@ -208,6 +208,7 @@ syntax keyword kayaKeyword gp
 syntax keyword kayaKeyword grade
 syntax keyword kayaKeyword gradient
 syntax keyword kayaKeyword gridpoints
+syntax keyword kayaKeyword group
 syntax keyword kayaKeyword groups
 syntax keyword kayaKeyword gw
 syntax keyword kayaKeyword hash
@@ -265,6 +266,7 @@ syntax keyword kayaKeyword max
 syntax keyword kayaKeyword maximum
 syntax keyword kayaKeyword memory
 syntax keyword kayaKeyword messages
+syntax keyword kayaKeyword mirror
 syntax keyword kayaKeyword model
 syntax keyword kayaKeyword name
 syntax keyword kayaKeyword ncyc
@@ -287,6 +289,7 @@ syntax keyword kayaKeyword nvel
 syntax keyword kayaKeyword nvelocity
 syntax keyword kayaKeyword nviscous
 syntax keyword kayaKeyword off
+syntax keyword kayaKeyword offset
 syntax keyword kayaKeyword on
 syntax keyword kayaKeyword org
 syntax keyword kayaKeyword origin

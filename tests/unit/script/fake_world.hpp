@@ -119,6 +119,13 @@ public:
     Handle gridpoint_of(Handle object, std::size_t index) override {
         return {object.table, static_cast<std::uint32_t>(index), generation};
     }
+    Handle next_of_block(Handle object, int side) override {
+        check(object);
+        return {object.table, static_cast<std::uint32_t>(side), generation};
+    }
+    bool has_range(const std::string& name) override { return name == "box"; }
+    bool in_range(const std::string&, Handle object) override { return object.slot == 0; }
+    bool in_range(const std::string&, const Vec3& place) override { return place[0] < 1; }
     Value property(Handle object, const std::string& name) override {
         check(object);
         return name + " of it";

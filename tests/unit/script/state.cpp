@@ -136,7 +136,7 @@ TEST(ScriptState, damaged_bytes_are_refused_wherever_they_end) {
     std::string newer = bytes;
     newer[10] = 9;
     EXPECT_THAT(message_of([&] { from_bytes(newer); }),
-                HasSubstr("saved in version 9; this program reads version 2"));
+                HasSubstr("saved in version 9; this program reads version 3"));
 }
 
 TEST(ScriptState, changed_bytes_end_in_a_message_or_a_state_never_in_a_crash) {
