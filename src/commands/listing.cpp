@@ -142,7 +142,7 @@ std::string list_extremes(Session& session, const lang::List&) {
     for (std::size_t row = 0; row < model.gridpoints.size(); ++row) {
         const auto& points = model.gridpoints;
         displacement.look(points.displacement[row].norm(), points.position[row]);
-        velocity.look(points.velocity[row].norm(), points.position[row]);
+        velocity.look(gridpoint_velocity(model, static_cast<Row>(row)).norm(), points.position[row]);
     }
     for (Row row = 0; row < static_cast<Row>(model.zones.size()); ++row) {
         const Vec3 principal = principal_stresses(model, row), centroid = zone_centroid(model, row);

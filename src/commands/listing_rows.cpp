@@ -117,7 +117,7 @@ std::string list_gridpoints(Session& session, const lang::List& command) {
                                  std::to_string(session.model.blocks.number[points.block[row]]),
                                  numbers(points.position[row]),
                                  numbers(points.displacement[row]),
-                                 numbers(points.velocity[row]),
+                                 numbers(gridpoint_velocity(session.model, row)),
                                  numbers(points.force[row]),
                                  fixity_text(points.fixed[row])};
                      });
@@ -137,7 +137,7 @@ std::string list_boundary(Session& session, const lang::List& command) {
             continue;
         }
         table.add({std::to_string(row + 1), std::to_string(session.model.blocks.number[block]),
-                   numbers(points.position[row]), fixity_text(held), numbers(points.velocity[row]),
+                   numbers(points.position[row]), fixity_text(held), numbers(gridpoint_velocity(session.model, row)),
                    numbers(points.load[row])});
     }
     if (table.size() == 0) return "no boundary conditions";

@@ -14,16 +14,15 @@ std::vector<Vec3> corners_of(const Polyhedron& p, const Polyhedron::Face& face) 
     return corners;
 }
 
-/// Area of a plane polygon.
-double area_of(const std::vector<Vec3>& polygon) {
+} // namespace
+
+Vec3 area_vector(const std::vector<Vec3>& polygon) {
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
         sum += (polygon[i] - polygon[0]).cross(polygon[i + 1] - polygon[0]);
-    return 0.5 * sum.norm();
+    return 0.5 * sum;
 }
 
-/// The part of `polygon` inside a convex outline that runs anticlockwise about `normal` (Sutherland and Hodgman
-/// 1974), seen along the normal.
 std::vector<Vec3> common_part(std::vector<Vec3> polygon, const std::vector<Vec3>& outline, const Vec3& normal) {
     for (std::size_t i = 0; i < outline.size() && polygon.size() > 2; ++i) {
         const Vec3& from = outline[i];
@@ -40,8 +39,6 @@ std::vector<Vec3> common_part(std::vector<Vec3> polygon, const std::vector<Vec3>
     return polygon;
 }
 
-} // namespace
-
 bool faces_touch(const Polyhedron& a, const Polyhedron& b, double near) {
     const double opposite = -std::cos(3.14159265358979 / 180);
     for (const auto& face_a : a.faces) {
@@ -54,8 +51,8 @@ bool faces_touch(const Polyhedron& a, const Polyhedron& b, double near) {
             });
             if (far) continue;
             const auto outline = corners_of(a, face_a), other = corners_of(b, face_b);
-            const double common = area_of(common_part(other, outline, normal));
-            if (common > 1e-6 * std::min(area_of(outline), area_of(other))) return true;
+            const double common = area_vector(common_part(other, outline, normal)).norm();
+            if (common > 1e-6 * std::min(area_vector(outline).norm(), area_vector(other).norm())) return true;
         }
     }
     return false;

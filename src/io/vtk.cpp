@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "io/whole_file.hpp"
 #include "model/field.hpp"
+#include "model/measure.hpp"
 
 #include <fmt/format.h>
 
@@ -197,7 +198,7 @@ std::string vtk_blocks(const Model& model) {
 
     vtkPointData* at_points = grid->GetPointData();
     add_vectors(at_points, "displacement", gridpoints.size(), [&](std::size_t i) { return gridpoints.displacement[i]; });
-    add_vectors(at_points, "velocity", gridpoints.size(), [&](std::size_t i) { return gridpoints.velocity[i]; });
+    add_vectors(at_points, "velocity", gridpoints.size(), [&](std::size_t i) { return gridpoint_velocity(model, static_cast<Row>(i)); });
 
     const auto add_block_numbers = [&](const char* name, const auto& column) {
         add_numbers<vtkIntArray>(grid->GetCellData(), name, block_of_cell.size(),

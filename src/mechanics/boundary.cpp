@@ -1,12 +1,17 @@
 #include "mechanics/boundary.hpp"
 
 #include "base/diagnostic.hpp"
+#include "geometry/box_pairs.hpp"
+#include "geometry/touch.hpp"
 #include "mechanics/phases.hpp"
 #include "mechanics/rotation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <numbers>
+#include <set>
 #include <tuple>
 
 namespace kaya {
@@ -116,8 +121,13 @@ public:
             add(of_gridpoint(model_, g, axis), model_.gridpoints.load[g][axis], value);
             return;
         }
+        at_place(b, model_.gridpoints.position[g], axis, value);
+    }
+    /// On a rigid block.
+    void at_place(Row b, const Vec3& place, int axis, double value) {
+        auto& blocks = model_.blocks;
         const Vec3 force = value * Vec3::Unit(axis);
-        const Vec3 moment = (model_.gridpoints.position[g] - blocks.centroid[b]).cross(force);
+        const Vec3 moment = (place - blocks.centroid[b]).cross(force);
         add(of_block(model_, b, axis), blocks.load[b][axis], value);
         for (int k = 0; k < 3; ++k)
             if (k != axis) add(of_block(model_, b, 3 + k), blocks.torque[b][k], moment[k]);
@@ -233,8 +243,6 @@ void initialize_velocity(Model& model, const Bodies& bodies, int component, doub
             if (blocks.fixed[b] & bit_of(component)) return;
             if (!is_rotation(component)) {
                 blocks.velocity[b][component] = value;
-                const Span span = blocks.gridpoints[b];
-                for (Row g = span.first; g < span.end(); ++g) model.gridpoints.velocity[g][component] = value;
                 return;
             }
             blocks.rotational_velocity[b][component - 3] = value;
@@ -278,25 +286,95 @@ Stress StressField::at(const Vec3& place) const {
     return s;
 }
 
+namespace {
+
+using Corners = std::vector<Vec3>;
+
+Corners corners_of(const Model& model, Row triangle) {
+    Corners corners;
+    for (const Row g : model.triangles.gridpoints[triangle]) corners.push_back(model.gridpoints.position[g]);
+    return corners;
+}
+
+/// What the stress does to a triangle, at its corners. The traction varies linearly: consistent loads are
+/// (2 t_k + t_l + t_m) / 12 of the area each.
+std::array<Vec3, 3> corner_loads(const StressField& stress, const Corners& x, const Vec3& area) {
+    std::array<Vec3, 3> force, load;
+    for (std::size_t k = 0; k < 3; ++k) force[k] = matrix_of(stress.at(x[k])) * area;
+    for (std::size_t k = 0; k < 3; ++k) load[k] = (2 * force[k] + force[(k + 1) % 3] + force[(k + 2) % 3]) / 12.0;
+    return load;
+}
+
+Row block_of_triangle(const Model& model, Row triangle) { return model.faces.block[model.triangles.face[triangle]]; }
+
+/// Calls part(triangle, corners of a part of it) for all parts of the triangles given on which another block of the
+/// same rigid body lies: they are inside the body, and there is no contact that would tell.
+template <class Part> void inside_bodies(const Model& model, const std::vector<Row>& triangles, Part part) {
+    const auto& blocks = model.blocks;
+    std::set<std::int32_t> bodies;
+    std::vector<char> loaded(model.triangles.size(), 0);
+    for (const Row t : triangles) {
+        const Row b = block_of_triangle(model, t);
+        if (blocks.deformable[b] || blocks.body[b] == 0) continue;
+        bodies.insert(blocks.body[b]);
+        loaded[t] = 1;
+    }
+    if (bodies.empty()) return;
+    const double opposite = -std::cos(std::numbers::pi / 180);
+    std::vector<Row> rows;
+    std::vector<Corners> corners;
+    std::vector<Vec3> normals;
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < model.triangles.size(); ++i) {
+        const Row t = static_cast<Row>(i), b = block_of_triangle(model, t);
+        if (blocks.deformable[b] || !bodies.contains(blocks.body[b])) continue;
+        rows.push_back(t);
+        const Corners& x = corners.emplace_back(corners_of(model, t));
+        normals.push_back(area_vector(x).normalized());
+        const Vec3 margin = Vec3::Constant(blocks.margin[b]);
+        boxes.push_back({x[0].cwiseMin(x[1]).cwiseMin(x[2]) - margin, x[0].cwiseMax(x[1]).cwiseMax(x[2]) + margin});
+    }
+    const auto lies_on = [&](int i, int j) {
+        if (!loaded[rows[i]]) return;
+        const double near = std::min(blocks.margin[block_of_triangle(model, rows[i])], blocks.margin[block_of_triangle(model, rows[j])]);
+        for (const Vec3& x : corners[j])
+            if (std::abs(normals[i].dot(x - corners[i][0])) > near) return;
+        const Corners common = common_part(corners[j], corners[i], normals[i]);
+        // The other side runs the other way round.
+        for (std::size_t k = 1; k + 1 < common.size(); ++k) part(rows[i], Corners{common[0], common[k + 1], common[k]});
+    };
+    for (const auto& [i, j] : overlapping_boxes(boxes)) {
+        const Row a = block_of_triangle(model, rows[i]), b = block_of_triangle(model, rows[j]);
+        if (a == b || blocks.body[a] != blocks.body[b] || normals[i].dot(normals[j]) > opposite) continue;
+        lies_on(i, j);
+        lies_on(j, i);
+    }
+}
+
+} // namespace
+
 double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress,
                   std::int32_t function) {
     LoadSums sums(model, function);
-    double loaded = 0;
-    for (const Row t : exterior_triangles(model, gridpoints)) {
-        const auto& corners = model.triangles.gridpoints[t];
-        const auto& x = model.gridpoints.position;
-        const Vec3 area = 0.5 * (x[corners[1]] - x[corners[0]]).cross(x[corners[2]] - x[corners[0]]);
-        loaded += area.norm();
-        // The traction varies linearly: consistent loads are (2 t_k + t_l + t_m) / 12 of the area each.
-        std::array<Vec3, 3> force;
-        for (int k = 0; k < 3; ++k) force[k] = matrix_of(stress.at(x[corners[k]])) * area;
-        for (int k = 0; k < 3; ++k) {
-            const Vec3 load = (2 * force[k] + force[(k + 1) % 3] + force[(k + 2) % 3]) / 12.0;
-            for (int axis = 0; axis < 3; ++axis) sums.at_gridpoint(corners[k], axis, load[axis]);
-        }
+    double whole = 0, inside = 0;
+    const std::vector<Row> triangles = exterior_triangles(model, gridpoints);
+    for (const Row t : triangles) {
+        const Corners x = corners_of(model, t);
+        const Vec3 area = area_vector(x);
+        whole += area.norm();
+        const auto load = corner_loads(stress, x, area);
+        for (std::size_t k = 0; k < 3; ++k)
+            for (int axis = 0; axis < 3; ++axis) sums.at_gridpoint(model.triangles.gridpoints[t][k], axis, load[k][axis]);
     }
+    inside_bodies(model, triangles, [&](Row t, const Corners& x) {
+        const Vec3 area = area_vector(x);
+        inside += area.norm();
+        const auto load = corner_loads(stress, x, area);
+        for (std::size_t k = 0; k < 3; ++k)
+            for (int axis = 0; axis < 3; ++axis) sums.at_place(block_of_triangle(model, t), x[k], axis, -load[k][axis]);
+    });
     sums.finish();
-    return loaded;
+    return whole - inside > 1e-9 * whole ? whole - inside : 0;
 }
 
 void fix_blocks(Model& model, const std::vector<Row>& rows, std::uint8_t which) {
@@ -305,13 +383,6 @@ void fix_blocks(Model& model, const std::vector<Row>& rows, std::uint8_t which) 
     for (const Row b : rows)
         if (model.blocks.fixed[b] == fix_all && model.blocks.rotational_velocity[b].isZero(0))
             model.blocks.angular_momentum[b] = Vec3::Zero();
-    // Vertices of rigid blocks show what their block does.
-    for (const Row b : rows) {
-        if (model.blocks.deformable[b] || !model.blocks.velocity[b].isZero(0)) continue;
-        const Span span = model.blocks.gridpoints[b];
-        if (model.blocks.rotational_velocity[b].isZero(0))
-            for (Row g = span.first; g < span.end(); ++g) model.gridpoints.velocity[g] = Vec3::Zero();
-    }
 }
 
 void free_blocks(Model& model, const std::vector<Row>& rows, std::uint8_t which) {

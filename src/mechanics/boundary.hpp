@@ -64,8 +64,8 @@ struct StressField {
 std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints);
 
 /// Adds the tractions of a stress to the exterior triangles whose three gridpoints are all in the list
-/// (sorted rows); a face on which another block lies is not exterior. Contacts must have been found.
-/// Returns the loaded area.
+/// (sorted rows); a face on which another block lies is not exterior, nor is the part of a rigid block's face that lies
+/// on another block of the same body. Contacts must have been found. Returns the loaded area.
 double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress,
                   std::int32_t function = constant_in_time);
 

@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "mechanics/contact_geometry.hpp"
 #include "model/joined.hpp"
+#include "model/measure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ constexpr std::size_t grain = 32;
 double way_of_a_step(const Model& model, Row b) {
     double fastest = 0;
     for (Row g = model.blocks.gridpoints[b].first; g < model.blocks.gridpoints[b].end(); ++g)
-        fastest = std::max(fastest, model.gridpoints.velocity[g].squaredNorm());
+        fastest = std::max(fastest, gridpoint_velocity(model, g).squaredNorm());
     return std::sqrt(fastest) * model.clock.time_step;
 }
 

@@ -48,8 +48,11 @@ std::map<std::int32_t, Body> zoned_bodies(const Model& model) {
 } // namespace
 
 void glue_joined_blocks(Model& model, JointRegistry& joints) {
+    auto& contacts = model.contacts;
+    const auto bodies = zoned_bodies(model);
+    if (bodies.empty() && std::ranges::find(contacts.material, material_of_glue) == contacts.material.end()) return;
     std::map<std::int32_t, Row> sets; // by body
-    for (const auto& [number, body] : zoned_bodies(model)) {
+    for (const auto& [number, body] : bodies) {
         const JointModel& spring = joints.get("elastic");
         std::vector<double> values(spring.properties.size());
         const double thickness = layer * body.edge();
@@ -57,7 +60,6 @@ void glue_joined_blocks(Model& model, JointRegistry& joints) {
         values[*spring.find_property("stiffness-shear")] = 0.5 * body.stiffest.two_shear / thickness;
         sets[number] = shared_set(model, {spring.name, material_of_glue, std::move(values), ""});
     }
-    auto& contacts = model.contacts;
     std::vector<char> marked(model.sub_contacts.size(), 0); // that another joint model has prepared
     bool any = false;
     const auto give = [&](std::size_t c, Row set, std::int32_t material) {

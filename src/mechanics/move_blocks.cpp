@@ -2,6 +2,7 @@
 #include "mechanics/motion.hpp"
 #include "mechanics/rotation.hpp"
 #include "mechanics/triple.hpp"
+#include "model/measure.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -41,27 +42,30 @@ Triple turn(Quaternion& orientation, const SymmetricInverse& inverse_inertia, co
     return start.turned(velocity);
 }
 
-/// Positions and velocities of the vertices follow the block. Returns the longest way of one.
+/// Positions of the vertices follow the block. Returns the longest way of one.
 double place_vertices(Model& model, std::size_t b) {
     const auto& blocks = model.blocks;
     auto& g = model.gridpoints;
     const Mat3 r = quaternion(blocks.orientation[b]).toRotationMatrix();
-    const Vec3& w = blocks.rotational_velocity[b];
     const std::array<Lanes, 3> arm_of{lanes(r.col(0)), lanes(r.col(1)), lanes(r.col(2))};
-    const std::array<Lanes, 3> spin_of{lanes(w.cross(r.col(0))), lanes(w.cross(r.col(1))), lanes(w.cross(r.col(2)))};
-    const Lanes centroid = lanes(blocks.centroid[b]), velocity = lanes(blocks.velocity[b]);
+    const Lanes centroid = lanes(blocks.centroid[b]);
     double travel = 0;
     for (Row row = blocks.gridpoints[b].first; row < blocks.gridpoints[b].end(); ++row) {
         const Vec3& x = g.reference[row];
         const Lanes place = centroid + x[0] * arm_of[0] + x[1] * arm_of[1] + x[2] * arm_of[2];
-        const Lanes speed = velocity + x[0] * spin_of[0] + x[1] * spin_of[1] + x[2] * spin_of[2];
         const Vec3 way = place.matrix().head<3>() - g.position[row];
-        g.velocity[row] = speed.matrix().head<3>();
         g.displacement[row] += way;
         g.position[row] = place.matrix().head<3>();
         travel = std::max(travel, way.squaredNorm());
     }
     return std::sqrt(travel);
+}
+
+/// In small strain the vertices stay, and what they would move is only counted.
+void displace_vertices(Model& model, std::size_t b) {
+    const Span span = model.blocks.gridpoints[b];
+    for (Row row = span.first; row < span.end(); ++row)
+        model.gridpoints.displacement[row] += gridpoint_velocity(model, row) * model.clock.time_step;
 }
 
 /// One rigid block, or several that are joined: what acts on it and how it moves. Inertia is in the axes that
@@ -137,7 +141,7 @@ void move_block(Model& model, std::size_t b, const DampingFactors& damping, Moti
             model.settings, step, damping, sums);
     const Vec3 way = blocks.velocity[b] * step;
     blocks.displacement[b] += way;
-    if (!model.settings.large_strain) return;
+    if (!model.settings.large_strain) return displace_vertices(model, b);
     blocks.centroid[b] += way;
     blocks.travelled[b] += place_vertices(model, b);
 }
@@ -189,6 +193,7 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
         blocks.rotational_velocity[b] = spin;
         if (!model.settings.large_strain) {
             blocks.displacement[b] += blocks.velocity[b] * step;
+            displace_vertices(model, static_cast<std::size_t>(b));
             continue;
         }
         const Vec3 way = velocity * step + (arm_after - arm);

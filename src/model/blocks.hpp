@@ -113,7 +113,7 @@ public:
     Column<double> inertial_mass; ///< in the equation of motion
     Column<Vec3> position;
     Column<Vec3> reference; ///< position when the zones were made; of a rigid block's vertex: in own axes
-    Column<Vec3> velocity;
+    Column<Vec3> velocity; ///< of deformable blocks; a rigid block's vertex: gridpoint_velocity (measure.hpp)
     Column<Vec3> displacement;
     Column<Vec3> force; ///< sum of the last cycle, gravity and damping not included
     Column<Vec3> load;  ///< applied force

@@ -44,7 +44,8 @@ void give_zones(Model& model, Row block, const Polyhedron& shape, const TetMesh&
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
         model.gridpoints.block[g0 + i] = block;
         model.gridpoints.position[g0 + i] = model.gridpoints.reference[g0 + i] = mesh.points[i];
-        model.gridpoints.velocity[g0 + i] = blocks.velocity[block];
+        model.gridpoints.velocity[g0 + i] =
+            blocks.velocity[block] + blocks.rotational_velocity[block].cross(mesh.points[i] - blocks.centroid[block]);
         model.gridpoints.displacement[g0 + i] = Vec3::Zero();
         model.gridpoints.fixed[g0 + i] = blocks.fixed[block] & (fix_x | fix_y | fix_z);
     }
@@ -165,7 +166,6 @@ void give_shape(Model& model, Row b, const Polyhedron& polyhedron) {
         model.gridpoints.block[g0 + i] = b;
         model.gridpoints.position[g0 + i] = polyhedron.vertices[i];
         model.gridpoints.reference[g0 + i] = arm;
-        model.gridpoints.velocity[g0 + i] = blocks.velocity[b] + blocks.rotational_velocity[b].cross(arm);
         model.gridpoints.displacement[g0 + i] = blocks.displacement[b];
     }
     blocks.gridpoints[b] = {g0, static_cast<Row>(polyhedron.vertices.size())};

@@ -1,5 +1,6 @@
 // Quantities of gridpoints; of a rigid block these are its vertices.
 #include "model/field_rows.hpp"
+#include "model/measure.hpp"
 
 namespace kaya::field_rows {
 
@@ -66,14 +67,14 @@ const Fields& gridpoint_fields() {
         {table, "group", "gp_group", "", "-", "group of its block", group, nullptr},
         {table, "fixed", "", "", "-", "sum of 1, 2, 4 for x, y, z velocities that are prescribed",
          read<rows_of, &Gridpoints::fixed>, nullptr},
-        {table, "velocity", "gp_vel", "", "length/time", "velocity", read<rows_of, &Gridpoints::velocity>,
+        {table, "velocity", "gp_vel", "", "length/time", "velocity", call<gridpoint_velocity>,
          set_velocity},
         {table, "x_velocity", "gp_xvel", "xvel", "length/time", "x velocity",
-         read<rows_of, &Gridpoints::velocity, 0>, set_velocity_component<0>},
+         call<gridpoint_velocity, 0>, set_velocity_component<0>},
         {table, "y_velocity", "gp_yvel", "yvel", "length/time", "y velocity",
-         read<rows_of, &Gridpoints::velocity, 1>, set_velocity_component<1>},
+         call<gridpoint_velocity, 1>, set_velocity_component<1>},
         {table, "z_velocity", "gp_zvel", "zvel", "length/time", "z velocity",
-         read<rows_of, &Gridpoints::velocity, 2>, set_velocity_component<2>},
+         call<gridpoint_velocity, 2>, set_velocity_component<2>},
         {table, "displacement", "gp_dis", "", "length", "displacement", read<rows_of, &Gridpoints::displacement>,
          write<rows_of, &Gridpoints::displacement>},
         {table, "x_displacement", "gp_xdis", "xdis", "length", "x displacement",

@@ -93,6 +93,13 @@ Vec3 principal_stresses(const Model& model, Row zone) {
     return solver.eigenvalues(); // ascending: compression is negative
 }
 
+Vec3 gridpoint_velocity(const Model& model, Row gridpoint) {
+    const auto& blocks = model.blocks;
+    const Row b = model.gridpoints.block[gridpoint];
+    if (blocks.deformable[b]) return model.gridpoints.velocity[gridpoint];
+    return blocks.velocity[b] + blocks.rotational_velocity[b].cross(model.gridpoints.position[gridpoint] - blocks.centroid[b]);
+}
+
 Vec3 block_velocity(const Model& model, Row block) {
     return model.blocks.deformable[block] ? gridpoint_mean(model, block, model.gridpoints.velocity)
                                           : model.blocks.velocity[block];

@@ -23,6 +23,9 @@ Vec3 zone_centroid(const Model& model, Row zone);
 /// Principal stresses of a zone, the most compressive (most negative) first.
 Vec3 principal_stresses(const Model& model, Row zone);
 
+/// Of a deformable block's gridpoint its column; the vertex of a rigid block goes with the block.
+Vec3 gridpoint_velocity(const Model& model, Row gridpoint);
+
 /// Of a rigid block its column; of a deformable one the mean of its gridpoints, weighted with their
 /// masses (equally while these are not known).
 Vec3 block_velocity(const Model& model, Row block);
