@@ -41,6 +41,7 @@ std::size_t rows_in(const Model& model, FieldTable table) {
     case FieldTable::zone: return model.zones.size();
     case FieldTable::contact: return model.contacts.size();
     case FieldTable::sub_contact: return model.sub_contacts.size();
+    case FieldTable::corner: return 3 * model.triangles.size();
     }
     return 0;
 }
