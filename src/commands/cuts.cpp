@@ -3,6 +3,7 @@
 
 #include "geometry/block_cuts.hpp"
 #include "mechanics/contact_properties.hpp"
+#include "mechanics/cut_joints.hpp"
 #include "model/build.hpp"
 #include "model/cut_blocks.hpp"
 #include "model/joined.hpp"
@@ -60,8 +61,16 @@ std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const Cut
                             counted(cut.slivers, "cut was", "cuts were"), thinnest);
     std::vector<Row> pieces;
     if (!cut.parents.empty()) {
-        pieces = replace_by_pieces(session.model, rows, cut);
+        Model& model = session.model;
+        std::vector<Row> parents;
+        for (const int parent : cut.parents) parents.push_back(rows[static_cast<std::size_t>(parent)]);
+        const auto given = given_joints(model, session.joints, parents);
+        pieces = replace_by_pieces(model, rows, cut);
         session.world.rows_moved();
+        std::vector<BlockId> origin(model.blocks.id.begin(), model.blocks.id.end());
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            origin[pieces[i]] = model.blocks.id[rows[static_cast<std::size_t>(cut.pieces[i].parent)]];
+        give_to_pieces(model, session.joints, given, origin);
     }
     session.output.say(line);
     return pieces;

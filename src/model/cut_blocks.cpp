@@ -2,14 +2,19 @@
 
 #include "model/build.hpp"
 #include "model/joined.hpp"
+#include "model/measure.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace kaya {
 
 namespace {
+
+/// Planes that differ by less, as an angle and as a part of the block's size, are one.
+constexpr double same_plane = 1e-9;
 
 /// What a piece takes over from the block that it was cut from.
 struct Parent {
@@ -18,7 +23,17 @@ struct Parent {
     FaceTriangles face_triangles;
     double face_edge, volume, density;
     Vec3 centroid, velocity, rotational_velocity, displacement, load, torque;
+    struct Side {
+        Vec3 normal, place;
+        std::int32_t group;
+    };
+    std::vector<Side> sides; ///< faces that are in a group of their own
 
+    Parent(const Model& model, Row b) : Parent(model.blocks, b) {
+        for (Row f = model.blocks.faces[b].first; f < model.blocks.faces[b].end(); ++f)
+            if (model.faces.group[f] != 0)
+                sides.push_back({face_area_vector(model, f).normalized(), face_centroid(model, f), model.faces.group[f]});
+    }
     Parent(const Blocks& blocks, Row b)
         : options{blocks.material[b], blocks.constitutive[b], blocks.region[b], blocks.group[b]},
           hidden(blocks.hidden[b]), fixed(blocks.fixed[b]),
@@ -47,8 +62,41 @@ struct Parent {
         blocks.load[b] = mass.volume / volume * load;
         blocks.torque[b] = mass.volume / volume * torque;
         give_shape(model, b, piece);
+        for (Row f = blocks.faces[b].first; !sides.empty() && f < blocks.faces[b].end(); ++f) {
+            const Vec3 normal = face_area_vector(model, f).normalized(), place = face_centroid(model, f);
+            for (const Side& side : sides)
+                if (normal.dot(side.normal) > 0 && normal.cross(side.normal).norm() < same_plane &&
+                    std::abs(side.normal.dot(place - side.place)) < same_plane * std::cbrt(volume))
+                    model.faces.group[f] = side.group;
+        }
     }
 };
+
+/// What drives a block drives its pieces; loads are shared like those that do not change with time.
+void share_drives(Model& model, const Parent& from, const std::vector<Row>& pieces) {
+    auto& drives = model.drives;
+    const BlockId whole = model.blocks.id[pieces.front()];
+    const std::size_t count = drives.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (drives.block[i] != whole) continue;
+        const double amplitude = drives.amplitude[i], acting = drives.acting[i];
+        for (const Row piece : pieces) {
+            std::size_t row = i;
+            if (piece != pieces.front()) {
+                row = drives.size();
+                drives.resize(row + 1);
+            }
+            drives.block[row] = model.blocks.id[piece];
+            drives.gridpoint[row] = no_row;
+            drives.what[row] = drives.what[i];
+            drives.component[row] = drives.component[i];
+            drives.function[row] = drives.function[i];
+            const double share = drives.what[i] == Drives::What::load ? model.blocks.volume[piece] / from.volume : 1;
+            drives.amplitude[row] = share * amplitude;
+            drives.acting[row] = share * acting;
+        }
+    }
+}
 
 /// Joins the pieces of bodies again, all but those of one block.
 void rejoin(Model& model, const std::vector<std::vector<Row>>& bodies, const std::vector<Row>& cut_from) {
@@ -83,16 +131,18 @@ std::vector<Row> replace_by_pieces(Model& model, const std::vector<Row>& rows, c
     for (std::size_t i = 0; i < cut.pieces.size();) {
         const int parent = cut.pieces[i].parent;
         const Row row = rows[static_cast<std::size_t>(parent)];
-        const Parent from(model.blocks, row);
+        const Parent from(model, row);
         from.give(model, row, cut.pieces[i].polyhedron);
-        row_of_piece.push_back(row);
+        std::vector<Row> pieces{row};
         for (++i; i < cut.pieces.size() && cut.pieces[i].parent == parent; ++i) {
             const Row piece = add_block_row(model);
-            row_of_piece.push_back(piece);
+            pieces.push_back(piece);
             from.give(model, piece, cut.pieces[i].polyhedron);
             cut_from.push_back(row);
             if (body_of[row] >= 0) bodies[static_cast<std::size_t>(body_of[row])].push_back(piece);
         }
+        if (!model.drives.empty()) share_drives(model, from, pieces);
+        row_of_piece.insert(row_of_piece.end(), pieces.begin(), pieces.end());
     }
     put_in_block_order(model);
     rejoin(model, bodies, cut_from);
