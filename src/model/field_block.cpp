@@ -92,6 +92,8 @@ Mat3 inertia(const Model& model, Row block) {
     return density * (turn * blocks.inertia[block] * turn.transpose());
 }
 Vec3 moments_of_inertia(const Model& model, Row block) { return inertia(model, block).diagonal(); }
+/// The integral of x_i x_k dm about the centroid, which stands in the tensor with the other sign.
+template <int i, int k> double product_of_inertia(const Model& model, Row block) { return -inertia(model, block)(i, k); }
 
 /// What the engine keeps is the angular momentum; the rotational velocity goes with it.
 void rotate(Model& model, Row block, const Vec3& velocity) {
@@ -147,6 +149,10 @@ const Fields& block_fields() {
         {table, "x_inertia", "b_xmoi", "", "mass*area", "about the x axis", call<moments_of_inertia, 0>, nullptr},
         {table, "y_inertia", "b_ymoi", "", "mass*area", "about the y axis", call<moments_of_inertia, 1>, nullptr},
         {table, "z_inertia", "b_zmoi", "", "mass*area", "about the z axis", call<moments_of_inertia, 2>, nullptr},
+        {table, "xy_inertia", "", "", "mass*area", "product of inertia: the integral of x y dm about the centroid",
+         call<product_of_inertia<0, 1>>, nullptr},
+        {table, "xz_inertia", "", "", "mass*area", "the same of x z", call<product_of_inertia<0, 2>>, nullptr},
+        {table, "yz_inertia", "", "", "mass*area", "the same of y z", call<product_of_inertia<1, 2>>, nullptr},
         {table, "position", "b_cent", "", "length", "centroid", read<rows_of, &Blocks::centroid>, nullptr},
         {table, "x", "b_x", "", "length", "x of the centroid", read<rows_of, &Blocks::centroid, 0>, nullptr},
         {table, "y", "b_y", "", "length", "y of the centroid", read<rows_of, &Blocks::centroid, 1>, nullptr},
