@@ -1,5 +1,6 @@
 // jset, tunnel, densify, join: cutting blocks that are there, and putting them together.
 #include "commands/handlers.hpp"
+#include "commands/long_work.hpp"
 
 #include "geometry/block_cuts.hpp"
 #include "mechanics/contact_properties.hpp"
@@ -109,8 +110,10 @@ void run(Session& session, const lang::JointSetCommand& command) {
                                          "the model's size",
                                          set.spacing, thinnest),
                              "give a larger spacing");
-        const CutBlocks cut = cut_blocks(shapes_of(session.model, rows), set, thinnest);
-        const auto pieces = apply(session, rows, cut, thinnest, fmt::format("joint set {}", set.id));
+        const std::string name = fmt::format("joint set {}", set.id);
+        LongWork work(session, name);
+        const CutBlocks cut = cut_blocks(shapes_of(session.model, rows), set, thinnest, std::ref(work));
+        const auto pieces = apply(session, rows, cut, thinnest, name);
         if (command.join) join_pieces(session.model, cut, pieces);
         if (cut.parents.empty())
             session.warn(
@@ -132,7 +135,8 @@ void run(Session& session, const lang::TunnelCommand& command) {
         if (rows.empty()) return;
         const double thinnest = thinnest_part * model_size(session.model);
         TunnelOutline outline{command.first, command.second, command.radial, next_joint_set(session.model)};
-        const TunnelCut cut = cut_tunnel(shapes_of(session.model, rows), outline, thinnest);
+        LongWork work(session, "tunnel");
+        const TunnelCut cut = cut_tunnel(shapes_of(session.model, rows), outline, thinnest, std::ref(work));
         const std::vector<Row> pieces =
             apply(session, rows, cut.blocks, thinnest, fmt::format("tunnel, joint set {}", outline.id));
         if (cut.blocks.parents.empty() && cut.swallowed.empty())
@@ -164,9 +168,15 @@ void run(Session& session, const lang::Densify& command) {
         throw Diagnostic(fmt::format("this would make {:.3g} blocks, more than {:.0e}", count, most_pieces),
                          "give fewer parts or a smaller range")
             .at(command.place);
-    const CutBlocks cut = densify(shapes_of(session.model, rows), parts);
-    const std::vector<Row> pieces = apply(session, rows, cut, 0, "densify");
-    if (command.join) join_pieces(session.model, cut, pieces);
+    try {
+        LongWork work(session, "densify");
+        const CutBlocks cut = densify(shapes_of(session.model, rows), parts, 0, std::ref(work));
+        const std::vector<Row> pieces = apply(session, rows, cut, 0, "densify");
+        if (command.join) join_pieces(session.model, cut, pieces);
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
 }
 
 namespace {

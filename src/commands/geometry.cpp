@@ -1,5 +1,6 @@
 // gen, hide, seek, delete, facetri.
 #include "commands/handlers.hpp"
+#include "commands/long_work.hpp"
 
 #include "model/build.hpp"
 
@@ -35,7 +36,8 @@ void give_zones_to_blocks(Session& session, const Command& command, const Genera
     if (blocks.empty()) return;
     try {
         take_bodies_whole(session.model, blocks);
-        const std::size_t zoned = generate(blocks);
+        LongWork work(session, "zones");
+        const std::size_t zoned = generate(blocks, std::ref(work));
         if (zoned > 0)
             session.world.rows_moved();
         else
@@ -94,14 +96,16 @@ void run(Session& session, const lang::FaceTriangulation& command) {
 
 void run(Session& session, const lang::GenerateEdge& command) {
     give_zones_to_blocks(session, command,
-                         [&](const std::vector<Row>& blocks) { return generate_zones(session.model, blocks, command.edge); });
+                         [&](const std::vector<Row>& blocks, const Watch& watch) {
+                             return generate_zones(session.model, blocks, command.edge, watch);
+                         });
 }
 
 void run(Session& session, const lang::GenerateQuad& command) {
     std::array<int, 3> parts;
     for (std::size_t k = 0; k < 3; ++k) parts[k] = static_cast<int>(command.parts[k]);
-    give_zones_to_blocks(session, command, [&](const std::vector<Row>& blocks) {
-        return generate_zones(session.model, blocks, parts, command.ratio);
+    give_zones_to_blocks(session, command, [&](const std::vector<Row>& blocks, const Watch& watch) {
+        return generate_zones(session.model, blocks, parts, command.ratio, watch);
     });
 }
 

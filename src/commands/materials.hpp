@@ -13,7 +13,7 @@ void check_materials(Session& session);
 /// not given. Throws Diagnostic for a word that `prop` does not know.
 double material_value(const Model& model, const JointRegistry& joints, std::int64_t number, std::string_view word);
 
-/// Rows of Model::joint_properties that contacts use; others are left from earlier commands.
+/// Rows of Model::joint_properties that joints use; others are left from earlier commands. Glue is no joint.
 std::set<Row> property_sets_in_use(const Model& model);
 
 } // namespace kaya

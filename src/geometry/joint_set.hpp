@@ -1,6 +1,7 @@
 // The planes of a set of parallel joints, and cutting blocks by them.
 #pragma once
 
+#include "base/watch.hpp"
 #include "geometry/cut.hpp"
 
 #include <cstdint>
@@ -40,6 +41,7 @@ struct CutBlocks {
 /// Cuts each block by all planes of the set. Which blocks a joint of persistence below 1 leaves whole
 /// depends on seed, id, joint and the block's place in the list alone.
 /// Throws Diagnostic as joint_planes does, and when the set would make more blocks than any machine can hold.
-CutBlocks cut_blocks(const std::vector<Polyhedron>& blocks, const JointSet& set, double thinnest = 0);
+CutBlocks cut_blocks(const std::vector<Polyhedron>& blocks, const JointSet& set, double thinnest = 0,
+                     const Watch& watch = {});
 
 } // namespace kaya

@@ -17,8 +17,6 @@ namespace {
 /// The part of a zone's edge that a spring stands for. Stiffer springs would shorten the time step for little: the zones
 /// themselves are as soft as ten such layers.
 constexpr double layer = 0.1;
-/// No deck can give properties to this material.
-constexpr std::int32_t material_of_glue = -1;
 
 struct Body {
     double volume = 0;

@@ -321,15 +321,18 @@ namespace {
 constexpr double most_zones = 5e7; ///< more would not fit in the memory of any machine of today
 
 /// Gives the rigid ones of the blocks the zones that mesh(block, shape) makes; first all meshes, then the model.
-template <class Mesh> std::size_t fill_with_zones(Model& model, const std::vector<Row>& rows, const Mesh& mesh) {
+template <class Mesh>
+std::size_t fill_with_zones(Model& model, const std::vector<Row>& rows, const Mesh& mesh, const Watch& watch) {
     struct Meshed {
         Row block;
         Polyhedron shape;
         TetMesh mesh;
     };
     std::vector<Meshed> meshed;
-    for (const Row block : rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Row block = rows[i];
         if (model.blocks.deformable[block]) continue;
+        look(watch, i, rows.size());
         Polyhedron shape = shape_of(model, block);
         TetMesh zones = mesh(block, shape);
         meshed.push_back({block, std::move(shape), std::move(zones)});
@@ -344,7 +347,7 @@ template <class Mesh> std::size_t fill_with_zones(Model& model, const std::vecto
 
 } // namespace
 
-std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double edge) {
+std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double edge, const Watch& watch) {
     if (!(edge > 0) || !std::isfinite(edge))
         throw Diagnostic("the edge length of zones must be a number above 0");
     double count = 0;
@@ -354,11 +357,11 @@ std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double ed
             throw Diagnostic(fmt::format("an edge of {} would make more than {:.0e} zones", edge, most_zones),
                              "give a longer edge or a smaller range");
         return make_mesh(shape, edge);
-    });
+    }, watch);
 }
 
 std::size_t generate_zones(Model& model, const std::vector<Row>& rows, const std::array<int, 3>& parts,
-                           const std::array<double, 3>& ratio) {
+                           const std::array<double, 3>& ratio, const Watch& watch) {
     double count = 0;
     return fill_with_zones(model, rows, [&](Row block, const Polyhedron& shape) {
         count += 6.0 * parts[0] * parts[1] * parts[2];
@@ -372,7 +375,7 @@ std::size_t generate_zones(Model& model, const std::vector<Row>& rows, const std
                                          model.blocks.number[block]),
                              "leave it out of the range, or use `generate edge`");
         return std::move(*mesh);
-    });
+    }, watch);
 }
 
 } // namespace kaya

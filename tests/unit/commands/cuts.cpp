@@ -2,7 +2,9 @@
 #include "running.hpp"
 
 #include <Eigen/Geometry>
+#include <chrono>
 #include <gmock/gmock.h>
+#include <thread>
 
 namespace kaya {
 namespace {
@@ -94,6 +96,21 @@ TEST_F(Cuts, BlocksWithZonesAreLeftOut) {
     run("poly brick 0 1\ngen edge 1\npoly brick 5 6 0 1 0 1\njset org 0 0 .5");
     EXPECT_THAT(said(), HasSubstr("1 block with zones cannot be cut and was left out"));
     EXPECT_EQ(model().blocks.size(), 3u);
+}
+
+TEST_F(Cuts, OneWishToStopEndsALongCutAndLeavesTheModelAsItWas) {
+    run("poly brick 0 1 0 1 0 1\npoly brick 1 2 0 1 0 1\n");
+    const std::uint64_t before = state_hash(model());
+    for (const std::string line : {"jset dip 30 dd 40 spacing 4e-5 num 20000 org 1 .5 .5", "densify 1000 1000 2"}) {
+        std::jthread user([this] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            session().interrupt();
+        });
+        const Diagnostic stopped = mistake(line);
+        EXPECT_THAT(stopped.message, HasSubstr("stopped by the user"));
+        EXPECT_EQ(stopped.place.line, 1);
+        EXPECT_EQ(state_hash(model()), before);
+    }
 }
 
 } // namespace

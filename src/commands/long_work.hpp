@@ -1,0 +1,32 @@
+// Commands that may take long without a cycle: cutting and meshing many blocks.
+#pragma once
+
+#include "commands/session.hpp"
+
+#include "base/watch.hpp"
+
+#include <chrono>
+#include <string>
+
+namespace kaya {
+
+/// Stops the work when the user asks for it, and shows how far it is: in place, five times a second, on a terminal; as
+/// a line every ten seconds elsewhere. To be handed to the work as its Watch, by std::ref.
+class LongWork {
+public:
+    LongWork(Session& session, std::string what);
+    ~LongWork();
+    LongWork(const LongWork&) = delete;
+    LongWork& operator=(const LongWork&) = delete;
+
+    /// Throws Diagnostic when the work shall stop.
+    void operator()(double done);
+
+private:
+    Session& session_;
+    std::string what_;
+    std::chrono::steady_clock::time_point shown_;
+    int until_look_ = 0;
+};
+
+} // namespace kaya
