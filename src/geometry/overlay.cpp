@@ -19,6 +19,10 @@ struct Polygon {
     std::array<Vec2, 8> corners; // what is beyond `size` is not set
     int size = 0;
 
+    Polygon() = default;
+    explicit Polygon(const std::array<Vec2, 3>& triangle) {
+        for (const auto& corner : triangle) push_back(corner);
+    }
     void push_back(const Vec2& p) { corners[size++] = p; }
 };
 
@@ -177,81 +181,116 @@ template <class Call> void for_parts(const std::array<Vec2, 3>& c, double edge, 
         }
 }
 
+/// For each triangle of side 1 the one of side 2 that lies on it, as on both sides of a cut: such faces are their own
+/// overlay. False where there is one without.
+bool lie_on_each_other(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, std::vector<int>& twins) {
+    const std::size_t few = 16; // of more the sweep is as quick
+    if (side1.points.size() > few || side1.points.size() != side2.points.size() ||
+        side1.triangles.size() != side2.triangles.size())
+        return false;
+    std::array<int, few> there; // the point of side 2 at each of side 1
+    for (std::size_t i = 0; i < side1.points.size(); ++i) {
+        const auto same = std::find_if(side2.points.begin(), side2.points.end(), [&](const Vec2& p) {
+            return (p - side1.points[i]).squaredNorm() <= tolerance * tolerance;
+        });
+        if (same == side2.points.end()) return false;
+        there[i] = static_cast<int>(same - side2.points.begin());
+    }
+    twins.clear();
+    for (const auto& one : side1.triangles) {
+        const auto twin = std::find_if(side2.triangles.begin(), side2.triangles.end(), [&](const auto& two) {
+            return std::all_of(one.begin(), one.end(),
+                               [&](int v) { return std::find(two.begin(), two.end(), there[v]) != two.end(); });
+        });
+        if (twin == side2.triangles.end()) return false;
+        twins.push_back(static_cast<int>(twin - side2.triangles.begin()));
+    }
+    return true;
+}
+
 } // namespace
 
 void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result) {
     // Kept between calls, of which a search makes very many.
     static thread_local std::vector<SweepItem> sweep1, sweep2;
-    static thread_local std::vector<int> ring;
+    static thread_local std::vector<int> ring, twins;
     std::vector<OverlayPoint>& points = result.points;
     points.clear();
     result.second_moment.setZero();
     PointFinder finder(points, tolerance);
     sweep_of(side1, sweep1);
-    sweep_of(side2, sweep2);
-    for (auto& item : sweep2) item.find_sides(tolerance);
 
-    // Widest triangle of side 2: how far back in the sweep one that still meets can start.
-    double widest = 0;
-    for (const auto& item : sweep2) widest = std::max(widest, item.high.x() - item.low.x());
+    // A piece: the part of a triangle of side 1 that lies on one of side 2.
+    const auto add_piece = [&](const SweepItem& one, int triangle2, const Polygon& polygon) {
+        // Its points, merged with those of its neighbours.
+        const auto point_at = [&](const Vec2& p) {
+            const int index = finder.find(p);
+            if (index >= 0) return index;
+            OverlayPoint& point = points.emplace_back();
+            point.place = p;
+            point.triangle1 = one.triangle;
+            point.triangle2 = triangle2;
+            point.vertex1 = vertex_at(side1, one.triangle, p, 2 * tolerance);
+            point.vertex2 = vertex_at(side2, triangle2, p, 2 * tolerance);
+            if (point.vertex1 < 0) point.weights1 = barycentric(side1, one.triangle, p);
+            if (point.vertex2 < 0) point.weights2 = barycentric(side2, triangle2, p);
+            return static_cast<int>(points.size()) - 1;
+        };
+        ring.clear();
+        for (int i = 0; i < polygon.size; ++i) {
+            const int index = point_at(polygon.corners[i]);
+            if (ring.empty() || (ring.back() != index && ring.front() != index)) ring.push_back(index);
+        }
+        // Any fan integrates linear functions exactly.
+        double area = 0;
+        for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+            area += 0.5 * cross(points[ring[i]].place - points[ring[0]].place,
+                                points[ring[i + 1]].place - points[ring[0]].place);
+        const double extent = (one.high - one.low).maxCoeff();
+        if (ring.size() < 3 || area <= tolerance * extent) return; // its points keep area 0
+        const auto add = [&](const std::array<int, 3>& part) {
+            const Vec2 &a = points[part[0]].place, &b = points[part[1]].place, &c = points[part[2]].place;
+            const double third = cross(b - a, c - a) / 6.0;
+            const Vec2 sum = a + b + c;
+            result.second_moment +=
+                0.25 * third * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+            for (const int r : part) points[r].area += third;
+        };
+        for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+            if (edge > 0)
+                for_parts({points[ring[0]].place, points[ring[i]].place, points[ring[i + 1]].place}, edge,
+                          [&](const std::array<Vec2, 3>& part) {
+                              add({point_at(part[0]), point_at(part[1]), point_at(part[2])});
+                          });
+            else
+                add({ring[0], ring[i], ring[i + 1]});
+        }
+    };
 
-    for (const auto& one : sweep1) {
-        const auto first =
-            std::lower_bound(sweep2.begin(), sweep2.end(), one.low.x() - widest - tolerance,
-                             [](const SweepItem& item, double x) { return item.low.x() < x; });
-        for (auto two = first; two != sweep2.end() && two->low.x() < one.high.x(); ++two) {
-            if (two->high.x() <= one.low.x() || two->high.y() <= one.low.y() || two->low.y() >= one.high.y()) continue;
-            // Most pairs of triangles of two faces have an edge in common at most.
-            if (std::any_of(two->sides.begin(), two->sides.end(),
-                            [&](const Line& side) { return on_the_right(one.corners, side, tolerance); }))
-                continue;
-            Polygon polygon;
-            for (const auto& corner : one.corners) polygon.push_back(corner);
-            for (int k = 0; k < 3 && polygon.size >= 3; ++k) clip(polygon, two->sides[k], tolerance);
-            if (polygon.size < 3) continue;
+    // To the last bit what the sweep would give.
+    if (lie_on_each_other(side1, side2, tolerance, twins)) {
+        for (const auto& one : sweep1) add_piece(one, twins[one.triangle], Polygon(one.corners));
+    } else {
+        sweep_of(side2, sweep2);
+        for (auto& item : sweep2) item.find_sides(tolerance);
 
-            // Points of the piece, merged with those of its neighbours.
-            const auto point_at = [&](const Vec2& p) {
-                const int index = finder.find(p);
-                if (index >= 0) return index;
-                OverlayPoint& point = points.emplace_back();
-                point.place = p;
-                point.triangle1 = one.triangle;
-                point.triangle2 = two->triangle;
-                point.vertex1 = vertex_at(side1, one.triangle, p, 2 * tolerance);
-                point.vertex2 = vertex_at(side2, two->triangle, p, 2 * tolerance);
-                if (point.vertex1 < 0) point.weights1 = barycentric(side1, one.triangle, p);
-                if (point.vertex2 < 0) point.weights2 = barycentric(side2, two->triangle, p);
-                return static_cast<int>(points.size()) - 1;
-            };
-            ring.clear();
-            for (int i = 0; i < polygon.size; ++i) {
-                const int index = point_at(polygon.corners[i]);
-                if (ring.empty() || (ring.back() != index && ring.front() != index)) ring.push_back(index);
-            }
-            // Any fan integrates linear functions exactly.
-            double area = 0;
-            for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-                area += 0.5 * cross(points[ring[i]].place - points[ring[0]].place,
-                                    points[ring[i + 1]].place - points[ring[0]].place);
-            const double extent = (one.high - one.low).maxCoeff();
-            if (ring.size() < 3 || area <= tolerance * extent) continue; // its points keep area 0
-            const auto add = [&](const std::array<int, 3>& part) {
-                const Vec2 &a = points[part[0]].place, &b = points[part[1]].place, &c = points[part[2]].place;
-                const double third = cross(b - a, c - a) / 6.0;
-                const Vec2 sum = a + b + c;
-                result.second_moment += 0.25 * third * (a * a.transpose() + b * b.transpose() + c * c.transpose() +
-                                                        sum * sum.transpose());
-                for (const int r : part) points[r].area += third;
-            };
-            for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-                if (edge > 0)
-                    for_parts({points[ring[0]].place, points[ring[i]].place, points[ring[i + 1]].place}, edge,
-                              [&](const std::array<Vec2, 3>& part) {
-                                  add({point_at(part[0]), point_at(part[1]), point_at(part[2])});
-                              });
-                else
-                    add({ring[0], ring[i], ring[i + 1]});
+        // Widest triangle of side 2: how far back in the sweep one that still meets can start.
+        double widest = 0;
+        for (const auto& item : sweep2) widest = std::max(widest, item.high.x() - item.low.x());
+
+        for (const auto& one : sweep1) {
+            const auto first =
+                std::lower_bound(sweep2.begin(), sweep2.end(), one.low.x() - widest - tolerance,
+                                 [](const SweepItem& item, double x) { return item.low.x() < x; });
+            for (auto two = first; two != sweep2.end() && two->low.x() < one.high.x(); ++two) {
+                if (two->high.x() <= one.low.x() || two->high.y() <= one.low.y() || two->low.y() >= one.high.y()) continue;
+                // Most pairs of triangles of two faces have an edge in common at most.
+                if (std::any_of(two->sides.begin(), two->sides.end(),
+                                [&](const Line& side) { return on_the_right(one.corners, side, tolerance); }))
+                    continue;
+                Polygon polygon(one.corners);
+                for (int k = 0; k < 3 && polygon.size >= 3; ++k) clip(polygon, two->sides[k], tolerance);
+                if (polygon.size >= 3) add_piece(one, two->triangle, polygon);
             }
         }
     }
@@ -300,6 +339,35 @@ struct SampleGroup {
 
 double sum(const Four& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
+/// Where the areas change the second moments by less there is nothing to be had.
+constexpr double least_effect = 1e-9;
+
+/// No point may lose more than three quarters of its area, or come to own four times as much: the part of a change, in
+/// parts of the area, that keeps to this.
+double allowed_part(double change) { return change < -0.75 ? -0.75 / change : change > 3 ? 3 / change : 1; }
+
+/// The same for four points, which leave one change: that of the dependency between their places, sum n = sum n x = 0.
+void balance_four(std::vector<OverlayPoint>& points, double whole, const std::array<Vec2, 4>& at) {
+    const auto doubled = [&](int a, int b, int c) { return cross(at[b] - at[a], at[c] - at[a]); };
+    const std::array<double, 4> n{doubled(1, 2, 3), -doubled(0, 2, 3), doubled(0, 1, 3), -doubled(0, 1, 2)};
+    Vec3 wrong(-1, -1, 0), effect = Vec3::Zero();
+    double size = 0;
+    for (int i = 0; i < 4; ++i) {
+        const Vec3 f(at[i].x() * at[i].x(), at[i].y() * at[i].y(), std::sqrt(2.0) * at[i].x() * at[i].y());
+        const double weight = points[i].area / whole;
+        wrong += weight * f;
+        effect += n[i] * f;
+        size += n[i] * n[i] / weight;
+    }
+    const double squared = effect.squaredNorm();
+    if (!(squared > least_effect * size)) return;
+    const double amount = -effect.dot(wrong) / squared;
+    double part = 1;
+    std::array<double, 4> change;
+    for (int i = 0; i < 4; ++i) part = std::min(part, allowed_part(change[i] = amount * n[i] * whole / points[i].area));
+    for (int i = 0; i < 4; ++i) points[i].area *= 1 + part * change[i];
+}
+
 } // namespace
 
 void balance_areas(Overlay& overlay) {
@@ -318,6 +386,15 @@ void balance_areas(Overlay& overlay) {
     const double xx = exact(0, 0), xy = exact(0, 1), determinant = exact.determinant(), size = exact.trace();
     if (!(xx > 0 && determinant > 1e-18 * size * size)) return;
     const double scale_x = 1 / std::sqrt(xx), scale_y = std::sqrt(xx / determinant), shear = xy / xx;
+
+    if (points.size() == 4) {
+        std::array<Vec2, 4> at;
+        for (int i = 0; i < 4; ++i) {
+            const Vec2 d = points[i].place - centre;
+            at[i] = {scale_x * d.x(), scale_y * (d.y() - shear * d.x())};
+        }
+        return balance_four(points, whole, at);
+    }
 
     // The second moments u u, v v, u v less what they are to be: 1, 1, 0. (The root of 2 makes a sum of squares that
     // does not depend on the axes.)
@@ -363,18 +440,14 @@ void balance_areas(Overlay& overlay) {
     }
     effect = Mat3(effect.selfadjointView<Eigen::Lower>());
     const double trace = effect.trace();
-    if (!(trace > 1e-9)) return;
+    if (!(trace > least_effect)) return;
     const Vec3 amount = -least_squares(effect, wrong);
 
-    // No point may lose more than three quarters of its area, or come to own four times as much.
-    double least = -0.75, most = 3;
     double part = 1;
     for (auto& s : samples) {
         s.change = amount[0] * s.f[0] + amount[1] * s.f[1] + amount[2] * s.f[2];
         for (int i = 0; i < Four::SizeAtCompileTime; ++i) {
-            if (s.weight[i] <= 0) continue; // no point
-            if (s.change[i] * part < least) part = least / s.change[i];
-            if (s.change[i] * part > most) part = most / s.change[i];
+            if (s.weight[i] > 0) part = std::min(part, allowed_part(s.change[i])); // otherwise no point
         }
     }
     for (std::size_t i = 0; i < points.size(); ++i)

@@ -20,7 +20,7 @@ struct Batch {
 /// All batches, in row order; what their models keep of each sub-contact gets its columns. One has whole contacts
 /// and, if it has several, at most `most` rows: few
 /// enough that what a cycle reads and writes of them stays near the processor.
-std::vector<Batch> make_batches(Model& model, JointRegistry& joints, Row most = 512);
+std::vector<Batch> make_batches(Model& model, JointRegistry& joints, Row most = 1024);
 
 /// The columns of rows [first, first + count) as a joint model sees them.
 /// `history` must have room for the model's history pointers and live as long as the batch is used.

@@ -153,7 +153,7 @@ void go_over_to_corners(const Model& model, const Surfaces& surfaces, TouchGeome
         area = (1 - part) * area + part * scale * shares[i];
         touch.area += area;
     }
-    std::erase_if(touch.points, [](const TouchPoint& point) { return !(point.area > 0); });
+    touch.points.drop_if([](const TouchPoint& point) { return !(point.area > 0); });
 }
 
 /// Sub-contacts at the vertices of the overlay of two faces.
@@ -170,7 +170,7 @@ bool lay_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touc
     overlay(face1.laid(), face2.laid(), tolerance, edge, laid);
     if (rigid) balance_areas(laid);
     for (const auto& p : laid.points) {
-        TouchPoint& point = touch.points.emplace_back();
+        TouchPoint& point = touch.points.add();
         point.side1 = face1.attach(p.place, p.vertex1, p.triangle1, p.weights1);
         point.side2 = face2.attach(p.place, p.vertex2, p.triangle2, p.weights2);
         const Vec3 x1 = attached_position(model, point.side1), x2 = attached_position(model, point.side2);
@@ -218,7 +218,7 @@ Attachment on_edge(const std::array<Row, 2>& ends, double t) { return {{ends[0],
 
 /// Sums over the points of a touch. Together they own no more than `most`.
 bool close_touch(TouchGeometry& touch, double most) {
-    if (touch.points.empty()) return false;
+    if (touch.points.size() == 0) return false;
     double whole = 0;
     for (const auto& point : touch.points) whole += point.area;
     if (whole > most)
@@ -271,7 +271,7 @@ bool lay_on_face(const Model& model, const Surfaces& surfaces, TouchGeometry& to
         point.area = area;
         for (const auto& there : touch.points)
             if ((there.position - point.position).squaredNorm() <= tolerance * tolerance) return;
-        touch.points.push_back(point);
+        touch.points.add() = point;
     };
     const Span span = model.blocks.gridpoints[other];
     for (Row g = span.first; g < span.end(); ++g) {
@@ -326,7 +326,7 @@ bool lay_edges(const Model& model, TouchGeometry& touch, const Separation& s, Ro
     point.area = std::min(share_of_edge(model, block1, s.edge1, touch.normal),
                           share_of_edge(model, block2, s.edge2, -touch.normal));
     touch.touch = Touch::edge_edge;
-    touch.points.push_back(point);
+    touch.points.add() = point;
     return close_touch(touch, std::numeric_limits<double>::infinity());
 }
 

@@ -3,6 +3,8 @@
 
 #include "mechanics/surfaces.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace kaya {
@@ -26,15 +28,34 @@ struct TouchPlane {
     int reference = 0;                  ///< 1 or 2: whose face gives the normal; 0: two edges do
 };
 
+/// The points of one touch, at the end of a list that holds those of others before them.
+class TouchPoints {
+public:
+    explicit TouchPoints(std::vector<TouchPoint>& list) : list_(&list), first_(list.size()) {}
+
+    auto begin() const { return list_->begin() + static_cast<std::ptrdiff_t>(first_); }
+    auto end() const { return list_->end(); }
+    std::size_t size() const { return list_->size() - first_; }
+    TouchPoint& operator[](std::size_t i) const { return (*list_)[first_ + i]; }
+    TouchPoint& add() { return list_->emplace_back(); }
+    void clear() { list_->resize(first_); }
+    template <class Unwanted> void drop_if(Unwanted unwanted) { list_->erase(std::remove_if(begin(), end(), unwanted), end()); }
+
+private:
+    std::vector<TouchPoint>* list_;
+    std::size_t first_;
+};
+
 struct TouchGeometry : TouchPlane {
-    std::vector<TouchPoint> points;
+    TouchPoints points;
 };
 
 /// Faces whose common area is no wider than this do not touch.
 double narrowest_touch(const Model& model, Row block1, Row block2);
 
 /// The touch of two blocks whose surfaces are nearer than `margin`; nothing when they are farther apart
-/// or touch in an edge or corner of parallel faces without area. Returns whether there is one.
+/// or touch in an edge or corner of parallel faces without area. Returns whether there is one; if not, points may be
+/// left over.
 /// `old` is the contact that they have so far, if any.
 bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
                 TouchGeometry& touch);

@@ -152,14 +152,17 @@ std::vector<ContactDraft> find_touches(const Model& model, const Surfaces& surfa
     found.resize(std::max(found.size(), (pairs.size() + grain - 1) / grain)); // those that are there keep their memory
     for (auto& part : found) part.clear();
     for_chunks(pairs.size(), grain, [&](std::size_t first, std::size_t last) {
-        static thread_local TouchGeometry touch; // kept, so that few of the pairs take memory
         FoundTouches& part = found[first / grain];
         for (std::size_t i = first; i < last; ++i) {
             const auto& [block1, block2, old, look] = pairs[i];
-            if (!look) part.add({block1, block2, old, DraftKind::as_it_was, {}, {}}, {});
-            else if (const double margin = reach(model, ways, block1, block2);
-                     find_kept_touch(model, surfaces, block1, block2, old, margin, touch))
-                part.add({block1, block2, old, DraftKind::new_geometry, touch, {}}, touch.points);
+            if (!look) {
+                part.drafts.push_back({block1, block2, old, DraftKind::as_it_was, {}, {}});
+                continue;
+            }
+            TouchGeometry touch{{}, TouchPoints(part.points)};
+            if (find_kept_touch(model, surfaces, block1, block2, old, reach(model, ways, block1, block2), touch))
+                part.drafts.push_back({block1, block2, old, DraftKind::new_geometry, touch, {part.points.data(), touch.points.size()}});
+            else touch.points.clear();
         }
         part.close();
     });
@@ -190,12 +193,6 @@ std::vector<ContactDraft> with_the_others(const Model& model, std::vector<Contac
 void FoundTouches::clear() {
     drafts.clear();
     points.clear();
-}
-
-void FoundTouches::add(const ContactDraft& draft, const std::vector<TouchPoint>& at) {
-    drafts.push_back(draft);
-    drafts.back().points = {points.data(), at.size()};
-    points.insert(points.end(), at.begin(), at.end());
 }
 
 void FoundTouches::close() {

@@ -17,7 +17,6 @@ struct FoundTouches {
     std::vector<TouchPoint> points; ///< of one draft after another
 
     void clear();
-    void add(const ContactDraft& draft, const std::vector<TouchPoint>& at);
     void close(); ///< once all are there: points have moved while there came more
 };
 

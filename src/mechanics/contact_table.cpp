@@ -141,11 +141,13 @@ void write_sub_contact(Model& model, Row s, const TouchPoint& point, const Vec3&
         subs.shear_force.set(s, scale * (shear - shear.dot(n) * n));
         // The joint is opener or closer here than where the old one was: its law is told.
         // Where the old one was is not known when its block got another shape meanwhile.
-        const bool known = subs.side1[s].attached() && subs.side2[s].attached();
+        const Attachment &side1 = subs.side1[s], &side2 = subs.side2[s];
+        const bool known = side1.attached() && side2.attached();
+        const bool same_places = side1 == point.side1 && side2 == point.side2; // more often than not
         const double more =
-            known ? point.gap - n.dot(attached_position(model, subs.side2[s]) - attached_position(model, subs.side1[s]))
-                  : 0;
-        if (std::abs(more) > same_gap * std::sqrt(area)) {
+            known && !same_places ? point.gap - n.dot(attached_position(model, side2) - attached_position(model, side1))
+                                  : 0;
+        if (more != 0 && std::abs(more) > same_gap * std::sqrt(area)) {
             changes.moved[s] = 1;
             subs.normal_displacement_increment[s] = more;
         }

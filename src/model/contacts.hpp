@@ -79,6 +79,7 @@ struct Attachment {
 
     /// False when its block got another shape and the contact has not been looked at since.
     bool attached() const { return gridpoints[0] != no_row; }
+    bool operator==(const Attachment&) const = default;
 };
 
 class SubContacts : public Table<SubContacts> {
