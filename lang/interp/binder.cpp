@@ -7,8 +7,7 @@ namespace kaya::lang {
 
 namespace {
 
-/// The commands that share the first word which `typed` stands for.
-std::vector<const CommandSpec*> commands_called(const Language& language, std::string_view typed) {
+std::vector<const CommandSpec*> find_commands(const Language& language, std::string_view typed) {
     std::string_view exact, beginning;
     for_each_command(language, [&](const CommandSpec& command) {
         for (const Spelling& s : command.words) {
@@ -23,6 +22,19 @@ std::vector<const CommandSpec*> commands_called(const Language& language, std::s
         if (command.words.front().word == canonical) commands.push_back(&command);
     });
     return commands;
+}
+
+/// The commands that share the first word which `typed` stands for.
+const std::vector<const CommandSpec*>& commands_called(const Language& language, std::string_view typed) {
+    static const std::vector<const CommandSpec*> none;
+    auto& known = language.called.words();
+    auto found = known.find(typed);
+    if (found == known.end()) {
+        auto commands = find_commands(language, typed);
+        if (commands.empty()) return none; // there is no end of words that are none
+        found = known.emplace(typed, std::move(commands)).first;
+    }
+    return found->second;
 }
 
 void add_words(std::vector<std::string_view>& to, const std::vector<Spelling>& words) {
@@ -152,7 +164,7 @@ FoundCommand find_command(const Language& language, const Statement& statement) 
     std::string_view typed = first.folded;
     if (first.late()) typed = "@"; // a line that starts with a name calls a function
     else if (first.kind != WordKind::word) unknown_command(language, statement);
-    const auto commands = commands_called(language, typed);
+    const auto& commands = commands_called(language, typed);
     if (commands.empty()) unknown_command(language, statement);
 
     const CommandSpec* plain = nullptr;

@@ -7,6 +7,7 @@
 #include <any>
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -136,10 +137,27 @@ struct Family {
     std::vector<CommandSpec> commands;
 };
 
+/// The commands that words have been found to stand for: decks say the same few words again and again. A copy of a
+/// language has commands of its own, so that nothing is copied.
+class CommandsCalled {
+public:
+    CommandsCalled() = default;
+    CommandsCalled(const CommandsCalled&) {}
+    CommandsCalled& operator=(const CommandsCalled&) {
+        of_.clear();
+        return *this;
+    }
+    std::map<std::string, std::vector<const CommandSpec*>, std::less<>>& words() { return of_; }
+
+private:
+    std::map<std::string, std::vector<const CommandSpec*>, std::less<>> of_;
+};
+
 /// A whole dialect. The order of families and of commands in them decides what a short word means.
 struct Language {
     std::vector<Family> families;
     std::vector<KeywordSpec> range_elements;
+    mutable CommandsCalled called{};
 };
 
 /// The first entry that is exactly the word, else the first in order that starts with it.

@@ -96,8 +96,9 @@ std::optional<BatchFailure> unusable_output(const JointModel& model, const kaya_
     if (guard == Guard::all)
         for (const auto& output : forces)
             if (auto failure = unusable_row(model, output, batch.n)) return failure;
-    for (const auto& output : stiffnesses)
-        if (auto failure = unusable_row(model, output, batch.n)) return failure;
+    if (guard == Guard::all || batch.stiffness_changed)
+        for (const auto& output : stiffnesses)
+            if (auto failure = unusable_row(model, output, batch.n)) return failure;
     for (std::size_t k = 0; k < model.history.size(); ++k)
         if (auto failure = unusable_row(model, {model.history[k].name.c_str(), batch.history[k], true}, batch.n))
             return failure;

@@ -15,13 +15,14 @@ struct BatchFailure {
 };
 
 /// What is looked at of that which a joint model gives back.
-enum class Guard { all, all_but_forces };
+enum class Guard { all, in_cycle };
 
 /// Runs one step. Catches what the model throws, and looks for forces, stiffnesses and history values
 /// that are not finite and for stiffnesses below 0; nullopt when all is well. Allocates nothing unless
 /// it fails. The columns of a failed batch hold what the model left there. `numbers` are those of the rows that
 /// users see, for the report of a crash; NULL: it gives rows.
-/// `guard`: a caller who sums forces and work sees by the sums whether all are numbers, and asks unusable_output() then.
+/// `guard`: the cycle sums forces and work, sees by the sums whether all are numbers, and asks unusable_output() then;
+/// stiffnesses it looks at when the model says that it wrote some.
 std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batch,
                                       const std::int32_t* numbers = nullptr, Guard guard = Guard::all);
 

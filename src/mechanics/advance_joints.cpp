@@ -112,13 +112,15 @@ void sum_contact(const Model& model, Row c, JointForces& forces) {
 /// The sums, and besides: work with the forces that the joint model has given, displacements at the end of the step.
 void finish_contact(Model& model, Row c, JointForces& forces, JointWork& after) {
     auto& subs = model.sub_contacts;
+    JointWork own; // stays in registers
     sum_contact(model, c, forces, [&](Row row, const LaneGroup& group, const Lanes& normal, const Lanes3& shear) {
         const Lanes opening = group.load(subs.normal_displacement_increment.data() + row);
         const Lanes3 slip = group.load(subs.shear_displacement_increment, row);
-        after.joint += normal * opening + shear.dot(slip);
-        after.friction += group.load(subs.frictional_work.data() + row);
+        own.joint += normal * opening + shear.dot(slip);
+        own.friction += group.load(subs.frictional_work.data() + row);
         add_increments(subs, row, group, opening, slip);
     });
+    after.add(own);
 }
 
 /// Marks a contact whose stiffness is another than it was.
@@ -165,7 +167,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     auto columns = columns_of(model, batch, model.clock.time_step, history.data());
     std::optional<BatchDashpots> dashpots;
     if (joints_are_damped(model.settings)) dashpots.emplace(model, batch);
-    if (const auto failure = run_batch(*batch.model, columns, subs.number.data() + batch.first, Guard::all_but_forces))
+    if (const auto failure = run_batch(*batch.model, columns, subs.number.data() + batch.first, Guard::in_cycle))
         throw joint_failure(model, batch, *failure);
     if (dashpots) sums.damped = dashpots->finish();
     JointWork after;

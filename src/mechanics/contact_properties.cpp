@@ -1,6 +1,7 @@
 #include "mechanics/contact_properties.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/memory.hpp"
 #include "mechanics/contact_search.hpp"
 #include "mechanics/contact_table.hpp"
 #include "mechanics/property_sets.hpp"
@@ -10,9 +11,6 @@
 #include <array>
 #include <fmt/format.h>
 #include <map>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace kaya {
 
@@ -72,13 +70,6 @@ bool are_all_joints(const Model& model, const std::vector<Row>& contacts) {
     return contacts.size() == select(model, ObjectKind::contact, {}, true).size();
 }
 
-/// A search of all contacts takes much for a moment, and the columns made meanwhile stand behind it on the heap.
-void give_back_memory() {
-#ifdef __GLIBC__
-    malloc_trim(0);
-#endif
-}
-
 } // namespace
 
 std::string joint_model_of_number(const Model& model, std::int32_t number) {
@@ -124,7 +115,7 @@ void find_contacts(Model& model, JointRegistry& joints) {
     if (!model.structure_changed) return;
     model.tables([](const char*, auto& table) { table.trim(); });
     ContactSearch{}.search(model, joints, false);
-    give_back_memory();
+    give_back_memory(); // the search takes much for a moment, and the columns made meanwhile stand behind it on the heap
     model.structure_changed = false;
     model.properties_changed = model.lists_changed = true;
 }

@@ -1,6 +1,7 @@
 #include "mechanics/cycle.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/memory.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/contact_search.hpp"
 #include "mechanics/dashpots.hpp"
@@ -145,6 +146,11 @@ void Cycle::prepare() {
         s.quiet = quiet_points(model_);
         s.search = ContactSearch{}; // blocks may be others now
         model_.lists_changed = false;
+        model_.tables([](const char*, auto& table) {
+            table.columns([](const std::string&, const auto& column) {
+                use_large_pages(column.data(), column.size() * sizeof(column[0]));
+            });
+        });
     }
     if (model_.properties_changed) {
         drive_loads(model_, s.drives, hooks);

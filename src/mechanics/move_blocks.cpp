@@ -53,10 +53,10 @@ double place_vertices(Model& model, std::size_t b) {
     for (Row row = blocks.gridpoints[b].first; row < blocks.gridpoints[b].end(); ++row) {
         const Vec3& x = g.reference[row];
         const Lanes place = centroid + x[0] * arm_of[0] + x[1] * arm_of[1] + x[2] * arm_of[2];
-        const Vec3 way = place.matrix().head<3>() - g.position[row];
-        g.displacement[row] += way;
-        g.position[row] = place.matrix().head<3>();
-        travel = std::max(travel, way.squaredNorm());
+        const Lanes way = place - lanes(g.position[row]);
+        store(g.displacement[row], lanes(g.displacement[row]) + way);
+        store(g.position[row], place);
+        travel = std::max(travel, sum(way * way));
     }
     return std::sqrt(travel);
 }

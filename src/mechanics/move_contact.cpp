@@ -46,7 +46,7 @@ void turn_plane(Model& model, Row c) {
     n = ((1.5 - 0.5 * turned.dot(turned)) * turned).vector();
 }
 
-void add_work(JointWork& work, const SubContacts& subs, Row row, const LaneGroup& group, const Lanes3& shear_force,
+inline void add_work(JointWork& work, const SubContacts& subs, Row row, const LaneGroup& group, const Lanes3& shear_force,
               const Lanes& opening, const Lanes3& slip) {
     work.joint += group.load(subs.normal_force.data() + row) * opening + shear_force.dot(slip);
     work.friction += group.load(subs.frictional_work.data() + row);
@@ -72,6 +72,7 @@ void move_between_rigid(Model& model, Row c, JointWork& work) {
 
     const Span span = contacts.sub_contacts[c];
     Lanes farthest = Lanes::Zero();
+    JointWork own; // stays in registers, which `work` would not
     for (Row i = span.first; i < span.end(); i += lane_count) {
         const LaneGroup group(span.end() - i);
         const Lanes3 x = group.load(subs.position, i), arm = x - origin;
@@ -89,8 +90,9 @@ void move_between_rigid(Model& model, Row c, JointWork& work) {
             force = in_plane + n.cross(in_plane) * twist;
             group.store(subs.shear_force, i, force);
         }
-        add_work(work, subs, i, group, force, opening, shear);
+        add_work(own, subs, i, group, force, opening, shear);
     }
+    work.add(own);
     if (!large) return;
     contacts.slid[c] += std::sqrt(farthest.maxCoeff());
     contacts.position[c] += Vec3(way.x, way.y, way.z); // the origin of moments goes with the mean of the blocks

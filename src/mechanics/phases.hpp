@@ -95,6 +95,12 @@ void joint_forces_of_new(const Model& model, JointForces& forces);
 struct JointWork {
     Lanes joint = Lanes::Zero(), friction = Lanes::Zero();
     Lanes fluid = Lanes::Zero(); ///< of the pore pressure; a joint model does not change it
+
+    void add(const JointWork& other) {
+        joint += other.joint;
+        friction += other.friction;
+        fluid += other.fluid;
+    }
 };
 
 /// Turns the plane of a contact with its blocks and writes the displacement increments of its

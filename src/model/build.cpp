@@ -151,8 +151,11 @@ void put_in_block_order(Model& model) {
     }
 }
 
-void give_shape(Model& model, Row b, const Polyhedron& polyhedron) {
-    const MassProperties mass = mass_properties(polyhedron);
+void give_shape(Model& model, Row block, const Polyhedron& polyhedron) {
+    give_shape(model, block, polyhedron, mass_properties(polyhedron));
+}
+
+void give_shape(Model& model, Row b, const Polyhedron& polyhedron, const MassProperties& mass) {
     auto& blocks = model.blocks;
     blocks.volume[b] = mass.volume;
     blocks.margin[b] = touching_part * std::cbrt(mass.volume);
@@ -171,11 +174,13 @@ void give_shape(Model& model, Row b, const Polyhedron& polyhedron) {
     blocks.gridpoints[b] = {g0, static_cast<Row>(polyhedron.vertices.size())};
 
     const Row f0 = append(model.faces, polyhedron.faces.size());
-    const Row t0 = static_cast<Row>(model.triangles.size());
+    std::size_t count = 0;
+    for (const auto& face : polyhedron.faces) count += face.vertices.size() - 2;
+    const Row t0 = append(model.triangles, count);
+    Row first = t0;
     for (std::size_t f = 0; f < polyhedron.faces.size(); ++f) {
         const Row face = f0 + static_cast<Row>(f);
         const auto triangles = fan(polyhedron, polyhedron.faces[f].vertices);
-        const Row first = append(model.triangles, triangles.size());
         model.faces.block[face] = b;
         model.faces.joint_set[face] = polyhedron.faces[f].joint_set;
         model.faces.normal[face] = face_normal(polyhedron, polyhedron.faces[f]);
@@ -184,6 +189,7 @@ void give_shape(Model& model, Row b, const Polyhedron& polyhedron) {
             model.triangles.face[first + t] = face;
             for (int k = 0; k < 3; ++k) model.triangles.gridpoints[first + t][k] = g0 + triangles[t][k];
         }
+        first += static_cast<Row>(triangles.size());
     }
     blocks.faces[b] = {f0, static_cast<Row>(polyhedron.faces.size())};
     blocks.triangles[b] = {t0, static_cast<Row>(model.triangles.size()) - t0};
@@ -200,9 +206,9 @@ Row add_block_row(Model& model) {
 }
 
 Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& options) {
-    const double volume = mass_properties(polyhedron).volume;
-    if (!(volume > 0))
-        throw Diagnostic(fmt::format("the block has no volume ({})", volume),
+    const MassProperties mass = mass_properties(polyhedron);
+    if (!(mass.volume > 0))
+        throw Diagnostic(fmt::format("the block has no volume ({})", mass.volume),
                          "look at the order and the place of its vertices");
     auto& blocks = model.blocks;
     const Row b = add_block_row(model);
@@ -210,7 +216,7 @@ Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& option
     blocks.constitutive[b] = options.constitutive;
     blocks.region[b] = options.region;
     blocks.group[b] = options.group;
-    give_shape(model, b, polyhedron);
+    give_shape(model, b, polyhedron, mass);
     return b;
 }
 

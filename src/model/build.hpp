@@ -25,6 +25,8 @@ Row add_block_row(Model& model);
 /// rows of the shape stand at the ends of their tables; unless the block is the last one, the rows are out of
 /// order until put_in_block_order.
 void give_shape(Model& model, Row block, const Polyhedron& polyhedron);
+/// The same where mass_properties() of the polyhedron is known.
+void give_shape(Model& model, Row block, const Polyhedron& polyhedron, const MassProperties& mass);
 
 /// Replaces the surface and the gridpoints of a block by those of a mesh of its shape and gives it the zones. Rows stand
 /// at the ends of their tables and are out of order until put_in_block_order.

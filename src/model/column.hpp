@@ -46,7 +46,7 @@ public:
 
     /// New rows are zero.
     void resize(std::size_t n) {
-        derived().columns([n](const std::string&, auto& column) {
+        derived().columns([n](const auto&, auto& column) {
             using Value = typename std::decay_t<decltype(column)>::value_type;
             column.resize(n, new_value<Value>());
         });
@@ -57,7 +57,7 @@ public:
     void gather(const std::vector<std::int32_t>& rows) {
         const bool ascending = std::adjacent_find(rows.begin(), rows.end(), std::greater_equal<>()) == rows.end();
         if (ascending) return compact(rows);
-        derived().columns([&rows](const std::string&, auto& column) {
+        derived().columns([&rows](const auto&, auto& column) {
             std::decay_t<decltype(column)> kept;
             kept.reserve(rows.size());
             using Value = typename std::decay_t<decltype(column)>::value_type;
@@ -81,9 +81,9 @@ public:
     /// Puts copies of the rows listed of another table behind the rows of this one. Returns the row of the first.
     std::int32_t append(Derived& from, const std::vector<std::int32_t>& rows) {
         std::vector<void*> columns;
-        from.columns([&columns](const std::string&, auto& column) { columns.push_back(&column); });
+        from.columns([&columns](const auto&, auto& column) { columns.push_back(&column); });
         std::size_t next = 0;
-        derived().columns([&](const std::string&, auto& column) {
+        derived().columns([&](const auto&, auto& column) {
             const auto& source = *static_cast<std::decay_t<decltype(column)>*>(columns[next++]);
             for (const auto row : rows) column.push_back(source[static_cast<std::size_t>(row)]);
         });
@@ -94,7 +94,7 @@ public:
 
     /// Gives back the room that growing has taken in advance.
     void trim() {
-        derived().columns([](const std::string&, auto& column) { column.shrink_to_fit(); });
+        derived().columns([](const auto&, auto& column) { column.shrink_to_fit(); });
     }
 
 private:
@@ -102,7 +102,7 @@ private:
     void compact(const std::vector<std::int32_t>& rows) {
         std::size_t gap = 0;
         while (gap < rows.size() && static_cast<std::size_t>(rows[gap]) == gap) ++gap;
-        derived().columns([&rows, gap](const std::string&, auto& column) {
+        derived().columns([&rows, gap](const auto&, auto& column) {
             for (std::size_t k = gap; k < rows.size(); ++k) column[k] = std::move(column[static_cast<std::size_t>(rows[k])]);
             column.erase(column.begin() + static_cast<std::ptrdiff_t>(rows.size()), column.end());
         });
