@@ -35,6 +35,7 @@ struct Set {
     std::optional<double> time_step_fraction; ///< fraction
     std::optional<double> time_step;          ///< dt; 0: computed
     std::optional<std::int64_t> threads;
+    std::optional<double> autosave; ///< minutes; 0: none
     std::optional<bool> echo;
     std::vector<std::string> accepted; ///< words that have no effect here (pagination, ...)
     std::vector<std::pair<std::string, Value>> fish; ///< set @name = value; the name is without @

@@ -23,6 +23,8 @@ CommandSpec set() {
                   "time step; 0: a part of the largest stable one again");
     entry.keyword({"threads"}, integer("n").at_least(1), &Set::threads, "number of threads");
     entry.keyword({"echo"}, on_off(), &Set::echo, "shows the commands while they run");
+    entry.keyword({"autosave"}, real("m").unit("minutes").at_least(0), &Set::autosave,
+                  "minutes of cycles between two files of what would be lost if the run were cut off; 0: none");
     for (const char* word :
          {"pagination", "atol", "btol", "ctol", "dtol", "etol", "nmech", "ncyc", "cust1", "cust2", "messages", "warnings",
           "overwrite", "delcontact"})
@@ -61,7 +63,7 @@ CommandSpec set() {
         .right("set jcondf 1 jmatdf 2")
         .right("set log on logfile run.log")
         .right("set @load = 5e6");
-    entry.right("set dt 1e-5");
+    entry.right("set dt 1e-5").right("set autosave 30");
     entry.right("set pagination off").right("set atol 1e-4 echo off");
     entry.wrong("set", "set does not say what to set");
     entry.wrong("set dyn maybe", "'maybe' stands where on or off must be");

@@ -21,6 +21,8 @@ InterruptGuard::InterruptGuard(Session& session) {
     listening = &session;
     std::signal(SIGINT, stop);
     std::signal(SIGTERM, stop);
+    // A terminal that is closed stops the run, unless it was started with nohup.
+    if (std::signal(SIGHUP, stop) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 InterruptGuard::~InterruptGuard() {

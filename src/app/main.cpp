@@ -95,6 +95,7 @@ int run_decks(Session& session, const CommandLine& line) {
     int status = 0;
     if (!line.journal.empty()) {
         const InterruptGuard guard(session);
+        session.rescue.set_interval(std::nullopt); // the journal can be run again
         status = replay_journal(session, line.journal);
     } else if (line.decks.empty()) {
         if (journal) journal->deck("prompt");
@@ -107,6 +108,7 @@ int run_decks(Session& session, const CommandLine& line) {
         }
     }
     if (journal) journal->finish();
+    session.rescue.done();
     const auto& clock = session.model.clock;
     if (clock.cycle > 0)
         session.output.say(
@@ -118,8 +120,7 @@ int run_decks(Session& session, const CommandLine& line) {
     return status;
 }
 
-int run(const CommandLine& line) {
-    Session session(line.options);
+int run_session(Session& session, const CommandLine& line) {
     try {
         return run_decks(session, line);
     } catch (const lang::DeckErrors& errors) {
@@ -139,6 +140,13 @@ int run(const CommandLine& line) {
                                    .at(session.last_place));
         return static_cast<int>(Fault::own);
     }
+}
+
+int run(const CommandLine& line) {
+    Session session(line.options);
+    const int status = run_session(session, line);
+    if (status != 0) session.rescue.keep();
+    return status;
 }
 
 int start(int argc, char** argv) {

@@ -1,5 +1,6 @@
 // save, restore, hist write, vtk write; files are written into the current folder unless they name another.
 #include "commands/handlers.hpp"
+#include "commands/save_session.hpp"
 #include "commands/saved_ranges.hpp"
 
 #include "io/history_csv.hpp"
@@ -14,8 +15,6 @@ namespace kaya {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view save_ending = ".kaya.h5";
 
 // Parts of a save file that belong to the session.
 constexpr std::string_view part_scripts = "scripts", part_generation = "row generation",
@@ -88,8 +87,11 @@ void load_joint_models(Session& session, Model& model) {
 
 } // namespace
 
+void save_session(Session& session, const std::string& file) { save_state(session.model, file, extras_of(session)); }
+
 void run(Session& session, const lang::Save& command) {
-    save_state(session.model, save_name(command.file), extras_of(session));
+    save_session(session, save_name(command.file));
+    session.rescue.saved();
 }
 
 void run(Session& session, const lang::Restore& command) {
@@ -117,6 +119,7 @@ void run(Session& session, const lang::Restore& command) {
     session.title = extras.title;
     session.property_places.clear();
     session.make_cycle();
+    session.rescue.saved();
 }
 
 void run(Session& session, const lang::HistoryWrite& command) {

@@ -34,10 +34,11 @@ Progress::Progress(Output& output, const Model& model, const Target& target)
     : output_(output), model_(model), target_(target), start_(std::chrono::steady_clock::now()),
       first_cycle_(model.clock.cycle), first_time_(model.clock.time) {}
 
-void Progress::advanced() {
-    if (--until_look_ > 0) return;
+bool Progress::advanced() {
+    if (--until_look_ > 0) return false;
     look();
     until_look_ = stride_;
+    return true;
 }
 
 void Progress::look() {

@@ -22,8 +22,8 @@ class Progress {
 public:
     Progress(Output& output, const Model& model, const Target& target);
 
-    /// To be called after each cycle. Looks at the clock seldom enough to cost nothing.
-    void advanced();
+    /// To be called after each cycle. Looks at the clock seldom enough to cost nothing; returns whether it did.
+    bool advanced();
 
     /// Seconds since the start, at the last look at the clock.
     double seconds() const { return seconds_; }

@@ -43,6 +43,7 @@ void advance(Session& session) {
         }
         run_deferred(session);
     } catch (Diagnostic& failure) {
+        session.rescue.step_failed();
         session.deferred.clear();
         const std::string here = session.here();
         failure.add(fmt::format("in cycle {}, at time {}{}", number, time_text(session.model),
@@ -120,7 +121,7 @@ std::string advance_until(Session& session, const Limits& limits) {
             progress.finish();
             throw;
         }
-        progress.advanced();
+        if (progress.advanced()) session.rescue.advanced();
         why = reached(limits, start, session.model, progress.seconds());
     }
     progress.finish();
@@ -128,6 +129,7 @@ std::string advance_until(Session& session, const Limits& limits) {
 }
 
 ElasticJoints::ElasticJoints(Session& session) : session_(session) {
+    session.rescue.hold(true);
     for (const auto& set : session.model.joint_properties) true_values_.push_back(set.values);
     constexpr double strong = 1e30;
     for (const Row row : property_sets_in_use(session.model)) {
@@ -144,6 +146,7 @@ ElasticJoints::ElasticJoints(Session& session) : session_(session) {
 ElasticJoints::~ElasticJoints() {
     for (std::size_t i = 0; i < true_values_.size(); ++i)
         session_.model.joint_properties[i].values = true_values_[i];
+    session_.rescue.hold(false);
 }
 
 } // namespace kaya

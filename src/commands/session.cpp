@@ -135,6 +135,7 @@ void Session::make_cycle() {
 
 lang::Ended Session::run_deck(const std::string& file) {
     deck = file;
+    rescue.look_for_earlier();
     const lang::Ended ended = interpreter.run_file(file);
     output.flush();
     return ended;
@@ -253,6 +254,7 @@ void Session::clear() {
     title.clear();
     property_places.clear();
     said_once.clear();
+    rescue.saved();
     make_cycle();
 }
 

@@ -5,6 +5,7 @@
 #include "commands/occupied.hpp"
 #include "commands/output.hpp"
 #include "commands/ranges.hpp"
+#include "commands/rescue.hpp"
 #include "commands/text_table.hpp"
 #include "io/vtk.hpp"
 #include "joints/joint_model.hpp"
@@ -108,6 +109,7 @@ public:
     bool inside_cycle = false;                              ///< a hook is running: structure must not change
     std::vector<std::pair<Place, std::function<void()>>>
         deferred;                    ///< changes that wait for the end of the cycle
+    Rescue rescue{*this};            ///< what is kept when the run is cut off
     Occupied occupied;               ///< where blocks stand, for the warning about two in one place
     std::set<std::string> said_once; ///< notes that are not repeated
     std::map<std::pair<std::int32_t, std::string>, Place>

@@ -104,6 +104,7 @@ syntax keyword kayaKeyword area
 syntax keyword kayaKeyword assign
 syntax keyword kayaKeyword atol
 syntax keyword kayaKeyword auto
+syntax keyword kayaKeyword autosave
 syntax keyword kayaKeyword axial
 syntax keyword kayaKeyword b
 syntax keyword kayaKeyword background

@@ -1,0 +1,17 @@
+// The whole session as a file: the model, scripts, named ranges and the texts of its decks.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace kaya {
+
+class Session;
+
+/// What `save` adds to a name without an ending.
+inline constexpr std::string_view save_ending = ".kaya.h5";
+
+/// Writes it whole or not at all. Throws Diagnostic (Fault::run).
+void save_session(Session& session, const std::string& file);
+
+} // namespace kaya
