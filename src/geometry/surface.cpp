@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 namespace kaya {
@@ -298,17 +299,29 @@ bool turn_outward(Surface& surface) {
 }
 
 bool is_convex(const Surface& surface, double tolerance) {
+    // A closed surface of one piece is convex when it is so at every edge and every vertex (Tietze and Nakajima 1928).
+    std::vector<double> angle(surface.vertices.size(), 0);
     for (const auto& face : surface.faces) {
-        const Vec3 normal = mean_normal(surface, face), centre = mean_point(surface, face);
-        for (const Vec3& v : surface.vertices)
-            if (normal.dot(v - centre) > tolerance) return false;
-        for (std::size_t i = 0; i < face.vertices.size(); ++i) {
+        const Vec3 normal = mean_normal(surface, face);
+        const std::size_t count = face.vertices.size();
+        for (std::size_t i = 0; i < count; ++i) {
             const Vec3& a = surface.vertices[face.vertices[i]];
-            const Vec3 along =
-                (surface.vertices[face.vertices[(i + 1) % face.vertices.size()]] - a).normalized();
+            const Vec3 along = (surface.vertices[face.vertices[(i + 1) % count]] - a).normalized();
+            const Vec3 back = (surface.vertices[face.vertices[(i + count - 1) % count]] - a).normalized();
             const Vec3 inward = normal.cross(along);
             for (const int v : face.vertices)
                 if (inward.dot(surface.vertices[v] - a) < -tolerance) return false;
+            angle[face.vertices[i]] += std::atan2(along.cross(back).norm(), along.dot(back));
+        }
+    }
+    if (std::any_of(angle.begin(), angle.end(), [](double sum) { return sum > 2 * std::numbers::pi + 1e-6; })) return false;
+    for (const auto& [edge, uses] : edges_of(surface)) {
+        for (const EdgeUse& use : uses) {
+            const auto& face = surface.faces[use.face];
+            const Vec3 normal = mean_normal(surface, face), centre = mean_point(surface, face);
+            for (const EdgeUse& other : uses)
+                for (const int v : surface.faces[other.face].vertices)
+                    if (normal.dot(surface.vertices[v] - centre) > tolerance) return false;
         }
     }
     return true;
@@ -323,7 +336,9 @@ Solid solid_from_surface(const Surface& given, const Flatness& flatness) {
     check_outlines(surface);
     merge_flat_neighbours(surface);
     solid.mended_by = flatten(surface, flatness);
-    if (is_convex(surface, 1e-9 * size_of(surface.vertices))) {
+    // A fine net from a file is as round as the digits of single precision make it.
+    const double tolerance = surface.faces.size() > fine_net ? 1e-6 : 1e-9;
+    if (is_convex(surface, tolerance * size_of(surface.vertices))) {
         solid.parts.push_back(polyhedron_of(surface));
         return solid;
     }

@@ -7,6 +7,9 @@
 
 namespace kaya {
 
+/// With more faces than this a surface is a fine net, which nobody has drawn face by face.
+inline constexpr std::size_t fine_net = 1000;
+
 /// Diagonal of the box around the vertices.
 double size_of(const std::vector<Vec3>& vertices);
 

@@ -114,6 +114,17 @@ std::vector<Surface::Face> split(const Surface& surface, const Surface::Face& fa
     return result;
 }
 
+/// Puts triangles in place of the faces that are not flat.
+void split_warped(Surface& surface, double rounding) {
+    std::vector<Surface::Face> faces;
+    for (auto& face : surface.faces) {
+        if (warp(surface, face) <= rounding) faces.push_back(std::move(face));
+        else
+            for (auto& triangle : split(surface, face)) faces.push_back(std::move(triangle));
+    }
+    surface.faces = std::move(faces);
+}
+
 double worst_warp(const Surface& surface) {
     double worst = 0;
     for (const auto& face : surface.faces) worst = std::max(worst, warp(surface, face));
@@ -185,10 +196,16 @@ double flatten(Surface& surface, const Flatness& flatness) {
     surface.faces = std::move(faces);
 
     const std::vector<Vec3> before = surface.vertices;
-    constexpr int most_sweeps = 20000;
+    // Few faces of which each hangs on the next may need many sweeps; in a fine net they never end.
+    constexpr int most_sweeps = 20000, sweeps_of_net = 200;
+    const int patience = flatness.triangulate_rest && surface.faces.size() > fine_net ? sweeps_of_net : most_sweeps;
     int sweep = 0;
     while (worst_warp(surface) > rounding) {
-        if (++sweep > most_sweeps) {
+        if (++sweep > patience && flatness.triangulate_rest) {
+            split_warped(surface, rounding);
+            break;
+        }
+        if (sweep > most_sweeps) {
             const auto worst = std::max_element(
                 surface.faces.begin(), surface.faces.end(),
                 [&](const auto& a, const auto& b) { return warp(surface, a) < warp(surface, b); });

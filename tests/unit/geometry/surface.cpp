@@ -6,7 +6,9 @@
 #include "geometry/shapes.hpp"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 using namespace kaya;
 using kaya::testing::closed;
@@ -67,6 +69,25 @@ Loops turned(Loops loops, const Eigen::Quaterniond& rotation, const Vec3& shift)
 }
 
 const Eigen::Quaterniond oblique(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
+
+TEST(Surface, AFineNetOfSinglePrecisionIsOneConvexBlock) {
+    constexpr int rings = 40, sides = 80;
+    const auto point = [](int i, int j) {
+        const double a = i * std::numbers::pi / rings, b = 2 * std::numbers::pi * (j % sides) / sides;
+        const double r = i == 0 || i == rings ? 0 : std::sin(a);
+        return Vec3(static_cast<float>(r * std::cos(b)), static_cast<float>(r * std::sin(b)), static_cast<float>(std::cos(a)));
+    };
+    Loops triangles;
+    for (int i = 0; i < rings; ++i)
+        for (int j = 0; j < sides; ++j) {
+            if (i < rings - 1) triangles.push_back({point(i, j), point(i + 1, j), point(i + 1, j + 1)});
+            if (i > 0) triangles.push_back({point(i, j), point(i + 1, j + 1), point(i, j + 1)});
+        }
+    const Solid solid = solid_from_surface(surface_from_loops(triangles, 1e-9), {1e-3, true});
+    ASSERT_EQ(solid.parts.size(), 1u);
+    EXPECT_LT(solid.mended_by, 1e-6);
+    EXPECT_NEAR(mass_properties(solid.parts[0]).volume, 4 * std::numbers::pi / 3, 0.003 * 4 * std::numbers::pi / 3);
+}
 
 } // namespace
 
