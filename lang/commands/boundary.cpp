@@ -10,8 +10,14 @@ namespace kaya::lang {
 namespace {
 
 /// Translation, then rotation.
-constexpr const char* velocity_words[6][2] = {{"xvel", "xvelocity"},   {"yvel", "yvelocity"},   {"zvel", "zvelocity"},
-                                              {"rxvel", "rxvelocity"}, {"ryvel", "ryvelocity"}, {"rzvel", "rzvelocity"}};
+const std::vector<Spelling> velocity_words[6] = {
+    {"xvel", "xvelocity"},
+    {"yvel", "yvelocity"},
+    {"zvel", "zvelocity"},
+    {"rxvel", "rxvelocity", Spelling{"xrvel", 3}}, // xr is a range
+    {"ryvel", "ryvelocity", Spelling{"yrvel", 3}},
+    {"rzvel", "rzvelocity", Spelling{"zrvel", 3}},
+};
 
 Argument<double> velocity_argument(std::size_t component) {
     return component < 3 ? real("v").unit("velocity") : real("v").unit("angle in radians/time");
@@ -73,7 +79,7 @@ template <class Command> void add_multiplier(Entry<Command>& entry) {
 /// The words xvel to rzvel.
 template <class Command> void add_velocities(Entry<Command>& entry, std::string_view help, std::string_view spin) {
     for (std::size_t i = 0; i < 6; ++i)
-        entry.keyword({velocity_words[i][0], velocity_words[i][1]}, velocity_argument(i),
+        entry.keyword(velocity_words[i], velocity_argument(i),
                       [i](Command& c) -> auto& { return c.velocity[i]; }, i < 3 ? help : spin);
 }
 
@@ -179,6 +185,7 @@ CommandSpec apply() {
     });
     entry.right("apply xvel 0.8 range region 2").right("apply xvel 1 hist table 1 range z -1 0");
     entry.right("apply zload -1e4 hist sine 2 range group block").right("apply rzvel 0.1 range id 3");
+    entry.right("apply xrvel 0 zrvel 0.1 range id 3");
     entry.wrong("apply", "apply does not say what acts on the blocks");
     entry.wrong("apply xvel", "a number is missing after 'xvel'");
     entry.wrong("apply xvle 1", "'xvle' is not a keyword of apply");
@@ -189,7 +196,7 @@ CommandSpec apply() {
 template <class Command> Entry<Command> components(std::vector<Spelling> words) {
     Entry<Command> entry(std::move(words));
     for (std::size_t i = 0; i < 6; ++i)
-        entry.action({velocity_words[i][0], velocity_words[i][1]}, [i](Command& c) { c.components[i] = true; },
+        entry.action(velocity_words[i], [i](Command& c) { c.components[i] = true; },
                      i < 3 ? "only translation in this direction" : "only rotation about this axis");
     entry.action({"velocity"}, [](Command& c) { c.components[0] = c.components[1] = c.components[2] = true; },
                  "only translation, in all directions");

@@ -37,6 +37,8 @@ struct Set {
     std::optional<std::int64_t> threads;
     std::optional<double> autosave; ///< minutes; 0: none
     std::optional<bool> echo;
+    std::optional<Vec3> gravity;
+    std::optional<std::int64_t> seed; ///< random n: of urand and grand
     std::vector<std::string> accepted; ///< words that have no effect here (pagination, ...)
     std::vector<std::pair<std::string, Value>> fish; ///< set @name = value; the name is without @
 };
@@ -301,6 +303,8 @@ struct List {
     std::string what; ///< canonical: blocks, contacts, subcontacts, gridpoints, zones, prop, hist, time,
                       ///< timestep, max, energy, timing, hash, jmodel, ... or "" with `symbols`
     std::vector<std::string> symbols; ///< print @a @b: without @
+    std::optional<std::int64_t> number; ///< list hist n, list prop jmat n
+    enum class Part { all, blocks, joints } part = Part::all; ///< list prop mat | jmat
     RangePhrase range;
 };
 struct Ignored { std::string word; }; ///< plot, movie, ...: read to its end
@@ -332,11 +336,12 @@ struct Fraction { double value = 0; };
 // --- scripts -----------------------------------------------------------------------------------------
 /// def NAME ... end: all its lines, the first and the last included; place is that of the first line.
 struct FishDefinition { std::string text; Place place; };
-/// fish callback add NAME [place in the cycle] [interval n], fish callback remove NAME.
+/// fish callback add NAME [place in the cycle] [interval n], fish callback remove NAME; set fishcall n NAME.
 struct FishCallback {
+    enum class When { before_cycle, after_forces, after_cycle };
     std::string function;
     bool remove = false;
-    double location = 50; ///< below 40: before the cycle; from there on: when its forces are known
+    When when = When::after_forces;
     std::int64_t interval = 1;
     Place place;
 };

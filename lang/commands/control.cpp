@@ -25,6 +25,14 @@ CommandSpec set() {
     entry.keyword({"echo"}, on_off(), &Set::echo, "shows the commands while they run");
     entry.keyword({"autosave"}, real("m").unit("minutes").at_least(0), &Set::autosave,
                   "minutes of cycles between two files of what would be lost if the run were cut off; 0: none");
+    entry.keyword({"gravity"}, vector("gx gy gz").unit("acceleration"), &Set::gravity, "the same as gravity");
+    const auto seed = integer("n").at_least(0).optional();
+    entry.special({Spelling{"random", 3}}, {seed.spec},
+                  [=](Reader& reader, Set& set) {
+                      const bool given = reader.peek() && (reader.peek()->kind == WordKind::number || reader.peek()->late());
+                      set.seed = given ? reader.integer(seed.spec) : 1;
+                  },
+                  "random numbers of FISH and Lua start anew from this seed; 1 if not given");
     for (const char* word :
          {"pagination", "atol", "btol", "ctol", "dtol", "etol", "nmech", "ncyc", "cust1", "cust2", "messages", "warnings",
           "overwrite", "delcontact"})
@@ -48,7 +56,6 @@ CommandSpec set() {
                           (void)reader.take_raw();
                       },
                       "accepted with the rest of the line, without effect").ignored();
-    entry.not_yet({"fishcall"}, "functions at numbered places of the cycle: use fish callback add");
     entry.otherwise({text("@name value").optional().spec}, [](Reader& reader, Set& set) {
         if (reader.peek()->kind != WordKind::symbol) return false;
         const std::string name = reader.symbol(text("@name").spec);
@@ -64,6 +71,7 @@ CommandSpec set() {
         .right("set log on logfile run.log")
         .right("set @load = 5e6");
     entry.right("set dt 1e-5").right("set autosave 30");
+    entry.right("set gravity 0 0 -9.81 random 7").right("set random");
     entry.right("set pagination off").right("set atol 1e-4 echo off");
     entry.wrong("set", "set does not say what to set");
     entry.wrong("set dyn maybe", "'maybe' stands where on or off must be");

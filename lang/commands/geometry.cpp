@@ -57,9 +57,11 @@ Family geometry() {
         {
             Entry<Hide>({"hide"})
                 .help("hides blocks; most commands act on visible blocks only")
+                .action({Spelling{"all", 3}}, [](Hide&) {}, "all blocks, as without a range")
                 .range(&Hide::range)
                 .right("hide range z 0 .1")
                 .right("hide region 1")
+                .right("hide all")
                 .right("hide")
                 .wrong("hide range", "the range is empty")
                 .wrong("hide rnge z 0 1", "'rnge' is not a keyword of hide")
@@ -68,9 +70,11 @@ Family geometry() {
                 .wrong("hide range grup a", "'grup' is not a range element"),
             Entry<Seek>({"seek", "show"})
                 .help("makes hidden blocks visible again")
+                .action({Spelling{"all", 3}}, [](Seek&) {}, "all blocks, as without a range")
                 .range(&Seek::range)
                 .right("seek")
                 .right("show range group wall")
+                .right("show all")
                 .right("seek range sphere center 0 0 0 radius 2")
                 .wrong("seek range sphere center 0 0 0", "the sphere needs center and radius")
                 .wrong("seek range sphere center 0 0", "a number is missing after '0'")

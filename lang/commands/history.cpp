@@ -71,7 +71,7 @@ CommandSpec history_add() {
                       },
                       item.help);
     }
-    entry.keyword({"ncyc", "ncycle"}, integer("n").at_least(1), &HistoryAdd::interval,
+    entry.keyword({"ncyc", "ncycle", Spelling{"nstep", 1}}, integer("n").at_least(1), &HistoryAdd::interval,
                   "cycles from one record to the next, for all histories");
     entry.place(&HistoryAdd::place);
     const auto number = integer("n").at_least(1);
@@ -89,7 +89,7 @@ CommandSpec history_add() {
         if (history.items.empty() && !history.interval)
             incomplete_line(reader, "history does not say what to record", "write for example: hist unbal");
     });
-    entry.right("hist unbal ncyc 5").right("hist @sstav @nstav").right("hist sdis -1 -1 0 ndis -1 -1 0");
+    entry.right("hist n 10 unbal").right("hist unbal ncyc 5").right("hist @sstav @nstav").right("hist sdis -1 -1 0 ndis -1 -1 0");
     entry.right("hist ekinetic eerror").right("hist xacc 0 0 10 sig1 0 0 0").right("hist 1 unbal");
     entry.right("hist zdisp 0 0 0.1")
         .right("his xvel (0,0,1)")

@@ -3,27 +3,42 @@
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
 
+#include <algorithm>
+
 namespace kaya::lang {
 
 namespace {
 
+/// What may stand behind the word of a list.
+enum class Behind {
+    range,   ///< a range, with or without its word
+    objects, ///< the number of an object, or a range
+    number,  ///< a number
+    parts    ///< mat or jmat, and a number
+};
+
 struct Listed {
     std::vector<Spelling> words;
     const char* help;
+    Behind behind = Behind::range;
 };
 
 const std::vector<Listed>& listed() {
     static const std::vector<Listed> words = {
-        {{"blocks"}, "blocks: place, mass, material, region"},
+        {{"blocks"}, "blocks: place, mass, material, region", Behind::objects},
         {{"quality"}, "blocks that will make trouble, and what helps; also `list blocks quality`"},
-        {{"contacts"}, "contacts: blocks, normal, area"},
-        {{"subcontacts"}, "sub-contacts: displacements, forces, state"},
-        {{"gridpoints", "gp"}, "gridpoints: place, velocity, displacement, force"},
-        {{"zones"}, "zones: stresses, volume"},
-        {{"prop", "property"}, "properties of materials"},
-        {{"hist", "histories"}, "histories: number, name, least and greatest value"},
+        {{"contacts"}, "contacts: blocks, normal, area", Behind::objects},
+        {{"subcontacts"}, "sub-contacts: displacements, forces, state", Behind::objects},
+        {{"gridpoints", "gp"}, "gridpoints: place, velocity, displacement, force", Behind::objects},
+        {{"zones"}, "zones: stresses, volume", Behind::objects},
+        {{Spelling{"faces", 3}}, "faces: place, normal, area", Behind::objects},
+        {{"prop", "property"}, "properties of materials; of blocks only behind mat, of joints behind jmat", Behind::parts},
+        {{"hist", "histories", "history"}, "histories: number, name, least and greatest value", Behind::number},
         {{"max", "maximum"}, "greatest values of the model"},
-        {{"time"}, "time and cycle"},
+        {{"time", "cycle", Spelling{"step", 3}}, "time and cycle"},
+        {{Spelling{"unbalanced", 3}}, "largest unbalanced force, and its ratios to the forces that act"},
+        {{"damping"}, "kind of damping and its numbers"},
+        {{Spelling{"information", 3}}, "what there is: time, cycle, numbers of blocks, contacts, zones"},
         {{"timestep"}, "time step and what limits it"},
         {{"timing"}, "seconds spent in each phase of the cycle"},
         {{"energy"}, "energies and their balance"},
@@ -45,14 +60,63 @@ const std::vector<Listed>& listed() {
     return words;
 }
 
+std::vector<ArgumentSpec> arguments_behind(Behind behind) {
+    switch (behind) {
+    case Behind::range: return {};
+    case Behind::objects:
+    case Behind::number: return {integer("n").at_least(1).optional().spec};
+    case Behind::parts: return {text("mat|jmat").optional().spec, integer("n").at_least(1).optional().spec};
+    }
+    return {};
+}
+
+/// A range without its word, whose first element may have the name of a list, and is the word just taken: list block
+/// group stone.
+bool read_element(Reader& reader, List& command) {
+    const Word& word = reader.previous();
+    const KeywordSpec* element = word.kind == WordKind::word ? find_keyword(range_elements(), word.folded) : nullptr;
+    if (element == nullptr || element->support != Support::runs || reader.at_end()) return false;
+    element->read(reader, &command.range);
+    if (!reader.at_end()) read_range(reader, command.range);
+    command.range.place = word.place;
+    return true;
+}
+
+/// What stands behind the word of a list.
+bool read_behind(Reader& reader, List& command) {
+    const Word& word = *reader.peek();
+    if (word.kind == WordKind::word && find_keyword(range_elements(), word.folded)) {
+        const bool materials = command.what == "prop" && command.part == List::Part::all && !command.number;
+        if (materials && (word.folded == "mat" || word.folded == "jmat")) {
+            command.part = word.folded == "mat" ? List::Part::blocks : List::Part::joints;
+            reader.take();
+        } else {
+            read_range(reader, command.range);
+        }
+        return true;
+    }
+    const auto item = std::ranges::find(listed(), command.what, [](const Listed& l) { return l.words.front().word; });
+    const bool number = word.kind == WordKind::number || word.late();
+    if (!number || item->behind == Behind::range || command.number || command.range.place) return false;
+    command.number = reader.integer(integer("n").at_least(1).spec);
+    if (item->behind != Behind::objects) return true;
+    RangeElement element;
+    element.kind = RangeElement::Kind::id;
+    element.low = element.high = static_cast<double>(*command.number);
+    element.place = command.range.place = reader.previous().place;
+    command.range.elements.push_back(std::move(element));
+    return true;
+}
+
 CommandSpec list() {
     Entry<List> entry({"list", "print"});
     entry.help("shows what is in the model, or the value of a variable");
     for (const auto& item : listed()) {
         const std::string what(item.words.front().word);
-        entry.special(item.words, {},
+        entry.special(item.words, arguments_behind(item.behind),
                       [what](Reader& reader, List& command) {
                           if (what == "quality" && command.what == "blocks") command.what.clear();
+                          if (!command.what.empty() && read_element(reader, command)) return;
                           if (!command.what.empty() || !command.symbols.empty())
                               throw Diagnostic("one list command shows one thing",
                                                "write a second list command")
@@ -65,11 +129,12 @@ CommandSpec list() {
              {"structure", "cables, beams and liners"}})
         entry.not_yet({Spelling{word, 3}}, about);
     entry.otherwise({text("@name").optional().spec}, [](Reader& reader, List& command) {
-        if (reader.peek()->kind != WordKind::symbol || !command.what.empty()) return false;
+        if (!command.what.empty()) return read_behind(reader, command);
+        if (reader.peek()->kind != WordKind::symbol) return false;
         command.symbols.push_back(reader.symbol(text("@name").spec));
         return true;
     });
-    entry.range(&List::range, true); // print x is more likely meant as print @x
+    entry.range(&List::range, true); // print x is more likely meant as print @x; behind a list its word may be left out
     entry.finish([](const Reader& reader, List& command) {
         if (command.what.empty() && command.symbols.empty())
             incomplete_line(reader, "list does not say what to show", "write for example: list blocks");
@@ -79,10 +144,18 @@ CommandSpec list() {
         .right("print @a @b")
         .right("pri max")
         .right("list contacts range z 0 1")
-        .right("list blocks quality");
+        .right("list blocks quality")
+        .right("list block 3")
+        .right("list block z 0 1 group wall")
+        .right("print prop jmat")
+        .right("print hist 2")
+        .right("print cycle");
     entry.wrong("list", "list does not say what to show");
     entry.wrong("print blokcs", "'blokcs' is not a keyword of list");
     entry.wrong("list blocks zones", "one list command shows one thing");
+    entry.wrong("list time 5", "'5' stands where a keyword of list must be");
+    entry.wrong("list blocks 1.5", "blocks takes a whole number, not 1.5");
+    entry.wrong("list blocks z", "a number is missing after 'z'");
     entry.wrong("print x", "'x' is not a keyword of list");
     entry.wrong("list 5", "'5' stands where a keyword of list must be");
     return entry;

@@ -3,6 +3,9 @@
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
 
+#include <array>
+#include <fmt/format.h>
+
 namespace kaya::lang {
 
 namespace {
@@ -29,7 +32,10 @@ CommandSpec callback() {
                   [=](Reader& reader, FishCallback& callback) {
                       callback.function = reader.text(name);
                       callback.place = reader.previous().place;
-                      if (reader.at_number()) callback.location = reader.real(location);
+                      // Newer versions number the parts of a cycle.
+                      constexpr double forces_are_known = 40;
+                      if (reader.at_number() && reader.real(location) < forces_are_known)
+                          callback.when = FishCallback::When::before_cycle;
                   },
                   "the function; below 40 it runs before the cycle, else when the forces of the cycle are known");
     entry.special({"remove"}, {name},
@@ -50,6 +56,47 @@ CommandSpec callback() {
     return entry;
 }
 
+/// set fishcall n NAME: the older way to say the same.
+CommandSpec fishcall() {
+    const auto name = text("name").spec;
+    Entry<FishCallback> entry({"set"}, {Spelling{"fishcall", 5}});
+    entry.help("runs a FISH function in every cycle");
+    entry.place(&FishCallback::place);
+    entry.argument(integer("n").help("0: before the cycle; 1: when its forces are known; 2: after it"),
+                   [](FishCallback& callback, std::int64_t n) {
+                       using enum FishCallback::When;
+                       static constexpr std::array places{before_cycle, after_forces, after_cycle};
+                       if (n < 0 || n >= static_cast<std::int64_t>(places.size()))
+                           throw Diagnostic(fmt::format("there is no place {} in a cycle", n),
+                                            "0: before the cycle, 1: when its forces are known, 2: after it")
+                               .at(callback.place);
+                       callback.when = places[static_cast<std::size_t>(n)];
+                   });
+    entry.keyword({Spelling{"remove", 6}}, text("name"),
+                  [](FishCallback& callback, std::string function) {
+                      callback.remove = true;
+                      callback.function = std::move(function);
+                  },
+                  "the function is not run any more");
+    entry.otherwise({name}, [name](Reader& reader, FishCallback& callback) {
+        if (!callback.function.empty()) return false;
+        const Word& word = *reader.peek();
+        callback.place = word.place;
+        // @name would run the function here; its name is meant.
+        callback.function = word.kind == WordKind::symbol ? reader.symbol(name) : reader.text(name);
+        return true;
+    });
+    entry.finish([](const Reader& reader, FishCallback& callback) {
+        if (callback.function.empty())
+            incomplete_line(reader, "set fishcall needs the name of a function", "write: set fishcall 2 NAME");
+    });
+    entry.right("set fishcall 2 watch").right("set fishcall 0 remove watch");
+    entry.wrong("set fishcall", "a number is missing after 'fishcall'");
+    entry.wrong("set fishcall 2", "set fishcall needs the name of a function");
+    entry.wrong("set fishcall 7 watch", "there is no place 7 in a cycle");
+    return entry;
+}
+
 } // namespace
 
 Family script() {
@@ -66,6 +113,7 @@ Family script() {
                 std::move(plain),
                 std::move(modern),
                 callback(),
+                fishcall(),
                 Entry<FishCall>({"@"})
                     .help("runs a function or shows a value: @name or @name(arguments) alone on a line")
                     .raw(&FishCall::expression)

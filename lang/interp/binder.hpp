@@ -7,6 +7,12 @@
 
 namespace kaya::lang {
 
+/// A word that is read as a name: of FISH, or of a range.
+struct BareName {
+    std::size_t word = 0; ///< its index in the statement
+    bool range = false;
+};
+
 /// One command, ready to be run.
 struct BoundCommand {
     const CommandSpec* spec = nullptr;
@@ -15,6 +21,7 @@ struct BoundCommand {
     std::any command;  ///< the struct of lang/commands/commands.hpp
     bool late = false; ///< holds wildcards: to be bound again with values when it is reached
     std::vector<std::string_view> ignored; ///< its words that are without effect, in whole
+    std::vector<BareName> bare;            ///< to be read in this order before the statement is bound, see bare_names.hpp
 
     /// The statement in one line, words as typed and single blanks between them; a body follows as it is.
     std::string text() const;

@@ -15,9 +15,9 @@ using SharedFile = std::shared_ptr<const BoundFile>;
 /// Binds a file and, through its calls, the files below it.
 class DeckReader {
 public:
-    DeckReader(const Language& language, const std::vector<fs::path>& folders, const Checks* checks,
+    DeckReader(const Language& language, const std::vector<fs::path>& folders, const Checks* checks, BareNames& names,
                std::size_t most_problems = most_errors_shown)
-        : language_(language), folders_(folders), checks_(checks), most_problems_(most_problems) {}
+        : language_(language), folders_(folders), checks_(checks), names_(names), most_problems_(most_problems) {}
 
     SharedFile file(const std::string& name) {
         const fs::path path = find_deck(name, searched());
@@ -58,8 +58,9 @@ public:
 
 private:
     BoundFile::Step step(const Statement& statement) {
-        BoundFile::Step step{bind_statement(language_, statement), {}};
+        BoundFile::Step step{bind_with_names(language_, statement, names_), {}};
         BoundCommand& command = step.command;
+        names_.learn(*command.spec, statement);
         if (checks_ && !command.late && checks_->has(command.command.type())) run_check(command);
         if (!command.spec->body_end.empty() || statement.words.front().late()) script_seen_ = true;
         if (command.spec->flow == Flow::call && !command.late) step.called = called(command);
@@ -109,6 +110,7 @@ private:
     const Language& language_;
     const std::vector<fs::path>& folders_;
     const Checks* checks_;
+    BareNames& names_;
     std::size_t most_problems_;
     std::vector<std::pair<fs::path, std::string>> chain_; ///< files being read, with their names as written
     std::vector<std::pair<fs::path, SharedFile>> done_;
@@ -119,8 +121,9 @@ private:
 } // namespace
 
 SharedFile bind_deck(const Language& language, const std::string& name, const std::vector<fs::path>& folders,
-                     const Checks* checks) {
-    DeckReader reader(language, folders, checks);
+                     const Checks* checks, BareNames* names) {
+    BareNames own;
+    DeckReader reader(language, folders, checks, names != nullptr ? *names : own);
     const SharedFile bound = reader.file(name);
     reader.throw_problems();
     return bound;
@@ -128,16 +131,17 @@ SharedFile bind_deck(const Language& language, const std::string& name, const st
 
 ReadDeck read_deck(const Language& language, const std::string& name, const std::vector<fs::path>& folders,
                    const Checks* checks) {
-    DeckReader reader(language, folders, checks, std::numeric_limits<std::size_t>::max());
     ReadDeck deck;
+    DeckReader reader(language, folders, checks, deck.names, std::numeric_limits<std::size_t>::max());
     deck.file = reader.file(name);
     deck.problems = reader.take_problems();
     return deck;
 }
 
 SharedFile bind_text(const Language& language, Source source, const std::vector<fs::path>& folders,
-                     const Checks* checks) {
-    DeckReader reader(language, folders, checks);
+                     const Checks* checks, BareNames* names) {
+    BareNames own;
+    DeckReader reader(language, folders, checks, names != nullptr ? *names : own);
     const SharedFile bound = reader.text(source, {});
     reader.throw_problems();
     return bound;

@@ -1,6 +1,7 @@
 // A deck with the files that it calls, bound before anything runs.
 #pragma once
 
+#include "lang/interp/bare_names.hpp"
 #include "lang/interp/binder.hpp"
 #include "lang/interp/handlers.hpp"
 
@@ -41,19 +42,21 @@ using Checks = Handlers;
 /// Reads and binds the file `name` and all files that it calls, searched in `folders`.
 /// Throws DeckErrors with every mistake; parsing goes on behind each.
 /// A called file that does not exist is no mistake yet when a script in front of the call may write it.
+/// `names` are those of what ran before; it takes those of this deck.
 std::shared_ptr<const BoundFile> bind_deck(const Language& language, const std::string& name,
                                            const std::vector<std::filesystem::path>& folders,
-                                           const Checks* checks = nullptr);
+                                           const Checks* checks = nullptr, BareNames* names = nullptr);
 
 /// The same for a text: a line typed at the prompt, a test, command ... endcommand of a script.
 std::shared_ptr<const BoundFile> bind_text(const Language& language, Source source,
                                            const std::vector<std::filesystem::path>& folders,
-                                           const Checks* checks = nullptr);
+                                           const Checks* checks = nullptr, BareNames* names = nullptr);
 
 /// A deck that may hold mistakes: what was bound, and what was not.
 struct ReadDeck {
     std::shared_ptr<const BoundFile> file;
     std::vector<Diagnostic> problems; ///< in the order in which they were met
+    BareNames names;
 };
 
 /// The same as bind_deck for `kaya check`: however many mistakes there are, they are given back, not thrown.

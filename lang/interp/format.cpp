@@ -51,7 +51,9 @@ public:
 private:
     Flow add(const Statement& statement) {
         Spelled spelled;
-        const BoundCommand bound = bind_statement(language_, statement, nullptr, &spelled);
+        const BoundCommand bound = bind_with_names(language_, statement, names_, &spelled);
+        names_.learn(*bound.spec, statement);
+        if (!bound.bare.empty()) return bound.spec->flow; // names that look like words: the line stays as it is
         copy_up_to(statement.first_line - 1);
         // The lines of a body are those behind the line of its last word.
         const int last = statement.body.empty() ? statement.last_line : statement.words.back().place.line;
@@ -94,6 +96,7 @@ private:
 
     const Language& language_;
     const Source& source_;
+    BareNames names_;
     std::string result_;
     int done_ = 0; ///< lines that are in the result
     std::vector<Diagnostic> problems_;

@@ -7,11 +7,11 @@ namespace kaya::lang {
 namespace fs = std::filesystem;
 
 Ended Interpreter::run_file(const std::string& name) {
-    return run(*bind_deck(language_, name, searched(), &checks));
+    return run(*bind_deck(language_, name, searched(), &checks, &names_));
 }
 
 Ended Interpreter::run_text(const std::string& text, const std::string& name, int first_line) {
-    return run(*bind_text(language_, source_from_text(name, text, first_line), searched(), &checks));
+    return run(*bind_text(language_, source_from_text(name, text, first_line), searched(), &checks, &names_));
 }
 
 Ended Interpreter::run(const BoundFile& file) {
@@ -52,6 +52,7 @@ Ended Interpreter::run_step(const BoundFile::Step& step) {
         Lexer lexer(command->place.source, command->place.line);
         Statement statement;
         next_statement(language_, lexer, statement);
+        for (const BareName& name : command->bare) read_as_name(statement, name);
         with_values = bind_statement(language_, statement, &values);
         command = &with_values;
     }
@@ -73,7 +74,7 @@ Ended Interpreter::run_call(const BoundFile::Step& step, const BoundCommand& com
     // The deck itself may have written the file since it was bound.
     if (step.called && read_source(step.called->path, name)->lines == step.called->source->lines)
         return run(*step.called);
-    return run(*bind_deck(language_, name, searched(), &checks));
+    return run(*bind_deck(language_, name, searched(), &checks, &names_));
 }
 
 std::vector<fs::path> Interpreter::searched() const {

@@ -62,6 +62,7 @@ private:
 
     const Language& language_;
     const Handlers& handlers_;
+    BareNames names_;           ///< of all that was bound
     std::vector<Frame> frames_; ///< one for each file or text that is being run
 };
 

@@ -1,5 +1,7 @@
 #include "lang/interp/lexer.hpp"
 
+#include "lang/interp/brackets.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -16,21 +18,6 @@ bool is_blank(char c) {
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// One past the bracket that closes the one at `open`, or npos. Quotes inside are skipped.
-std::size_t past_closing(std::string_view line, std::size_t open, char opening, char closing) {
-    int depth = 0;
-    char quote = 0;
-    for (std::size_t i = open; i < line.size(); ++i) {
-        const char c = line[i];
-        if (quote) {
-            if (c == quote) quote = 0;
-        } else if (c == '\'' || c == '"') quote = c;
-        else if (c == opening) ++depth;
-        else if (c == closing && --depth == 0) return i + 1;
-    }
-    return std::string_view::npos;
-}
 
 /// Makes a number of the word when the whole of it is one: 3, 3., .5, +0.01, 1e-6.
 void read_number(Word& word) {

@@ -132,6 +132,8 @@ void Scripts::set(const std::string& name, const Value& value, const Place& plac
     });
 }
 
+void Scripts::seed(std::uint64_t seed) { impl_->machine->random.seed(seed); }
+
 bool Scripts::knows(const std::string& name) const {
     return knows_fish_name(*impl_->machine, bare_expression(name));
 }

@@ -59,6 +59,8 @@ public:
     void call(const std::string& expression, const Place& place = {});
     /// `set @name = value`
     void set(const std::string& name, const Value& value, const Place& place = {});
+    /// The random numbers of FISH and Lua start anew.
+    void seed(std::uint64_t seed);
     /// True for a function, a variable that was mentioned, or a built-in name.
     bool knows(const std::string& name) const;
     /// Names of all FISH variables and functions, sorted (for `list fish`, and for "did you mean").

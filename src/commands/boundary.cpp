@@ -6,6 +6,7 @@
 #include "mechanics/boundary.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/face_conditions.hpp"
+#include "model/measure.hpp"
 
 #include <algorithm>
 #include <array>
@@ -133,6 +134,9 @@ std::vector<Row> triangles_in_range(Session& session, const lang::Boundary& comm
 void put_on_faces(Session& session, const lang::Boundary& command, const std::vector<Row>& triangles) {
     auto& model = session.model;
     const std::uint8_t bits = quiet_bits(command);
+    double area = 0;
+    for (const Row t : triangles) area += triangle_area_vector(model, t).norm();
+    session.output.say(fmt::format("{} an area of {}", bits != 0 ? "quiet boundary on" : "nvel holds", number_text(area)));
     if (command.normal_velocity) hold_normals(model, triangles, *command.normal_velocity);
     if (bits == 0) return;
     make_quiet(model, triangles, bits);
@@ -247,7 +251,9 @@ void run(Session& session, const lang::Boundary& command) {
     }
     if (command.stress) {
         find_contacts(model, session.joints); // they tell which faces are exterior
-        if (add_stress(model, points, stress_field(command), function) == 0) warn_of_no_face(session, command, points.size(), "the stress");
+        const double area = add_stress(model, points, stress_field(command), function);
+        if (area == 0) warn_of_no_face(session, command, points.size(), "the stress");
+        else session.output.say(fmt::format("stress added on an area of {}", number_text(area)));
     }
     std::vector<Row> blocks;
     for (const Row g : points)

@@ -26,6 +26,8 @@ Outlook outlook_of(const Diagnostic& problem) {
 
 class Reporter {
 public:
+    explicit Reporter(const lang::BareNames& bare) : bare_(bare) {}
+
     DeckReport report;
 
     void file(const lang::BoundFile& file) {
@@ -96,7 +98,7 @@ private:
             lang::Statement words;
             if (!lexer.next(words)) continue;
             try {
-                statement(lang::bind_statement(lang::classic(), words), true);
+                statement(lang::bind_with_names(lang::classic(), words, bare_), true);
             } catch (const Diagnostic& mistake) {
                 problem(mistake);
             }
@@ -104,6 +106,7 @@ private:
     }
 
     DeckNames names_;
+    const lang::BareNames& bare_;
     std::set<const lang::BoundFile*> seen_;
     std::vector<std::string> files_; ///< in the order of their first call
 };
@@ -133,7 +136,7 @@ std::string DeckReport::text(const std::string& deck) const {
 DeckReport check_deck(const std::string& deck, const std::vector<std::filesystem::path>& folders) {
     const lang::Checks checks = deck_checks();
     const lang::ReadDeck read = lang::read_deck(lang::classic(), deck, folders, &checks);
-    Reporter reporter;
+    Reporter reporter(read.names);
     reporter.file(*read.file);
     for (const auto& problem : read.problems) reporter.problem(problem);
     reporter.names();

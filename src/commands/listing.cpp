@@ -56,7 +56,7 @@ struct ListEntry {
     std::string_view word;
     std::string (*text)(Session&, const lang::List&);
 };
-constexpr std::array<ListEntry, 27> lists{{
+constexpr std::array<ListEntry, 31> lists{{
     {"blocks", list_blocks}, {"quality", list_block_quality},         {"contacts", list_contacts}, {"subcontacts", list_sub_contacts},
     {"gridpoints", list_gridpoints}, {"zones", list_zones},       {"prop", list_properties},
     {"jmodel", list_joint_models},   {"hist", list_histories},    {"time", list_time},
@@ -66,24 +66,32 @@ constexpr std::array<ListEntry, 27> lists{{
     {"fish", list_symbols},          {"groups", list_groups},     {"settings", list_settings},
     {"boundary", list_boundary},     {"excavated", list_excavated}, {"stress", list_stresses},
     {"state", list_states},          {"jset", list_joint_sets},   {"memory", list_memory},
-    {"version", list_version},
+    {"version", list_version},       {"faces", list_faces},       {"unbalanced", list_unbalanced},
+    {"damping", list_damping},       {"information", list_information},
 }};
 
 } // namespace
 
-std::string list_properties(Session& session, const lang::List&) {
-    const auto& materials = session.model.materials;
-    if (materials.empty()) return "no materials";
-    TextTable table({"mat", "density", "bulk", "shear", "bcoh", "bfric", "bten", "bdil", "joint"});
-    for (const auto& [number, m] : materials) {
-        std::vector<std::string> joint;
-        for (const auto& [word, value] : m.joint)
-            joint.push_back(fmt::format("{} {}", word, number_text(value)));
-        table.add({std::to_string(number), given(m.density), given(m.bulk), given(m.shear),
-                   number_text(m.cohesion), number_text(m.friction), number_text(m.tension),
-                   number_text(m.dilation), joint.empty() ? "-" : fmt::format("{}", fmt::join(joint, ", "))});
+std::string list_properties(Session& session, const lang::List& command) {
+    using enum lang::List::Part;
+    const bool of_blocks = command.part != joints, of_joints = command.part != blocks;
+    std::vector<std::string> headings{of_blocks ? "mat" : "jmat"};
+    if (of_blocks)
+        for (const char* word : {"density", "bulk", "shear", "bcoh", "bfric", "bten", "bdil"}) headings.emplace_back(word);
+    if (of_joints) headings.emplace_back("joint");
+    TextTable table(std::move(headings));
+    for (const auto& [number, m] : session.model.materials) {
+        if (command.number.value_or(number) != number || (!of_blocks && m.joint.empty())) continue;
+        std::vector<std::string> row{std::to_string(number)}, joint;
+        if (of_blocks)
+            row.insert(row.end(), {given(m.density), given(m.bulk), given(m.shear), number_text(m.cohesion),
+                                   number_text(m.friction), number_text(m.tension), number_text(m.dilation)});
+        for (const auto& [word, value] : m.joint) joint.push_back(fmt::format("{} {}", word, number_text(value)));
+        if (of_joints) row.push_back(joint.empty() ? "-" : fmt::format("{}", fmt::join(joint, ", ")));
+        table.add(std::move(row));
     }
-    return table.text();
+    if (table.size() > 0) return table.text();
+    return command.number ? fmt::format("no material {}", *command.number) : "no materials";
 }
 
 std::string list_joint_models(Session& session, const lang::List&) {
@@ -107,11 +115,12 @@ std::string list_joint_models(Session& session, const lang::List&) {
     return text.empty() ? "no joint model is loaded" : text;
 }
 
-std::string list_histories(Session& session, const lang::List&) {
+std::string list_histories(Session& session, const lang::List& command) {
     const auto& histories = session.model.histories;
     if (histories.all.empty()) return "no histories";
     TextTable table({"hist", "label", "quantity", "samples", "minimum", "maximum", "last"});
     for (const auto& h : histories.all) {
+        if (command.number.value_or(h.number) != h.number) continue;
         const bool none = h.values.empty();
         const auto range = none ? std::pair<double, double>{}
                                 : std::pair{std::ranges::min(h.values), std::ranges::max(h.values)};
@@ -120,12 +129,41 @@ std::string list_histories(Session& session, const lang::List&) {
                    std::to_string(h.values.size()), none ? "-" : number_text(range.first),
                    none ? "-" : number_text(range.second), none ? "-" : number_text(h.values.back())});
     }
+    if (table.size() == 0) return fmt::format("no history {}", *command.number);
     return table.text() + fmt::format("\na sample every {} cycles", histories.interval);
 }
 
 std::string list_time(Session& session, const lang::List&) {
     return fmt::format("time = {}\ncycle = {}", time_text(session.model),
                        session.model.clock.cycle);
+}
+
+std::string list_unbalanced(Session& session, const lang::List&) {
+    const auto& clock = session.model.clock;
+    return fmt::format("unbalanced force = {}\nratio: average {}, largest {}, local {}\ncycle = {}",
+                       number_text(clock.unbalanced_force), number_text(clock.average_ratio),
+                       number_text(clock.maximum_ratio), number_text(clock.local_ratio), clock.cycle);
+}
+
+std::string list_information(Session& session, const lang::List&) {
+    find_contacts(session.model, session.joints);
+    const auto& m = session.model;
+    TextTable table({"quantity", "value"});
+    if (!session.title.empty()) table.add({"title", session.title});
+    table.add({"time", time_text(m)});
+    const std::pair<const char*, std::size_t> counts[] = {
+        {"cycle", static_cast<std::size_t>(m.clock.cycle)},
+        {"blocks", m.blocks.size()},
+        {"of them deformable", static_cast<std::size_t>(std::ranges::count_if(m.blocks.deformable, [](auto d) { return d != 0; }))},
+        {"gridpoints", m.gridpoints.size()},
+        {"zones", m.zones.size()},
+        {"contacts", m.contacts.size()},
+        {"sub-contacts", m.sub_contacts.size()},
+        {"histories", m.histories.all.size()},
+    };
+    for (const auto& [name, count] : counts) table.add({name, std::to_string(count)});
+    table.add({"unbalanced force", number_text(m.clock.unbalanced_force)});
+    return table.text();
 }
 
 std::string list_time_step(Session& session, const lang::List&) {
@@ -289,13 +327,11 @@ std::string list_memory(Session& session, const lang::List&) {
 
 std::string list_version(Session&, const lang::List&) { return fmt::format("kaya {}", program_version()); }
 
-std::string list_settings(Session& session, const lang::List&) {
+namespace {
+
+/// The damping of a model, a row for each number of it.
+void add_damping(TextTable& table, const Settings& s) {
     static constexpr std::array dampings{"none", "local", "global", "combined", "rayleigh"};
-    const auto& s = session.model.settings;
-    const auto yes = [](bool value) { return value ? "on" : "off"; };
-    TextTable table({"setting", "value"});
-    table.add({"gravity", fmt::format("{} {} {}", number_text(s.gravity[0]), number_text(s.gravity[1]),
-                                      number_text(s.gravity[2]))});
     table.add({"damping", dampings[static_cast<std::size_t>(s.damping)]});
     table.add({"local factor", number_text(s.local_factor)});
     table.add({"rayleigh fraction", number_text(s.rayleigh_fraction)});
@@ -303,6 +339,23 @@ std::string list_settings(Session& session, const lang::List&) {
     table.add({"rayleigh parts", fmt::format("{}{}", s.rayleigh_mass ? "mass " : "",
                                              s.rayleigh_stiffness ? "stiffness" : "")});
     table.add({"contact dashpots", number_text(s.contact_damping)});
+}
+
+} // namespace
+
+std::string list_damping(Session& session, const lang::List&) {
+    TextTable table({"setting", "value"});
+    add_damping(table, session.model.settings);
+    return table.text();
+}
+
+std::string list_settings(Session& session, const lang::List&) {
+    const auto& s = session.model.settings;
+    const auto yes = [](bool value) { return value ? "on" : "off"; };
+    TextTable table({"setting", "value"});
+    table.add({"gravity", fmt::format("{} {} {}", number_text(s.gravity[0]), number_text(s.gravity[1]),
+                                      number_text(s.gravity[2]))});
+    add_damping(table, s);
     table.add({"time step fraction", number_text(s.time_step_fraction)});
     table.add({"density scaling", s.mass_scaling == MassScaling::partial
                                       ? "for a step of " + number_text(s.scaled_time_step)

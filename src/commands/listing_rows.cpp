@@ -3,6 +3,7 @@
 
 #include "mechanics/contact_properties.hpp"
 #include "model/excavation.hpp"
+#include "model/groups.hpp"
 #include "model/measure.hpp"
 
 #include <array>
@@ -157,6 +158,19 @@ std::string list_zones(Session& session, const lang::List& command) {
                              numbers(zone_centroid(session.model, row)), number_text(zones.volume[row])};
                          for (int k = 0; k < 6; ++k) words.push_back(number_text(zones.stress[row][k]));
                          return words;
+                     });
+}
+
+std::string list_faces(Session& session, const lang::List& command) {
+    const auto& model = session.model;
+    return rows_text(session, command, ObjectKind::face,
+                     {"face", "block", "position", "normal", "area", "jset", "group"},
+                     [&](Row row) -> std::vector<std::string> {
+                         const Vec3 area = face_area_vector(model, row);
+                         const std::int32_t group = group_of(model, ObjectKind::face, row);
+                         return {std::to_string(row + 1), std::to_string(model.blocks.number[model.faces.block[row]]),
+                                 numbers(face_centroid(model, row)), numbers(area.normalized()), number_text(area.norm()),
+                                 std::to_string(model.faces.joint_set[row]), group == 0 ? "-" : model.group_names[group]};
                      });
 }
 

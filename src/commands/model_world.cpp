@@ -153,8 +153,13 @@ Row ModelWorld::living_row(Handle object) const {
     if (object.generation == 0)
         throw Diagnostic(fmt::format("this {} is null", name_of(object.table)),
                          "test it against 0 (FISH) or nil (Lua) before use", Fault::run);
+    // Only these have numbers that outlive a change of the tables.
+    const auto table = static_cast<ScriptTable>(object.table);
+    const bool lasting = table == ScriptTable::block || table == ScriptTable::contact || table == ScriptTable::sub_contact;
     throw Diagnostic(fmt::format("this {} no longer exists", name_of(object.table)),
-                     "it was deleted, or its block was zoned anew; find it again", Fault::run);
+                     lasting ? "it was deleted; find another one"
+                             : "blocks were made, cut, zoned or taken out since it was found; find it again",
+                     Fault::run);
 }
 
 Handle ModelWorld::handle(ScriptTable table, Row row) const {

@@ -60,6 +60,16 @@ void make_ready(Session& session) {
     session.cycle->prepare();
 }
 
+/// Throws Diagnostic when steps are so short that time stands still before the run has come to its time, or now: a sum
+/// of numbers of 16 digits does not change any more.
+void refuse_standing_still(const Limits& limits, const Clock& start, const Clock& now) {
+    const double time = limits.time ? start.time + *limits.time : now.time;
+    if (now.time_step == 0 || time + now.time_step != time) return;
+    throw Diagnostic(fmt::format("steps of {} are too short to reach time {}: time would stand still", number_text(now.time_step),
+                                 number_text(time)),
+                     "something is far too stiff, light or fast: look at stiffnesses, densities, gravity and loads", Fault::run);
+}
+
 /// Why the run stops here; empty when it goes on.
 std::string reached(const Limits& limits, const Clock& start, const Model& model, double seconds) {
     const Clock& now = model.clock;
@@ -115,6 +125,7 @@ std::string advance_until(Session& session, const Limits& limits) {
     std::string why = reached(limits, start, session.model, 0);
     while (why.empty()) {
         try {
+            refuse_standing_still(limits, start, session.model.clock);
             advance(session);
             session.stop_behind_cycle();
         } catch (...) {

@@ -1,6 +1,10 @@
 // def ... end, @function, lua.
 #include "commands/handlers.hpp"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace kaya {
 
 void run(Session& session, const lang::FishDefinition& command) {
@@ -12,10 +16,12 @@ void run(Session& session, const lang::FishCall& command) {
 }
 
 void run(Session& session, const lang::FishCallback& command) {
-    constexpr double forces_are_known = 40; // newer versions number the parts of a cycle
     if (command.remove) return session.scripts->remove_fish_hook(command.function, command.place);
-    const auto moment =
-        command.location < forces_are_known ? script::Moment::before_cycle : script::Moment::after_forces;
+    using When = lang::FishCallback::When;
+    constexpr std::array moments{std::pair{When::before_cycle, script::Moment::before_cycle},
+                                 std::pair{When::after_forces, script::Moment::after_forces},
+                                 std::pair{When::after_cycle, script::Moment::after_cycle}};
+    const auto moment = std::ranges::find(moments, command.when, &std::pair<When, script::Moment>::first)->second;
     session.scripts->add_fish_hook(command.function, moment, command.interval, command.place);
 }
 

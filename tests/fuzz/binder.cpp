@@ -3,6 +3,7 @@
 #include "harness.hpp"
 
 #include "lang/commands/language.hpp"
+#include "lang/interp/bare_names.hpp"
 #include "lang/interp/binder.hpp"
 #include "lang/interp/deck.hpp"
 #include "lang/interp/help.hpp"
@@ -50,6 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const lang::Language& language = lang::classic();
     const lang::ValueSource values = value_of;
     survive([&] {
+        lang::BareNames names;
         lang::Lexer lexer(lang::source_from_text("fuzz", text));
         for (int left = most_mistakes; left > 0;) {
             lang::Statement statement;
@@ -57,7 +59,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             survive([&] { more = lang::next_statement(language, lexer, statement); });
             if (!more) break;
             left -= survive([&] {
-                const auto bound = lang::bind_statement(language, statement);
+                const auto bound = lang::bind_with_names(language, statement, names);
+                names.learn(*bound.spec, statement);
+                for (const lang::BareName& name : bound.bare) lang::read_as_name(statement, name);
                 late = bound.late;
                 (void)bound.text();
             }) ? 0 : 1;

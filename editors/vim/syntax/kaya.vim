@@ -100,6 +100,7 @@ syntax keyword kayaCommand wa[ter]
 syntax keyword kayaCommand zone
 syntax keyword kayaKeyword a
 syntax keyword kayaKeyword add
+syntax keyword kayaKeyword all
 syntax keyword kayaKeyword area
 syntax keyword kayaKeyword assign
 syntax keyword kayaKeyword atol
@@ -145,6 +146,7 @@ syntax keyword kayaKeyword ctol
 syntax keyword kayaKeyword cube
 syntax keyword kayaKeyword cust1
 syntax keyword kayaKeyword cust2
+syntax keyword kayaKeyword cycle
 syntax keyword kayaKeyword cycles
 syntax keyword kayaKeyword d
 syntax keyword kayaKeyword damp
@@ -189,6 +191,7 @@ syntax keyword kayaKeyword face-1
 syntax keyword kayaKeyword face-2
 syntax keyword kayaKeyword face1
 syntax keyword kayaKeyword face2
+syntax keyword kayaKeyword faces
 syntax keyword kayaKeyword factor
 syntax keyword kayaKeyword feblock
 syntax keyword kayaKeyword ff
@@ -208,6 +211,7 @@ syntax keyword kayaKeyword global
 syntax keyword kayaKeyword gp
 syntax keyword kayaKeyword grade
 syntax keyword kayaKeyword gradient
+syntax keyword kayaKeyword gravity
 syntax keyword kayaKeyword gridpoints
 syntax keyword kayaKeyword group
 syntax keyword kayaKeyword groups
@@ -220,6 +224,7 @@ syntax keyword kayaKeyword histories
 syntax keyword kayaKeyword history
 syntax keyword kayaKeyword id
 syntax keyword kayaKeyword impulse
+syntax keyword kayaKeyword information
 syntax keyword kayaKeyword interval
 syntax keyword kayaKeyword jcoh
 syntax keyword kayaKeyword jcohesion
@@ -283,6 +288,7 @@ syntax keyword kayaKeyword nodisplacements
 syntax keyword kayaKeyword none
 syntax keyword kayaKeyword normal
 syntax keyword kayaKeyword nrange
+syntax keyword kayaKeyword nstep
 syntax keyword kayaKeyword nstr
 syntax keyword kayaKeyword nstress
 syntax keyword kayaKeyword number
@@ -319,6 +325,7 @@ syntax keyword kayaKeyword radius-1
 syntax keyword kayaKeyword radius-2
 syntax keyword kayaKeyword radius1
 syntax keyword kayaKeyword radius2
+syntax keyword kayaKeyword random
 syntax keyword kayaKeyword ranges
 syntax keyword kayaKeyword ratio
 syntax keyword kayaKeyword ratio-average
@@ -357,6 +364,7 @@ syntax keyword kayaKeyword spacing
 syntax keyword kayaKeyword sstr
 syntax keyword kayaKeyword sstress
 syntax keyword kayaKeyword state
+syntax keyword kayaKeyword step
 syntax keyword kayaKeyword steps
 syntax keyword kayaKeyword stiffness
 syntax keyword kayaKeyword stress
@@ -402,6 +410,7 @@ syntax keyword kayaKeyword xgradient
 syntax keyword kayaKeyword xload
 syntax keyword kayaKeyword xmoment
 syntax keyword kayaKeyword xreaction
+syntax keyword kayaKeyword xrvel
 syntax keyword kayaKeyword xvel
 syntax keyword kayaKeyword xvelocity
 syntax keyword kayaKeyword xviscous
@@ -417,6 +426,7 @@ syntax keyword kayaKeyword ymodulus
 syntax keyword kayaKeyword ymoment
 syntax keyword kayaKeyword young
 syntax keyword kayaKeyword yreaction
+syntax keyword kayaKeyword yrvel
 syntax keyword kayaKeyword yvel
 syntax keyword kayaKeyword yvelocity
 syntax keyword kayaKeyword yviscous
@@ -433,6 +443,7 @@ syntax keyword kayaKeyword zmoment
 syntax keyword kayaKeyword zone
 syntax keyword kayaKeyword zones
 syntax keyword kayaKeyword zreaction
+syntax keyword kayaKeyword zrvel
 syntax keyword kayaKeyword zvel
 syntax keyword kayaKeyword zvelocity
 syntax keyword kayaKeyword zviscous

@@ -131,10 +131,10 @@ TEST(Decks, ThatRunAreCheckedAsSuch) {
 }
 
 /// Names of the commands that a file binds to, those inside of functions and of called files too.
-void gather(const lang::BoundFile& file, std::set<std::string>& names) {
+void gather(const lang::BoundFile& file, const lang::BareNames& bare, std::set<std::string>& names) {
     for (const auto& step : file.steps) {
         names.insert(step.command.spec->name());
-        if (step.called) gather(*step.called, names);
+        if (step.called) gather(*step.called, bare, names);
         const auto* definition = std::any_cast<lang::FishDefinition>(&step.command.command);
         if (definition == nullptr) continue;
         const auto function = fish::read_function(definition->text, definition->place);
@@ -142,7 +142,7 @@ void gather(const lang::BoundFile& file, std::set<std::string>& names) {
             lang::Lexer lexer(definition->place.source, inner.line);
             lang::Statement words;
             if (!inner.glued && lexer.next(words))
-                names.insert(lang::bind_statement(lang::classic(), words).spec->name());
+                names.insert(lang::bind_with_names(lang::classic(), words, bare).spec->name());
         }
     }
 }
@@ -153,7 +153,7 @@ TEST(Decks, UseEveryCommand) {
         if (entry.path().extension() != ".3dd") continue;
         const lang::ReadDeck deck = lang::read_deck(lang::classic(), entry.path().string(),
                                                     {KAYA_DECKS, fs::path(KAYA_DECKS) / "parts"});
-        gather(*deck.file, used);
+        gather(*deck.file, deck.names, used);
     }
     for (const auto& family : lang::classic().families)
         for (const auto& command : family.commands)

@@ -124,7 +124,7 @@ std::string before(std::string_view example) {
     if (example.find("jcso") != std::string_view::npos)
         return "jmodel model barton-bandis\n";
     if (example.starts_with("insitu topo")) return "gravity 0 0 -9.81\n";
-    if (example.starts_with("fish callback remove")) return "fish callback add watch\n";
+    if (example.find("remove watch") != std::string_view::npos) return "fish callback add watch\n";
     if (example.find("jrco") != std::string_view::npos) return "jmodel load barton-bandis\n";
     if (example.starts_with("import wall.3dgrid")) return "export wall.3dgrid\n";
     return {};
