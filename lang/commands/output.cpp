@@ -76,6 +76,7 @@ bool read_element(Reader& reader, List& command) {
     const Word& word = reader.previous();
     const KeywordSpec* element = word.kind == WordKind::word ? find_keyword(range_elements(), word.folded) : nullptr;
     if (element == nullptr || element->support != Support::runs || reader.at_end()) return false;
+    reader.spell(element->words.front().word);
     element->read(reader, &command.range);
     if (!reader.at_end()) read_range(reader, command.range);
     command.range.place = word.place;
