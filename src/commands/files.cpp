@@ -7,7 +7,6 @@
 #include "io/save.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
 
 namespace kaya {
@@ -17,8 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Parts of a save file that belong to the session.
-constexpr std::string_view part_scripts = "scripts", part_generation = "row generation",
-                           part_ranges = "named ranges";
+constexpr std::string_view part_scripts = "scripts", part_ranges = "named ranges";
 
 std::string save_name(const std::string& name) {
     return fs::path(name).has_extension() ? name : name + std::string(save_ending);
@@ -38,7 +36,6 @@ SaveExtras extras_of(Session& session) {
     extras.program_version = program_version();
     extras.title = session.title;
     extras.scripts.push_back({std::string(part_scripts), script::to_bytes(session.scripts->state())});
-    extras.scripts.push_back({std::string(part_generation), std::to_string(session.world.generation())});
     extras.scripts.push_back({std::string(part_ranges), ranges_text(session.ranges)});
     for (const auto& source : session.sources)
         extras.decks.push_back({source->name, fmt::format("{}\n", fmt::join(source->lines, "\n"))});
@@ -51,14 +48,6 @@ const std::string& part(const SaveExtras& extras, std::string_view name) {
         throw Diagnostic(fmt::format("the save file has no part '{}'", name),
                          "it was not written by this program", Fault::run);
     return found->content;
-}
-
-std::uint32_t number_of(const std::string& text) {
-    std::uint32_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size())
-        throw Diagnostic("the save file holds a text where a number must be", {}, Fault::run);
-    return number;
 }
 
 /// What joint models keep as objects was restored as bytes; the models make objects of them.
@@ -99,19 +88,17 @@ void run(Session& session, const lang::Restore& command) {
     Model model;
     const SaveExtras extras = restore_state(model, saved_file(session, command.file));
     load_joint_models(session, model);
-    const std::uint32_t generation = number_of(part(extras, part_generation));
     NamedRanges ranges = ranges_from_text(part(extras, part_ranges));
     const script::ScriptState scripts = script::from_bytes(part(extras, part_scripts));
 
     const script::ScriptState scripts_before = session.scripts->state();
-    const std::uint32_t generation_before = session.world.generation();
     std::swap(session.model, model);
-    session.world.set_generation(generation);
+    session.world.rows_moved();
     try {
         session.scripts->restore(scripts);
     } catch (...) {
         std::swap(session.model, model);
-        session.world.set_generation(generation_before);
+        session.world.rows_moved();
         session.scripts->restore(scripts_before);
         throw;
     }

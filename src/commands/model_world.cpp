@@ -100,6 +100,22 @@ Span siblings(const Model& model, ScriptTable table, Row row) {
     return {0, static_cast<Row>(size_of(model, table))};
 }
 
+/// The block that a gridpoint, zone, face or corner belongs to.
+Row block_of(const Model& model, ScriptTable table, Row row) {
+    if (table == ScriptTable::gridpoint) return model.gridpoints.block[row];
+    if (table == ScriptTable::zone) return model.zones.block[row];
+    return model.faces.block[table == ScriptTable::face ? row : model.triangles.face[row / 3]];
+}
+
+/// The rows of a block in such a table.
+Span rows_of_shape(const Model& model, ScriptTable table, Row block) {
+    const auto& blocks = model.blocks;
+    if (table == ScriptTable::gridpoint) return blocks.gridpoints[block];
+    if (table == ScriptTable::zone) return blocks.zones[block];
+    if (table == ScriptTable::face) return blocks.faces[block];
+    return {3 * blocks.triangles[block].first, 3 * blocks.triangles[block].count};
+}
+
 /// Triangles of a face share corners; a list names each gridpoint once.
 bool named_before(const Model& model, Row first, Row corner) {
     const auto gridpoint = [&](Row row) { return model.triangles.gridpoints[row / 3][row % 3]; };
@@ -141,10 +157,27 @@ Row ModelWorld::row_of(Handle object) const {
     case ScriptTable::zone:
     case ScriptTable::face:
     case ScriptTable::corner:
-        if (object.generation != generation_ || object.slot >= size_of(model_, table)) return no_row;
-        return static_cast<Row>(object.slot);
+        break;
     }
-    return no_row;
+    const Row block = block_of_shape(object.slot);
+    if (block == no_row) return no_row;
+    const Span rows = rows_of_shape(model_, table, block);
+    return object.generation <= static_cast<std::uint32_t>(rows.count) ? rows.first + static_cast<Row>(object.generation) - 1
+                                                                       : no_row;
+}
+
+Row ModelWorld::block_of_shape(std::uint32_t shape) const {
+    const auto& blocks = model_.blocks;
+    // Blocks that are new since the last question stand at the end of their table; whatever else changes it says so.
+    if (next_known_shape_ != model_.next_shape_number) {
+        for (std::size_t b = blocks.size(); b-- > 0 && blocks.shape[b] >= next_known_shape_;)
+            block_of_shape_[blocks.shape[b]] = static_cast<Row>(b);
+        next_known_shape_ = model_.next_shape_number;
+    }
+    const auto found = block_of_shape_.find(static_cast<std::int32_t>(shape));
+    if (found == block_of_shape_.end()) return no_row;
+    const auto block = static_cast<std::size_t>(found->second);
+    return block < blocks.size() && blocks.shape[block] == found->first ? found->second : no_row;
 }
 
 Row ModelWorld::living_row(Handle object) const {
@@ -153,12 +186,11 @@ Row ModelWorld::living_row(Handle object) const {
     if (object.generation == 0)
         throw Diagnostic(fmt::format("this {} is null", name_of(object.table)),
                          "test it against 0 (FISH) or nil (Lua) before use", Fault::run);
-    // Only these have numbers that outlive a change of the tables.
     const auto table = static_cast<ScriptTable>(object.table);
     const bool lasting = table == ScriptTable::block || table == ScriptTable::contact || table == ScriptTable::sub_contact;
     throw Diagnostic(fmt::format("this {} no longer exists", name_of(object.table)),
                      lasting ? "it was deleted; find another one"
-                             : "blocks were made, cut, zoned or taken out since it was found; find it again",
+                             : "its block was deleted, cut, zoned or taken out since it was found; find it again",
                      Fault::run);
 }
 
@@ -180,7 +212,9 @@ Handle ModelWorld::handle(ScriptTable table, Row row) const {
     case ScriptTable::corner:
         break;
     }
-    return {static_cast<std::int32_t>(table), static_cast<std::uint32_t>(row), generation_};
+    const Row block = block_of(model_, table, row);
+    return {static_cast<std::int32_t>(table), static_cast<std::uint32_t>(model_.blocks.shape[block]),
+            static_cast<std::uint32_t>(row - rows_of_shape(model_, table, block).first) + 1};
 }
 
 Value ModelWorld::script_value(const FieldValue& value) const {

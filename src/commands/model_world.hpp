@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace kaya {
@@ -46,18 +47,14 @@ public:
     double reduce(std::int32_t table, std::size_t field, std::string_view how) override;
     void command(const std::string& text, const std::string& chunk, int line) override;
 
-    /// Rows of gridpoints, zones and faces have moved: handles to them are dead from now on. Blocks,
-    /// contacts and sub-contacts have ids of their own that outlive a move.
+    /// Blocks have come, gone or moved in their table.
     void rows_moved() {
-        ++generation_;
+        block_of_shape_.clear();
+        next_known_shape_ = 0;
         forget_ranges();
     }
     /// The tests of named ranges are kept from one question to the next until a command or a cycle has run.
     void forget_ranges() { range_tests_.clear(); }
-
-    /// Saved with the scripts that hold handles.
-    std::uint32_t generation() const { return generation_; }
-    void set_generation(std::uint32_t generation) { generation_ = generation; }
 
     /// What `command` does; given by the session.
     std::function<void(const std::string& text, const std::string& chunk, int line)> run_command;
@@ -68,6 +65,9 @@ public:
 
 private:
     Row row_of(script::Handle object) const; ///< no_row when it is gone
+    /// What belongs to a block is known by the number of the block's shape and its place in the shape: it outlives whatever
+    /// happens to other blocks.
+    Row block_of_shape(std::uint32_t shape) const;
     Row living_row(script::Handle object) const;
     script::Handle handle(ScriptTable table, Row row) const;
     script::Value script_value(const FieldValue& value) const;
@@ -78,7 +78,8 @@ private:
     JointRegistry& joints_;
     std::map<std::pair<std::string, ObjectKind>, RangeTest> range_tests_;
     std::int64_t cycle_of_tests_ = 0;
-    std::uint32_t generation_ = 1;
+    mutable std::unordered_map<std::int32_t, Row> block_of_shape_; ///< of shapes below this number
+    mutable std::int32_t next_known_shape_ = 0;
     std::vector<script::TableInfo> infos_;
     std::vector<std::vector<const Field*>> fields_; ///< of each table, in the order of its FieldInfo
     std::vector<script::FieldInfo> global_infos_;

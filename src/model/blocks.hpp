@@ -37,6 +37,7 @@ public:
     Column<std::int32_t> region;
     Column<std::int32_t> group; ///< index into Model::group_names, 0 is none
     Column<std::int32_t> body;  ///< blocks of equal body move as one (joined.hpp); 0: on its own
+    Column<std::int32_t> shape; ///< number of its surface and mesh, no two alike: another behind each cut and each meshing
     Column<std::uint8_t> hidden;
     Column<std::uint8_t> deformable;
     Column<std::uint8_t> fixed;   ///< Fixity bits, rigid blocks
@@ -74,6 +75,7 @@ public:
         visit("region", region);
         visit("group", group);
         visit("body", body);
+        visit("shape", shape);
         visit("hidden", hidden);
         visit("deformable", deformable);
         visit("fixed", fixed);

@@ -40,6 +40,7 @@ std::vector<std::array<int, 3>> fan(const Polyhedron& p, const std::vector<int>&
 
 void give_zones(Model& model, Row block, const Polyhedron& shape, const TetMesh& mesh) {
     auto& blocks = model.blocks;
+    blocks.shape[block] = model.next_shape_number++;
     const Row g0 = append(model.gridpoints, mesh.points.size());
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
         model.gridpoints.block[g0 + i] = block;
@@ -157,6 +158,7 @@ void give_shape(Model& model, Row block, const Polyhedron& polyhedron) {
 
 void give_shape(Model& model, Row b, const Polyhedron& polyhedron, const MassProperties& mass) {
     auto& blocks = model.blocks;
+    blocks.shape[b] = model.next_shape_number++;
     blocks.volume[b] = mass.volume;
     blocks.margin[b] = touching_part * std::cbrt(mass.volume);
     blocks.inertia[b] = mass.inertia;

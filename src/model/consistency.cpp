@@ -96,6 +96,9 @@ void check_rows_of_blocks(Findings& findings, const Model& model) {
     for (std::size_t i = 0; i < blocks.size() && findings.clean(); ++i)
         findings.require(blocks.number[i] >= 1 && blocks.number[i] < model.next_block_number, "blocks", i,
                          fmt::format("number {} where {} is the next", blocks.number[i], model.next_block_number));
+    for (std::size_t i = 0; i < blocks.size() && findings.clean(); ++i)
+        findings.require(blocks.shape[i] >= 1 && blocks.shape[i] < model.next_shape_number, "blocks", i,
+                         fmt::format("shape {} where {} is the next", blocks.shape[i], model.next_shape_number));
 }
 
 void check_blocks(Findings& findings, const Model& model) {

@@ -131,6 +131,7 @@ Model excavated_model(const Model& model) {
     result.zones = model.excavated.zones;
     result.group_names = model.group_names;
     result.next_block_number = model.next_block_number;
+    result.next_shape_number = model.next_shape_number;
     return result;
 }
 

@@ -62,6 +62,7 @@ struct Model {
     Histories histories;
 
     std::int32_t next_block_number = 1;
+    std::int32_t next_shape_number = 1;
     std::int32_t next_contact_number = 1;
     std::int32_t next_sub_contact_number = 1;
 

@@ -53,6 +53,7 @@ const std::vector<Damage>& damages() {
              m.excavated.blocks.faces[0].count = 3;
          }, "some rows of face belong to no row of blocks"},
         {"block number", [](Model& m) { m.blocks.number[0] = 3; }, "row 0 of blocks: number 3 where 3 is the next"},
+        {"block shape", [](Model& m) { m.blocks.shape[0] = 3; }, "row 0 of blocks: shape 3 where 3 is the next"},
         {"block id", [](Model& m) { m.blocks.id[0].generation = 9; }, "row 0 of blocks: its id stands for another row"},
         {"id row", [](Model& m) { m.blocks.ids.slots()[0].row = 1; }, "row 0 of blocks: its id stands for another row"},
         {"id more", [](Model& m) { m.blocks.ids.slots().push_back({1, 1}); }, "3 ids stand for 2 rows of blocks"},

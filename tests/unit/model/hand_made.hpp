@@ -17,6 +17,7 @@ inline Row add_tetrahedron(Model& model, const std::array<Vec3, 4>& corners, boo
     blocks.resize(blocks.size() + 1);
     blocks.id[block] = blocks.ids.create(block);
     blocks.number[block] = model.next_block_number++;
+    blocks.shape[block] = model.next_shape_number++;
     blocks.material[block] = 1;
     blocks.constitutive[block] = 1;
     blocks.deformable[block] = deformable;
