@@ -85,12 +85,11 @@ public:
     void set(Handle object, std::size_t field, const Value& value) override {
         check(object);
         if (object.table == block) {
-            velocity = std::get<Vec3>(value);
+            velocity = taken<Vec3>(value);
             return;
         }
         require_field(field == 0);
-        const auto* whole = std::get_if<std::int64_t>(&value);
-        normal_force[object.slot] = whole ? static_cast<double>(*whole) : std::get<double>(value);
+        normal_force[object.slot] = number(value);
     }
 
     std::size_t count(std::int32_t table) override {
@@ -141,7 +140,7 @@ public:
         if (index == 1) return std::int64_t{100};
         return index == 2 ? damping : 1.5;
     }
-    void set_global(std::size_t, const Value& value) override { damping = std::get<double>(value); }
+    void set_global(std::size_t, const Value& value) override { damping = number(value); }
     double reduce(std::int32_t, std::size_t, std::string_view how) override {
         double sum = 0;
         for (const double force : normal_force) sum += force;
@@ -163,6 +162,15 @@ public:
 private:
     static void require_field(bool right) {
         if (!right) throw Diagnostic("the test world has only one writable field", {}, Fault::own);
+    }
+    template <class T> static const T& taken(const Value& value) {
+        if (const T* given = std::get_if<T>(&value)) return *given;
+        throw Diagnostic("the field cannot take a value of this kind", {}, Fault::run);
+    }
+    static double number(const Value& value) {
+        if (const auto* truth = std::get_if<bool>(&value)) return *truth ? 1 : 0;
+        if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+        return taken<double>(value);
     }
     void check(Handle object) const {
         if (object.generation != generation) throw Diagnostic("this object no longer exists", {}, Fault::run);
