@@ -54,7 +54,13 @@ std::function<void(Reader&, void*)> reads(ArgumentSpec spec, Target target) {
     return [spec, target](Reader& reader, void* at) {
         auto& to = *static_cast<Struct*>(at);
         if constexpr (std::invocable<const Target&, Struct&, T>) {
-            std::invoke(target, to, reader.read<T>(spec));
+            T value = reader.read<T>(spec);
+            try {
+                std::invoke(target, to, std::move(value));
+            } catch (Diagnostic& refused) {
+                refused.at(reader.previous().place); // of the value
+                throw;
+            }
         } else {
             using Member = std::remove_cvref_t<std::invoke_result_t<const Target&, Struct&>>;
             static_assert(HoldsExactly<Member, T>, "the member has another type than the argument");

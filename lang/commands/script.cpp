@@ -68,8 +68,7 @@ CommandSpec fishcall() {
                        static constexpr std::array places{before_cycle, after_forces, after_cycle};
                        if (n < 0 || n >= static_cast<std::int64_t>(places.size()))
                            throw Diagnostic(fmt::format("there is no place {} in a cycle", n),
-                                            "0: before the cycle, 1: when its forces are known, 2: after it")
-                               .at(callback.place);
+                                            "0: before the cycle, 1: when its forces are known, 2: after it");
                        callback.when = places[static_cast<std::size_t>(n)];
                    });
     entry.keyword({Spelling{"remove", 6}}, text("name"),
