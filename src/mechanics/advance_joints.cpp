@@ -1,6 +1,7 @@
 #include "base/diagnostic.hpp"
 #include "base/reduce.hpp"
 #include "mechanics/dashpots.hpp"
+#include "mechanics/overlap_contact.hpp"
 #include "mechanics/phases.hpp"
 #include "model/lanes.hpp"
 
@@ -103,6 +104,11 @@ template <class Each> void sum_contact(const Model& model, Row c, JointForces& f
     }
     forces.of_contact[c] = sum(force);
     forces.moment[c] = sum(moment);
+    if (contacts.twist[c] != 0) { // the pressure on a corner or an edge may turn it about the normal
+        double normal = 0;
+        for (Row s = span.first; s < span.end(); ++s) normal += subs.normal_force[s];
+        forces.moment[c] += contacts.twist[c] * normal * contacts.normal[c];
+    }
 }
 
 void sum_contact(const Model& model, Row c, JointForces& forces) {
@@ -129,9 +135,16 @@ void note_stiffness(const Model& model, Row c, JointForces& forces) {
     const Span span = model.contacts.sub_contacts[c];
     double sum = 0;
     for (Row s = span.first; s < span.end(); ++s) sum += tangent_stiffness(subs, s);
+    if (model.contacts.stiffness_area[c] > 0) sum *= model.contacts.stiffness_area[c] / model.contacts.area[c];
     if (sum == forces.stiffness[c]) return;
     forces.stiffness[c] = sum;
     forces.stiffness_changed[c] = 1;
+}
+
+/// Whether a joint between rigid blocks has to go by its overlap from now on.
+bool opens_in_part(const Model& model, Row c) {
+    if (!model.settings.large_strain || !between_rigid(model, c)) return false;
+    return is_partly_open(model, c);
 }
 
 /// Geometry that was made after the last motion has not slid.
@@ -140,13 +153,14 @@ bool has_new_geometry(const Model& model, Row c) { return model.contacts.slid[c]
 void take_contact(const Model& model, Row c, JointForces& forces) {
     sum_contact(model, c, forces);
     note_stiffness(model, c, forces);
-    if (has_new_geometry(model, c)) forces.stiffness_changed[c] = 1;
+    if (has_new_geometry(model, c) && model.contacts.kind[c] == ContactKind::joint) forces.stiffness_changed[c] = 1;
 }
 
 void combine(JointSums& sum, const JointSums& part) {
     sum.work += part.work;
     sum.friction += part.friction;
     sum.returned += part.returned;
+    sum.lost += part.lost;
     sum.fluid += part.fluid;
     sum.damped += part.damped;
     sum.stiffness_changed = sum.stiffness_changed || part.stiffness_changed;
@@ -160,7 +174,8 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     JointWork before;
     friction.resize(static_cast<std::size_t>(batch.contacts.count));
     for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
-        move_contact(model, c, before);
+        if (follows_overlap(model, c)) sums.lost += move_overlap_contact(model, c, before);
+        else move_contact(model, c, before);
         if (!batch.model->vectors.empty()) turn_kept_vectors(model, c, batch.model->vectors);
         if (model.contacts.sunk[c] > 0) friction[c - batch.contacts.first] = frictional_work(model, c);
     }
@@ -173,7 +188,21 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     JointWork after;
     double recovered = 0; // of what friction takes
     for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
+        if (follows_overlap(model, c)) {
+            sums.lost += finish_overlap_contact(model, c, after);
+            sum_contact(model, c, forces);
+            note_stiffness(model, c, forces);
+            sums.stiffness_changed = sums.stiffness_changed || forces.stiffness_changed[c];
+            continue;
+        }
         finish_contact(model, c, forces, after);
+        if (opens_in_part(model, c)) {
+            follow_overlap(model, c);
+            sum_contact(model, c, forces);
+            note_stiffness(model, c, forces);
+            sums.stiffness_changed = true;
+            continue;
+        }
         if (model.contacts.sunk[c] > 0) {
             const Recovered energy = recover(model, c, frictional_work(model, c) - friction[c - batch.contacts.first]);
             recovered += energy.of_friction;
@@ -188,7 +217,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     sums.work = -0.5 * (sum(before.joint) + sum(after.joint));
     sums.friction = sum(after.friction) - sum(before.friction) - recovered;
     sums.fluid = sum(before.fluid);
-    sums.stiffness_changed = columns.stiffness_changed;
+    sums.stiffness_changed = sums.stiffness_changed || columns.stiffness_changed;
     return sums;
 }
 

@@ -1,6 +1,8 @@
 #include "mechanics/contact_geometry.hpp"
 
 #include "geometry/overlay.hpp"
+#include "geometry/polygon_overlay.hpp"
+#include "mechanics/overlap_contact.hpp"
 #include "mechanics/separation.hpp"
 
 #include <Eigen/Geometry>
@@ -28,6 +30,8 @@ double flat_limit(const Model& model, Row old) {
 /// In parts of a block's margin: points that are one, and how narrow the common area of two faces may be. The blocks
 /// of a pile overlap a little, and so do their edges and corners: those contacts would carry nothing and cost as much.
 constexpr double coincidence = 2e-5, narrowest = 1e-2;
+/// Two faces whose common area is smaller than this, in least contact areas, are held as corners and edges are.
+constexpr double least_joint = 10;
 /// Also in parts of the margin: how much better another axis must be than that of the contact so far.
 constexpr double persistence = 0.25;
 
@@ -64,6 +68,17 @@ struct FlatFace {
     }
     const PlaneMesh& laid() const { return is_radial ? radial : mesh; }
 
+    /// Of a rigid block's face: the corner at a place, or -1.
+    int corner_at(const Vec2& place, double tolerance) const {
+        for (std::size_t i = 0; i < mesh.points.size(); ++i)
+            if ((mesh.points[i] - place).squaredNorm() <= tolerance * tolerance) return static_cast<int>(i);
+        return -1;
+    }
+    Attachment attach_corner_or_place(const Vec2& place, int corner) const {
+        std::array<double, 3> weights{1, 0, 0};
+        const int triangle = corner < 0 ? triangle_at(mesh, place, weights) : 0;
+        return attach(place, corner, triangle, weights);
+    }
     Attachment attach(const Vec2& place, int vertex, int triangle, std::array<double, 3> weights) const {
         if (vertex >= 0 && vertex < static_cast<int>(rows.size()))
             return {{rows[vertex], rows[vertex], rows[vertex]}, {1, 0, 0}};
@@ -157,8 +172,8 @@ void go_over_to_corners(const Model& model, const Surfaces& surfaces, TouchGeome
 }
 
 /// Sub-contacts at the vertices of the overlay of two faces.
-bool lay_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, bool rigid, double cosine,
-               double margin, double tolerance) {
+bool lay_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, double cosine, double margin,
+               double tolerance) {
     const PlaneAxes axes = axes_of(touch.normal);
     const Vec3 origin = model.blocks.centroid[model.faces.block[touch.face2]]; // small numbers come of it
     static thread_local FlatFace face1, face2; // kept, since a search lays very many
@@ -168,7 +183,6 @@ bool lay_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touc
     bool near = false;
     static thread_local Overlay laid;
     overlay(face1.laid(), face2.laid(), tolerance, edge, laid);
-    if (rigid) balance_areas(laid);
     for (const auto& p : laid.points) {
         TouchPoint& point = touch.points.add();
         point.side1 = face1.attach(p.place, p.vertex1, p.triangle1, p.weights1);
@@ -189,6 +203,81 @@ bool lay_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touc
     touch.position.setZero();
     for (const auto& point : touch.points) touch.position += point.area / touch.area * point.position;
     return true;
+}
+
+/// The outline of a rigid block's face, in order: its triangles are a fan.
+void take_outline(const FlatFace& face, std::vector<Vec2>& outline) {
+    const auto& triangles = face.mesh.triangles;
+    outline.clear();
+    if (triangles.empty()) return;
+    outline.push_back(face.mesh.points[triangles[0][0]]);
+    outline.push_back(face.mesh.points[triangles[0][1]]);
+    for (const auto& t : triangles) outline.push_back(face.mesh.points[t[2]]);
+}
+
+/// `facetri radial8` asks for a place in the middle of each edge, too.
+void add_middles(std::vector<Vec2>& polygon) {
+    std::vector<Vec2> finer;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        finer.push_back(polygon[i]);
+        finer.push_back(0.5 * (polygon[i] + polygon[(i + 1) % polygon.size()]));
+    }
+    polygon = finer;
+}
+
+/// Sub-contacts of two faces of rigid blocks: the polygon that they have in common decides, and not the triangles that
+/// the faces are cut in.
+bool lay_rigid_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, double margin, double tolerance) {
+    const PlaneAxes axes = axes_of(touch.normal);
+    const Row block1 = model.faces.block[touch.face1], block2 = model.faces.block[touch.face2];
+    const Vec3 origin = model.blocks.centroid[block2]; // small numbers come of it
+    static thread_local FlatFace face1, face2; // kept, since a search lays very many
+    static thread_local std::vector<Vec2> outline1, outline2, common;
+    static thread_local Overlay laid;
+    face1.lay(model, surfaces, touch.face1, axes, origin);
+    face2.lay(model, surfaces, touch.face2, axes, origin);
+    take_outline(face1, outline1);
+    take_outline(face2, outline2);
+    common_polygon(outline1, outline2, tolerance, common);
+    if (common.empty()) return false;
+    const auto middles = [&](Row block) { return model.blocks.face_triangles[block] == FaceTriangles::radial_8; };
+    if (middles(block1) || middles(block2)) add_middles(common);
+    points_of_polygon(common, edge_between(model, block1, block2), tolerance, laid);
+    bool near = false;
+    for (const auto& p : laid.points) {
+        TouchPoint& point = touch.points.add();
+        const int corner1 = face1.corner_at(p.place, 2 * tolerance), corner2 = face2.corner_at(p.place, 2 * tolerance);
+        point.side1 = face1.attach_corner_or_place(p.place, corner1);
+        point.side2 = face2.attach_corner_or_place(p.place, corner2);
+        const Vec3 x1 = attached_position(model, point.side1), x2 = attached_position(model, point.side2);
+        point.position = 0.5 * (x1 + x2);
+        point.gap = touch.normal.dot(x2 - x1);
+        point.area = p.area;
+        const bool inside = &p - laid.points.data() >= static_cast<std::ptrdiff_t>(common.size());
+        point.meeting = corner1 >= 0   ? Meeting::vertex_face
+                        : corner2 >= 0 ? Meeting::face_vertex
+                        : inside       ? Meeting::face_face
+                                       : Meeting::edge_edge;
+        near = near || point.gap < margin;
+        touch.area += point.area;
+    }
+    if (!near) return false;
+    touch.touch = Touch::face_face;
+    touch.position.setZero();
+    for (const auto& point : touch.points) touch.position += point.area / touch.area * point.position;
+    return true;
+}
+
+/// What lies opposite the face that gives the normal, or the edges that do.
+Touch touch_of_rigid(const Model& model, const Surfaces& surfaces, const TouchPlane& touch, Row block1, Row block2, double tolerance) {
+    if (touch.reference == 0) return Touch::edge_edge;
+    const Row other = touch.reference == 1 ? block2 : block1;
+    const Vec3 towards = touch.reference == 1 ? touch.normal : Vec3(-touch.normal); // lowest vertices along it touch
+    const double low = lowest(surfaces.vertices(other), towards);
+    int touching = 0;
+    for (Row g = model.blocks.gridpoints[other].first; g < model.blocks.gridpoints[other].end(); ++g)
+        touching += towards.dot(model.gridpoints.position[g]) <= low + tolerance;
+    return touching == 1 ? Touch::face_vertex : touching == 2 ? Touch::face_edge : Touch::face_face;
 }
 
 /// Whether a point lies inside a face, seen along the normal; gives the triangle's gridpoints and weights.
@@ -352,12 +441,31 @@ bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row bl
     touch.face2 = separation.face2;
     touch.area = 0;
     touch.points.clear();
+    touch.kind = ContactKind::joint;
+    const bool flat_faces = touch.reference != 0 && separation.cosine > flat;
+    if (!model.blocks.deformable[block1] && !model.blocks.deformable[block2]) {
+        const bool carries = old != no_row && model.contacts.kind[old] == ContactKind::overlap && model.contacts.depth[old] > 0;
+        if (flat_faces && separation.beside && !carries) return false;
+        if (flat_faces) {
+            (touch.reference == 1 ? touch.face2 : touch.face1) = separation.opposite;
+            const double first = part_of_first(model, block1, block2);
+            touch.normal = (first * surfaces.normal(touch.face1) - (1 - first) * surfaces.normal(touch.face2)).normalized();
+            const bool laid = lay_rigid_faces(model, surfaces, touch, margin, tolerance);
+            if (laid && touch.area >= least_joint * least_contact_area(model, block1, block2)) return true;
+            if (!laid && !carries) return false;
+            touch.points.clear();
+        }
+        touch.kind = ContactKind::overlap;
+        touch.touch = touch_of_rigid(model, surfaces, touch, block1, block2, tolerance);
+        touch.area = 0;
+        touch.gap = separation.distance;
+        return true;
+    }
     if (touch.reference == 0) return lay_edges(model, touch, separation, block1, block2, margin);
-    if (separation.cosine <= flat) return lay_on_face(model, surfaces, touch, block1, block2, margin, tolerance);
+    if (!flat_faces) return lay_on_face(model, surfaces, touch, block1, block2, margin, tolerance);
     if (separation.beside) return false; // an edge or a corner beside another
     (touch.reference == 1 ? touch.face2 : touch.face1) = separation.opposite;
-    const bool rigid = !model.blocks.deformable[block1] && !model.blocks.deformable[block2];
-    return lay_faces(model, surfaces, touch, rigid, separation.cosine, margin, tolerance);
+    return lay_faces(model, surfaces, touch, separation.cosine, margin, tolerance);
 }
 
 } // namespace kaya

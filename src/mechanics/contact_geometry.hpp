@@ -20,10 +20,12 @@ struct TouchPoint {
 
 /// How two blocks touch, but for the places.
 struct TouchPlane {
+    ContactKind kind = ContactKind::joint;
     Touch touch = Touch::face_face;
     Vec3 normal = Vec3::Zero(); ///< unit, from the first block to the second
     Vec3 position = Vec3::Zero();
     double area = 0;
+    double gap = 0; ///< of an overlap: how far the blocks are apart; negative: how deep they overlap
     Row face1 = no_row, face2 = no_row; ///< rows of faces that lie on the common plane
     int reference = 0;                  ///< 1 or 2: whose face gives the normal; 0: two edges do
 };
@@ -55,7 +57,8 @@ double narrowest_touch(const Model& model, Row block1, Row block2);
 
 /// The touch of two blocks whose surfaces are nearer than `margin`; nothing when they are farther apart
 /// or touch in an edge or corner of parallel faces without area. Returns whether there is one; if not, points may be
-/// left over.
+/// left over. Two rigid blocks touch along a joint where their faces lie on each other, or in an overlap; of an overlap
+/// the points are not given.
 /// `old` is the contact that they have so far, if any.
 bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
                 TouchGeometry& touch);

@@ -2,9 +2,11 @@
 
 #include "base/parallel.hpp"
 #include "mechanics/contact_geometry.hpp"
+#include "mechanics/overlap_contact.hpp"
 #include "model/joined.hpp"
 #include "model/measure.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -44,6 +46,8 @@ double reach(const Model& model, const std::vector<double>& way, Row b1, Row b2)
 double widest_gap(const Model& model, Row contact) {
     const auto& s = model.sub_contacts;
     const Span span = model.contacts.sub_contacts[contact];
+    if (model.contacts.kind[contact] == ContactKind::overlap)
+        return model.contacts.depth[contact] > 0 ? std::max(0.0, model.contacts.offset[contact]) : 0;
     double gap = 0;
     for (Row row = span.first; row < span.end(); ++row) {
         if (s.normal_force[row] == 0 || !s.side1[row].attached() || !s.side2[row].attached()) continue;
@@ -146,9 +150,85 @@ std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int,
     return pairs;
 }
 
+/// Places of an overlap to be: where the blocks will meet when they come as near as this part of the margin.
+constexpr double meeting_depth = 1e-3;
+
+void add_overlap_points(const Model& model, Row b1, Row b2, TouchGeometry& touch) {
+    constexpr int carriers = 4;
+    ClosureOffset offset;
+    offset.closure = std::max(0.0, touch.gap) + meeting_depth * std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
+    const double least = least_contact_area(model, b1, b2);
+    const OverlapPatch patch = overlap_patch(model, {b1, b2, no_row, no_row, least}, touch.normal, offset);
+    touch.position = patch.carried > 0 ? patch.centre : 0.5 * (model.blocks.centroid[b1] + model.blocks.centroid[b2]);
+    touch.area = least;
+    for (int k = 0; k < carriers; ++k) {
+        TouchPoint& point = touch.points.add();
+        point.position = touch.position;
+        point.gap = touch.gap;
+        point.area = least / carriers;
+        point.meeting = Meeting::face_face;
+        const Row g1 = model.blocks.gridpoints[b1].first, g2 = model.blocks.gridpoints[b2].first;
+        point.side1 = {{g1, g1, g1}, {1, 0, 0}};
+        point.side2 = {{g2, g2, g2}, {1, 0, 0}};
+    }
+}
+
+bool any_row_pulls(const Model& model, Row contact) {
+    const Span span = model.contacts.sub_contacts[contact];
+    const double* const force = model.sub_contacts.normal_force.data();
+    return std::any_of(force + span.first, force + span.end(), [](double f) { return f < 0; });
+}
+
+/// An overlap that is closed over most of what it covers may be a joint again, if it does not roll: a joint follows
+/// small rotations only.
+bool may_close(const Model& model, Row contact) {
+    constexpr double part = 0.62; // a wedge fills one half
+    constexpr double rolling = 0.25; // of the depth, in the time of two looks
+    const auto& contacts = model.contacts;
+    if (!(contacts.depth[contact] > 0 && contacts.area[contact] > part * contacts.stiffness_area[contact])) return false;
+    const auto& spin = model.blocks.rotational_velocity;
+    const Vec3 turn = 2 * slide_interval * model.clock.time_step * (spin[contacts.block2[contact]] - spin[contacts.block1[contact]]);
+    return turn.cross(contacts.normal[contact]).norm() * std::sqrt(contacts.area[contact]) < rolling * contacts.depth[contact];
+}
+
+/// Whether every place of a joint to be is well closed by what the overlap has now.
+bool closes_everywhere(const Model& model, Row contact, const TouchGeometry& touch) {
+    const auto& contacts = model.contacts;
+    const Vec3& origin = model.blocks.centroid[contacts.block1[contact]];
+    constexpr double least = 0.15; // of the depth: a joint that is about to open would go to and fro
+    return std::all_of(touch.points.begin(), touch.points.end(), [&](const TouchPoint& p) {
+        return contacts.offset[contact] + contacts.offset_tilt[contact].dot(p.position - origin) - p.gap > least * contacts.depth[contact];
+    });
+}
+
+/// Faces that will meet all at once.
+bool is_parallel(const TouchGeometry& touch) {
+    constexpr double same = 1e-9; // of the size
+    const auto [low, high] = std::minmax_element(touch.points.begin(), touch.points.end(),
+                                                 [](const TouchPoint& a, const TouchPoint& b) { return a.gap < b.gap; });
+    return high->gap - low->gap <= same * std::sqrt(touch.area);
+}
+
+/// What becomes of two rigid blocks that touch. A joint that opens in part becomes an overlap, one that is closed
+/// everywhere a joint; a joint that pulls stays what it is.
+DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving, TouchGeometry& touch) {
+    const bool in_place = !model.settings.large_strain;
+    if (old == no_row) {
+        if (touch.kind == ContactKind::joint && (!moving || in_place || is_parallel(touch))) return DraftKind::new_geometry;
+        touch.kind = ContactKind::overlap;
+        touch.points.clear();
+        add_overlap_points(model, b1, b2, touch);
+        return DraftKind::overlap;
+    }
+    const bool was_joint = model.contacts.kind[old] == ContactKind::joint;
+    if (touch.kind == ContactKind::overlap) return was_joint && !any_row_pulls(model, old) ? DraftKind::overlap : DraftKind::as_it_was;
+    if (was_joint) return DraftKind::new_geometry;
+    return may_close(model, old) && closes_everywhere(model, old, touch) ? DraftKind::new_geometry : DraftKind::as_it_was;
+}
+
 /// The drafts of those pairs that touch; their points are in `found`.
 std::vector<ContactDraft> find_touches(const Model& model, const Surfaces& surfaces, const std::vector<double>& ways,
-                                       const std::vector<Pair>& pairs, std::vector<FoundTouches>& found) {
+                                       const std::vector<Pair>& pairs, bool moving, std::vector<FoundTouches>& found) {
     found.resize(std::max(found.size(), (pairs.size() + grain - 1) / grain)); // those that are there keep their memory
     for (auto& part : found) part.clear();
     for_chunks(pairs.size(), grain, [&](std::size_t first, std::size_t last) {
@@ -160,9 +240,14 @@ std::vector<ContactDraft> find_touches(const Model& model, const Surfaces& surfa
                 continue;
             }
             TouchGeometry touch{{}, TouchPoints(part.points)};
-            if (find_kept_touch(model, surfaces, block1, block2, old, reach(model, ways, block1, block2), touch))
-                part.drafts.push_back({block1, block2, old, DraftKind::new_geometry, touch, {part.points.data(), touch.points.size()}});
-            else touch.points.clear();
+            if (!find_kept_touch(model, surfaces, block1, block2, old, reach(model, ways, block1, block2), touch)) {
+                touch.points.clear();
+                continue;
+            }
+            const bool rigid = !model.blocks.deformable[block1] && !model.blocks.deformable[block2];
+            const DraftKind kind = rigid ? kind_of_rigid(model, block1, block2, old, moving, touch) : DraftKind::new_geometry;
+            if (kind == DraftKind::as_it_was || (kind == DraftKind::overlap && old != no_row)) touch.points.clear();
+            part.drafts.push_back({block1, block2, old, kind, touch, {part.points.data(), touch.points.size()}});
         }
         part.close();
     });
@@ -226,7 +311,7 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
     wanted_.resize(blocks.size());
     std::iota(wanted_.begin(), wanted_.end(), Row{0});
     surfaces_.update(model, wanted_);
-    return replace_contacts(model, joints, find_touches(model, surfaces_, ways_, pairs, found_), moving);
+    return replace_contacts(model, joints, find_touches(model, surfaces_, ways_, pairs, moving, found_), moving);
 }
 
 ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
@@ -234,6 +319,7 @@ ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
     const auto& margin = model.blocks.margin;
     const bool all_together = model.clock.cycle % slide_interval == 0;
     const auto slid = [&](std::size_t c) {
+        if (contacts.kind[c] == ContactKind::overlap) return all_together && may_close(model, static_cast<Row>(c));
         if (contacts.slid[c] * contacts.slid[c] <= slide_tolerance * slide_tolerance * contacts.area[c]) return false;
         return all_together ||
                contacts.slid[c] > far_slide * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]]);
@@ -241,7 +327,7 @@ ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
     // Going to and fro is no sliding.
     for_chunks(contacts.size(), 8 * grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c)
-            if (slid(c)) contacts.slid[c] = way_slid(model, static_cast<Row>(c));
+            if (contacts.kind[c] == ContactKind::joint && slid(c)) contacts.slid[c] = way_slid(model, static_cast<Row>(c));
     });
     std::vector<Pair> pairs;
     wanted_.clear();
@@ -256,7 +342,7 @@ ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
     ways_.resize(model.blocks.size());
     for (const Row b : wanted_) ways_[b] = way_of_a_step(model, b);
     surfaces_.update(model, wanted_);
-    std::vector<ContactDraft> drafts = find_touches(model, surfaces_, ways_, pairs, found_);
+    std::vector<ContactDraft> drafts = find_touches(model, surfaces_, ways_, pairs, true, found_);
     if (drafts.size() == pairs.size() && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
     return replace_contacts(model, joints, with_the_others(model, std::move(drafts), slid), true);
 }

@@ -1,6 +1,7 @@
 #include "mechanics/contact_table.hpp"
 
 #include "mechanics/batches.hpp"
+#include "mechanics/overlap_contact.hpp"
 #include "mechanics/property_sets.hpp"
 #include "model/lanes.hpp"
 
@@ -70,6 +71,10 @@ void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bo
     auto& s = model.sub_contacts;
     for (std::size_t row = 0; row < s.size(); ++row) {
         if (!changes.fresh[row] || s.normal_displacement[row] >= 0) continue;
+        if (model.contacts.kind[s.contact[row]] == ContactKind::overlap) {
+            s.normal_displacement[row] = 0; // the overlap says how deep
+            continue;
+        }
         changes.moved[row] = moving;
         s.normal_displacement_increment[row] = moving ? s.normal_displacement[row] : 0;
         s.normal_displacement[row] = 0;
@@ -92,6 +97,11 @@ void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bo
 /// Writes the geometry of a draft to its row.
 void write_contact(Model& model, Row c, const TouchPlane& g) {
     auto& contacts = model.contacts;
+    contacts.kind[c] = g.kind;
+    contacts.least_area[c] = between_rigid(model, c) ? least_contact_area(model, contacts.block1[c], contacts.block2[c]) : 0;
+    contacts.stiffness_area[c] = contacts.depth[c] = contacts.twist[c] = contacts.offset[c] = 0;
+    contacts.offset_tilt[c].setZero();
+    contacts.axis[c].setZero();
     contacts.face1[c] = g.face1;
     contacts.face2[c] = g.face2;
     contacts.touch[c] = g.touch;
@@ -175,6 +185,7 @@ struct Load {
     double shear_energy = 0; ///< in their shear springs
     double normal = 0;       ///< sum of their normal forces
     double shear = 0;        ///< sum of the sizes of their shear forces
+    Vec3 shear_sum = Vec3::Zero();
 
     Load() = default;
     Load(const Model& model, Row c) {
@@ -188,6 +199,7 @@ struct Load {
             energy += in_springs(force * force, group.load(subs.normal_stiffness.data() + s) * area);
             shear_energy += in_springs(squared, group.load(subs.shear_stiffness.data() + s) * area);
             normal += sum(force);
+            shear_sum += sum(along);
             shear += sum(squared.sqrt());
         }
     }
@@ -224,6 +236,61 @@ double keep_passive(Model& model, Row c, const Load& before) {
     return before.stored() - normal * normal * after.energy - shear * shear * after.shear_energy;
 }
 
+/// Shear forces of a joint between rigid blocks stay no larger than they were when its places change; its normal force
+/// is that of its closure, before and after. Returns what is lost of the energy in the springs.
+double keep_shear(Model& model, Row c, const Load& before) {
+    const Load after(model, c);
+    const double scale = after.shear > before.shear ? before.shear / after.shear : 1;
+    const Span span = model.contacts.sub_contacts[c];
+    if (scale != 1)
+        for (Row s = span.first; s < span.end(); ++s)
+            model.sub_contacts.shear_force.set(s, scale * Vec3(model.sub_contacts.shear_force[s]));
+    return before.stored() - after.energy - scale * scale * after.shear_energy;
+}
+
+/// What is lost when a contact's geometry has been made anew.
+double settle(Model& model, Row c, const Load& before) {
+    if (model.contacts.kind[c] == ContactKind::overlap) return 0;
+    return between_rigid(model, c) ? keep_shear(model, c, before) : keep_passive(model, c, before);
+}
+
+/// Makes a joint of an overlap that is closed everywhere: normal force by the closure of each place, in all what it was;
+/// shear force in the same parts. `row` of the first place; history comes from the overlap's first sub-contact.
+void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const Load& before, const ClosureOffset& offset) {
+    auto& subs = model.sub_contacts;
+    const Vec3& n = draft.plane.normal;
+    const Vec3 origin = model.blocks.centroid[draft.block1], shear = before.shear_sum - before.shear_sum.dot(n) * n;
+    const auto closure = [&](const TouchPoint& p) { return offset.closure + offset.tilt.dot(p.position - origin) - p.gap; };
+    double whole = 0;
+    for (const auto& point : draft.points) whole += point.area * closure(point);
+    for (std::size_t i = 0; i < draft.points.size(); ++i) {
+        const TouchPoint& point = draft.points[i];
+        const Row s = first + static_cast<Row>(i);
+        const double part = point.area * closure(point) / whole;
+        subs.contact[s] = c;
+        subs.meeting[s] = point.meeting;
+        subs.side1[s] = point.side1;
+        subs.side2[s] = point.side2;
+        subs.position.set(s, point.position);
+        subs.area[s] = point.area;
+        subs.normal_force[s] = part * before.normal;
+        subs.shear_force.set(s, part * shear);
+        subs.normal_displacement[s] = -closure(point);
+        subs.normal_displacement_increment[s] = 0;
+        if (s == first) continue;
+        for (std::size_t h = 0; h < static_cast<std::size_t>(subs.history_columns); ++h) subs.history[h][s] = subs.history[h][first];
+        if (subs.keeps_objects) subs.object[s] = subs.object[first];
+        subs.state[s] = subs.state[first];
+        subs.normal_stiffness[s] = subs.normal_stiffness[first];
+        subs.shear_stiffness[s] = subs.shear_stiffness[first];
+    }
+}
+
+/// Whether an overlap becomes a joint.
+bool closes(const Model& model, const ContactDraft& draft) {
+    return draft.kind == DraftKind::new_geometry && draft.old != no_row && model.contacts.kind[draft.old] == ContactKind::overlap;
+}
+
 /// The loads of contacts that get new geometry, by row of the draft.
 std::vector<std::pair<Row, Load>> loads_of(const Model& model, const std::vector<ContactDraft>& drafts) {
     std::vector<std::pair<Row, Load>> loads;
@@ -252,6 +319,8 @@ double stored_in_parted(const Model& model, const std::vector<char>& kept) {
 /// Whether the contact keeps as many points and every point is nearest to the sub-contact of its own row.
 bool keeps_places(const Model& model, const ContactDraft& draft) {
     if (draft.kind == DraftKind::as_it_was) return true;
+    if (draft.kind == DraftKind::overlap) return draft.old != no_row;
+    if (closes(model, draft)) return static_cast<Row>(draft.points.size()) == model.contacts.sub_contacts[draft.old].count;
     if (draft.plane.normal.dot(model.contacts.normal[draft.old]) < cos_of_other_touch) return false;
     const Span span = model.contacts.sub_contacts[draft.old];
     if (static_cast<Row>(draft.points.size()) != span.count) return false;
@@ -276,9 +345,20 @@ void refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Cha
     const auto& blocks = model.blocks;
     for (const auto& draft : drafts) {
         if (draft.kind == DraftKind::as_it_was) continue;
+        if (draft.kind == DraftKind::overlap) {
+            follow_overlap(model, draft.old);
+            continue;
+        }
         const auto& g = draft.plane;
-        write_contact(model, draft.old, g);
+        const bool from_overlap = closes(model, draft);
+        const ClosureOffset offset{model.contacts.offset[draft.old], model.contacts.offset_tilt[draft.old]};
         const Span span = model.contacts.sub_contacts[draft.old];
+        const Load before = from_overlap ? Load(model, draft.old) : Load();
+        write_contact(model, draft.old, g);
+        if (from_overlap) {
+            close_joint(model, draft, draft.old, span.first, before, offset);
+            continue;
+        }
         for (Row i = 0; i < span.count; ++i)
             write_sub_contact(model, span.first + i, draft.points[i], g.normal, false, g.touch == Touch::face_face, changes);
         // Weights of gridpoints are in the lists.
@@ -301,7 +381,7 @@ bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<Con
     tell_joint_models(model, joints, changes, true);
     double lost = 0;
     for (std::size_t i = 0; i < drafts.size(); ++i)
-        if (drafts[i].kind == DraftKind::new_geometry) lost += keep_passive(model, drafts[i].old, loads[i]);
+        if (drafts[i].kind == DraftKind::new_geometry) lost += settle(model, drafts[i].old, loads[i]);
     if (model.settings.energy) model.energy.joint_lost += lost;
     return true;
 }
@@ -323,11 +403,13 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         contact_source.push_back(draft.old == no_row ? blank_contact : draft.old);
         const Span old = draft.old == no_row ? Span{} : contacts.sub_contacts[draft.old];
         const Row first = static_cast<Row>(sub_source.size());
-        if (draft.kind == DraftKind::as_it_was) {
+        if (draft.kind == DraftKind::as_it_was || (draft.kind == DraftKind::overlap && draft.old != no_row)) {
             for (Row row = old.first; row < old.end(); ++row) sub_source.push_back(row);
         } else {
             for (const auto& point : draft.points) {
-                const Row row = nearest(subs, old, point.position);
+                // Of an overlap only those that carry say anything.
+                const bool overlap = draft.old != no_row && contacts.kind[draft.old] == ContactKind::overlap;
+                const Row row = overlap ? old.first : nearest(subs, old, point.position);
                 sub_source.push_back(row == no_row ? blank_sub : row);
             }
         }
@@ -343,6 +425,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     subs.gather(sub_source);
 
     Changes changes(subs.size());
+    std::vector<Row> converted; // joints that become overlaps
     for (std::size_t c = 0; c < drafts.size(); ++c) {
         const auto& draft = drafts[c];
         const Row row = static_cast<Row>(c);
@@ -358,10 +441,15 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         } else {
             contacts.ids.move(contacts.id[c], row);
         }
-        const bool is_new = draft.kind == DraftKind::new_geometry;
-        const bool other_touch = is_new && draft.old != no_row &&
+        if (draft.kind == DraftKind::overlap && draft.old != no_row) converted.push_back(row);
+        const bool closing = draft.kind == DraftKind::new_geometry && draft.old != no_row && contacts.kind[c] == ContactKind::overlap;
+        const bool is_new = draft.kind == DraftKind::new_geometry || (draft.kind == DraftKind::overlap && draft.old == no_row);
+        const ClosureOffset offset{contacts.offset[c], contacts.offset_tilt[c]};
+        const bool other_touch = is_new && !closing && draft.old != no_row &&
                                  draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_touch;
         if (is_new) write_contact(model, row, draft.plane);
+        // What was made to overlap does so without force.
+        if (draft.kind == DraftKind::overlap && draft.old == no_row && !moving) contacts.offset[c] = std::min(0.0, draft.plane.gap);
         for (Row i = 0; i < spans[c].count; ++i) {
             const Row s = spans[c].first + i;
             const Row source = sub_source[s];
@@ -373,10 +461,14 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
                 subs.id[s] = subs.ids.create(s);
                 subs.number[s] = model.next_sub_contact_number++;
             }
-            if (!is_new) continue;
+            if (!is_new || closing) continue;
             if (other_touch) clear_sub_contact(subs, s);
             write_sub_contact(model, s, draft.points[i], draft.plane.normal,
                               other_touch || source == blank_sub, draft.plane.touch == Touch::face_face, changes);
+        }
+        if (closing) {
+            const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.first == row; });
+            close_joint(model, draft, row, spans[c].first, load->second, offset);
         }
     }
     for (std::size_t c = 0; c < contact_kept.size(); ++c)
@@ -384,8 +476,9 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     for (std::size_t s = 0; s < sub_kept.size(); ++s)
         if (!sub_kept[s]) subs.ids.destroy(old_sub_ids[s]);
 
+    for (const Row c : converted) follow_overlap(model, c);
     tell_joint_models(model, joints, changes, moving);
-    for (const auto& [row, load] : loads) lost += keep_passive(model, row, load);
+    for (const auto& [row, load] : loads) lost += settle(model, row, load);
     for (std::size_t c = 0; c < drafts.size(); ++c)
         if (drafts[c].old == no_row) lost -= Load(model, static_cast<Row>(c)).stored();
     if (model.settings.energy) model.energy.joint_lost += lost;

@@ -11,7 +11,11 @@
 
 namespace kaya {
 
-enum class DraftKind : std::uint8_t { as_it_was, new_geometry };
+enum class DraftKind : std::uint8_t {
+    as_it_was,
+    new_geometry,
+    overlap ///< of rigid blocks: one that is new, or made of a joint between them
+};
 
 /// One row of the contact table to be.
 struct ContactDraft {

@@ -264,7 +264,7 @@ void Cycle::keep_account(const DriveSums& driven, const MotionSums& motion, cons
     energy.damped += motion.damped + joint_sums.damped + zone_sums.damped;
     energy.joint_work += joint_sums.work;
     energy.joint_friction += joint_sums.friction;
-    energy.joint_lost -= joint_sums.returned;
+    energy.joint_lost += joint_sums.lost - joint_sums.returned;
     energy.zone_work += zone_sums.work;
 }
 

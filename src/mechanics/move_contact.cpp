@@ -1,4 +1,5 @@
 #include "mechanics/contact_geometry.hpp"
+#include "mechanics/overlap_contact.hpp"
 #include "mechanics/phases.hpp"
 #include "mechanics/triple.hpp"
 
@@ -13,17 +14,19 @@ namespace {
 /// Cycles between two looks at the faces of deformable blocks, which turn slowly.
 constexpr std::int64_t face_interval = 10;
 
-/// Motion of a rigid block seen from a point of its own: velocity there, and spin.
+/// Motion of a rigid block in a step. Velocities are those of the middle of the step and so are the arms that they act
+/// on: with arms of either end a block that turns would close its joints by half the square of the angle in each step.
 struct RigidMotion {
-    Triple velocity, spin;
+    Triple velocity, spin, centroid;
 
-    RigidMotion(const Blocks& blocks, Row b, const Triple& origin)
-        : velocity(blocks.velocity[b]), spin(blocks.rotational_velocity[b]) {
-        velocity = velocity + spin.cross(origin - Triple(blocks.centroid[b]));
+    RigidMotion(const Model& model, Row b)
+        : velocity(model.blocks.velocity[b]), spin(model.blocks.rotational_velocity[b]), centroid(model.blocks.centroid[b]) {
+        if (model.settings.large_strain) centroid = centroid - 0.5 * model.clock.time_step * velocity; // it has moved already
     }
+    Triple at(const Triple& place) const { return velocity + spin.cross(place - centroid); }
 };
 
-/// The plane turns with the block whose face it is.
+/// The plane turns with the block whose face it is, between rigid blocks with the blocks whose faces are on it.
 void turn_plane(Model& model, Row c) {
     auto& contacts = model.contacts;
     const auto& blocks = model.blocks;
@@ -38,9 +41,12 @@ void turn_plane(Model& model, Row c) {
         return;
     }
     Triple spin(0, 0, 0);
-    if (reference != 0) spin = Triple(blocks.rotational_velocity[owner]);
-    else if (!blocks.deformable[b1] && !blocks.deformable[b2])
-        spin = 0.5 * (Triple(blocks.rotational_velocity[b1]) + Triple(blocks.rotational_velocity[b2]));
+    if (!blocks.deformable[b1] && !blocks.deformable[b2]) {
+        const double first = reference == 0 ? 0.5 : part_of_first(model, b1, b2);
+        spin = first * Triple(blocks.rotational_velocity[b1]) + (1 - first) * Triple(blocks.rotational_velocity[b2]);
+    } else if (reference != 0) {
+        spin = Triple(blocks.rotational_velocity[owner]);
+    }
     const Triple before(n), turned = before + (model.clock.time_step * spin).cross(before);
     // It is almost 1 long: one step of Newton's method for 1/sqrt.
     n = ((1.5 - 0.5 * turned.dot(turned)) * turned).vector();
@@ -55,17 +61,21 @@ inline void add_work(JointWork& work, const SubContacts& subs, Row row, const La
 
 /// Two rigid blocks: the relative velocity is linear in the place, so that a few numbers per contact
 /// serve all its sub-contacts.
-void move_between_rigid(Model& model, Row c, JointWork& work) {
+void move_between_rigid(Model& model, Row c, const Vec3& normal_before, JointWork& work) {
     auto& subs = model.sub_contacts;
     auto& contacts = model.contacts;
     const Triple o(contacts.position[c]), normal(contacts.normal[c]);
-    const RigidMotion one(model.blocks, contacts.block1[c], o), two(model.blocks, contacts.block2[c], o);
+    const RigidMotion one(model, contacts.block1[c]), two(model, contacts.block2[c]);
     const double step = model.clock.time_step;
     const bool large = model.settings.large_strain;
-    const Triple way = 0.5 * step * (two.velocity + one.velocity), turn = 0.5 * step * (two.spin + one.spin);
+    const double half = large ? 0.5 : 0;
+    const Triple middle = o + 0.5 * half * step * (two.at(o) + one.at(o)); // of the way of the origin
+    const Triple velocity1 = one.at(middle), velocity2 = two.at(middle);
+    const Triple way = 0.5 * step * (velocity2 + velocity1), turn = 0.5 * step * (two.spin + one.spin);
 
     const Lanes3 n = normal.lanes(), origin = o.lanes();
-    const Lanes3 apart = (step * (two.velocity - one.velocity)).lanes();
+    const Lanes3 n_middle = (0.5 * (normal + Triple(normal_before))).lanes();
+    const Lanes3 apart = (step * (velocity2 - velocity1)).lanes();
     const Lanes3 apart_turn = (step * (two.spin - one.spin)).lanes();
     const Lanes3 mean = way.lanes(), mean_turn = turn.lanes();
     const Lanes twist = Lanes::Constant(turn.dot(normal));
@@ -76,15 +86,16 @@ void move_between_rigid(Model& model, Row c, JointWork& work) {
     for (Row i = span.first; i < span.end(); i += lane_count) {
         const LaneGroup group(span.end() - i);
         const Lanes3 x = group.load(subs.position, i), arm = x - origin;
-        const Lanes3 u = apart + apart_turn.cross(arm);
-        const Lanes opening = u.dot(n);
-        const Lanes3 shear = u - n * opening;
+        const Lanes3 turned = mean_turn.cross(arm);
+        const Lanes3 u = apart + apart_turn.cross(arm + turned * Lanes::Constant(half));
+        const Lanes opening = u.dot(n_middle);
+        const Lanes3 shear = u - n * u.dot(n);
         group.store(subs.normal_displacement_increment.data() + i, opening);
         group.store(subs.shear_displacement_increment, i, shear);
         Lanes3 force = group.load(subs.shear_force, i);
         if (large) {
             farthest = farthest.max(shear.dot(shear));
-            group.store(subs.position, i, x + (mean + mean_turn.cross(arm)));
+            group.store(subs.position, i, x + (mean + turned));
             // The shear force stays in the plane and turns in it with the mean of the blocks.
             const Lanes3 in_plane = force - n * force.dot(n);
             force = in_plane + n.cross(in_plane) * twist;
@@ -154,11 +165,12 @@ void move_between(Model& model, Row c, JointWork& work) {
 
 void move_contact(Model& model, Row c, JointWork& work) {
     const auto& contacts = model.contacts;
+    const Vec3 normal_before = contacts.normal[c];
     if (model.settings.large_strain) turn_plane(model, c);
     if (model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]])
         move_between(model, c, work);
     else
-        move_between_rigid(model, c, work);
+        move_between_rigid(model, c, normal_before, work);
 }
 
 void turn_kept_vectors(Model& model, Row c, const std::vector<std::size_t>& vectors) {

@@ -75,6 +75,7 @@ struct JointSums {
     double work = 0;     ///< put into them
     double friction = 0; ///< of it, lost
     double returned = 0; ///< of what changes of touches had taken from the contacts
+    double lost = 0;     ///< of what springs held, where contacts changed their area or parted
     double fluid = 0;    ///< done on the blocks by pore pressure
     double damped = 0;   ///< taken up by dashpots
     bool stiffness_changed = false;

@@ -1,6 +1,7 @@
 #include "mechanics/step_bounds.hpp"
 
 #include "base/reduce.hpp"
+#include "mechanics/overlap_contact.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -19,11 +20,6 @@ double least_eigenvalue(const Mat3& inertia) {
     Eigen::SelfAdjointEigenSolver<Mat3> solver;
     solver.computeDirect(inertia, Eigen::EigenvaluesOnly);
     return solver.eigenvalues()[0];
-}
-
-bool between_rigid(const Model& model, Row contact) {
-    const auto& contacts = model.contacts;
-    return !model.blocks.deformable[contacts.block1[contact]] && !model.blocks.deformable[contacts.block2[contact]];
 }
 
 void take_larger(StepLimit& limit, const StepLimit& other) {
@@ -116,8 +112,9 @@ void StepBounds::add_contact(const Model& model, Row contact) {
     const auto& contacts = model.contacts;
     ContactSums sums;
     const Span span = contacts.sub_contacts[contact];
+    const double factor = contacts.stiffness_area[contact] > 0 ? contacts.stiffness_area[contact] / contacts.area[contact] : 1;
     for (Row s = span.first; s < span.end(); ++s) {
-        const double stiffness = tangent_stiffness(model.sub_contacts, s);
+        const double stiffness = factor * tangent_stiffness(model.sub_contacts, s);
         if (stiffness == 0) continue; // open
         const double a1 = size(model, contacts.block1[contact], s), a2 = size(model, contacts.block2[contact], s);
         sums.own1 += stiffness * a1 * a1;

@@ -147,6 +147,8 @@ void check_contacts(Findings& findings, const Model& model) {
         findings.require(contacts.block1[i] != contacts.block2[i], "contacts", i, "a block touches itself");
         findings.require(between(contacts.touch[i], Touch::face_face, Touch::vertex_vertex), "contacts", i,
                          "its kind of touch is unknown");
+        findings.require(between(contacts.kind[i], ContactKind::joint, ContactKind::overlap), "contacts", i,
+                         "it is neither a joint nor an overlap");
         findings.require(contacts.number[i] >= 1 && contacts.number[i] < model.next_contact_number, "contacts", i,
                          fmt::format("number {} where {} is the next", contacts.number[i],
                                      model.next_contact_number));
@@ -168,7 +170,7 @@ void check_sub_contacts(Findings& findings, const Model& model) {
     check_attachments(findings, sub.side1, model.gridpoints.size());
     check_attachments(findings, sub.side2, model.gridpoints.size());
     for (std::size_t i = 0; i < sub.size() && findings.clean(); ++i) {
-        findings.require(between(sub.meeting[i], Meeting::vertex_face, Meeting::edge_edge), "sub_contacts", i,
+        findings.require(between(sub.meeting[i], Meeting::vertex_face, Meeting::face_face), "sub_contacts", i,
                          "its kind of meeting is unknown");
         findings.require(sub.number[i] >= 1 && sub.number[i] < model.next_sub_contact_number, "sub_contacts", i,
                          fmt::format("number {} where {} is the next", sub.number[i],

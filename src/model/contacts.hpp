@@ -23,7 +23,13 @@ enum class Touch : std::int32_t {
 };
 
 /// What meets at a sub-contact.
-enum class Meeting : std::int32_t { vertex_face = 1, face_vertex, edge_edge };
+enum class Meeting : std::int32_t { vertex_face = 1, face_vertex, edge_edge, face_face };
+
+/// What the normal force of a contact follows from.
+enum class ContactKind : std::int32_t {
+    joint,  ///< the closure of places that stay where they are on the joint
+    overlap ///< the volume that two rigid blocks have in common
+};
 
 class Contacts : public Table<Contacts> {
 public:
@@ -45,6 +51,15 @@ public:
     Column<std::int32_t> joint_set;
     Column<std::int32_t> group; ///< index into Model::group_names, 0 is none
     Column<Span> sub_contacts; ///< a contact's rows are contiguous and in contact order
+    Column<ContactKind> kind;
+    Column<double> least_area; ///< a loaded contact is at least as stiff as a joint of this area
+    Column<double> stiffness_area; ///< normal tangent stiffness of the contact over that of its joint model; 0: that of the sub-contacts
+    // Of overlap contacts only.
+    Column<double> depth;      ///< closure of a joint with the energy of the overlap; 0 when the blocks are apart
+    Column<double> twist;      ///< moment of the overlap about the normal over its normal force: length
+    Column<double> offset;     ///< closure besides that of the places of the blocks
+    Column<Vec3> offset_tilt;  ///< its slope in space, about the centroid of block1
+    Column<Vec3> axis;         ///< a direction in the plane that turns with the contact
     Column<double> slid;       ///< relative tangential motion since the geometry was made anew
     Column<double> sunk;       ///< overlap beyond that which its force belongs to
     Column<double> given_up;   ///< energy that new geometry has taken from it, less what it has given back
@@ -66,6 +81,14 @@ public:
         visit("joint_set", joint_set);
         visit("group", group);
         visit("sub_contacts", sub_contacts);
+        visit("kind", kind);
+        visit("least_area", least_area);
+        visit("stiffness_area", stiffness_area);
+        visit("depth", depth);
+        visit("twist", twist);
+        visit("offset", offset);
+        visit("offset_tilt", offset_tilt);
+        visit("axis", axis);
         visit("slid", slid);
         visit("given_up", given_up);
         visit("sunk", sunk);

@@ -46,7 +46,7 @@ double pressure_force(const Model& model, Row row) {
 /// The vertex that meets a face, null where two edges meet.
 FieldValue vertex(const Model& model, Row row) {
     const auto& subs = model.sub_contacts;
-    if (subs.meeting[row] == Meeting::edge_edge) return Link{FieldTable::gridpoint, no_row};
+    if (subs.meeting[row] >= Meeting::edge_edge) return Link{FieldTable::gridpoint, no_row};
     const Attachment& side = subs.meeting[row] == Meeting::vertex_face ? subs.side1[row] : subs.side2[row];
     const auto heaviest = std::max_element(side.weights.begin(), side.weights.end()) - side.weights.begin();
     return Link{FieldTable::gridpoint, side.gridpoints[static_cast<std::size_t>(heaviest)]};
@@ -56,7 +56,7 @@ FieldValue vertex(const Model& model, Row row) {
 FieldValue face(const Model& model, Row row) {
     const auto& subs = model.sub_contacts;
     const Row contact = contact_of(model, row);
-    if (subs.meeting[row] == Meeting::edge_edge) return Link{FieldTable::face, no_row};
+    if (subs.meeting[row] >= Meeting::edge_edge) return Link{FieldTable::face, no_row};
     return Link{FieldTable::face, subs.meeting[row] == Meeting::vertex_face ? model.contacts.face2[contact]
                                                                             : model.contacts.face1[contact]};
 }

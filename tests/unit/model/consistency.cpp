@@ -76,7 +76,7 @@ const std::vector<Damage>& damages() {
          "some rows of sub-contact belong to no row of contacts"},
         {"attachment", [](Model& m) { m.sub_contacts.side2[1].gridpoints[0] = 8; },
          "row 1 of sub_contacts: gridpoint 8 of 8"},
-        {"meeting", [](Model& m) { m.sub_contacts.meeting[0] = static_cast<Meeting>(4); },
+        {"meeting", [](Model& m) { m.sub_contacts.meeting[0] = static_cast<Meeting>(5); },
          "row 0 of sub_contacts: its kind of meeting is unknown"},
         {"sub-contact number", [](Model& m) { m.sub_contacts.number[1] = -5; },
          "row 1 of sub_contacts: number -5 where 3 is the next"},
