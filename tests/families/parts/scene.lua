@@ -1,0 +1,158 @@
+-- A scene of rigid blocks: made, watched and forgotten again, so that one deck runs many of them.
+local scene = { density = 2000, gravity = 9.81 }
+
+local watches = {}
+
+-- Takes hooks of the scene before away. `damping` is the line behind `damp`.
+function scene.forget()
+    for _, watch in ipairs(watches) do hook.remove(watch) end
+    watches = {}
+end
+
+function scene.clear(damping)
+    scene.forget()
+    if count("block") > 0 then command "delete" end
+    command "reset time energy disp jdisp\ndamp none\ndamp contact 0\ngravity 0 0 -9.81"
+    command("damp " .. (damping or "none"))
+    -- -D fraction=0.05 shows what of an error is the step's.
+    if fraction then command(("fraction %.17g"):format(fraction)) end
+    command(("prop mat 1 density %.17g"):format(scene.density))
+end
+
+-- To be given when the blocks stand.
+function scene.joints(kn, ks, friction, law)
+    command(("jmodel model %s\njmodel jkn %.17g jks %.17g"):format(law or "mohr", kn, ks))
+    if law ~= "elastic" then command(("jmodel jfric %.17g"):format(friction)) end
+end
+
+function scene.watch(f, every) watches[#watches + 1] = hook.after_cycle(f, every or 1) end
+
+function scene.newest()
+    local newest
+    for b in blocks() do
+        if not newest or b.id > newest.id then newest = b end
+    end
+    return newest
+end
+
+function scene.brick(x0, x1, y0, y1, z0, z1)
+    command(("poly brick %.17g %.17g %.17g %.17g %.17g %.17g"):format(x0, x1, y0, y1, z0, z1))
+    return scene.newest()
+end
+
+function scene.hold(block) command(("fix range id %d"):format(block.id)) end
+
+function scene.run(time) command(("cycle time %.17g"):format(time)) end
+
+-- Twice the kinetic energy of rotation of a rigid block, from what stands in its fields.
+local function spin_square(b)
+    local w, i = b.rotational_velocity, b.inertia
+    return i.x * w.x ^ 2 + i.y * w.y ^ 2 + i.z * w.z ^ 2 -
+        2 * (b.xy_inertia * w.x * w.y + b.xz_inertia * w.x * w.z + b.yz_inertia * w.y * w.z)
+end
+
+function scene.kinetic(b)
+    local v = b.velocity
+    return 0.5 * scene.density * b.volume * v:dot(v) + 0.5 * spin_square(b)
+end
+
+-- What all contacts together do to a block.
+function scene.contact_force(block)
+    local force = vector(0, 0, 0)
+    for c in contacts() do
+        local sign = c.block2 == block and 1 or c.block1 == block and -1 or 0
+        if sign ~= 0 then force = force + (c.normal * c.normal_force + c.shear_force) * sign end
+    end
+    return force
+end
+
+local function velocity(block, point) return block.velocity + block.rotational_velocity:cross(point - block.position) end
+
+-- Power of the forces of all contacts on the blocks beside them.
+local function contact_power()
+    local power = 0.0
+    for s in sub_contacts() do
+        local normal_force, shear = s.normal_force, s.shear_force_vector
+        if normal_force ~= 0 or shear:length() > 0 then
+            local x = s.position
+            power = power + (s.normal * normal_force + shear):dot(velocity(s.block2, x) - velocity(s.block1, x))
+        end
+    end
+    return power
+end
+
+-- The smaller of a difference and of what is left when half a step of a power is taken from it, either way: sums over steps
+-- may be read with the velocities half a step before or behind the places.
+local function less_half_step(difference, power_step)
+    local half = 0.5 * power_step
+    local least = difference
+    for _, other in ipairs { difference - half, difference + half } do
+        if math.abs(other) < math.abs(least) then least = other end
+    end
+    return least
+end
+
+-- Energy of the blocks `moving` in every cycle, from the moment of the call. The program's own account counts too, but
+-- what decides is kinetic energy and height, which need no account:
+--     kinetic + potential <= what was there + what drivers put in,
+-- since what contacts store is never below 0. Velocities stand half a step before places; at the place half a step before,
+-- kinetic + potential of a free flight is constant to rounding. `driven` are blocks that move as prescribed; what they put in is
+-- the force of the contacts on them times the way, with the sign turned.
+function scene.energy(moving, driven, every)
+    local result = { excess = -math.huge, error = 0, stored = math.huge, largest = 0, put_in = 0, fastest = 0 }
+    -- Heights count from where each block is, so that the numbers stay small beside what is looked for.
+    local from, weight, start = {}, {}, 0
+    local g = model.gravity
+    for i, b in ipairs(moving) do
+        from[i], weight[i] = b.position, g * (scene.density * b.volume)
+        start = start + scene.kinetic(b)
+    end
+    result.start = start
+    command "cycle 0\nreset energy"
+    local pushed = {}
+    for i, b in ipairs(driven or {}) do pushed[i] = scene.contact_force(b) end
+    result.deepest_potential = 0
+    scene.watch(function()
+        local dt = model.time_step
+        local potential, drivers = 0.0, 0.0
+        for i, b in ipairs(moving) do
+            local v = b.velocity
+            potential = potential - weight[i]:dot(b.position - v * (0.5 * dt) - from[i])
+            local speed = v:length()
+            if speed > result.fastest then result.fastest = speed end
+        end
+        for i, b in ipairs(driven or {}) do
+            local v, now = b.velocity, scene.contact_force(b)
+            drivers = drivers + 0.5 * scene.density * b.volume * v:dot(v)
+            result.put_in = result.put_in - 0.5 * (pushed[i] + now):dot(v) * dt
+            pushed[i] = now
+        end
+        local kinetic = model.kinetic_energy - drivers
+        if potential < result.deepest_potential then result.deepest_potential = potential end
+        local excess = kinetic + potential - start - result.put_in
+        if not (excess <= result.excess) then result.excess = excess end
+        if kinetic > result.largest then result.largest = kinetic end
+        local stored = model.joint_work - model.frictional_energy - model.touch_energy
+        if not (stored >= result.stored) then result.stored = stored end
+        if stored > result.largest then result.largest = stored end
+        local missing = less_half_step(model.energy_error, contact_power() * dt)
+        if not (math.abs(missing) <= math.abs(result.error)) then result.error = missing end
+    end, (driven and 1) or every)
+    -- What the errors are measured by: the largest energy that the scene has had, kinetic, stored, fallen or put in.
+    function result.scale()
+        return math.max(result.largest, start, math.abs(result.put_in), -result.deepest_potential)
+    end
+    return result
+end
+
+-- The three rows of energy of a case, each within a thousandth of the largest energy.
+function scene.energy_rows(case, energy)
+    local rows = require "parts.rows"
+    local scale = energy.scale()
+    rows.at_most(case, "kinetic and potential energy above what was there and put in, over the largest energy",
+        energy.excess / scale, 1e-3)
+    rows.at_least(case, "least energy stored in joints over the largest energy", energy.stored / scale, -1e-3)
+    rows.absolute(case, "energy not accounted for, over the largest energy", energy.error / scale, 0, 1e-3)
+end
+
+return scene
