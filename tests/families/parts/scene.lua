@@ -21,6 +21,7 @@ end
 
 -- To be given when the blocks stand.
 function scene.joints(kn, ks, friction, law)
+    scene.kn, scene.ks = kn, ks
     command(("jmodel model %s\njmodel jkn %.17g jks %.17g"):format(law or "mohr", kn, ks))
     if law ~= "elastic" then command(("jmodel jfric %.17g"):format(friction)) end
 end
@@ -94,7 +95,7 @@ end
 
 -- Energy of the blocks `moving` in every cycle, from the moment of the call. The program's own account counts too, but
 -- what decides is kinetic energy and height, which need no account:
---     kinetic + potential <= what was there + what drivers put in,
+--     kinetic + potential <= what was there, in springs too, + what drivers put in,
 -- since what contacts store is never below 0. Velocities stand half a step before places; at the place half a step before,
 -- kinetic + potential of a free flight is constant to rounding. `driven` are blocks that move as prescribed; what they put in is
 -- the force of the contacts on them times the way, with the sign turned.
@@ -106,6 +107,13 @@ function scene.energy(moving, driven, every)
     for i, b in ipairs(moving) do
         from[i], weight[i] = b.position, g * (scene.density * b.volume)
         start = start + scene.kinetic(b)
+    end
+    -- Springs that carry force from the start may give back what they hold.
+    result.preload = 0
+    for s in sub_contacts() do
+        if s.area > 0 then
+            result.preload = result.preload + 0.5 * (s.normal_force ^ 2 / scene.kn + s.shear_force ^ 2 / scene.ks) / s.area
+        end
     end
     result.start = start
     command "cycle 0\nreset energy"
@@ -129,10 +137,10 @@ function scene.energy(moving, driven, every)
         end
         local kinetic = model.kinetic_energy - drivers
         if potential < result.deepest_potential then result.deepest_potential = potential end
-        local excess = kinetic + potential - start - result.put_in
+        local excess = kinetic + potential - start - result.preload - result.put_in
         if not (excess <= result.excess) then result.excess = excess end
         if kinetic > result.largest then result.largest = kinetic end
-        local stored = model.joint_work - model.frictional_energy - model.touch_energy
+        local stored = result.preload + model.joint_work - model.frictional_energy - model.touch_energy
         if not (stored >= result.stored) then result.stored = stored end
         if stored > result.largest then result.largest = stored end
         local missing = less_half_step(model.energy_error, contact_power() * dt)

@@ -54,19 +54,20 @@ function tipping.needed(p, angle, from)
     return most
 end
 
--- The block on its base, 1 m wide, turned by the angle `from` about the lower edge at (b, 0), which stands `deep` in the base;
--- gravity is turned instead of the base. Gives the block, a gridpoint of the edge, and its mass.
-function tipping.build(p, kn, friction, from, deep)
+-- The block on its base, 1 m wide, turned by the angle `from` about the lower edge at (b, 0); gravity is turned instead of
+-- the base. Gives the block, a gridpoint of the edge, and a function of the angle.
+function tipping.build(p, kn, friction, from)
     local scene, shapes, place = require "parts.scene", require "parts.shapes", require "parts.place"
     local b, h = p.b, p.h
     scene.clear "none"
     p.mass = scene.density * b * h
     scene.hold(scene.brick(-b, 4 * b, 0, 1, -b, 0))
-    local turn = place.new(place.about(vector(0, 1, 0), math.deg(from or 0)), vector(b, 0, -(deep or 0)))
+    local turn = place.new(place.about(vector(0, 1, 0), math.deg(from or 0)), vector(b, 0, 0))
     local body = shapes.build(shapes.moved(shapes.prism({ { -b, 0 }, { 0, 0 }, { 0, h }, { -b, h } }, 0, 1), turn))
     scene.joints(kn, kn, math.deg(math.atan(friction)))
     model.gravity = vector(9.81 * math.sin(p.slope), 0, -9.81 * math.cos(p.slope))
-    return body.block, body.corners[2]
+    local heel, toe = body.corners[1], body.corners[2]
+    return body.block, toe, function() return math.atan(heel.z - toe.z, toe.x - heel.x) end
 end
 
 -- The floor under the area of a touch: a hundredth of the mean face of the block, which is the smaller one.
@@ -81,6 +82,20 @@ function tipping.set_forces(p)
     end
     if #points ~= 2 then error(("%d sub-contacts stand at the corners of the edge instead of 2"):format(#points)) end
     for _, point in ipairs(points) do point.normal_force, point.x_shear_force = n / 2, s / 2 end
+end
+
+-- Sets the block down on its edge, guided, with the force N that it has there when it is let go, whatever depth the edge takes;
+-- then lets it go with the shear force S on what touches.
+function tipping.set_down(p, block, from)
+    local _, n, s = tipping.at(p, from, 0)
+    local slope = model.gravity
+    model.gravity = vector(0, 0, -n / p.mass)
+    command(("fix xvel yvel rotation range id %d\ndamp local 0.8\nsolve ratio 1e-12 cycles 200000"):format(block.id))
+    if math.abs(sum("sub_contact", "normal_force") / n - 1) > 1e-3 then error("the edge is not carried", 0) end
+    command(("free range id %d\ndamp none\nreset vel disp time"):format(block.id))
+    model.gravity = slope
+    local total = sum("sub_contact", "normal_force")
+    for point in sub_contacts() do point.x_shear_force = s * point.normal_force / total end
 end
 
 return tipping
