@@ -91,7 +91,7 @@ function tipping.set_down(p, block, from)
     local slope = model.gravity
     model.gravity = vector(0, 0, -n / p.mass)
     command(("fix xvel yvel rotation range id %d\ndamp local 0.8\nsolve ratio 1e-12 cycles 200000"):format(block.id))
-    if math.abs(sum("sub_contact", "normal_force") / n - 1) > 1e-3 then error("the edge is not carried", 0) end
+    if math.abs(sum("sub_contact", "normal_force") / n - 1) > 1e-3 then error(("the edge carries %g of its force"):format(sum("sub_contact", "normal_force") / n), 0) end
     command(("free range id %d\ndamp none\nreset vel disp time"):format(block.id))
     model.gravity = slope
     local total = sum("sub_contact", "normal_force")
