@@ -6,6 +6,7 @@
 #include "mechanics/boundary.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/face_conditions.hpp"
+#include "mechanics/rotation.hpp"
 #include "model/measure.hpp"
 
 #include <algorithm>
@@ -70,9 +71,11 @@ void warn_of_held_loads(Session& session, const std::vector<Row>& blocks, const 
     };
     for (const Row b : blocks) {
         if (!model.blocks.deformable[b]) {
+            const Vec3 moment = load_moment(model, b);
             for (int k = 0; k < components; ++k) {
-                const double load = k < 3 ? model.blocks.load[b][k] : model.blocks.torque[b][k - 3];
-                const bool rests = k >= 3 && (model.blocks.fixed[b] & 7) == 7; // moments of loads come with them
+                const double load = k < 3 ? model.blocks.load[b][k] : moment[k - 3];
+                // Moments of loads come with them, and turn a block that is held by its centroid only.
+                const bool rests = k >= 3 ? (model.blocks.fixed[b] & 7) == 7 : moment.norm() > 0 && (model.blocks.fixed[b] & 56) != 56;
                 if (load != 0 && (model.blocks.fixed[b] & (1 << k)) && !rests) return say(b, k, "the centroid");
             }
             continue;

@@ -123,14 +123,16 @@ public:
         }
         at_place(b, model_.gridpoints.position[g], axis, value);
     }
-    /// On a rigid block.
+    /// On a rigid block. The place goes with the block, the direction stays.
     void at_place(Row b, const Vec3& place, int axis, double value) {
-        auto& blocks = model_.blocks;
-        const Vec3 force = value * Vec3::Unit(axis);
-        const Vec3 moment = (place - blocks.centroid[b]).cross(force);
-        add(of_block(model_, b, axis), blocks.load[b][axis], value);
+        const auto& blocks = model_.blocks;
+        const Vec3 arm = quaternion(blocks.orientation[b]).conjugate() * (place - blocks.centroid[b]);
+        on_block(b, axis, value);
         for (int k = 0; k < 3; ++k)
-            if (k != axis) add(of_block(model_, b, 3 + k), blocks.torque[b][k], moment[k]);
+            if (arm[k] != 0) on_block(b, Drives::motions + 3 * axis + k, value * arm[k]);
+    }
+    void on_block(Row b, int component, double value) {
+        add(of_block(model_, b, component), load_component(model_.blocks, b, component), value);
     }
     void finish() {
         for (const auto& [target, value] : sums_) add_drive(model_, What::load, target, value, function_);
@@ -273,10 +275,7 @@ void add_load(Model& model, const std::vector<Row>& gridpoints, int axis, double
 
 void add_block_load(Model& model, const std::vector<Row>& rows, int component, double value, std::int32_t function) {
     LoadSums sums(model, function);
-    for (const Row b : rows) {
-        double& load = is_rotation(component) ? model.blocks.torque[b][component - 3] : model.blocks.load[b][component];
-        sums.add(of_block(model, b, component), load, value);
-    }
+    for (const Row b : rows) sums.on_block(b, component, value);
     sums.finish();
 }
 

@@ -44,7 +44,7 @@ void initialize_velocity(Model& model, const Bodies& bodies, int component, doub
 /// Sets the displacement that is counted from now on; nothing moves.
 void initialize_displacement(Model& model, const Bodies& bodies, int axis, double value);
 
-/// Adds a force to every gridpoint given; of a rigid block's vertex to the block, with its moment.
+/// Adds a force to every gridpoint given. On a rigid block's vertex it goes with the vertex and keeps its direction.
 void add_load(Model& model, const std::vector<Row>& gridpoints, int axis, double value,
               std::int32_t function = constant_in_time);
 

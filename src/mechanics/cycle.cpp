@@ -24,6 +24,11 @@ namespace {
 constexpr std::int64_t growth_interval = 100;
 /// The step shrinks a little more than it must, so that it does not have to again in the next cycle.
 constexpr double shrink = 0.9;
+/// Power of adaptive global damping over the rate at which kinetic energy changes, of a ratio of 1: calibrated on
+/// logs of 3DEC, docs/theory/damping.md.
+constexpr double global_damping_scale = 4.6;
+/// How much its viscosity changes in the largest stable step, from the same logs.
+constexpr double viscosity_rate = 0.0033;
 /// Masses that were scaled for a step give it back but for rounding.
 constexpr double rounding = 1e-8;
 
@@ -240,25 +245,30 @@ void Cycle::limit_step(bool may_grow) {
 }
 
 void Cycle::adapt_viscosity(const MotionSums& motion) {
-    // Cundall 1982: the power that damping takes is kept a given part of the rate at which kinetic energy
-    // changes.
-    Clock& clock = model_.clock;
-    if (model_.settings.damping == Damping::global) {
-        if (clock.global_viscosity == 0) clock.global_viscosity = 0.01 / clock.time_step;
-        const double change = std::abs(motion.kinetic - motion.kinetic_before);
-        const double ratio = change > 0 ? motion.damped / change : 0;
-        clock.global_viscosity *= ratio > model_.settings.global_ratio ? 0.95 : 1.05;
-        clock.global_viscosity = std::min(clock.global_viscosity, 1 / clock.time_step);
-    }
+    if (model_.settings.damping != Damping::global) return;
+    double& viscosity = model_.clock.global_viscosity;
+    const double change = std::abs(motion.kinetic - motion.kinetic_before);
+    const double rate = viscosity_rate * model_.settings.time_step_fraction;
+    viscosity *= motion.damped > global_damping_scale * model_.settings.global_ratio * change ? 1 - rate : 1 + rate;
+    viscosity = std::min(viscosity, 1 / model_.clock.time_step);
 }
 
 void Cycle::keep_account(const DriveSums& driven, const MotionSums& motion, const JointSums& joint_sums,
-                         const ZoneSums& zone_sums) {
+                         const ZoneSums& zone_sums, double inner_power) {
     Energy& energy = model_.energy;
     // Velocities that were set from outside since the last step open the account anew by their energy.
     energy.start += motion.kinetic_before - driven.kinetic - energy.kinetic;
     energy.kinetic = motion.kinetic;
+    // The half step up to such a change was gone with the velocities before it, and not with those that bodies saw.
+    const double power_set = motion.inner_power - driven.inner_power - energy.inner_power;
+    const double half_step = 0.5 * model_.clock.time_step;
+    const bool opens = energy.behind == 0; // nothing is known of the half step before
+    energy.inner_power = inner_power;
+    energy.behind = half_step;
     if (!model_.settings.energy) return;
+    constexpr double rounding_of_sums = 1e-12;
+    if (std::abs(power_set) > rounding_of_sums * motion.inner_power_size)
+        (opens ? energy.start : energy.boundary) += half_step * power_set;
     energy.gravity += driven.gravity + motion.gravity;
     energy.boundary += driven.boundary + motion.boundary + joint_sums.fluid;
     energy.damped += motion.damped + joint_sums.damped + zone_sums.damped;
@@ -275,6 +285,8 @@ void Cycle::advance() {
     Clock& clock = model_.clock;
 
     run_hooks(hooks.before_cycle);
+    // What begins to move does so overdamped, so that no joint slips in an overshoot before the viscosity has come down.
+    if (model_.settings.damping == Damping::global && clock.global_viscosity == 0) clock.global_viscosity = 1 / clock.time_step;
     DriveSums driven;
     const MotionSums motion = s.timed(move, [&] {
         driven = drive_velocities(model_, s.drives, hooks);
@@ -303,15 +315,15 @@ void Cycle::advance() {
         model_.lists_changed = false;
         return change;
     });
-    s.timed(gather, [&] {
+    const double inner_power = s.timed(gather, [&] {
         drive_loads(model_, s.drives, hooks);
-        gather_forces(model_, s.adjacency, s.joints, s.corner_forces);
+        return gather_forces(model_, s.adjacency, s.joints, s.corner_forces);
     });
     run_hooks(hooks.after_forces);
 
     if (!std::isfinite(motion.kinetic) || !std::isfinite(clock.unbalanced_force)) throw motion_lost();
     adapt_viscosity(motion);
-    keep_account(driven, motion, joint_sums, zone_sums);
+    keep_account(driven, motion, joint_sums, zone_sums, inner_power);
     const bool may_grow = clock.cycle % growth_interval == 0;
     if (joint_sums.stiffness_changed || contacts_changed != ContactChange::none || may_grow)
         s.timed(step, [&] {

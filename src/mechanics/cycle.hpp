@@ -62,7 +62,7 @@ private:
     void fit_masses(bool anew);
     void adapt_viscosity(const MotionSums& motion);
     void keep_account(const DriveSums& driven, const MotionSums& motion, const JointSums& joint_sums,
-                      const ZoneSums& zone_sums);
+                      const ZoneSums& zone_sums, double inner_power);
     void run_hooks(const std::vector<std::function<void()>>& list);
 
     Model& model_;

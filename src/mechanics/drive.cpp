@@ -54,6 +54,7 @@ struct Jump {
         const double jump = value - velocity;
         const double gain = 0.5 * mass * (value * value - velocity * velocity);
         sums.kinetic += gain;
+        sums.inner_power += jump * force;
         sums.boundary += gain + 0.5 * jump * (force + weight) * step;
         sums.gravity -= 0.5 * jump * weight * step;
         velocity = value;
@@ -69,6 +70,7 @@ void spin_block(Model& model, Row b, int axis, double value, DriveSums& sums) {
     momentum = inertia_now(model, b) * spin;
     const double gain = 0.5 * spin.dot(momentum) - before;
     sums.kinetic += gain;
+    sums.inner_power += jump * model.blocks.moment[b][axis];
     sums.boundary += gain + 0.5 * jump * model.blocks.moment[b][axis] * model.clock.time_step;
 }
 
@@ -138,8 +140,7 @@ void drive_loads(Model& model, DriveLists& lists, const Hooks& hooks) {
         const double value = drives.amplitude[i] * lists.factors[drives.function[i]];
         double& load = drives.gridpoint[i] != no_row
                            ? model.gridpoints.load[model.blocks.gridpoints[b].first + drives.gridpoint[i]][component]
-                       : component < 3 ? model.blocks.load[b][component]
-                                       : model.blocks.torque[b][component - 3];
+                           : load_component(model.blocks, b, component);
         load = load - drives.acting[i] + value;
         drives.acting[i] = value;
     }

@@ -18,6 +18,7 @@ struct Balance {
     double applied = 0;      ///< sum over bodies of the sizes of all forces on them
     double local_ratio = 0;  ///< largest unbalanced over applied of one body
     std::size_t bodies = 0;
+    double inner_power = 0;  ///< of the forces of joints and zones
 
     void add(const Vec3& force, double acting) {
         const double size = force.norm();
@@ -35,6 +36,7 @@ void combine(Balance& sum, const Balance& part) {
     sum.applied += part.applied;
     sum.local_ratio = std::max(sum.local_ratio, part.local_ratio);
     sum.bodies += part.bodies;
+    sum.inner_power += part.inner_power;
 }
 
 /// The components that may move.
@@ -64,7 +66,7 @@ void add_body(const Model& model, const Adjacency& adjacency, const JointForces&
 
 } // namespace
 
-void gather_forces(Model& model, const Adjacency& adjacency, const JointForces& joints,
+double gather_forces(Model& model, const Adjacency& adjacency, const JointForces& joints,
                    const std::vector<Vec3>& corner_forces) {
     auto& g = model.gridpoints;
     auto& blocks = model.blocks;
@@ -89,6 +91,7 @@ void gather_forces(Model& model, const Adjacency& adjacency, const JointForces& 
                     acting += force.norm();
                 }
                 g.force[row] = sum;
+                part.inner_power += sum.dot(g.velocity[row]);
                 const Vec3 weight = g.mass[row] * gravity;
                 if ((g.fixed[row] & 7) != 7) {
                     Vec3 unbalanced = free_part(sum + g.load[row] + weight, g.fixed[row]);
@@ -125,6 +128,7 @@ void gather_forces(Model& model, const Adjacency& adjacency, const JointForces& 
                 }
                 blocks.force[row] = sum;
                 blocks.moment[row] = moment;
+                part.inner_power += sum.dot(blocks.velocity[row]) + moment.dot(blocks.rotational_velocity[row]);
                 const Vec3 weight = blocks.mass[row] * gravity;
                 if ((blocks.fixed[row] & 7) != 7 && blocks.body[row] == 0)
                     part.add(free_part(sum + blocks.load[row] + weight, blocks.fixed[row]),
@@ -143,6 +147,7 @@ void gather_forces(Model& model, const Adjacency& adjacency, const JointForces& 
     clock.maximum_ratio =
         balance.applied > 0 ? balance.largest * static_cast<double>(balance.bodies) / balance.applied : 0;
     clock.local_ratio = balance.local_ratio;
+    return balance.inner_power;
 }
 
 } // namespace kaya

@@ -16,8 +16,17 @@ inline void store(Vec3& v, const Lanes& lanes) { LaneGroup(3).store(v.data(), la
 struct MotionLanes {
     Lanes kinetic_before = Lanes::Zero(), kinetic = Lanes::Zero();
     Lanes gravity = Lanes::Zero(), boundary = Lanes::Zero(), damped = Lanes::Zero();
+    Lanes inner_power = Lanes::Zero(), inner_power_size = Lanes::Zero();
 
-    MotionSums sums() const { return {sum(kinetic_before), sum(kinetic), sum(gravity), sum(boundary), sum(damped)}; }
+    /// Power of forces of joints and zones.
+    void add_power(const Lanes& power) {
+        inner_power += power;
+        inner_power_size += power.abs();
+    }
+    MotionSums sums() const {
+        return {sum(kinetic_before), sum(kinetic),     sum(gravity),         sum(boundary),
+                sum(damped),         sum(inner_power), sum(inner_power_size)};
+    }
 };
 
 /// Components that are prescribed are 1, others 0. `bits` has one for each, the lowest for x.
@@ -31,7 +40,8 @@ inline Lanes prescribed(unsigned bits) {
 inline void advance_velocity(Vec3& velocity, const Vec3& force, const Vec3& load, const Lanes& weight, double mass,
                              double step, unsigned held_bits, const DampingFactors& damping, Vec3& last_force,
                              MotionLanes& sums) {
-    const Lanes before = lanes(velocity), loads = lanes(load), whole = lanes(force) + loads + weight;
+    const Lanes before = lanes(velocity), loads = lanes(load), inner = lanes(force), whole = inner + loads + weight;
+    sums.add_power(inner * before);
     Lanes after = damping.advance(before, whole, step / mass, last_force);
     const Lanes held = prescribed(held_bits);
     if (held_bits != 0)

@@ -77,10 +77,22 @@ struct RigidBody {
     double inertia_scale;      ///< this
     std::uint8_t fixed;
     const Vec3 &force, &load, &moment, &torque;
+    const Mat3& load_arms; ///< sum of arm in the axes of the inertia times force, of loads that go with the body
     Vec3 &velocity, &spin, &momentum;
     Vec3 &last_force, &last_moment; ///< for combined damping
     Quaternion& orientation;
 };
+
+/// Work of forces that keep their directions on points that turn with a body: force times way. It is that between the
+/// middles of two steps, as all work on bodies; `arms` is the sum of arm times force now.
+double work_on_arms(const Mat3& arms, const Vec3& spin_before, const Vec3& spin, double step) {
+    const auto turn = [](const Vec3& angle) {
+        const Rotor r = Rotor::by(Triple(angle));
+        return quaternion(quaternion_of(r)).toRotationMatrix();
+    };
+    const Mat3 way = turn(step * spin) - turn(-step * spin_before);
+    return 0.5 * way.cwiseProduct(arms.transpose()).sum();
+}
 
 /// Velocities and momentum after one step, and the orientation in large strain.
 inline void advance(const RigidBody& body, const Settings& settings, double step, const DampingFactors& damping,
@@ -92,8 +104,13 @@ inline void advance(const RigidBody& body, const Settings& settings, double step
 
     // Moments act on the angular momentum; its viscous part decays like the velocity.
     Vec3& momentum = body.momentum;
-    const Lanes torque = lanes(body.torque), moment = lanes(body.moment) + torque;
+    const bool has_arms = !body.load_arms.isZero(0);
+    Mat3 arms = Mat3::Zero();
+    if (has_arms) arms = quaternion(body.orientation).toRotationMatrix() * body.load_arms;
+    const Vec3 turning = moment_of(arms), spin_then = w;
+    const Lanes torque = lanes(body.torque), moment = lanes(body.moment) + torque + lanes(turning);
     const Lanes momentum_before = lanes(momentum), spin_before = lanes(w);
+    sums.add_power(lanes(body.moment) * spin_before);
     store(momentum, damping.advance(momentum_before, moment, step, body.last_moment));
     if (fixed & (fix_rx | fix_ry | fix_rz)) {
         // Prescribed components keep their velocity; the others follow from their momentum.
@@ -125,6 +142,9 @@ inline void advance(const RigidBody& body, const Settings& settings, double step
     const Lanes mean = 0.5 * (spin_before + spin), held = prescribed(fixed / fix_rx);
     const Lanes rest = (momentum_after - momentum_before - moment * step) * mean;
     sums.boundary += torque * mean * step + held * rest;
+    if (has_arms)
+        sums.boundary[0] += settings.large_strain ? work_on_arms(arms, spin_then, w, step)
+                                                  : 0.5 * step * turning.dot(spin_then + w);
     sums.damped -= (1 - held) * rest;
     sums.kinetic_before += 0.5 * spin_before * momentum_before;
     sums.kinetic += 0.5 * spin * momentum_after;
@@ -136,7 +156,7 @@ void move_block(Model& model, std::size_t b, const DampingFactors& damping, Moti
     if (blocks.fixed[b] == fix_all && blocks.velocity[b].isZero(0) && blocks.rotational_velocity[b].isZero(0)) return;
     const double mass = blocks.inertial_mass[b], step = model.clock.time_step;
     advance({blocks.mass[b], mass, blocks.inertia[b], mass / blocks.volume[b], blocks.fixed[b], blocks.force[b], blocks.load[b],
-             blocks.moment[b], blocks.torque[b], blocks.velocity[b], blocks.rotational_velocity[b],
+             blocks.moment[b], blocks.torque[b], blocks.load_arms[b], blocks.velocity[b], blocks.rotational_velocity[b],
              blocks.angular_momentum[b], blocks.last_force[b], blocks.last_moment[b], blocks.orientation[b]},
             model.settings, step, damping, sums);
     const Vec3 way = blocks.velocity[b] * step;
@@ -155,6 +175,7 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
     std::uint8_t fixed = 0;
     Vec3 velocity = Vec3::Zero(), spin = blocks.rotational_velocity[first];
     Vec3 force = Vec3::Zero(), load = Vec3::Zero(), moment = Vec3::Zero(), torque = Vec3::Zero();
+    Mat3 arms = Mat3::Zero();
     for (const Row b : members) {
         // What one block may not do none of them may; the first that is held says how fast.
         for (int k = 0; k < 3; ++k) {
@@ -166,7 +187,9 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
         force += blocks.force[b];
         load += blocks.load[b];
         moment += blocks.moment[b] + arm.cross(blocks.force[b]);
-        torque += blocks.torque[b] + arm.cross(blocks.load[b]);
+        torque += blocks.torque[b];
+        if (!blocks.load[b].isZero(0)) arms += arm * blocks.load[b].transpose();
+        if (!blocks.load_arms[b].isZero(0)) arms += arms_now(model, b);
     }
     for (int k = 0; k < 3; ++k)
         for (const Row b : members)
@@ -182,8 +205,8 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
     const double step = model.clock.time_step;
     // Density scaling gives all members the same factor.
     const double factor = blocks.mass[first] > 0 ? blocks.inertial_mass[first] / blocks.mass[first] : 1;
-    const Mat3 inertia = axes.transpose() * body.inertia * axes;
-    advance({body.mass, factor * body.mass, inertia, factor, fixed, force, load, moment, torque, velocity, spin,
+    const Mat3 inertia = axes.transpose() * body.inertia * axes, own_arms = axes.transpose() * arms;
+    advance({body.mass, factor * body.mass, inertia, factor, fixed, force, load, moment, torque, own_arms, velocity, spin,
              blocks.angular_momentum[first], blocks.last_force[first], blocks.last_moment[first], after},
             model.settings, step, damping, sums);
     const Rotor turn = rotor(after) * rotor(before).conjugate();

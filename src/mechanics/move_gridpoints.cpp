@@ -37,6 +37,7 @@ void advance_on_boundary(Model& model, const QuietPoints& quiet, Row row, const 
     Vec3 brake = Vec3::Zero(), support = Vec3::Zero();
     if (quiet.at(row)) brake = quiet_force(quiet.dashpot[quiet.index[row]], mass, g.velocity[row], force, fixed, step);
     const Lanes before = lanes(g.velocity[row]), held = prescribed(fixed);
+    sums.add_power(lanes(g.force[row]) * before);
     Lanes after = damping.advance(before, lanes(force + brake), step / mass, g.last_force[row]);
     for (int k = 0; k < lane_count; ++k) after[k] = held[k] != 0 ? before[k] : after[k];
     store(g.velocity[row], after);

@@ -18,6 +18,8 @@ struct MotionSums {
     double kinetic_before = 0, kinetic = 0; ///< energy before and after the step
     double gravity = 0, boundary = 0;       ///< work on the bodies
     double damped = 0;                      ///< energy taken out by damping
+    double inner_power = 0;      ///< of the forces of joints and zones at the velocities before the step
+    double inner_power_size = 0; ///< the same with the sizes of its terms, to tell it from rounding
 
     void add(const MotionSums& part);
 };
@@ -28,6 +30,8 @@ inline void MotionSums::add(const MotionSums& part) {
     gravity += part.gravity;
     boundary += part.boundary;
     damped += part.damped;
+    inner_power += part.inner_power;
+    inner_power_size += part.inner_power_size;
 }
 
 struct Hooks;
@@ -45,6 +49,7 @@ DriveLists list_drives(const Model& model);
 struct DriveSums {
     double kinetic = 0;           ///< change of kinetic energy
     double gravity = 0, boundary = 0;
+    double inner_power = 0;       ///< change of the power of the forces of joints and zones
 };
 
 /// Sets the prescribed velocities that change with time to those of the middle of the step. Throws Diagnostic
@@ -146,8 +151,8 @@ ZoneSums run_zone_models(Model& model, const std::vector<ElasticConstants>& elas
 void zone_forces(const Model& model, std::vector<Vec3>& corner_forces);
 
 /// Reads contact forces, corner forces, loads; writes forces and moments in row order, and the unbalanced
-/// force and its ratios in the clock.
-void gather_forces(Model& model, const Adjacency& adjacency, const JointForces& joints,
+/// force and its ratios in the clock. Returns the power of the forces of joints and zones on the bodies.
+double gather_forces(Model& model, const Adjacency& adjacency, const JointForces& joints,
                    const std::vector<Vec3>& corner_forces);
 
 /// Masses of blocks and gridpoints from the densities. Throws Diagnostic when one is missing.

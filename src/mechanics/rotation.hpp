@@ -17,4 +17,28 @@ inline Mat3 inertia_now(const Model& model, Row block) {
     return turn * (blocks.inertia[block] * (blocks.inertial_mass[block] / blocks.volume[block])) * turn.transpose();
 }
 
+/// Sum of arm x force, from the sum of arm times force in global axes.
+inline Vec3 moment_of(const Mat3& arms_times_forces) {
+    const Mat3& t = arms_times_forces;
+    return {t(1, 2) - t(2, 1), t(2, 0) - t(0, 2), t(0, 1) - t(1, 0)};
+}
+
+/// Blocks::load_arms in global axes, as the block lies now.
+inline Mat3 arms_now(const Model& model, Row block) {
+    return quaternion(model.blocks.orientation[block]).toRotationMatrix() * model.blocks.load_arms[block];
+}
+
+/// Moment of all loads on a rigid block about its centroid, as it lies now.
+inline Vec3 load_moment(const Model& model, Row block) {
+    return model.blocks.torque[block] + moment_of(arms_now(model, block));
+}
+
+/// Where a load on a rigid block is kept; components as in Drives.
+inline double& load_component(Blocks& blocks, Row block, int component) {
+    if (component < 3) return blocks.load[block][component];
+    if (component < Drives::motions) return blocks.torque[block][component - 3];
+    const int place = component - Drives::motions;
+    return blocks.load_arms[block](place % 3, place / 3);
+}
+
 } // namespace kaya

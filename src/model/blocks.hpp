@@ -62,8 +62,9 @@ public:
     Column<Vec3> displacement;        ///< of the centroid
     Column<Vec3> force;               ///< sum of the last cycle, gravity and damping not included
     Column<Vec3> moment;
-    Column<Vec3> load;  ///< applied force
-    Column<Vec3> torque;
+    Column<Vec3> load;     ///< applied force, wherever on the block it acts
+    Column<Vec3> torque;   ///< applied moment
+    Column<Mat3> load_arms; ///< sum of arm (own axes, from the centroid) times force (global axes) over the loaded points
     Column<Vec3> last_force;  ///< sum of all forces one step ago, for combined damping
     Column<Vec3> last_moment;
 
@@ -101,6 +102,7 @@ public:
         visit("moment", moment);
         visit("load", load);
         visit("torque", torque);
+        visit("load_arms", load_arms);
         visit("last_force", last_force);
         visit("last_moment", last_moment);
     }

@@ -202,9 +202,10 @@ void check_drives(Findings& findings, const Model& model) {
                          "its kind is unknown");
     for (std::size_t i = 0; i < drives.size() && findings.clean(); ++i) {
         const bool whole = drives.gridpoint[i] == no_row;
+        const std::int32_t components = !whole ? 3 : drives.what[i] == Drives::What::load ? Drives::loads : Drives::motions;
         findings.require(between(drives.what[i], Drives::What::velocity, Drives::What::load), "drives", i,
                          "its kind is unknown");
-        findings.require(between(drives.component[i], 0, whole ? 5 : 2), "drives", i, "it has no such component");
+        findings.require(between(drives.component[i], 0, components - 1), "drives", i, "it has no such component");
         findings.require(inside(drives.function[i], model.time_functions.size()), "drives", i,
                          fmt::format("function {} of {}", drives.function[i], model.time_functions.size()));
         const Row block = model.blocks.ids.row(drives.block[i]);

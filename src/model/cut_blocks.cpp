@@ -23,6 +23,7 @@ struct Parent {
     FaceTriangles face_triangles;
     double face_edge, volume, density;
     Vec3 centroid, velocity, rotational_velocity, displacement, load, torque;
+    Mat3 turn, load_arms; ///< from the block's own axes to global ones, which are those of the pieces
     struct Side {
         Vec3 normal, place;
         std::int32_t group;
@@ -40,7 +41,10 @@ struct Parent {
           face_triangles(blocks.face_triangles[b]), face_edge(blocks.face_edge[b]), volume(blocks.volume[b]),
           density(blocks.mass[b] / blocks.volume[b]), centroid(blocks.centroid[b]), velocity(blocks.velocity[b]),
           rotational_velocity(blocks.rotational_velocity[b]), displacement(blocks.displacement[b]),
-          load(blocks.load[b]), torque(blocks.torque[b]) {}
+          load(blocks.load[b]), torque(blocks.torque[b]), turn(turn_of(blocks.orientation[b])),
+          load_arms(turn * blocks.load_arms[b]) {}
+
+    static Mat3 turn_of(const Quaternion& q) { return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix(); }
 
     void give(Model& model, Row b, const Polyhedron& piece) const {
         const MassProperties mass = mass_properties(piece);
@@ -61,6 +65,7 @@ struct Parent {
         // Moments of the shares about the old centroid cancel, as that is the mean of the pieces' centroids.
         blocks.load[b] = mass.volume / volume * load;
         blocks.torque[b] = mass.volume / volume * torque;
+        blocks.load_arms[b] = mass.volume / volume * load_arms;
         give_shape(model, b, piece);
         for (Row f = blocks.faces[b].first; !sides.empty() && f < blocks.faces[b].end(); ++f) {
             const Vec3 normal = face_area_vector(model, f).normalized(), place = face_centroid(model, f);
@@ -72,10 +77,35 @@ struct Parent {
     }
 };
 
+/// Arms of loads that change with time are those in global axes from now on: pieces have no other.
+void turn_arms(Model& model, const Parent& from, BlockId block) {
+    auto& drives = model.drives;
+    std::vector<Row> kept;
+    const std::size_t count = drives.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (drives.block[i] != block || drives.component[i] < Drives::motions) {
+            kept.push_back(static_cast<Row>(i));
+            continue;
+        }
+        const int place = drives.component[i] - Drives::motions;
+        for (int k = 0; k < 3; ++k) {
+            const double part = from.turn(k, place % 3);
+            if (part == 0) continue;
+            const std::size_t row = drives.size();
+            kept.push_back(drives.append(drives, {static_cast<Row>(i)}));
+            drives.component[row] = Drives::motions + 3 * (place / 3) + k;
+            drives.amplitude[row] *= part;
+            drives.acting[row] *= part;
+        }
+    }
+    if (drives.size() != count) drives.gather(kept);
+}
+
 /// What drives a block drives its pieces; loads are shared like those that do not change with time.
 void share_drives(Model& model, const Parent& from, const std::vector<Row>& pieces) {
     auto& drives = model.drives;
     const BlockId whole = model.blocks.id[pieces.front()];
+    turn_arms(model, from, whole);
     const std::size_t count = drives.size();
     for (std::size_t i = 0; i < count; ++i) {
         if (drives.block[i] != whole) continue;

@@ -23,10 +23,12 @@ struct TimeFunction {
 };
 
 /// One component of a load or of a prescribed velocity that changes with time. Of a rigid block, component 0 to 2
-/// is translation or force and 3 to 5 rotation or moment; of a gridpoint only 0 to 2.
+/// is translation or force, 3 to 5 rotation or moment, and 6 + 3 f + a the part of Blocks::load_arms of the force along
+/// axis f and the arm along the block's own axis a; of a gridpoint only 0 to 2.
 class Drives : public Table<Drives> {
 public:
     enum class What : std::int32_t { velocity, load };
+    static constexpr std::int32_t motions = 6, loads = 15; ///< how many components a rigid block has of each
 
     Column<BlockId> block;
     Column<Row> gridpoint; ///< counted from the first one of the block; no_row: the block as a whole

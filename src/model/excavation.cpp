@@ -64,6 +64,7 @@ void put_to_rest(Model& model, Row b) {
          {&blocks.velocity, &blocks.rotational_velocity, &blocks.angular_momentum, &blocks.displacement, &blocks.force,
           &blocks.moment, &blocks.load, &blocks.torque, &blocks.last_force, &blocks.last_moment})
         (*column)[b] = Vec3::Zero();
+    blocks.load_arms[b] = Mat3::Zero();
     blocks.travelled[b] = 0;
     blocks.body[b] = 0;
     auto& points = model.gridpoints;

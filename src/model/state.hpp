@@ -65,7 +65,7 @@ template <class Archive> void visit_state(Archive& archive, Clock& clock) {
 }
 
 template <class Archive> void visit_state(Archive& archive, Energy& energy) {
-    auto& [kinetic, start, gravity, boundary, damped, joint_work, joint_friction, joint_lost, zone_work] = energy;
+    auto& [kinetic, start, gravity, boundary, damped, joint_work, joint_friction, joint_lost, zone_work, inner_power, behind] = energy;
     archive.value("kinetic", kinetic);
     archive.value("start", start);
     archive.value("gravity", gravity);
@@ -75,6 +75,8 @@ template <class Archive> void visit_state(Archive& archive, Energy& energy) {
     archive.value("joint_friction", joint_friction);
     archive.value("joint_lost", joint_lost);
     archive.value("zone_work", zone_work);
+    archive.value("inner_power", inner_power);
+    archive.value("behind", behind);
 }
 
 /// Maps go through the walk as records of key and value.
