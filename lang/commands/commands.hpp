@@ -317,6 +317,7 @@ struct Solve {
     std::optional<std::int64_t> cycles;
     bool elastic = false;
     bool factor_of_safety = false;
+    bool still = false; ///< a ratio or a force counts only when no body gains displacement any more
     std::optional<std::array<double, 2>> bracket; ///< of the factor: where it stands and where it fails
     double resolution = 0.005;                    ///< of the factor, as a part of it
     std::string file;                             ///< where the failing state is saved

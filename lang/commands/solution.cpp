@@ -20,8 +20,8 @@ CommandSpec damp() {
                           d.kind = word;
                           if (reader.at_number()) d.value = reader.real(ratio);
                       },
-                      "viscous damping that follows the kinetic energy: the ratio of its power to the change of the "
-                      "kinetic energy, 0.5 if not given");
+                      "viscous damping that follows the kinetic energy: how strong, as the ratio in 3DEC; 0.5 if not "
+                      "given");
     entry.special({"local"}, {real("factor").at_least(0).at_most(1).optional().spec},
                   [](Reader& reader, Damp& d) {
                       d.kind = "local";
@@ -36,13 +36,13 @@ CommandSpec damp() {
                           d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
                   },
                   "local damping for motion that is mostly one way; 0.8 if not given");
-    entry.action({"none", "off"}, kind("none"), "no damping");
+    entry.action({"none", "off"}, kind("none"), "no damping, dashpots of contacts neither");
     entry.action({"mass"}, [](Damp& d) { d.stiffness = false; }, "of Rayleigh damping: only the mass part");
     entry.action(
         {"stiffness"}, [](Damp& d) { d.mass = false; }, "of Rayleigh damping: only the stiffness part");
     entry.keyword({"contact"}, real("fraction").at_least(0).below(1), &Damp::contact,
-                  "a dashpot at every contact, of that part of critical damping, besides what else damps; 0 takes it "
-                  "away");
+                  "a dashpot at every contact, of that part of critical damping, besides what else the line names; alone, "
+                  "nothing else damps, and 0 takes the dashpots away only");
     const auto fraction = real("fraction").at_least(0);
     const auto frequency = real("frequency").unit("1/time").at_least(0);
     entry.special({"rayleigh"}, {fraction.spec, frequency.spec},
@@ -82,6 +82,7 @@ CommandSpec damp() {
         .right("damp 0 0")
         .right("damp combined 0.8")
         .right("damp none contact 0.1")
+        .right("damp local contact 0.05")
         .right("damp none");
     entry.wrong("damp", "damp does not say how to damp");
     entry.wrong("damp 0.05", "a number is missing after '0.05'");
@@ -126,6 +127,9 @@ CommandSpec solve() {
         .keyword({"time"}, real("t").unit("time").above(0), &Solve::time, "time to be covered")
         .keyword({"clock"}, real("m").unit("minutes").above(0), &Solve::clock, "minutes on the clock")
         .action(
+            {"still"}, [](Solve& s) { s.still = true; },
+            "a ratio or a force counts only when no body gains displacement any more; fos always asks for it")
+        .action(
             {"elastic"}, [](Solve& s) { s.elastic = true; },
             "first with unbreakable joints, then with the true ones")
         .action(
@@ -150,6 +154,7 @@ CommandSpec solve() {
         .right("solve ratio 1e-6 cyc 5000")
         .right("solve step 100")
         .right("solve elastic force 1e3")
+        .right("solve ratio 1e-5 still")
         .right("solve ratio-local 1e-4 time 2 clock 10")
         .right("solve fos")
         .right("solve fos resolution 0.01 ratio 1e-4 cycles 2000 file 'failed.sav'")

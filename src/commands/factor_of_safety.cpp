@@ -90,17 +90,20 @@ public:
         }
         session_.model.properties_changed = true;
         bool at_rest = false;
+        std::optional<MovingBody> moving;
         std::int64_t cycles = 0;
         double before = INFINITY;
         for (int i = 0; i < spans; ++i) {
             const RestSpan span = advance_span(session_, span_, ratio_);
             cycles += span.cycles;
             at_rest = span.at_rest;
-            if (at_rest || span.mean_ratio > (1 - gain) * before) break;
+            moving = span.moving;
+            if (at_rest || moving || span.mean_ratio > (1 - gain) * before) break;
             before = span.mean_ratio;
         }
-        session_.output.say(fmt::format("strength divided by {:.6g}: {} after {} cycles, ratio {:.3e}", factor,
-                                        at_rest ? "stands" : "fails", cycles, session_.model.clock.average_ratio));
+        session_.output.say(fmt::format("strength divided by {:.6g}: {} after {} cycles, ratio {:.3e}{}", factor,
+                                        at_rest ? "stands" : "fails", cycles, session_.model.clock.average_ratio,
+                                        moving ? "; " + body_text(session_.model, *moving) + " moves on" : ""));
         if (!at_rest && !file_.empty()) run(session_, lang::Save{file_});
         return at_rest;
     }

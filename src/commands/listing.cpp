@@ -332,7 +332,10 @@ namespace {
 /// The damping of a model, a row for each number of it.
 void add_damping(TextTable& table, const Settings& s) {
     static constexpr std::array dampings{"none", "local", "global", "combined", "rayleigh"};
-    table.add({"damping", dampings[static_cast<std::size_t>(s.damping)]});
+    const std::string bodies = dampings[static_cast<std::size_t>(s.damping)];
+    table.add({"damping", s.contact_damping == 0           ? bodies
+                          : s.damping == Damping::none ? "dashpots of contacts only"
+                                                       : bodies + " and dashpots of contacts"});
     table.add({"local factor", number_text(s.local_factor)});
     table.add({"rayleigh fraction", number_text(s.rayleigh_fraction)});
     table.add({"rayleigh frequency", number_text(s.rayleigh_frequency)});

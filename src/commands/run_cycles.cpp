@@ -70,22 +70,62 @@ void refuse_standing_still(const Limits& limits, const Clock& start, const Clock
                      "something is far too stiff, light or fast: look at stiffnesses, densities, gravity and loads", Fault::run);
 }
 
-/// Why the run stops here; empty when it goes on.
-std::string reached(const Limits& limits, const Clock& start, const Model& model, double seconds) {
-    const Clock& now = model.clock;
+/// Whether a model at the ratio that was asked for is at rest: it is watched for a while after, and longer where
+/// a body seems to move on.
+class Confirmation {
+public:
+    /// To be called after each cycle in which the ratio is reached, and with `false` after others.
+    enum class Answer { wait, rest, motion };
+    Answer look(const Model& model, std::int64_t cycles_before, bool ratio_reached) {
+        if (!ratio_reached) {
+            watch_.reset();
+            return Answer::wait;
+        }
+        if (!watch_) {
+            watch_.emplace(model);
+            needed_ = first_look;
+            longest_ = std::max(shortest_proof, cycles_before);
+            return Answer::wait;
+        }
+        watch_->look();
+        if (watch_->cycles() < needed_) return Answer::wait;
+        moving_ = watch_->moving();
+        if (!moving_) return Answer::rest;
+        if (needed_ >= longest_) return Answer::motion;
+        needed_ *= 2;
+        return Answer::wait;
+    }
+    const std::optional<MovingBody>& moving() const { return moving_; }
+
+private:
+    static constexpr std::int64_t first_look = 128, shortest_proof = 2048; ///< cycles
+    std::optional<RestWatch> watch_;
+    std::optional<MovingBody> moving_;
+    std::int64_t needed_ = 0, longest_ = 0;
+};
+
+/// Which ratio or force is reached; empty when none is.
+std::string equilibrium(const Limits& limits, const Clock& start, const Clock& now) {
     struct Ratio {
         const char* name;
         const std::optional<double>& limit;
         double now;
     };
+    if (now.cycle <= start.cycle) return {};
     for (const Ratio& ratio : {Ratio{"ratio", limits.ratio, now.average_ratio},
                                Ratio{"maximum ratio", limits.maximum_ratio, now.maximum_ratio},
                                Ratio{"local ratio", limits.local_ratio, now.local_ratio}})
-        if (ratio.limit && now.cycle > start.cycle && ratio.now <= *ratio.limit)
+        if (ratio.limit && ratio.now <= *ratio.limit)
             return fmt::format("the {} {:.3e} is not above {}", ratio.name, ratio.now, number_text(*ratio.limit));
-    if (limits.force && now.cycle > start.cycle && now.unbalanced_force <= *limits.force)
+    if (limits.force && now.unbalanced_force <= *limits.force)
         return fmt::format("the unbalanced force {} is not above {}", number_text(now.unbalanced_force),
                            number_text(*limits.force));
+    return {};
+}
+
+/// Why the run stops here; empty when it goes on.
+std::string reached(const Limits& limits, const Clock& start, const Model& model, double seconds) {
+    const Clock& now = model.clock;
     if (limits.cycles && now.cycle - start.cycle >= *limits.cycles)
         return fmt::format("{} cycles", *limits.cycles);
     // Half a step of slack: a sum of steps misses the limit by rounding.
@@ -103,18 +143,25 @@ RestSpan advance_span(Session& session, std::int64_t cycles, double ratio) {
     RestSpan span;
     const Clock& now = session.model.clock;
     double sum = 0;
-    while (span.cycles < cycles && !span.at_rest) {
+    Confirmation confirmation;
+    bool at_ratio = false;
+    while (span.cycles < cycles || at_ratio) {
         advance(session);
         session.stop_behind_cycle();
         ++span.cycles;
         sum += now.average_ratio;
-        span.at_rest = now.average_ratio <= ratio;
+        at_ratio = now.average_ratio <= ratio;
+        const auto answer = confirmation.look(session.model, cycles, at_ratio);
+        span.at_rest = answer == Confirmation::Answer::rest;
+        if (answer == Confirmation::Answer::wait) continue;
+        if (!span.at_rest) span.moving = confirmation.moving();
+        break;
     }
     span.mean_ratio = span.cycles > 0 ? sum / static_cast<double>(span.cycles) : 0;
     return span;
 }
 
-std::string advance_until(Session& session, const Limits& limits) {
+std::string advance_until(Session& session, const Limits& limits, RestWatch* watch) {
     make_ready(session);
     const Clock start = session.model.clock;
     Target target;
@@ -122,7 +169,19 @@ std::string advance_until(Session& session, const Limits& limits) {
     if (limits.time) target.time = start.time + *limits.time;
 
     Progress progress(session.output, session.model, target);
-    std::string why = reached(limits, start, session.model, 0);
+    Confirmation confirmation;
+    const auto stops = [&](double seconds) {
+        std::string at_rest = equilibrium(limits, start, session.model.clock);
+        if (limits.still) {
+            const auto answer = confirmation.look(session.model, session.model.clock.cycle - start.cycle, !at_rest.empty());
+            if (answer == Confirmation::Answer::wait) at_rest.clear();
+            if (answer == Confirmation::Answer::rest) at_rest += ", and nothing moves";
+            if (answer == Confirmation::Answer::motion)
+                at_rest += ", but " + body_text(session.model, *confirmation.moving()) + " does not come to rest";
+        }
+        return at_rest.empty() ? reached(limits, start, session.model, seconds) : at_rest;
+    };
+    std::string why = stops(0);
     while (why.empty()) {
         try {
             refuse_standing_still(limits, start, session.model.clock);
@@ -133,7 +192,8 @@ std::string advance_until(Session& session, const Limits& limits) {
             throw;
         }
         if (progress.advanced()) session.rescue.advanced();
-        why = reached(limits, start, session.model, progress.seconds());
+        if (watch) watch->look();
+        why = stops(progress.seconds());
     }
     progress.finish();
     return why;

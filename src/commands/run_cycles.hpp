@@ -1,6 +1,7 @@
 // Cycling until something is reached.
 #pragma once
 
+#include "commands/rest_watch.hpp"
 #include "commands/session.hpp"
 
 #include <cstdint>
@@ -16,19 +17,22 @@ struct Limits {
     std::optional<double> time;         ///< from now on
     std::optional<double> ratio, maximum_ratio, local_ratio, force;
     std::optional<double> clock; ///< seconds
+    bool still = false; ///< ratios and force count only when no body gains displacement any more
 };
 
-/// Runs until a limit is reached; returns which, in words.
-std::string advance_until(Session& session, const Limits& limits);
+/// Runs until a limit is reached; returns which, in words. A watch sees every cycle.
+std::string advance_until(Session& session, const Limits& limits, RestWatch* watch = nullptr);
 
 /// What a number of cycles has shown.
 struct RestSpan {
-    bool at_rest = false;    ///< the ratio was reached, and the span ended there
+    bool at_rest = false;    ///< the ratio was reached, and nothing moved on for a while; the span ended there
     double mean_ratio = 0;   ///< average ratio of unbalanced force, over the cycles
     std::int64_t cycles = 0; ///< that were run
+    std::optional<MovingBody> moving; ///< the ratio was reached, but this body moves on
 };
 
-/// Cycles without a word, until the average ratio is not above `ratio` or that many cycles are done.
+/// Cycles without a word, until the average ratio is not above `ratio` and no body gains displacement any more, or that
+/// many cycles are done; looking at bodies may take more.
 RestSpan advance_span(Session& session, std::int64_t cycles, double ratio);
 
 /// Gives joints a cohesion and a tensile strength that nothing reaches, for as long as it lives. Contacts must have their

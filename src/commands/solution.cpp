@@ -1,7 +1,9 @@
 // cycle, solve, damp, mscale, fraction.
 #include "commands/factor_of_safety.hpp"
 #include "commands/handlers.hpp"
+#include "commands/rest_watch.hpp"
 #include "commands/run_cycles.hpp"
+#include "commands/text_table.hpp"
 
 #include "mechanics/dashpots.hpp"
 #include "mechanics/phases.hpp"
@@ -14,6 +16,26 @@
 namespace kaya {
 
 namespace {
+
+/// How near to rest a run has come, and who does not come to rest at all.
+void tell_rest(Session& session, const RestWatch& watch, const Place& place) {
+    const Clock& clock = session.model.clock;
+    std::string text =
+        fmt::format("average ratio {:.3e}  local ratio {:.3e}", clock.average_ratio, clock.local_ratio);
+    if (const auto fastest = fastest_body(session.model))
+        text += fmt::format("  largest velocity {} {}", number_text(fastest->speed),
+                            body_text(session.model, *fastest));
+    session.output.say(text);
+    const auto moving = watch.moving();
+    if (!moving) return;
+    session.warn(
+        Diagnostic(
+            fmt::format("{} does not come to rest: its velocity is {}, and it has gone {} lately",
+                        body_text(session.model, *moving), number_text(moving->speed),
+                        number_text(moving->gained)),
+            "a ratio does not see one body among many: with `still` the run goes on until nothing moves")
+            .at(place));
+}
 
 struct DampingEntry {
     std::string_view word;
@@ -53,10 +75,11 @@ void run(Session& session, const lang::CycleCommand& command) {
 
 void run(Session& session, const lang::Solve& command) {
     Limits limits{command.cycles, command.time, command.ratio, command.maximum_ratio, command.local_ratio,
-                  command.force, {}};
+                  command.force,  {},           command.still};
     if (command.clock) limits.clock = *command.clock * 60;
     // Equilibrium is what `solve` looks for unless a limit says what else to wait for.
-    if (!command.ratio && !command.maximum_ratio && !command.local_ratio && !command.force && !command.time) limits.ratio = 1e-5;
+    if (!command.ratio && !command.maximum_ratio && !command.local_ratio && !command.force && !command.time)
+        limits.ratio = 1e-5;
     if (command.factor_of_safety) return find_factor_of_safety(session, command, limits);
     if (command.elastic) {
         session.cycle->prepare(); // contacts must have their properties before these can be made strong
@@ -67,7 +90,9 @@ void run(Session& session, const lang::Solve& command) {
                            "'elastic' has no effect"));
         session.output.say("solve elastic: stopped by " + advance_until(session, limits));
     }
-    session.output.say("solve: stopped by " + advance_until(session, limits));
+    RestWatch watch(session.model);
+    session.output.say("solve: stopped by " + advance_until(session, limits, &watch));
+    tell_rest(session, watch, command.place);
 }
 
 void run(Session& session, const lang::Damp& command) {
@@ -75,8 +100,12 @@ void run(Session& session, const lang::Damp& command) {
     auto& settings = model.settings;
     const auto stiff_part = [&] { return std::pair(stiffness_damping(settings), settings.contact_damping); };
     const auto before = stiff_part();
-    if (command.contact) settings.contact_damping = *command.contact;
-    if (!command.kind.empty()) set_damping(settings, command);
+    // A line says all of the damping; only dashpots that are taken away leave the rest as it is.
+    settings.contact_damping = command.contact.value_or(0);
+    if (!command.kind.empty())
+        set_damping(settings, command);
+    else if (settings.contact_damping > 0)
+        settings.damping = Damping::none;
     if (stiff_part() == before) return;
     model.properties_changed = true; // the stable step is another
     if (joints_are_damped(settings)) return;
@@ -89,8 +118,9 @@ void run(Session& session, const lang::MassScale& command) {
     auto& model = session.model;
     auto& settings = model.settings;
     if (command.on && settings.dynamic)
-        throw Diagnostic("full density scaling changes the motion, and the model is dynamic",
-                         "write 'mscale part dt' for the few bodies with a short time step, or 'set dyn off' before");
+        throw Diagnostic(
+            "full density scaling changes the motion, and the model is dynamic",
+            "write 'mscale part dt' for the few bodies with a short time step, or 'set dyn off' before");
     settings.mass_scaling = command.on     ? MassScaling::full
                             : command.step ? MassScaling::partial
                                            : MassScaling::none;
