@@ -36,10 +36,9 @@ constexpr kaya_jproperty properties[] = {
     {"exponent-normal", "jen", "-", "e_n: power of the normal stress in the normal stiffness", 0, 0, 1, 0},
     {"exponent-shear", "jes", "-", "e_s: power of the normal stress in the shear stiffness", 0, 0, 1, 0},
     {"kn-minimum", "", "stress/length",
-     "least normal stiffness; not given: 1/100 of kn-initial if its exponent is above 0", NAN, 0, INFINITY, 1},
+     "least normal stiffness; not given: none, but exponent-normal 1 needs one", NAN, 0, INFINITY, 1},
     {"kn-maximum", "", "stress/length", "greatest normal stiffness; not given: no limit", NAN, 0, INFINITY, 1},
-    {"ks-minimum", "", "stress/length",
-     "least shear stiffness; not given: 1/100 of ks-initial if its exponent is above 0", NAN, 0, INFINITY, 1},
+    {"ks-minimum", "", "stress/length", "least shear stiffness; not given: none", NAN, 0, INFINITY, 1},
     {"ks-maximum", "", "stress/length", "greatest shear stiffness; not given: no limit", NAN, 0, INFINITY, 1},
     {"friction", "jfriction fric", "angle", "intrinsic angle of friction, of the worn joint", NAN, 0, 80, 0},
     {"friction-initial", "jif", "angle", "angle of friction that the joint starts towards", NAN, 0, 80, 0},
@@ -200,7 +199,7 @@ template <int passes> void run_rows(kaya_jbatch* batch) {
         force_x[i] = -fresh.x * area;
         force_y[i] = -fresh.y * area;
         force_z[i] = -fresh.z * area;
-        normal_stiffness[i] = spring.tangent(new_normal);
+        normal_stiffness[i] = spring.reported(new_normal, area);
         shear_stiffness[i] = new_ks;
         states[i] = (new_normal > 0 ? 0 : is_open) | (past_peak ? is_past_peak : 0);
     }
@@ -225,9 +224,7 @@ const char* check(const double* p) {
 }
 
 void max_stiffness(const double* p, double* normal, double* shear) {
-    const PowerSprings springs = springs_of(p);
-    *normal = springs.normal.first_tangent();
-    *shear = springs.shear.at(0);
+    springs_of(p).largest_at_start(normal, shear);
 }
 
 constexpr kaya_jmodel descriptor = {

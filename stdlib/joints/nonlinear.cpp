@@ -38,11 +38,11 @@ constexpr kaya_jproperty properties[] = {
     {"stiffness-shear", "jks ks ks-initial", "stress/length", "shear stiffness at a normal stress of 1", NAN, 0,
      INFINITY, 0},
     {"kn-minimum", "", "stress/length",
-     "least normal stiffness; not given: 1/100 of stiffness-normal if its exponent is above 0", NAN, 0, INFINITY, 1},
+     "least normal stiffness; not given: none, but exponent-normal 1 needs one", NAN, 0, INFINITY, 1},
     {"kn-maximum", "", "stress/length", "greatest normal stiffness; not given: no limit", NAN, 0, INFINITY, 1},
     {"exponent-normal", "jen", "-", "power of the normal stress in the normal stiffness", 0, 0, 1, 0},
     {"ks-minimum", "", "stress/length",
-     "least shear stiffness; not given: 1/100 of stiffness-shear if its exponent is above 0", NAN, 0, INFINITY, 1},
+     "least shear stiffness; not given: that at a normal stress as large as the cohesion", NAN, 0, INFINITY, 1},
     {"ks-maximum", "", "stress/length", "greatest shear stiffness; not given: no limit", NAN, 0, INFINITY, 1},
     {"exponent-shear", "jes", "-", "power of the normal stress in the shear stiffness", 0, 0, 1, 0},
     coulomb::properties[coulomb::friction],
@@ -64,8 +64,11 @@ constexpr kaya_jhistory history[] = {
 static_assert(std::size(history) == history_count);
 
 PowerSprings springs_of(const double* p) {
-    return {PowerSpring({p[stiffness_normal], p[exponent_normal], p[kn_minimum], p[kn_maximum]}),
-            {p[stiffness_shear], p[exponent_shear], p[ks_minimum], p[ks_maximum]}};
+    PowerStiffness shear(p[stiffness_shear], p[exponent_shear], p[ks_minimum], p[ks_maximum]);
+    // A bond that no normal stress acts on must resist shear with some stiffness, too.
+    if (std::isnan(p[ks_minimum]) && shear.exponent > 0 && p[cohesion] > 0)
+        shear.least = std::min(shear.at(p[cohesion]), shear.greatest);
+    return {PowerSpring({p[stiffness_normal], p[exponent_normal], p[kn_minimum], p[kn_maximum]}), shear};
 }
 
 ptrdiff_t initialise(kaya_jbatch* batch) {
@@ -118,7 +121,8 @@ ptrdiff_t run(kaya_jbatch* batch) {
     const double friction_before = tan_degrees(p[friction]);
     const double friction_after = std::isnan(p[friction_residual]) ? friction_before : tan_degrees(p[friction_residual]);
     const double cohesion_before = p[cohesion], cohesion_after = p[cohesion_residual], tension_before = p[tension];
-    const double dilatancy = tan_degrees(p[dilation]), per_first_tangent = 1 / normal_spring.first_tangent();
+    const double dilatancy = tan_degrees(p[dilation]);
+    const bool bonded = tension_before > 0;
     const double last_dilation = p[dilation_zero] > 0 ? p[dilation_zero] : INFINITY;
 
     const Columns c(*batch); // its gap is the closure here
@@ -172,7 +176,7 @@ ptrdiff_t run(kaya_jbatch* batch) {
             const double new_ks = shear_spring.at(normal), old_size = length(old);
             const double stored = 0.5 * limit * limit / new_ks - 0.5 * old_size * old_size / old_ks;
             const double lifted = 0.5 * (old_normal + normal) * dilatancy * dilating;
-            const double pull = std::min(0.0, old_normal), lost = t.broken[j] * 0.5 * pull * pull * per_first_tangent;
+            const double pull = std::min(0.0, old_normal), lost = bonded ? t.broken[j] * normal_spring.energy(pull) : 0;
             c.work[i] += area * (sheared - stored - lifted + lost);
 
             c.gaps[i] = closed;
@@ -181,7 +185,7 @@ ptrdiff_t run(kaya_jbatch* batch) {
             c.force_x[i] = now.x * area;
             c.force_y[i] = now.y * area;
             c.force_z[i] = now.z * area;
-            kn[i] = normal_spring.tangent(normal);
+            kn[i] = normal_spring.reported(normal, area);
             ks[i] = new_ks;
             c.states[i] = (c.states[i] & ~coulomb::now) | ((c.states[i] & coulomb::now) << coulomb::from_now_to_past) |
                           (slides ? coulomb::slip_now : 0) | (t.broken[j] > 0 ? coulomb::tension_now : 0);
@@ -198,9 +202,7 @@ const char* check(const double* p) {
 }
 
 void max_stiffness(const double* p, double* normal, double* shear) {
-    const PowerSprings springs = springs_of(p);
-    *normal = springs.normal.first_tangent();
-    *shear = springs.shear.at(0);
+    springs_of(p).largest_at_start(normal, shear);
 }
 
 constexpr kaya_jmodel descriptor = {

@@ -138,6 +138,32 @@ TEST(BartonBandis, MaximumClosuresAreThoseOfTheLaw) {
     }
 }
 
+TEST(BartonBandis, ALoadPutOnAtOnceSwingsItAsFarAsItsWorkSays) {
+    // Explicit steps of a mass under local damping, against the balance of work of the page.
+    const double stress = 1, damping = 0.8, area = 0.04, mass = 1e-4 * area;
+    const double k = 1e3, vm = 1e-3 * maximum_closure_in_mm({});
+    const auto work = [&](double c) { return -k * vm * (c + vm * std::log(1 - c / vm)); };
+    const double rest = stress * vm / (k * vm + stress), before = (1 - damping) * (stress * rest - work(rest));
+    double low = rest, high = 0.9999 * vm;
+    for (int i = 0; i < 100; ++i) {
+        const double middle = 0.5 * (low + high);
+        ((1 + damping) * (work(middle) - work(rest) - stress * (middle - rest)) < before ? low : high) = middle;
+    }
+    auto joint = joint_of({{"jkn", k}}, area);
+    double velocity = 0, highest = 0;
+    while (velocity >= 0) {
+        const double step = 0.05 * std::sqrt(mass / (joint.normal_stiffness[0] * area));
+        const double force = stress * area - joint.normal_force[0];
+        const double sign = velocity > 0 || force > 0 ? 1 : -1;
+        velocity += step * (force - damping * std::abs(force) * sign) / mass;
+        joint.step(-velocity * step);
+        highest = std::max(highest, joint.normal_stress());
+    }
+    const double expected = k * low / (1 - low / vm);
+    EXPECT_GT(expected, 2.3 * stress);
+    EXPECT_NEAR(highest / expected, 1, 0.02);
+}
+
 // --- strength
 // --------------------------------------------------------------------------------------------------
 

@@ -193,7 +193,10 @@ TEST(CoulombFamily, RefusesResidualsAboveThePeak) {
         {"velocity-weakening", {{"reference-velocity", 1}, {"friction-dynamic", 30}}, "friction-dynamic is above"},
         {"velocity-weakening", {{"reference-velocity", 0}}, "reference-velocity is 0"},
         {"nonlinear", {{"kn-minimum", 2}, {"kn-maximum", 1}}, "kn-minimum is above"},
-        {"nonlinear", {{"kn-minimum", 0}, {"exponent-normal", 0.5}}, "kn-minimum is 0"},
+        {"nonlinear", {{"exponent-normal", 1}}, "exponent-normal is 1"},
+        {"nonlinear", {{"exponent-normal", 1}, {"kn-minimum", 0}}, "exponent-normal is 1"},
+        {"nonlinear", {{"kn-maximum", 0}}, "kn-maximum or ks-maximum is 0"},
+        {"continuously-yielding", {{"friction", 30}, {"friction-initial", 40}, {"roughness", 1}, {"jen", 1}}, "give kn-minimum"},
         {"continuously-yielding", {{"friction", 40}, {"friction-initial", 30}, {"roughness", 1}}, "friction is above"},
         {"continuously-yielding", {{"friction", 30}, {"friction-initial", 40}, {"roughness", 0}}, "roughness (jr) is 0"},
     };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
 
 namespace kaya {
 namespace {
@@ -164,6 +165,141 @@ TEST(Nonlinear, StrengthHoldsExactlyWhileItDilates) {
     for (int k = 0; k < 1000; ++k) joint.step(0, {3e-6, 0, 0});
     EXPECT_GT(joint.normal_stress(), 2);
     EXPECT_NEAR(joint.shear_stress() / (joint.normal_stress() * tan_degrees(35)), 1, 1e-12);
+}
+
+// --- the same joint in other units ---------------------------------------------------------------------------------------
+
+/// What 1 Pa and 1 m are in a deck's units.
+struct Units {
+    double stress, length;
+};
+constexpr Units units[] = {{1, 1}, {1e-3, 1}, {1e-6, 1}, {1e-6, 1e3}, {1, 1e3}, {1 / 6894.757, 1 / 0.3048}};
+
+/// A power joint with values that are given in Pa and m: k = k_1 sigma^e.
+TestJoint power_joint(const char* model, double exponent, const Units& u) {
+    const auto of_stiffness = [&](double k_1) { return k_1 * std::pow(u.stress, 1 - exponent) / u.length; };
+    Values values = {{"jkn", of_stiffness(1e7)}, {"jks", of_stiffness(5e6)}, {"jen", exponent}, {"jes", exponent}};
+    if (std::string(model) == "nonlinear") {
+        const Values more = {{"friction", 35}, {"cohesion", 2e4 * u.stress}, {"tension", 5e3 * u.stress}, {"dilation", 6}};
+        values.insert(more.begin(), more.end());
+    } else {
+        const Values more = {{"friction", 30}, {"friction-initial", 45}, {"roughness", 1e-3 * u.length}, {"dilation", 1}};
+        values.insert(more.begin(), more.end());
+    }
+    return TestJoint(shipped(model), values, 0.25 * u.length * u.length);
+}
+
+class PowerJoint : public testing::TestWithParam<const char*> {};
+
+TEST_P(PowerJoint, ClosesAsThePowerAloneInEveryUnit) {
+    // sigma^(1-e) = (1-e) k_1 c; with e = 1/2: c = 2 sqrt(sigma)/k_1.
+    for (const Units& u : units)
+        for (const double e : {0.2, 0.5, 0.8})
+            for (const double stress : {1e-3, 24525.0, 1e6, 3e8}) {
+                auto joint = power_joint(GetParam(), e, u);
+                const double closure = std::pow(stress, 1 - e) / ((1 - e) * 1e7);
+                joint.step(-closure * u.length);
+                EXPECT_NEAR(joint.normal_stress() / (stress * u.stress), 1, 1e-11) << u.stress << ' ' << e << ' ' << stress;
+            }
+}
+
+TEST_P(PowerJoint, ReportsItsTangentAndNeverNothing) {
+    for (const Units& u : units) {
+        auto joint = power_joint(GetParam(), 0.5, u);
+        const double per = u.stress / u.length;
+        // Without load: the tangent at a closure of a millionth of the size, k_1^2 c/2.
+        const double unloaded = 0.5e14 * 1e-6 * 0.5;
+        EXPECT_NEAR(joint.normal_stiffness[0] / (unloaded * per), 1, 1e-9);
+        EXPECT_NEAR(joint.model->initial_stiffness(joint.values).normal / joint.normal_stiffness[0],
+                    1 / std::sqrt(joint.area[0]), 1e-9);
+        for (const double stress : {1e4, 1e6, 1e8}) {
+            joint.load(stress * u.stress);
+            EXPECT_NEAR(joint.normal_stiffness[0] / (1e7 * std::sqrt(stress) * per), 1, 1e-9);
+        }
+        joint.step(1e-2 * u.length);
+        EXPECT_EQ(joint.normal_force[0], 0);
+        EXPECT_NEAR(joint.normal_stiffness[0] / (unloaded * per), 1, 1e-9);
+    }
+}
+
+TEST_P(PowerJoint, GoesTheSameWayInEveryUnit) {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        std::vector<TestJoint> joints;
+        for (const Units& u : units) joints.push_back(power_joint(GetParam(), 0.5, u));
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> any(-1, 1);
+        double a = 0, b = 0, c = 0;
+        for (int k = 0; k < 3000; ++k) {
+            if (k % 50 == 0) a = any(random) - 0.2, b = any(random), c = any(random);
+            for (std::size_t i = 0; i < joints.size(); ++i)
+                joints[i].step(1e-6 * a * units[i].length, {1e-6 * b * units[i].length, 1e-6 * c * units[i].length, 0});
+            for (std::size_t i = 1; i < joints.size(); ++i) {
+                const double scale = 1e5 + joints[0].normal_stress();
+                ASSERT_NEAR(joints[i].normal_stress() / units[i].stress, joints[0].normal_stress(), 1e-8 * scale) << k;
+                ASSERT_NEAR(joints[i].shear_stress() / units[i].stress, joints[0].shear_stress(), 1e-8 * scale) << k;
+            }
+        }
+    }
+}
+
+TEST_P(PowerJoint, AMassPutOnItComesToRestWhereItsClosureSays) {
+    // From the unloaded joint, in explicit steps of a quarter of what the reported tangent allows, and none that lets it grow
+    // more than fourfold; damped by hand.
+    for (const Units& u : units) {
+        auto joint = power_joint(GetParam(), 0.5, u);
+        const double load = 24525 * u.stress * joint.area[0], mass = 2500 * u.stress * u.length; // g = 9.81 m/s2, in s
+        double velocity = 0, highest = 0;
+        int halved = 0;
+        for (int k = 0; k < 4000; ++k) {
+            double step = 0.5 * std::sqrt(mass / (joint.normal_stiffness[0] * joint.area[0]));
+            const double force = load - joint.normal_force[0];
+            TestJoint next = joint;
+            for (;; step /= 2, ++halved) {
+                next = joint;
+                next.step(-(velocity + step * force / mass) * step);
+                if (next.normal_stiffness[0] <= 4 * joint.normal_stiffness[0]) break;
+            }
+            velocity += step * force / mass;
+            velocity *= force * velocity > 0 ? 0.99 : 0.9;
+            joint.step(-velocity * step);
+            highest = std::max(highest, joint.normal_stress());
+        }
+        EXPECT_LT(halved, 20);
+        EXPECT_LT(highest, 3.1 * 24525 * u.stress); // 3 without damping
+        EXPECT_NEAR(-joint.normal_disp[0] / (2 * std::sqrt(24525.0) / 1e7 * u.length), 1, 1e-6);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, PowerJoint, testing::Values("nonlinear", "continuously-yielding"),
+                         [](const auto& model) { return std::string(model.param, 0, 9); });
+
+TEST(Nonlinear, ABondPullsOnTheSameCurveAndItsEnergyIsBooked) {
+    for (const Units& u : units) {
+        auto joint = power_joint("nonlinear", 0.5, u);
+        const double strength = 5e3 * u.stress, at = 2 * std::sqrt(5e3) / 1e7 * u.length;
+        double put_in = 0, lowest = 0;
+        for (int k = 0; k < 5001; ++k) {
+            const TestJoint before = joint;
+            joint.step(at / 5000);
+            put_in += test::work_of_step(before, joint);
+            lowest = std::min(lowest, joint.normal_stress());
+        }
+        EXPECT_NEAR(lowest / strength, -1, 2e-3);
+        EXPECT_EQ(joint.normal_force[0], 0);
+        EXPECT_NEAR(joint.frictional_work[0] / put_in, 1, 2e-3);
+        EXPECT_NEAR(joint.frictional_work[0] / joint.area[0] / (strength * at / 3), 1, 2e-3); // of sigma = (k_1 c/2)^2
+    }
+}
+
+TEST(Nonlinear, ABondWithoutNormalStressResistsShear) {
+    // As stiff as at a normal stress of its cohesion.
+    for (const Units& u : units) {
+        auto joint = power_joint("nonlinear", 0.5, u);
+        joint.step(0, {1e-5 * u.length, 0, 0});
+        EXPECT_NEAR(joint.shear_stress() / (5e6 * std::sqrt(2e4) * 1e-5 * u.stress), 1, 1e-9);
+        joint.step(0, {1e-3 * u.length, 0, 0});
+        EXPECT_GE(joint.shear_stress(), 2e4 * u.stress * (1 - 1e-12));
+    }
 }
 
 } // namespace
