@@ -75,13 +75,12 @@ Lines residual_lines(const double* p) {
                  or_else(p[friction_2_residual], p[friction_2]), p[crossing_residual]);
 }
 
-ptrdiff_t run(kaya_jbatch* batch) {
+template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values) {
     const double* p = batch->properties;
-    const Values values(p);
     const double second_dilatancy = tan_degrees(p[dilation_2]);
     const Lines before = peak_lines(p), after = residual_lines(p);
 
-    const Columns columns(*batch);
+    const Columns columns(*batch, history_count);
     const std::size_t n = batch->n;
 #pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
@@ -90,10 +89,18 @@ ptrdiff_t run(kaya_jbatch* batch) {
         // The line on which the step begins gives the dilation of the step.
         Limits limits = values.limits(failed);
         limits.dilatancy = strength.high(columns.normal_force[i]) ? second_dilatancy : values.dilatancy;
-        step(columns, i, values.kn, values.ks, limits, strength);
+        step<dilates>(columns, i, values.kn, values.ks, limits, strength);
     }
+}
+
+ptrdiff_t run(kaya_jbatch* batch) {
+    const Values values(batch->properties);
+    if (values.dilatancy > 0 || batch->properties[dilation_2] > 0) run_rows<true>(batch, values);
+    else run_rows<false>(batch, values);
     return -1;
 }
+
+constexpr auto all_history = history + history_of_dilation;
 
 const char* check_lines(const double* p) {
     if (const char* fault = check(p)) return fault;
@@ -108,7 +115,7 @@ const char* check_lines(const double* p) {
 }
 
 constexpr kaya_jmodel descriptor =
-    model("bilinear-mohr", "Coulomb slip with two lines of strength", all_properties, history, run, check_lines);
+    model("bilinear-mohr", "Coulomb slip with two lines of strength", all_properties, all_history, run, check_lines);
 
 } // namespace
 

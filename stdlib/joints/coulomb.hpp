@@ -57,6 +57,14 @@ inline constexpr std::array<kaya_jhistory, history_count> history = {{
     {"slip", "length", "plastic shear displacement, added up"},
 }};
 
+/// What dilation keeps, behind all else that a model keeps; its first row is known to the model's Columns.
+inline constexpr std::array<kaya_jhistory, 4> history_of_dilation = {{
+    {"dilated", "length", "opening that dilation has brought and holds now"},
+    {"dilating-x", "length", "plastic shear displacement from where dilation began"},
+    {"dilating-y", "length", "plastic shear displacement from where dilation began"},
+    {"dilating-z", "length", "plastic shear displacement from where dilation began"},
+}};
+
 /// The rows that are shared, and behind them those of a model.
 template <class Row, std::size_t shared, std::size_t own>
 constexpr std::array<Row, shared + own> operator+(const std::array<Row, shared>& first, const std::array<Row, own>& more) {
@@ -100,13 +108,15 @@ inline const char* check(const double* p) {
 struct Columns {
     const double *area, *opening, *shear_x, *shear_y, *shear_z;
     double *normal_force, *force_x, *force_y, *force_z, *work, *gaps, *slips;
+    double *dilated, *way_x, *way_y, *way_z;
     uint32_t* states;
 
-    explicit Columns(const kaya_jbatch& b)
+    Columns(const kaya_jbatch& b, std::size_t dilation_at)
         : area(b.area), opening(b.normal_disp_inc), shear_x(b.shear_disp_inc[0]), shear_y(b.shear_disp_inc[1]),
           shear_z(b.shear_disp_inc[2]), normal_force(b.normal_force), force_x(b.shear_force[0]),
           force_y(b.shear_force[1]), force_z(b.shear_force[2]), work(b.frictional_work), gaps(b.history[gap]),
-          slips(b.history[slip]), states(b.state) {}
+          slips(b.history[slip]), dilated(b.history[dilation_at]), way_x(b.history[dilation_at + 1]),
+          way_y(b.history[dilation_at + 2]), way_z(b.history[dilation_at + 3]), states(b.state) {}
 };
 
 /// Coulomb's straight line: shear force that is carried at a normal force (4).
@@ -147,6 +157,44 @@ struct Values {
     }
 };
 
+struct Shear {
+    double x, y, z;
+};
+
+[[gnu::always_inline]] inline double length(const Shear& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+/// Dilation of a row: the sides climb with the distance of the slip from where it began, up to `end`, and come down as
+/// that falls, so that they are down when they are back.
+struct Climb {
+    double along, across2; ///< slip so far, in the direction of the step and the square of it across
+    double height;         ///< distance that counts
+    double rise, fall;     ///< opening per distance on the way out, and back
+    double end;
+
+    /// `way` is the unit vector of the step's slip.
+    [[gnu::always_inline]] static Climb of(const Columns& c, std::size_t i, const Shear& way, double dilatancy, double end) {
+        const double along = c.way_x[i] * way.x + c.way_y[i] * way.y + c.way_z[i] * way.z;
+        const double distance2 = c.way_x[i] * c.way_x[i] + c.way_y[i] * c.way_y[i] + c.way_z[i] * c.way_z[i];
+        const double height = std::min(std::sqrt(distance2), end);
+        const double fall = c.dilated[i] / std::max(height, std::numeric_limits<double>::min());
+        return {along, std::max(0.0, distance2 - along * along), height, dilatancy, fall, end};
+    }
+
+    /// Opening after more slip, less that before it.
+    [[gnu::always_inline]] double change(double slipped) const {
+        const double there = along + slipped;
+        const double climbed = std::min(std::sqrt(across2 + there * there), end) - height;
+        return climbed * (climbed > 0 ? rise : fall);
+    }
+
+    /// Its derivative.
+    [[gnu::always_inline]] double slope(double slipped) const {
+        const double there = along + slipped, distance = std::sqrt(across2 + there * there);
+        const double even = there / std::max(distance, std::numeric_limits<double>::min());
+        return distance < end ? even * (distance > height ? rise : fall) : 0;
+    }
+};
+
 /// No creep: the trial stands as it is.
 struct Rigid {
     [[gnu::always_inline]] double relaxed(double trial) const { return trial; }
@@ -158,12 +206,6 @@ struct Outcome {
     double excess;  ///< of the shear force above the strength; above 0 when it slips and does not only creep
 };
 
-struct Shear {
-    double x, y, z;
-};
-
-[[gnu::always_inline]] inline double length(const Shear& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
 /// Shear force of a row that does not slip (3).
 [[gnu::always_inline]] inline Shear elastic_shear(const Columns& c, std::size_t i, double ks) {
     const double k = ks * c.area[i];
@@ -172,7 +214,7 @@ struct Shear {
 
 /// One row, one step. `strength.at(normal force)` is the shear force that it carries and `strength.slope` its
 /// derivative; `creep.relaxed(force)` is what is left of an elastic shear force at the end of the step.
-template <class Strength, class Creep = Rigid>
+template <bool dilates, class Strength, class Creep = Rigid>
 [[gnu::always_inline]] inline Outcome step(const Columns& c, std::size_t i, double kn, double ks,
                                            const Limits& limits, const Strength& strength,
                                            const Creep& creep = Creep()) {
@@ -187,7 +229,7 @@ template <class Strength, class Creep = Rigid>
     const double pulled = held - kn * area * (old_gap + c.opening[i]);
     const bool breaks = pulled < -limits.tension * area;
     const double stretched = breaks ? (lowest - pulled) * per_area / kn : 0;
-    const double new_gap = area > 0 ? stretched : std::max(0.0, old_gap + c.opening[i]);
+    double new_gap = area > 0 ? stretched : std::max(0.0, old_gap + c.opening[i]);
     const double elastic_normal = breaks ? lowest : pulled;
     const bool apart = new_gap > touching_gap;
 
@@ -198,22 +240,47 @@ template <class Strength, class Creep = Rigid>
     const double trial = creep.relaxed(elastic);
     const double excess = apart ? 0 : std::max(0.0, trial - strength.at(elastic_normal));
 
-    // Dilation raises the normal force and with it the limit: slip that brings trial and limit together (5), as far
-    // as dilation lasts; the rest of the slip follows at the new limit (6).
-    const double both = excess * per_area / (ks + kn * limits.dilatancy * strength.slope(elastic_normal));
-    const double dilating = std::min(both, std::max(0.0, limits.last_dilation - c.slips[i]));
-    const double new_normal = elastic_normal + kn * area * limits.dilatancy * dilating;
+    const double divisor = std::max(elastic, std::numeric_limits<double>::min());
+    double new_normal = elastic_normal, climbed = 0;
+    if constexpr (dilates) {
+        // Dilation changes the normal force and with it the limit: slip that brings trial and limit together (5). Where it
+        // climbs or comes down evenly the first pass finds it; the others are for its ends. What is left of it follows at
+        // the new limit (6). Coming down may take strength faster than the spring takes force: the slip then is one jump.
+        const auto climb = Climb::of(c, i, {-trial_x / divisor, -trial_y / divisor, -trial_z / divisor}, limits.dilatancy,
+                                     limits.last_dilation);
+        const double stiffness = kn * strength.slope(elastic_normal);
+        double both = excess * per_area / ks;
+#pragma GCC unroll 3
+        for (int pass = 0; pass < 3; ++pass) {
+            const double even = climb.change(both) / std::max(both, std::numeric_limits<double>::min());
+            const double line = excess * per_area / std::max(ks + stiffness * even, 0.1 * ks);
+            both = std::min(line, trial * per_area / ks); // no strength is below 0
+        }
+        climbed = excess > 0 ? climb.change(both) : 0;
+        // Sides that come down where nothing presses them together part.
+        const double pressed = elastic_normal + kn * area * climbed, floor = std::min(lowest, elastic_normal);
+        const double lost = std::max(0.0, floor - pressed) * per_area / kn;
+        new_normal = std::max(pressed, floor);
+        new_gap += lost;
+        c.dilated[i] += climbed;
+        climbed += lost;
+    }
     const double most = apart ? 0 : strength.at(new_normal);
     const double limit = std::min(trial, most);
     const double slipped = (elastic - limit) * per_area / ks;
-    const double divisor = std::max(elastic, std::numeric_limits<double>::min());
     const double scale = limit / divisor; // exactly 1 where it neither yields nor creeps
+    if constexpr (dilates) {
+        const double part = excess > 0 ? (trial - limit) * per_area / ks / divisor : 0;
+        c.way_x[i] -= part * trial_x;
+        c.way_y[i] -= part * trial_y;
+        c.way_z[i] -= part * trial_z;
+    }
 
-    // Work taken up: mean force times slip, less what dilation lifts (7); and the energy of a bond that breaks in
-    // tension.
+    // Work taken up: mean force times slip, less what dilation lifts (7), which is below 0 on the way back; and the energy
+    // of a bond that breaks in tension.
     const double along_old = (old_x * trial_x + old_y * trial_y + old_z * trial_z) / divisor;
     const double sheared = 0.5 * (along_old + limit) * slipped;
-    const double lifted = 0.5 * (old_normal + new_normal) * limits.dilatancy * dilating;
+    const double lifted = 0.5 * (old_normal + new_normal) * climbed;
     const double pull = std::min(0.0, old_normal);
     const double lost = 0.5 * std::max(0.0, pull * pull - lowest * lowest) * per_area / kn;
     c.work[i] += sheared - lifted + (breaks ? lost : 0);

@@ -6,21 +6,28 @@ namespace {
 
 namespace coulomb = kaya::joints::coulomb;
 
-ptrdiff_t run(kaya_jbatch* batch) {
-    const coulomb::Values values(batch->properties);
-    const coulomb::Columns columns(*batch);
+template <bool dilates> void run_rows(kaya_jbatch* batch, const coulomb::Values& values) {
+    const coulomb::Columns columns(*batch, coulomb::history_count);
     const std::size_t n = batch->n;
 #pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
         const bool failed = columns.states[i] != 0;
-        coulomb::step(columns, i, values.kn, values.ks, values.limits(failed), values.line(failed, columns.area[i]));
+        coulomb::step<dilates>(columns, i, values.kn, values.ks, values.limits(failed), values.line(failed, columns.area[i]));
     }
+}
+
+ptrdiff_t run(kaya_jbatch* batch) {
+    const coulomb::Values values(batch->properties);
+    if (values.dilatancy > 0) run_rows<true>(batch, values);
+    else run_rows<false>(batch, values);
     return -1;
 }
 
+constexpr auto history = coulomb::operator+(coulomb::history, coulomb::history_of_dilation);
+
 constexpr kaya_jmodel descriptor =
     coulomb::model("mohr", "Coulomb slip with tension cut-off, dilation and residual strength", coulomb::properties,
-                   coulomb::history, run);
+                   history, run);
 
 } // namespace
 

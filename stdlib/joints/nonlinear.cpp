@@ -8,6 +8,7 @@
 namespace {
 
 using namespace kaya::joints;
+using coulomb::Climb;
 using coulomb::Columns;
 using coulomb::Shear;
 using coulomb::length;
@@ -55,13 +56,12 @@ constexpr kaya_jproperty properties[] = {
 };
 static_assert(std::size(properties) == property_count);
 
-enum History { closure, slip, history_count };
+enum History : std::size_t { closure, slip, dilation_at };
 
-constexpr kaya_jhistory history[] = {
+constexpr auto history = coulomb::operator+(std::to_array<kaya_jhistory>({
     {"closure", "length", "closure of the joint; negative: how far it is open"},
     coulomb::history[coulomb::slip],
-};
-static_assert(std::size(history) == history_count);
+}), coulomb::history_of_dilation);
 
 PowerSprings springs_of(const double* p) {
     PowerStiffness shear(p[stiffness_shear], p[exponent_shear], p[ks_minimum], p[ks_maximum]);
@@ -87,24 +87,30 @@ using Numbers = std::array<double, together>;
 /// What the first pass over some rows leaves to the next.
 struct Trials {
     Numbers closed, normal, ks, x, y, z, size; ///< elastic: closure, and stresses
-    Numbers cohesion, tangent, dilation_left;  ///< what holds for the row
-    Numbers kept, broken, slipped;             ///< 0 for a row that is apart, else 1; 1 for one that breaks; slip
+    Numbers cohesion, tangent;                 ///< what holds for the row
+    Numbers along, across2, height, fall;      ///< of its Climb
+    Numbers kept, broken, slipped;             ///< 0 for a row that carries no shear, else 1; 1 for one that breaks; slip
+
+    [[gnu::always_inline]] Climb climb(std::size_t j, double rise, double end) const {
+        return {along[j], across2[j], height[j], rise, fall[j], end};
+    }
 };
 
 [[gnu::always_inline]] inline double strength(const Trials& t, std::size_t j, double normal) {
     return std::max(0.0, t.cohesion[j] + normal * t.tangent[j]);
 }
 
-/// Slip that brings the trial down to the strength, which dilation raises (3), by Newton's method in all rows at once.
-void slip_to_strength(const PowerSpring& spring, double dilatancy, Trials& t) {
+/// Slip that brings the trial down to the strength, which dilation changes (3), by Newton's method in all rows at once.
+void slip_to_strength(const PowerSpring& spring, double dilatancy, double end, Trials& t) {
     for (int k = 0; k < 40; ++k) {
         std::uint64_t moving = 0;
         for (std::size_t j = 0; j < together; ++j) {
-            const double slipped = t.slipped[j], dilating = std::min(slipped, t.dilation_left[j]);
-            const double stress = spring.stress(t.closed[j] + dilatancy * dilating);
+            const double slipped = t.slipped[j];
+            const Climb climb = t.climb(j, dilatancy, end);
+            const double stress = spring.stress(t.closed[j] + climb.change(slipped));
             const double over = t.kept[j] * (t.size[j] - t.ks[j] * slipped - strength(t, j, stress));
-            const double rise = t.tangent[j] * dilatancy * spring.tangent(stress);
-            const double more = over / (t.ks[j] + (slipped < t.dilation_left[j] ? rise : 0));
+            const double rise = t.tangent[j] * climb.slope(slipped) * spring.tangent(stress);
+            const double more = over / std::max(t.ks[j] + rise, 0.1 * t.ks[j]);
             const double next = std::max(0.0, slipped + more);
             moving |= static_cast<std::uint64_t>(std::abs(next - slipped) > 1e-15 * next);
             t.slipped[j] = next;
@@ -113,7 +119,7 @@ void slip_to_strength(const PowerSpring& spring, double dilatancy, Trials& t) {
     }
 }
 
-ptrdiff_t run(kaya_jbatch* batch) {
+template <bool dilates> void run_rows(kaya_jbatch* batch) {
     const double* p = batch->properties;
     const PowerSprings springs = springs_of(p);
     const PowerSpring normal_spring = springs.normal;
@@ -125,7 +131,9 @@ ptrdiff_t run(kaya_jbatch* batch) {
     const bool bonded = tension_before > 0;
     const double last_dilation = p[dilation_zero] > 0 ? p[dilation_zero] : INFINITY;
 
-    const Columns c(*batch); // its gap is the closure here
+    const bool springs_at_rest = shear_spring.exponent == 0 || shear_spring.least > 0; // what nothing presses resists shear
+
+    const Columns c(*batch, dilation_at); // its gap is the closure here
     double *kn = batch->normal_stiffness, *ks = batch->shear_stiffness;
     Trials t{};
     t.ks.fill(1); // rows that are not there
@@ -141,7 +149,7 @@ ptrdiff_t run(kaya_jbatch* batch) {
             const double normal = breaks ? 0 : elastic, unbroken = breaks ? 0.0 : 1.0;
             t.closed[j] = closed;
             t.normal[j] = normal;
-            t.kept[j] = failed && closed < 0 ? 0 : unbroken;
+            t.kept[j] = (failed && closed < 0) || (normal == 0 && !springs_at_rest) ? 0 : unbroken;
             t.broken[j] = 1 - unbroken;
             // A falling normal stress takes shear force with its stiffness; a rising one adds none (2).
             const double k = shear_spring.at(normal), kept = std::min(1.0, k / shear_spring.at(c.normal_force[i] * per_area)) * per_area;
@@ -152,19 +160,28 @@ ptrdiff_t run(kaya_jbatch* batch) {
             t.size[j] = length({t.x[j], t.y[j], t.z[j]});
             t.cohesion[j] = failed ? cohesion_after : cohesion_before;
             t.tangent[j] = failed ? friction_after : friction_before;
-            t.dilation_left[j] = std::max(0.0, last_dilation - c.slips[i]);
+            if constexpr (dilates) {
+                const double per_size = -1 / std::max(t.size[j], std::numeric_limits<double>::min());
+                const auto climb = Climb::of(c, i, {t.x[j] * per_size, t.y[j] * per_size, t.z[j] * per_size}, dilatancy, last_dilation);
+                t.along[j] = climb.along;
+                t.across2[j] = climb.across2;
+                t.height[j] = climb.height;
+                t.fall[j] = climb.fall;
+            }
             // Without dilation it is known at once.
-            t.slipped[j] = dilatancy > 0 ? 0 : t.kept[j] * std::max(0.0, t.size[j] - strength(t, j, normal)) / k;
+            t.slipped[j] = dilates ? 0 : t.kept[j] * std::max(0.0, t.size[j] - strength(t, j, normal)) / k;
         }
-        if (dilatancy > 0) slip_to_strength(normal_spring, dilatancy, t);
+        if constexpr (dilates) slip_to_strength(normal_spring, dilatancy, last_dilation, t);
 #pragma GCC ivdep
         for (std::size_t j = 0; j < count; ++j) {
             const std::size_t i = begin + j;
             const double area = c.area[i], per_area = area > 0 ? 1 / area : 0;
             const double old_normal = c.normal_force[i] * per_area, old_ks = shear_spring.at(old_normal);
             const bool slides = t.slipped[j] > 0;
-            const double dilating = std::min(t.slipped[j], t.dilation_left[j]);
-            const double closed = t.closed[j] + dilatancy * dilating, dilated = normal_spring.stress(closed);
+            const double climbed = dilates ? t.climb(j, dilatancy, last_dilation).change(t.slipped[j]) : 0;
+            // Sides that come down where nothing presses them together part.
+            const double closed = t.closed[j] + climbed, on_curve = normal_spring.stress(closed);
+            const double dilated = climbed < 0 ? std::max(on_curve, std::min(0.0, t.normal[j])) : on_curve;
             const double normal = slides ? dilated : t.normal[j];
             const double most = slides ? std::min(t.size[j], strength(t, j, normal)) : t.size[j], limit = t.kept[j] * most;
             const double scale = limit / std::max(t.size[j], std::numeric_limits<double>::min());
@@ -174,11 +191,20 @@ ptrdiff_t run(kaya_jbatch* batch) {
 
             // What is put in and neither stored in the springs nor spent on dilation (4), and the energy of a bond that breaks.
             const double new_ks = shear_spring.at(normal), old_size = length(old);
-            const double stored = 0.5 * limit * limit / new_ks - 0.5 * old_size * old_size / old_ks;
-            const double lifted = 0.5 * (old_normal + normal) * dilatancy * dilating;
+            // A force that was put where no spring is has nothing stored.
+            const double stored_before = old_normal != 0 || springs_at_rest ? 0.5 * old_size * old_size / old_ks : 0;
+            const double stored = 0.5 * limit * limit / new_ks - stored_before;
+            const double lifted = 0.5 * (old_normal + normal) * climbed;
             const double pull = std::min(0.0, old_normal), lost = bonded ? t.broken[j] * normal_spring.energy(pull) : 0;
             c.work[i] += area * (sheared - stored - lifted + lost);
 
+            if constexpr (dilates) {
+                const double part = t.slipped[j] / std::max(t.size[j], std::numeric_limits<double>::min());
+                c.dilated[i] += climbed;
+                c.way_x[i] -= part * t.x[j];
+                c.way_y[i] -= part * t.y[j];
+                c.way_z[i] -= part * t.z[j];
+            }
             c.gaps[i] = closed;
             c.slips[i] += t.slipped[j];
             c.normal_force[i] = normal * area;
@@ -192,6 +218,11 @@ ptrdiff_t run(kaya_jbatch* batch) {
         }
     }
     batch->stiffness_changed = 1;
+}
+
+ptrdiff_t run(kaya_jbatch* batch) {
+    if (batch->properties[dilation] > 0) run_rows<true>(batch);
+    else run_rows<false>(batch);
     return -1;
 }
 
@@ -213,8 +244,8 @@ constexpr kaya_jmodel descriptor = {
     "1.0",
     properties,
     property_count,
-    history,
-    history_count,
+    history.data(),
+    history.size(),
     coulomb::state_names,
     initialise,
     run,

@@ -32,11 +32,11 @@ constexpr auto all_properties = properties + std::to_array<kaya_jproperty>({
     {"stress-2", "", "stress", "shear stress from which the second creep acts", 0, 0, INFINITY, 0},
 });
 
-enum OwnHistory : std::size_t { creep = history_count };
+enum OwnHistory : std::size_t { creep = history_count, dilation_at };
 
 constexpr auto all_history = history + std::to_array<kaya_jhistory>({
     {"creep", "length", "the part of the slip that is creep"},
-});
+}) + history_of_dilation;
 
 /// One of the two creep speeds: constant * stress^exponent from `from` on. By logarithms, so that a large power of a
 /// stress in Pa does not overflow before the small constant brings it back.
@@ -106,17 +106,14 @@ struct Relaxed {
     [[gnu::always_inline]] double relaxed(double trial) const { return creeps ? force : trial; }
 };
 
-ptrdiff_t run(kaya_jbatch* batch) {
+template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values, double residual_dilatancy) {
     const double* p = batch->properties;
-    const Values values(p);
-    const double residual_dilatancy =
-        std::isnan(p[dilation_residual]) ? values.dilatancy : tan_degrees(p[dilation_residual]);
     const Speed first(p[constant_1], p[exponent_1], p[stress_1]), second(p[constant_2], p[exponent_2], p[stress_2]);
     const bool in_order = first.from <= second.from;
     const Creeps creeps{in_order ? first : second, in_order ? second : first, values.ks * batch->time_step};
     const bool any_creep = first.constant > 0 || second.constant > 0;
 
-    const Columns columns(*batch);
+    const Columns columns(*batch, dilation_at);
     double* crept = batch->history[creep];
     Stresses trials{}, stresses{};
     for (std::size_t begin = 0; begin < batch->n; begin += together) {
@@ -139,10 +136,18 @@ ptrdiff_t run(kaya_jbatch* batch) {
             limits.dilatancy = failed ? residual_dilatancy : values.dilatancy;
             const double area = columns.area[i];
             const Relaxed relaxed{area * stresses[j], any_creep && area > 0};
-            const auto outcome = step(columns, i, values.kn, values.ks, limits, values.line(failed, area), relaxed);
+            const auto outcome = step<dilates>(columns, i, values.kn, values.ks, limits, values.line(failed, area), relaxed);
             crept[i] += outcome.excess > 0 ? 0 : outcome.slipped;
         }
     }
+}
+
+ptrdiff_t run(kaya_jbatch* batch) {
+    const double* p = batch->properties;
+    const Values values(p);
+    const double residual = std::isnan(p[dilation_residual]) ? values.dilatancy : tan_degrees(p[dilation_residual]);
+    if (values.dilatancy > 0 || residual > 0) run_rows<true>(batch, values, residual);
+    else run_rows<false>(batch, values, residual);
     return -1;
 }
 

@@ -18,13 +18,13 @@ constexpr auto all_properties = properties + std::to_array<kaya_jproperty>({
     {"healing-time", "", "time", "rest that healing needs", 0, 0, INFINITY, 0},
 });
 
-enum OwnHistory : std::size_t { weakening = history_count, rest, friction_current };
+enum OwnHistory : std::size_t { weakening = history_count, rest, friction_current, dilation_at };
 
 constexpr auto all_history = history + std::to_array<kaya_jhistory>({
     {"weakening", "length", "slip since the joint last healed"},
     {"rest", "time", "time since the last slip"},
     {"friction-current", "angle", "angle of friction at this slip"},
-});
+}) + history_of_dilation;
 
 /// What is left between peak and residual strength after a slip (1).
 struct Fall {
@@ -36,16 +36,15 @@ struct Fall {
     }
 };
 
-ptrdiff_t run(kaya_jbatch* batch) {
+template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values) {
     const double* p = batch->properties;
-    const Values values(p);
     const double peak = values.tangent[0], residual = values.tangent[1];
     const Fall fall{1 / p[slip_distance], p[exponent]};
     // A joint that slips has not rested at all.
     const double rest_needed = p[healing] != 0 ? std::max(p[healing_time], std::numeric_limits<double>::min()) : INFINITY;
     const double time_step = batch->time_step;
 
-    const Columns columns(*batch);
+    const Columns columns(*batch, dilation_at);
     double* weak = batch->history[weakening];
     double* rests = batch->history[rest];
     double* angle = batch->history[friction_current];
@@ -59,7 +58,7 @@ ptrdiff_t run(kaya_jbatch* batch) {
         const double tangent = residual + (peak - residual) * fall.left(weak_before); // (2)
         const double cohesive = values.cohesion[1] + (values.cohesion[0] - values.cohesion[1]) * bonded;
         const double tensile = values.tension[1] + (values.tension[0] - values.tension[1]) * bonded;
-        const auto outcome = step(columns, i, values.kn, values.ks,
+        const auto outcome = step<dilates>(columns, i, values.kn, values.ks,
                                   {tensile, values.tension[1], values.dilatancy, values.last_dilation},
                                   Line{cohesive * columns.area[i], tangent});
         const double rested = outcome.excess > 0 ? 0 : rest_before + time_step;
@@ -69,6 +68,12 @@ ptrdiff_t run(kaya_jbatch* batch) {
         weak[i] = weakened;
         angle[i] = arctangent_in_degrees(residual + (peak - residual) * fall.left(weakened));
     }
+}
+
+ptrdiff_t run(kaya_jbatch* batch) {
+    const Values values(batch->properties);
+    if (values.dilatancy > 0) run_rows<true>(batch, values);
+    else run_rows<false>(batch, values);
     return -1;
 }
 

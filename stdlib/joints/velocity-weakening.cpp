@@ -25,22 +25,21 @@ constexpr auto all_properties = [] {
     return rows;
 }();
 
-enum OwnHistory : std::size_t { velocity = history_count, friction_current };
+enum OwnHistory : std::size_t { velocity = history_count, friction_current, dilation_at };
 
 constexpr auto all_history = history + std::to_array<kaya_jhistory>({
     {"velocity", "length/time", "speed of the two sides along the joint in the last step"},
     {"friction-current", "angle", "angle of friction in the last step"},
-});
+}) + history_of_dilation;
 
-ptrdiff_t run(kaya_jbatch* batch) {
+template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values) {
     const double* p = batch->properties;
-    const Values values(p);
     const double at_rest = values.tangent[0], fast = values.tangent[1];
     const double per_time = batch->time_step > 0 ? 1 / batch->time_step : 0;
     const double per_velocity = 1 / p[reference_velocity], power_of_speed = p[exponent];
     const bool plastic = p[use_plastic] != 0;
 
-    const Columns columns(*batch);
+    const Columns columns(*batch, dilation_at);
     double* speeds = batch->history[velocity];
     double* angle = batch->history[friction_current];
     const std::size_t n = batch->n;
@@ -53,11 +52,17 @@ ptrdiff_t run(kaya_jbatch* batch) {
         const double speed = moved * per_time, part = sticks ? 0 : speed * per_velocity;
         const double fall = power(std::max(part, 1e-300), power_of_speed);
         const double tangent = fast + (at_rest - fast) / (1 + (part > 0 ? fall : 0)); // (1)
-        step(columns, i, values.kn, values.ks, values.limits(failed),
+        step<dilates>(columns, i, values.kn, values.ks, values.limits(failed),
              Line{Values::of(values.cohesion, failed) * columns.area[i], tangent});
         speeds[i] = speed;
         angle[i] = arctangent_in_degrees(tangent);
     }
+}
+
+ptrdiff_t run(kaya_jbatch* batch) {
+    const Values values(batch->properties);
+    if (values.dilatancy > 0) run_rows<true>(batch, values);
+    else run_rows<false>(batch, values);
     return -1;
 }
 
