@@ -1,5 +1,6 @@
 // save, restore, hist write, vtk write; files are written into the current folder unless they name another.
 #include "commands/handlers.hpp"
+#include "commands/run_cycles.hpp"
 #include "commands/save_session.hpp"
 #include "commands/saved_ranges.hpp"
 
@@ -79,6 +80,7 @@ void load_joint_models(Session& session, Model& model) {
 void save_session(Session& session, const std::string& file) { save_state(session.model, file, extras_of(session)); }
 
 void run(Session& session, const lang::Save& command) {
+    settle_forces(session); // a restored model goes on as this one does
     save_session(session, save_name(command.file));
     session.rescue.saved();
 }

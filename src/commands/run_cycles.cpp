@@ -4,6 +4,7 @@
 #include "commands/materials.hpp"
 #include "commands/progress.hpp"
 #include "commands/tables.hpp"
+#include "mechanics/take_over.hpp"
 
 #include <fmt/format.h>
 #include <utility>
@@ -58,6 +59,7 @@ void make_ready(Session& session) {
     check_time_functions(session);
     session.joints.tables().refresh();
     session.cycle->prepare();
+    if (settle_forces(session)) session.cycle->prepare(); // forces are gathered anew
 }
 
 /// Throws Diagnostic when steps are so short that time stands still before the run has come to its time, or now: a sum
@@ -137,6 +139,16 @@ std::string reached(const Limits& limits, const Clock& start, const Model& model
 }
 
 } // namespace
+
+bool settle_forces(Session& session) {
+    Model& model = session.model;
+    if (model.forces_set.empty() && model.taken_over.empty()) return false;
+    if (!model.forces_set.empty()) model.properties_changed = true;
+    model.taken_over.insert(model.taken_over.end(), model.forces_set.begin(), model.forces_set.end());
+    tell_of_forces(model, session.joints);
+    for (auto& warning : take_over_forces(model, session.joints)) session.warn(std::move(warning));
+    return model.properties_changed;
+}
 
 RestSpan advance_span(Session& session, std::int64_t cycles, double ratio) {
     make_ready(session);

@@ -20,6 +20,10 @@ struct Limits {
     bool still = false; ///< ratios and force count only when no body gains displacement any more
 };
 
+/// Lets joint models take up forces that scripts and commands have set, and warns of what they cannot carry. Whether forces
+/// are others now.
+bool settle_forces(Session& session);
+
 /// Runs until a limit is reached; returns which, in words. A watch sees every cycle.
 std::string advance_until(Session& session, const Limits& limits, RestWatch* watch = nullptr);
 

@@ -5,6 +5,7 @@
 #include "mechanics/contact_search.hpp"
 #include "mechanics/contact_table.hpp"
 #include "mechanics/property_sets.hpp"
+#include "mechanics/take_over.hpp"
 #include "model/selection.hpp"
 
 #include <algorithm>
@@ -209,6 +210,7 @@ void change_joint_material(Model& model, JointRegistry& joints, const std::vecto
         model.contacts.properties[c] = renamed[old];
         model.contacts.material[c] = material;
     }
+    initialise_again(model, joints, contacts);
     model.properties_changed = model.lists_changed = true;
 }
 
@@ -222,6 +224,7 @@ void initialise_again(Model& model, JointRegistry& joints, const std::vector<Row
         for (Row s = span.first; s < span.end(); ++s) marked[s] = 1;
     }
     initialise_sub_contacts(model, joints, marked);
+    note_taken_over(model, marked);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "mechanics/dashpots.hpp"
 #include "mechanics/glue.hpp"
 #include "mechanics/phases.hpp"
+#include "mechanics/take_over.hpp"
 #include "model/sampling.hpp"
 
 #include <algorithm>
@@ -281,10 +282,12 @@ void Cycle::keep_account(const DriveSums& driven, const MotionSums& motion, cons
 // The order of one step, and the only place where it stands.
 void Cycle::advance() {
     prepare();
+    tell_of_forces(model_, joints_);
     Scratch& s = *scratch_;
     Clock& clock = model_.clock;
 
     run_hooks(hooks.before_cycle);
+    tell_of_forces(model_, joints_);
     // What begins to move does so overdamped, so that no joint slips in an overshoot before the viscosity has come down.
     if (model_.settings.damping == Damping::global && clock.global_viscosity == 0) clock.global_viscosity = 1 / clock.time_step;
     DriveSums driven;

@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "mechanics/contact_table.hpp"
+#include "mechanics/take_over.hpp"
 #include "mechanics/topography.hpp"
 #include "model/measure.hpp"
 
@@ -32,6 +33,7 @@ void put_joint_stress(Model& model, JointRegistry& joints, const std::vector<Row
         marked[s] = 1;
     }
     initialise_sub_contacts(model, joints, marked);
+    note_taken_over(model, marked);
     model.properties_changed = true;
 }
 

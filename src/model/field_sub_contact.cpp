@@ -61,6 +61,20 @@ FieldValue face(const Model& model, Row row) {
                                                                             : model.contacts.face1[contact]};
 }
 
+/// A force from outside, of which the joint model must be told.
+void note_force(Model& model, Row row) {
+    const SubContactId id = model.sub_contacts.id[row];
+    if (model.forces_set.empty() || model.forces_set.back() != id) model.forces_set.push_back(id);
+}
+template <auto column> void write_force(Model& model, Row row, const FieldValue& value) {
+    write<rows_of, column>(model, row, value);
+    note_force(model, row);
+}
+template <auto column, int k> void write_force(Model& model, Row row, const FieldValue& value) {
+    write<rows_of, column, k>(model, row, value);
+    note_force(model, row);
+}
+
 FieldValue joint_model(const Model& model, Row row) {
     return find_field(FieldTable::contact, "model")->get(model, contact_of(model, row));
 }
@@ -113,17 +127,17 @@ const Fields& sub_contact_fields() {
         {table, "z_shear_displacement", "cx_zsdis", "zsdis", "length", "global z component",
          read<rows_of, &SubContacts::shear_displacement, 2>, write<rows_of, &SubContacts::shear_displacement, 2>},
         {table, "normal_force", "cx_nforce", "nfor", "force", "compression positive",
-         read<rows_of, &SubContacts::normal_force>, write<rows_of, &SubContacts::normal_force>},
+         read<rows_of, &SubContacts::normal_force>, write_force<&SubContacts::normal_force>},
         {table, "shear_force", "cx_sforce", "sfor", "force", "length of the shear force vector",
          call<shear_force_size>, nullptr},
         {table, "shear_force_vector", "", "", "force", "on block2, in global axes",
-         read<rows_of, &SubContacts::shear_force>, write<rows_of, &SubContacts::shear_force>},
+         read<rows_of, &SubContacts::shear_force>, write_force<&SubContacts::shear_force>},
         {table, "x_shear_force", "cx_xsforce", "xsfor", "force", "global x component",
-         read<rows_of, &SubContacts::shear_force, 0>, write<rows_of, &SubContacts::shear_force, 0>},
+         read<rows_of, &SubContacts::shear_force, 0>, write_force<&SubContacts::shear_force, 0>},
         {table, "y_shear_force", "cx_ysforce", "ysfor", "force", "global y component",
-         read<rows_of, &SubContacts::shear_force, 1>, write<rows_of, &SubContacts::shear_force, 1>},
+         read<rows_of, &SubContacts::shear_force, 1>, write_force<&SubContacts::shear_force, 1>},
         {table, "z_shear_force", "cx_zsforce", "zsfor", "force", "global z component",
-         read<rows_of, &SubContacts::shear_force, 2>, write<rows_of, &SubContacts::shear_force, 2>},
+         read<rows_of, &SubContacts::shear_force, 2>, write_force<&SubContacts::shear_force, 2>},
         {table, "normal_stress", "", "nstr", "stress", "normal force over area, compression positive",
          call<normal_stress>, nullptr},
         {table, "shear_stress", "", "sstr", "stress", "length of the shear force over area", call<shear_stress>,

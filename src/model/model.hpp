@@ -71,6 +71,11 @@ struct Model {
     bool properties_changed = true; ///< masses, stiffnesses or the time step are computed anew
     bool lists_changed = true;      ///< contacts were replaced: lists of who acts on whom are made anew
 
+    // Sub-contacts that joint models must still be asked about (mechanics/take_over.hpp). Not
+    // part of the state: they are asked before the model cycles or is saved.
+    std::vector<SubContactId> forces_set; ///< by scripts
+    std::vector<SubContactId> taken_over; ///< their joint model, its values or forces were set by commands
+
     /// Every table with its name, in a fixed order.
     template <class Visit> void tables(Visit&& visit) {
         visit("blocks", blocks);

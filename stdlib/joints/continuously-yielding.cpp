@@ -114,6 +114,7 @@ template <int passes> void run_rows(kaya_jbatch* batch) {
     const PowerSpring spring = springs.normal;
     const PowerStiffness shear = springs.shear;
     const double per_roughness = 1 / p[roughness], intrinsic = p[friction], worn = coulomb::tan_degrees(p[friction]);
+    const double at_first = coulomb::tan_degrees(p[friction_initial]);
 
     const double *area_of = batch->area, *openings = batch->normal_disp_inc;
     const double *motion_x = batch->shear_disp_inc[0], *motion_y = batch->shear_disp_inc[1], *motion_z = batch->shear_disp_inc[2];
@@ -137,7 +138,9 @@ template <int passes> void run_rows(kaya_jbatch* batch) {
         const double size = length(resistance), way = length(motion);
         const double dot = resistance.x * motion.x + resistance.y * motion.y + resistance.z * motion.z;
         const double per_way = way > 0 ? 1 / std::max(way, tiny) : 0;
-        const double over = old_bound > 0 ? std::max(1.0, size / std::max(old_bound, tiny)) : 1;
+        // A bound that has worn off under the resistance; never more than it was worth at first.
+        const double worn_off_by = std::min(size / std::max(old_bound, tiny), at_first / std::max(tangent, tiny));
+        const double over = old_bound > 0 ? std::max(1.0, worn_off_by) : 1;
         // The motion turns back when it goes against the resistance after it went with it, or the other way round (4).
         const bool turns = dot * head < 0;
 
@@ -182,7 +185,9 @@ template <int passes> void run_rows(kaya_jbatch* batch) {
         const double new_closed = closed + lifting, new_normal = std::max(0.0, spring.stress(new_closed));
         const double new_ks = shear.at(new_normal), new_size = length(fresh);
         // What is put in and neither stored in the springs nor spent on dilation.
-        const double stored = 0.5 * new_size * new_size / new_ks - 0.5 * size * size / old_ks;
+        // A force that was put where nothing presses has nothing stored.
+        const double stored_before = old_normal > 0 ? 0.5 * size * size / old_ks : 0;
+        const double stored = 0.5 * new_size * new_size / new_ks - stored_before;
         const double lifted = 0.5 * (old_normal + new_normal) * lifting;
         work[i] += area * (worked - stored - lifted);
 

@@ -273,8 +273,10 @@ template <bool thesis> void run_rows(kaya_jbatch* batch, const Law& law) {
         const double old_square = path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z;
         const double worked = -0.5 * ((path.start_x + end_x) * path.motion_x + (path.start_y + end_y) * path.motion_y +
                                       (path.start_z + end_z) * path.motion_z);
-        const double stored = 0.5 * size * size / std::max(strength.stiffness, tiny) -
-                              0.5 * old_square / std::max(path.stiffness, tiny);
+        // Where there is no spring nothing is stored, whatever force was put there.
+        const double stored_after = strength.stiffness > 0 ? 0.5 * size * size / std::max(strength.stiffness, tiny) : 0;
+        const double stored_before = path.stiffness > 0 ? 0.5 * old_square / std::max(path.stiffness, tiny) : 0;
+        const double stored = stored_after - stored_before;
         const double lifted = 0.5 * (normal_force[i] * per_area + strength.stress) * last.dilation * spent;
         work[i] += area * (worked - stored - lifted);
 
