@@ -241,31 +241,36 @@ template <bool dilates, class Strength, class Creep = Rigid>
     const double excess = apart ? 0 : std::max(0.0, trial - strength.at(elastic_normal));
 
     const double divisor = std::max(elastic, std::numeric_limits<double>::min());
-    double new_normal = elastic_normal, climbed = 0;
+    double new_normal = elastic_normal, normal_of_limit = elastic_normal, climbed = 0;
     if constexpr (dilates) {
-        // Dilation changes the normal force and with it the limit: slip that brings trial and limit together (5). Where it
-        // climbs or comes down evenly the first pass finds it; the others are for its ends. What is left of it follows at
-        // the new limit (6). Coming down may take strength faster than the spring takes force: the slip then is one jump.
+        // Dilation changes the normal force and with it the limit: slip that brings trial and limit together (5), by Newton's
+        // method, which is exact where the sides climb or come down evenly; what is left of it follows at the new limit (6).
+        // Where coming down takes strength faster than the spring takes force the two do not meet: the step then goes as far
+        // as the limit at its start says, and the next ones go on.
         const auto climb = Climb::of(c, i, {-trial_x / divisor, -trial_y / divisor, -trial_z / divisor}, limits.dilatancy,
                                      limits.last_dilation);
         const double stiffness = kn * strength.slope(elastic_normal);
-        double both = excess * per_area / ks;
+        const bool meet = climb.slope(0) * stiffness > -0.9 * ks;
+        const double alone = excess * per_area / ks;
+        double both = alone;
 #pragma GCC unroll 3
         for (int pass = 0; pass < 3; ++pass) {
-            const double even = climb.change(both) / std::max(both, std::numeric_limits<double>::min());
-            const double line = excess * per_area / std::max(ks + stiffness * even, 0.1 * ks);
-            both = std::min(line, trial * per_area / ks); // no strength is below 0
+            const double over = excess * per_area - ks * both - stiffness * climb.change(both);
+            const double next = both + over / std::max(ks + stiffness * climb.slope(both), 0.1 * ks);
+            const double end = meet ? trial * per_area / ks : alone; // no strength is below 0
+            both = std::min(std::max(meet ? 0 : alone, next), end);
         }
         climbed = excess > 0 ? climb.change(both) : 0;
         // Sides that come down where nothing presses them together part.
         const double pressed = elastic_normal + kn * area * climbed, floor = std::min(lowest, elastic_normal);
         const double lost = std::max(0.0, floor - pressed) * per_area / kn;
         new_normal = std::max(pressed, floor);
+        normal_of_limit = meet ? new_normal : elastic_normal;
         new_gap += lost;
         c.dilated[i] += climbed;
         climbed += lost;
     }
-    const double most = apart ? 0 : strength.at(new_normal);
+    const double most = apart ? 0 : strength.at(normal_of_limit);
     const double limit = std::min(trial, most);
     const double slipped = (elastic - limit) * per_area / ks;
     const double scale = limit / divisor; // exactly 1 where it neither yields nor creeps

@@ -89,6 +89,7 @@ struct Trials {
     Numbers closed, normal, ks, x, y, z, size; ///< elastic: closure, and stresses
     Numbers cohesion, tangent;                 ///< what holds for the row
     Numbers along, across2, height, fall;      ///< of its Climb
+    Numbers alone;                             ///< slip without dilation, where that is all of the step; else below 0
     Numbers kept, broken, slipped;             ///< 0 for a row that carries no shear, else 1; 1 for one that breaks; slip
 
     [[gnu::always_inline]] Climb climb(std::size_t j, double rise, double end) const {
@@ -111,7 +112,7 @@ void slip_to_strength(const PowerSpring& spring, double dilatancy, double end, T
             const double over = t.kept[j] * (t.size[j] - t.ks[j] * slipped - strength(t, j, stress));
             const double rise = t.tangent[j] * climb.slope(slipped) * spring.tangent(stress);
             const double more = over / std::max(t.ks[j] + rise, 0.1 * t.ks[j]);
-            const double next = std::max(0.0, slipped + more);
+            const double next = t.alone[j] < 0 ? std::max(0.0, slipped + more) : t.alone[j];
             moving |= static_cast<std::uint64_t>(std::abs(next - slipped) > 1e-15 * next);
             t.slipped[j] = next;
         }
@@ -167,6 +168,9 @@ template <bool dilates> void run_rows(kaya_jbatch* batch) {
                 t.across2[j] = climb.across2;
                 t.height[j] = climb.height;
                 t.fall[j] = climb.fall;
+                // Coming down may take strength faster than the spring takes force: see coulomb::step.
+                const bool meet = climb.slope(0) * t.tangent[j] * normal_spring.tangent(normal) > -0.9 * k;
+                t.alone[j] = meet ? -1 : t.kept[j] * std::max(0.0, t.size[j] - strength(t, j, normal)) / k;
             }
             // Without dilation it is known at once.
             t.slipped[j] = dilates ? 0 : t.kept[j] * std::max(0.0, t.size[j] - strength(t, j, normal)) / k;
@@ -183,7 +187,8 @@ template <bool dilates> void run_rows(kaya_jbatch* batch) {
             const double closed = t.closed[j] + climbed, on_curve = normal_spring.stress(closed);
             const double dilated = climbed < 0 ? std::max(on_curve, std::min(0.0, t.normal[j])) : on_curve;
             const double normal = slides ? dilated : t.normal[j];
-            const double most = slides ? std::min(t.size[j], strength(t, j, normal)) : t.size[j], limit = t.kept[j] * most;
+            const double normal_of_limit = dilates && t.alone[j] >= 0 ? t.normal[j] : normal;
+            const double most = slides ? std::min(t.size[j], strength(t, j, normal_of_limit)) : t.size[j], limit = t.kept[j] * most;
             const double scale = limit / std::max(t.size[j], std::numeric_limits<double>::min());
             const Shear old = {c.force_x[i] * per_area, c.force_y[i] * per_area, c.force_z[i] * per_area};
             const Shear now = {t.x[j] * scale, t.y[j] * scale, t.z[j] * scale};
