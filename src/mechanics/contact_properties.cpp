@@ -64,7 +64,7 @@ void check(const JointModel& joint, const std::vector<double>& values) {
 /// Classic constitutive numbers of contacts. What others mean is not certain; a wrong guess would run unnoticed.
 constexpr std::array<std::pair<std::int32_t, const char*>, 2> numbered_models{{{1, "mohr"}, {7, "elastic"}}};
 
-void initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts);
+std::vector<char> initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts);
 
 /// Glue is no joint, and select() leaves it out.
 bool are_all_joints(const Model& model, const std::vector<Row>& contacts) {
@@ -143,7 +143,8 @@ void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<R
             subs.state[s] = 0;
         }
     }
-    initialise_again(model, joints, contacts);
+    // Only then: who lowers the strength of a joint wants it to slip.
+    note_taken_over(model, initialise_again(model, joints, contacts));
     model.properties_changed = model.lists_changed = true;
 }
 
@@ -216,15 +217,16 @@ void change_joint_material(Model& model, JointRegistry& joints, const std::vecto
 
 namespace {
 
-/// A joint model that takes over must make its history agree with the forces that are there.
-void initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts) {
+/// A joint model that takes over must make its history agree with the forces that are there. Gives the marks of the
+/// sub-contacts.
+std::vector<char> initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts) {
     std::vector<char> marked(model.sub_contacts.size(), 0);
     for (const Row c : contacts) {
         const Span span = model.contacts.sub_contacts[c];
         for (Row s = span.first; s < span.end(); ++s) marked[s] = 1;
     }
     initialise_sub_contacts(model, joints, marked);
-    note_taken_over(model, marked);
+    return marked;
 }
 
 } // namespace

@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-/// Notes sub-contacts whose joint model, its values or forces were set by a command.
+/// Notes sub-contacts whose joint model or forces were set by a command.
 void note_taken_over(Model& model, const std::vector<char>& marked);
 
 /// Lets the joint models know of forces that scripts have set since the last call.
