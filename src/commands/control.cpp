@@ -25,6 +25,7 @@ void set_dynamic(Session& session, bool on) {
     auto& settings = session.model.settings;
     if (on == settings.dynamic) return;
     settings.dynamic = on;
+    session.model.properties_changed = true; // the part of the stable step that is taken may be another
     const Settings fresh;
     const bool is_default = settings.damping == fresh.damping && settings.local_factor == fresh.local_factor;
     if (on && is_default) settings.damping = Damping::none;

@@ -359,7 +359,7 @@ std::string list_settings(Session& session, const lang::List&) {
     table.add({"gravity", fmt::format("{} {} {}", number_text(s.gravity[0]), number_text(s.gravity[1]),
                                       number_text(s.gravity[2]))});
     add_damping(table, s);
-    table.add({"time step fraction", number_text(s.time_step_fraction)});
+    table.add({"time step fraction", number_text(time_step_fraction(s))});
     table.add({"density scaling", s.mass_scaling == MassScaling::partial
                                       ? "for a step of " + number_text(s.scaled_time_step)
                                       : yes(s.mass_scaling == MassScaling::full)});

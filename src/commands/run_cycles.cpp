@@ -5,6 +5,7 @@
 #include "commands/progress.hpp"
 #include "commands/tables.hpp"
 #include "mechanics/take_over.hpp"
+#include "commands/time_step.hpp"
 
 #include <fmt/format.h>
 #include <utility>
@@ -175,6 +176,7 @@ RestSpan advance_span(Session& session, std::int64_t cycles, double ratio) {
 
 std::string advance_until(Session& session, const Limits& limits, RestWatch* watch) {
     make_ready(session);
+    warn_of_long_step(session);
     const Clock start = session.model.clock;
     Target target;
     if (limits.cycles) target.cycle = start.cycle + *limits.cycles;

@@ -4,6 +4,7 @@
 #include "commands/rest_watch.hpp"
 #include "commands/run_cycles.hpp"
 #include "commands/text_table.hpp"
+#include "commands/time_step.hpp"
 
 #include "mechanics/dashpots.hpp"
 #include "mechanics/phases.hpp"
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace kaya {
 
@@ -66,7 +68,11 @@ void set_damping(Settings& settings, const lang::Damp& command) {
 
 } // namespace
 
+/// Fewer are counted to look at the model, not to move a boundary.
+constexpr std::int64_t many_cycles = 1000;
+
 void run(Session& session, const lang::CycleCommand& command) {
+    if (command.cycles.value_or(0) >= many_cycles) note_counted_cycles(session);
     Limits limits;
     limits.cycles = command.cycles;
     limits.time = command.time;
@@ -98,7 +104,9 @@ void run(Session& session, const lang::Solve& command) {
 void run(Session& session, const lang::Damp& command) {
     auto& model = session.model;
     auto& settings = model.settings;
-    const auto stiff_part = [&] { return std::pair(stiffness_damping(settings), settings.contact_damping); };
+    const auto stiff_part = [&] {
+        return std::tuple(stiffness_damping(settings), settings.contact_damping, time_step_fraction(settings));
+    };
     const auto before = stiff_part();
     // A line says all of the damping; only dashpots that are taken away leave the rest as it is.
     settings.contact_damping = command.contact.value_or(0);

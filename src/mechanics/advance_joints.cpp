@@ -1,5 +1,6 @@
 #include "base/diagnostic.hpp"
 #include "base/reduce.hpp"
+#include "mechanics/contact_stiffness.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/overlap_contact.hpp"
 #include "mechanics/phases.hpp"
@@ -129,16 +130,17 @@ void finish_contact(Model& model, Row c, JointForces& forces, JointWork& after) 
     after.add(own);
 }
 
-/// Marks a contact whose stiffness is another than it was.
+/// A stiffness that grows by no more than this part in a cycle waits for the next look at all bodies.
+constexpr double slow_growth = 0.02;
+
+/// Marks a contact that is much stiffer than it was.
 void note_stiffness(const Model& model, Row c, JointForces& forces) {
-    const auto& subs = model.sub_contacts;
     const Span span = model.contacts.sub_contacts[c];
+    const double factor = normal_area_factor(model, c);
     double sum = 0;
-    for (Row s = span.first; s < span.end(); ++s) sum += tangent_stiffness(subs, s);
-    if (model.contacts.stiffness_area[c] > 0) sum *= model.contacts.stiffness_area[c] / model.contacts.area[c];
-    if (sum == forces.stiffness[c]) return;
+    for (Row s = span.first; s < span.end(); ++s) sum += springs_of(model.sub_contacts, s, factor).stiffer();
+    if (sum > (1 + slow_growth) * forces.stiffness[c]) forces.stiffness_changed[c] = 1;
     forces.stiffness[c] = sum;
-    forces.stiffness_changed[c] = 1;
 }
 
 /// Whether a joint between rigid blocks has to go by its overlap from now on.

@@ -4,10 +4,10 @@
 #include "base/memory.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/contact_search.hpp"
-#include "mechanics/dashpots.hpp"
 #include "mechanics/glue.hpp"
 #include "mechanics/phases.hpp"
 #include "mechanics/take_over.hpp"
+#include "mechanics/time_step.hpp"
 #include "model/sampling.hpp"
 
 #include <algorithm>
@@ -23,15 +23,13 @@ namespace {
 
 /// Cycles between two looks at whether the time step may grow again; a step that must shrink does at once.
 constexpr std::int64_t growth_interval = 100;
-/// The step shrinks a little more than it must, so that it does not have to again in the next cycle.
-constexpr double shrink = 0.9;
 /// Power of adaptive global damping over the rate at which kinetic energy changes, of a ratio of 1: calibrated on
 /// logs of 3DEC, docs/theory/damping.md.
 constexpr double global_damping_scale = 4.6;
 /// How much its viscosity changes in the largest stable step, from the same logs.
 constexpr double viscosity_rate = 0.0033;
-/// Masses that were scaled for a step give it back but for rounding.
-constexpr double rounding = 1e-8;
+/// Cycles between two looks at all bodies while stiffnesses change little by little.
+constexpr std::int64_t follow_interval = 10;
 
 enum Phase { move, joint, zone, search, gather, step, script, phase_count };
 
@@ -76,23 +74,6 @@ void check_properties(const Model& model, JointRegistry& joints) {
     }
 }
 
-/// Full density scaling makes no body lighter than this part of its mass: gravity would throw one that is hardly held.
-constexpr double lightest = 0.1;
-
-/// The largest stable step, 0 when nothing is elastic. Viscous forces that follow the stiffness are those of the
-/// half step before, which shortens the step (Belytschko 1983): docs/theory/time-step.md.
-double stable_step(const Model& model, const StepLimit& limit) {
-    if (limit.frequency_squared <= 0) return 0;
-    const double frequency = std::sqrt(limit.frequency_squared);
-    const double part = 0.5 * largest_stiffness_damping(model) * frequency;
-    return 2 / frequency * (std::sqrt(1 + part * part) - part);
-}
-
-/// The square of the frequency for which `step` is the largest stable one: the inverse of the above.
-double stable_frequency_squared(const Model& model, double step) {
-    return 4 / (step * (step + 2 * largest_stiffness_damping(model)));
-}
-
 Diagnostic motion_lost() {
     Diagnostic d("the motion of the model is no longer a number",
                  "a velocity or a force has grown without limit: look at the time step, stiffnesses and loads",
@@ -111,7 +92,7 @@ struct Cycle::Scratch {
     std::vector<ElasticConstants> elastic;
     DriveLists drives;
     QuietPoints quiet;
-    StepBounds bounds;
+    TimeStep step;
     JointForces joints;
     std::vector<Vec3> corner_forces;
     std::vector<PhaseTime> timing = phase_names();
@@ -148,7 +129,9 @@ void Cycle::prepare() {
         zone_frequencies(model_, s.elastic);
     }
     if (model_.lists_changed || model_.properties_changed) {
+        s.step.forget(); // properties may be others now
         make_lists();
+        if (!model_.properties_changed) s.joints.stiffness_changed.assign(model_.contacts.size(), 0); // restored: all is known
         s.quiet = quiet_points(model_);
         s.search = ContactSearch{}; // blocks may be others now
         model_.lists_changed = false;
@@ -163,7 +146,7 @@ void Cycle::prepare() {
         // Forces of what is there already, so that the first step starts from them.
         gather_forces(model_, s.adjacency, s.joints, s.corner_forces);
         model_.clock.time_step = 0;
-        limit_step(true);
+        s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, TimeStep::Look::all_and_grow);
         model_.properties_changed = false;
     }
 }
@@ -172,6 +155,7 @@ void Cycle::make_lists() {
     Scratch& s = *scratch_;
     s.adjacency = make_adjacency(model_);
     s.batches = make_batches(model_, joints_);
+    s.step.take(model_, s.batches);
     s.elastic = elastic_constants(model_);
     s.drives = list_drives(model_);
     put_water(model_);
@@ -179,77 +163,11 @@ void Cycle::make_lists() {
     zone_forces(model_, s.corner_forces);
 }
 
-/// Density scaling. `anew`: masses may also become smaller and the step another; otherwise the step stays, and
-/// bodies that have become too stiff for it get more mass.
-void Cycle::fit_masses(bool anew) {
-    const Settings& settings = model_.settings;
-    StepBounds& bounds = scratch_->bounds;
-    const double fraction = settings.time_step_fraction;
-    const auto allows = [&](double step) { return stable_frequency_squared(model_, step / fraction); };
-    const auto reached = [&](Masses masses) {
-        const double stable = stable_step(model_, bounds.limit(model_, scratch_->adjacency, masses));
-        return stable == 0 || fraction * stable >= settings.scaled_time_step;
-    };
-    const BodyStiffness& stiffness = bounds.stiffness();
-    if (settings.mass_scaling == MassScaling::full) {
-        if (!anew) return raise_masses(model_, stiffness, allows(model_.clock.time_step));
-        const double given = settings.given_time_step;
-        const double target = given > 0 ? allows(given) : mean_frequency_squared(model_, stiffness);
-        if (target > 0) scale_masses(model_, stiffness, target, lightest);
-        return;
-    }
-    if (anew && reached(Masses::real)) return restore_masses(model_);
-    // The dashpots of contacts follow the masses and shorten the step in turn.
-    for (int i = 0; i < 20 && (anew || !reached(Masses::inertial)); ++i) {
-        const double target = allows(settings.scaled_time_step);
-        if (anew) scale_masses(model_, stiffness, target, 1);
-        else raise_masses(model_, stiffness, target);
-        anew = false;
-    }
-}
-
-void Cycle::limit_step(bool may_grow) {
-    Clock& clock = model_.clock;
-    const Settings& settings = model_.settings;
-    StepBounds& bounds = scratch_->bounds;
-    auto& changed = scratch_->joints.stiffness_changed;
-    if (may_grow || settings.mass_scaling != MassScaling::none) bounds.update(model_, scratch_->adjacency);
-    else bounds.update_at(model_, scratch_->adjacency, changed);
-    std::fill(changed.begin(), changed.end(), 0);
-    if (settings.mass_scaling != MassScaling::none) fit_masses(may_grow || clock.time_step == 0);
-    const StepLimit limit = bounds.limit(model_, scratch_->adjacency);
-    const double stable = stable_step(model_, limit);
-    if (settings.given_time_step > 0) {
-        if (stable > 0 && settings.given_time_step > stable) {
-            Diagnostic d(fmt::format("the time step {:.6g} is above the largest stable one, {:.6g}",
-                                     settings.given_time_step, stable),
-                         "give a smaller one, or none");
-            d.add(time_step_report());
-            throw d;
-        }
-        clock.time_step = settings.given_time_step;
-        return;
-    }
-    if (stable == 0) {
-        // Nothing is elastic: a thousandth of the time to fall through one's own size is fine enough.
-        double size = 1;
-        for (std::size_t b = 0; b < model_.blocks.size(); ++b) size = std::min(size, std::cbrt(model_.blocks.volume[b]));
-        const double g = settings.gravity.norm();
-        if (clock.time_step == 0) clock.time_step = 1e-3 * (g > 0 ? std::sqrt(2 * size / g) : 1.0);
-        return;
-    }
-    const double wanted = settings.time_step_fraction * stable;
-    const double least = settings.mass_scaling == MassScaling::partial ? settings.scaled_time_step : 0;
-    if (clock.time_step == 0) clock.time_step = wanted;
-    else if (wanted < (1 - rounding) * clock.time_step) clock.time_step = std::max(shrink * wanted, std::min(wanted, least));
-    else if (may_grow && wanted * shrink * shrink > clock.time_step) clock.time_step = wanted;
-}
-
 void Cycle::adapt_viscosity(const MotionSums& motion) {
     if (model_.settings.damping != Damping::global) return;
     double& viscosity = model_.clock.global_viscosity;
     const double change = std::abs(motion.kinetic - motion.kinetic_before);
-    const double rate = viscosity_rate * model_.settings.time_step_fraction;
+    const double rate = viscosity_rate * time_step_fraction(model_.settings);
     viscosity *= motion.damped > global_damping_scale * model_.settings.global_ratio * change ? 1 - rate : 1 + rate;
     viscosity = std::min(viscosity, 1 / model_.clock.time_step);
 }
@@ -327,11 +245,16 @@ void Cycle::advance() {
     if (!std::isfinite(motion.kinetic) || !std::isfinite(clock.unbalanced_force)) throw motion_lost();
     adapt_viscosity(motion);
     keep_account(driven, motion, joint_sums, zone_sums, inner_power);
+    s.step.audit(model_);
     const bool may_grow = clock.cycle % growth_interval == 0;
-    if (joint_sums.stiffness_changed || contacts_changed != ContactChange::none || may_grow)
+    const bool follows = joint_sums.stiffness_changed || s.step.looks_ahead();
+    if (follows || contacts_changed != ContactChange::none || may_grow)
         s.timed(step, [&] {
             if (may_grow) zone_frequencies(model_, s.elastic);
-            limit_step(may_grow);
+            const auto look = may_grow                                          ? TimeStep::Look::all_and_grow
+                              : follows && clock.cycle % follow_interval == 0 ? TimeStep::Look::all
+                                                                              : TimeStep::Look::marked;
+            s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, look);
         });
     s.timed(script, [&] { sample_histories(model_, hooks.script_value); });
     run_hooks(hooks.after_cycle);
@@ -344,22 +267,6 @@ void Cycle::run_hooks(const std::vector<std::function<void()>>& list) {
     });
 }
 
-std::string Cycle::time_step_report() {
-    scratch_->bounds.update(model_, scratch_->adjacency);
-    const StepLimit limit = scratch_->bounds.limit(model_, scratch_->adjacency);
-    if (limit.row == no_row || limit.frequency_squared <= 0) return "nothing limits the time step: no stiffness acts";
-    const double stable = stable_step(model_, limit);
-    if (limit.of_block)
-        return fmt::format("largest stable step {:.6g}, set by block {} and the joints on it", stable,
-                           model_.blocks.number[limit.row]);
-    const Vec3& x = model_.gridpoints.position[limit.row];
-    const auto& points = model_.gridpoints;
-    const double zones = points.zone_frequency[limit.row] * (points.mass[limit.row] / points.inertial_mass[limit.row]) /
-                         limit.frequency_squared;
-    return fmt::format("largest stable step {:.6g}, set by the gridpoint of block {} at ({:.6g}, {:.6g}, {:.6g}): "
-                       "{:.0f} % by its zones, {:.0f} % by joints",
-                       stable, model_.blocks.number[model_.gridpoints.block[limit.row]], x.x(), x.y(), x.z(),
-                       100 * zones, 100 * (1 - zones));
-}
+std::string Cycle::time_step_report() { return scratch_->step.report(model_, scratch_->adjacency); }
 
 } // namespace kaya

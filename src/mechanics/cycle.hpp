@@ -58,8 +58,6 @@ private:
     struct Scratch;
 
     void make_lists();
-    void limit_step(bool may_grow);
-    void fit_masses(bool anew);
     void adapt_viscosity(const MotionSums& motion);
     void keep_account(const DriveSums& driven, const MotionSums& motion, const JointSums& joint_sums,
                       const ZoneSums& zone_sums, double inner_power);

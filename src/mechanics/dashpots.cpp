@@ -1,5 +1,7 @@
 #include "mechanics/dashpots.hpp"
 
+#include "mechanics/contact_stiffness.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,29 +16,6 @@ double inverse_mass(const Model& model, Row block) {
     return held || blocks.inertial_mass[block] <= 0 ? 0 : 1 / blocks.inertial_mass[block];
 }
 
-/// Times by which the rates of normal and shear force are multiplied in one contact.
-struct Beta {
-    double normal, shear;
-};
-
-Beta beta_of(const Model& model, Row c, double rayleigh) {
-    Beta beta{rayleigh, rayleigh};
-    const double fraction = model.settings.contact_damping;
-    const auto& contacts = model.contacts;
-    const double inverse = inverse_mass(model, contacts.block1[c]) + inverse_mass(model, contacts.block2[c]);
-    if (fraction == 0 || inverse == 0) return beta;
-    // A dashpot of that part of the critical one, 2 sqrt(k m), is as many times k.
-    const auto& subs = model.sub_contacts;
-    double normal = 0, shear = 0;
-    for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
-        normal += subs.normal_stiffness[s] * subs.area[s];
-        shear += subs.shear_stiffness[s] * subs.area[s];
-    }
-    if (normal > 0) beta.normal += 2 * fraction / std::sqrt(normal * inverse);
-    if (shear > 0) beta.shear += 2 * fraction / std::sqrt(shear * inverse);
-    return beta;
-}
-
 /// Frictional work of a batch before its joint model runs; one per thread, so that a cycle allocates nothing.
 std::vector<double>& friction_room() {
     thread_local std::vector<double> room;
@@ -49,15 +28,25 @@ bool joints_are_damped(const Settings& settings) {
     return settings.contact_damping > 0 || stiffness_damping(settings) > 0;
 }
 
-double largest_stiffness_damping(const Model& model) {
+Beta beta_of(const Model& model, Row c) {
     const double rayleigh = stiffness_damping(model.settings);
-    if (model.settings.contact_damping == 0) return rayleigh;
-    double largest = rayleigh;
-    for (std::size_t c = 0; c < model.contacts.size(); ++c) {
-        const Beta beta = beta_of(model, static_cast<Row>(c), rayleigh);
-        largest = std::max({largest, beta.normal, beta.shear});
+    Beta beta{rayleigh, rayleigh};
+    const double fraction = model.settings.contact_damping;
+    const auto& contacts = model.contacts;
+    if (fraction == 0) return beta;
+    const double inverse = inverse_mass(model, contacts.block1[c]) + inverse_mass(model, contacts.block2[c]);
+    if (inverse == 0) return beta;
+    // A dashpot of that part of the critical one, 2 sqrt(k m), is as many times k.
+    double normal = 0, shear = 0;
+    const double factor = normal_area_factor(model, c);
+    for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
+        const Springs k = springs_of(model.sub_contacts, s, factor);
+        normal += k.normal;
+        shear += k.shear;
     }
-    return largest;
+    if (normal > 0) beta.normal += 2 * fraction / std::sqrt(normal * inverse);
+    if (shear > 0) beta.shear += 2 * fraction / std::sqrt(shear * inverse);
+    return beta;
 }
 
 BatchDashpots::BatchDashpots(Model& model, const Batch& batch)
@@ -84,9 +73,9 @@ double BatchDashpots::work() const {
 
 double BatchDashpots::finish() {
     auto& s = model_.sub_contacts;
-    const double rayleigh = stiffness_damping(model_.settings), step = model_.clock.time_step;
+    const double step = model_.clock.time_step;
     for (Row c = batch_.contacts.first; c < batch_.contacts.end(); ++c) {
-        const Beta beta = beta_of(model_, c, rayleigh);
+        const Beta beta = beta_of(model_, c);
         const Span span = model_.contacts.sub_contacts[c];
         for (Row row = span.first; row < span.end(); ++row) {
             const bool open = s.normal_force[row] == 0 && s.shear_force[row].isZero(0);

@@ -12,8 +12,14 @@ namespace kaya {
 /// True when joints carry viscous forces besides those of their law.
 bool joints_are_damped(const Settings& settings);
 
-/// The largest beta in the model: of the settings and of the contacts' own dashpots.
-double largest_stiffness_damping(const Model& model);
+/// Times by which the rates of normal and shear force are multiplied in one contact: its dashpots are these times its
+/// springs.
+struct Beta {
+    double normal = 0, shear = 0;
+};
+
+/// Of the settings and of the contact's own dashpots; the stiffness is the one of now, masses are inertial.
+Beta beta_of(const Model& model, Row contact);
 
 /// Dashpots of one batch in one step. The constructor is called when the increments are known and the joint
 /// model has not run yet, finish() when it has.

@@ -1,5 +1,6 @@
-// Density scaling: inertial masses that differ from the true ones. Equations (7) to (9) of docs/theory/time-step.md.
+// Density scaling: inertial masses that differ from the true ones. Equations (8) to (10) of docs/theory/time-step.md.
 #include "mechanics/phases.hpp"
+#include "mechanics/step_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,7 @@ namespace kaya {
 
 namespace {
 
-/// Calls visit(mass, inertial mass, stiffness, row) for every rigid block and then for every gridpoint of a deformable
+/// Calls visit(mass, inertial mass, resistance, row) for every rigid block and then for every gridpoint of a deformable
 /// one that has mass; the row is that of a rigid block, or no_row.
 template <class Visit> void each_body(Model& model, const BodyStiffness& stiffness, Visit&& visit) {
     auto& blocks = model.blocks;
@@ -46,47 +47,49 @@ constexpr double enough = 0.8;
 
 } // namespace
 
-double mean_frequency_squared(const Model& model, const BodyStiffness& stiffness) {
-    double stiff = 0, mass = 0;
-    const auto add = [&](double k, double m) {
-        if (k <= 0) return;
-        stiff += k;
+double mean_stable_step(const Model& model, const BodyStiffness& stiffness) {
+    Resistance sum;
+    double mass = 0;
+    const auto add = [&](const Resistance& body, double m) {
+        if (!body.acts()) return;
+        sum.add(body);
         mass += m;
     };
     for (std::size_t b = 0; b < model.blocks.size(); ++b) add(stiffness.of_block[b], model.blocks.mass[b]);
     for (std::size_t g = 0; g < model.gridpoints.size(); ++g) add(stiffness.of_gridpoint[g], model.gridpoints.mass[g]);
-    return mass > 0 ? stiff / mass : 0;
+    return mass > 0 ? sum.over(mass).stable_step() : 0;
 }
 
-void scale_masses(Model& model, const BodyStiffness& stiffness, double frequency_squared, double least) {
-    const auto wanted = [&](double mass, double k) {
-        return k > 0 ? std::max(least * mass, k / frequency_squared) : mass;
+void scale_masses(Model& model, const BodyStiffness& stiffness, double stable_step, double least) {
+    const auto wanted = [&](double mass, const Resistance& body) {
+        return body.acts() ? std::max(least * mass, body.needed_for(stable_step)) : mass;
     };
     bool apart = false;
-    each_body(model, stiffness, [&](double mass, double inertial, double k, Row) {
-        const double right = wanted(mass, k);
+    each_body(model, stiffness, [&](double mass, double inertial, const Resistance& body, Row) {
+        const double right = wanted(mass, body);
         apart = apart || right > above * inertial || right < enough * inertial;
     });
     if (!apart) return;
-    each_body(model, stiffness, [&](double mass, double& inertial, double k, Row block) {
-        give(model, inertial, wanted(mass, k), block);
+    each_body(model, stiffness, [&](double mass, double& inertial, const Resistance& body, Row block) {
+        give(model, inertial, wanted(mass, body), block);
     });
     sum_up(model);
 }
 
-void raise_masses(Model& model, const BodyStiffness& stiffness, double frequency_squared) {
+void raise_masses(Model& model, const BodyStiffness& stiffness, double stable_step) {
     bool raised = false;
-    each_body(model, stiffness, [&](double, double& inertial, double k, Row block) {
-        if (k <= above * inertial * frequency_squared) return;
-        give(model, inertial, ahead * k / frequency_squared, block);
+    each_body(model, stiffness, [&](double, double& inertial, const Resistance& body, Row block) {
+        const double needed = body.needed_for(stable_step);
+        if (needed <= above * inertial) return;
+        give(model, inertial, ahead * needed, block);
         raised = true;
     });
     if (raised) sum_up(model);
 }
 
 void restore_masses(Model& model) {
-    const BodyStiffness none{std::vector<double>(model.gridpoints.size(), 0), std::vector<double>(model.blocks.size(), 0)};
-    each_body(model, none, [&](double mass, double& inertial, double, Row block) {
+    const BodyStiffness none{std::vector<Resistance>(model.gridpoints.size()), std::vector<Resistance>(model.blocks.size())};
+    each_body(model, none, [&](double mass, double& inertial, const Resistance&, Row block) {
         if (inertial != mass) give(model, inertial, mass, block);
     });
     for (std::size_t b = 0; b < model.blocks.size(); ++b) model.blocks.inertial_mass[b] = model.blocks.mass[b];

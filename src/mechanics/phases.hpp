@@ -5,7 +5,6 @@
 #include "mechanics/adjacency.hpp"
 #include "mechanics/batches.hpp"
 #include "mechanics/quiet_boundary.hpp"
-#include "mechanics/step_bounds.hpp"
 #include "model/lanes.hpp"
 #include "model/model.hpp"
 
@@ -35,6 +34,7 @@ inline void MotionSums::add(const MotionSums& part) {
 }
 
 struct Hooks;
+struct BodyStiffness;
 
 /// The drives by what they do, and room for the values of their functions; derived.
 struct DriveLists {
@@ -72,7 +72,7 @@ struct JointForces {
     std::vector<Vec3> of_contact;     ///< sum on the second block
     std::vector<Vec3> moment;         ///< of that sum about Contacts::position
     std::vector<double> stiffness;    ///< sum over the contact's sub-contacts of the larger tangent stiffness
-    std::vector<char> stiffness_changed; ///< of contacts whose stiffness or geometry has, until someone clears it
+    std::vector<char> stiffness_changed; ///< of contacts that are much stiffer or have other geometry, until someone clears it
 };
 
 /// What a step has done to the joints.
@@ -170,17 +170,17 @@ struct ScaledMasses {
 
 ScaledMasses scaled_masses(const Model& model);
 
-/// Gives inertial masses so that every body allows the step for which `frequency_squared` is the highest that is
-/// stable, none below `least` times its mass. Velocities stay. Masses that are enough and not much too large stay as well.
-void scale_masses(Model& model, const BodyStiffness& stiffness, double frequency_squared, double least);
+/// Gives inertial masses so that `stable_step` is the largest that is stable for every body, none below `least` times its
+/// mass. Velocities stay. Masses that are enough and not much too large stay as well.
+void scale_masses(Model& model, const BodyStiffness& stiffness, double stable_step, double least);
 
 /// The same, only upwards from what the masses are: for stiffnesses that grow between two scalings.
-void raise_masses(Model& model, const BodyStiffness& stiffness, double frequency_squared);
+void raise_masses(Model& model, const BodyStiffness& stiffness, double stable_step);
 
 /// All inertial masses are the true ones again.
 void restore_masses(Model& model);
 
-/// The square of the frequency at which full density scaling leaves the sum of all masses as it is.
-double mean_frequency_squared(const Model& model, const BodyStiffness& stiffness);
+/// The step at which full density scaling leaves the sum of all masses as it is; 0 when nothing resists.
+double mean_stable_step(const Model& model, const BodyStiffness& stiffness);
 
 } // namespace kaya

@@ -2,6 +2,7 @@
 #include "mechanics/dashpots.hpp"
 #include "mechanics/phases.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace kaya {
 namespace {
 
 constexpr std::size_t grain = 256;
+constexpr double rounding = 1e-9; ///< of an eigenvalue
 
 /// Volume and gradients of the shape functions of a linear tetrahedron.
 struct Corners {
@@ -101,13 +103,14 @@ void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic
     std::fill(g.zone_frequency.begin(), g.zone_frequency.end(), 0.0);
     for (std::size_t z = 0; z < model.zones.size(); ++z) {
         const Corners now(places(model, z));
-        double sum = 0;
-        for (const auto& gradient : now.gradient) sum += gradient.squaredNorm();
-        // The largest eigenvalue of a zone's stiffness matrix is at most its confined modulus (or, where
-        // Poisson's ratio is negative, twice its shear modulus) times the volume times the sum of the
-        // squared gradients.
+        Mat3 squares = Mat3::Zero();
+        for (const auto& gradient : now.gradient) squares += gradient * gradient.transpose();
+        // The largest eigenvalue of a zone's stiffness matrix: equation (7) of docs/theory/time-step.md.
         const auto& [lambda, two_shear] = elastic[model.zones.block[z]];
-        const double stiffness = (std::max(lambda, 0.0) + two_shear) * now.volume * sum;
+        Eigen::SelfAdjointEigenSolver<Mat3> solver;
+        solver.computeDirect(squares, Eigen::EigenvaluesOnly);
+        const double largest = (1 + rounding) * solver.eigenvalues()[2];
+        const double stiffness = (std::max(lambda, 0.0) * squares.trace() + two_shear * largest) * now.volume;
         for (const Row row : model.zones.gridpoints[z]) g.zone_frequency[row] += stiffness / g.mass[row];
     }
 }

@@ -3,7 +3,7 @@
 #include "base/reduce.hpp"
 #include "mechanics/overlap_contact.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -16,27 +16,12 @@ constexpr double rounding = 1e-12;
 
 bool held(const Model& model, Row gridpoint) { return (model.gridpoints.fixed[gridpoint] & 7) == 7; }
 
-double least_eigenvalue(const Mat3& inertia) {
-    Eigen::SelfAdjointEigenSolver<Mat3> solver;
-    solver.computeDirect(inertia, Eigen::EigenvaluesOnly);
-    return solver.eigenvalues()[0];
+Row block_of(const Model& model, Row contact, int side) {
+    return side == 0 ? model.contacts.block1[contact] : model.contacts.block2[contact];
 }
 
-void take_larger(StepLimit& limit, const StepLimit& other) {
-    if (other.frequency_squared > limit.frequency_squared) limit = other;
-}
-
-/// The largest of a number that `of` gives for each row.
-template <class Of> StepLimit largest(std::size_t rows, bool of_block, const Of& of) {
-    return reduce_chunks(
-        rows, grain, StepLimit{},
-        [&](std::size_t first, std::size_t last) {
-            StepLimit part;
-            for (std::size_t i = first; i < last; ++i)
-                take_larger(part, {of(static_cast<Row>(i)), of_block, static_cast<Row>(i)});
-            return part;
-        },
-        take_larger);
+void take_smaller(StepLimit& limit, const StepLimit& other) {
+    if (other.stable < limit.stable) limit = other;
 }
 
 template <class Visit> void for_rows(std::size_t rows, const Visit& visit) {
@@ -45,7 +30,38 @@ template <class Visit> void for_rows(std::size_t rows, const Visit& visit) {
     });
 }
 
+template <class Of> StepLimit smallest_of(std::size_t rows, const Of& of) {
+    return reduce_chunks(
+        rows, grain, StepLimit{},
+        [&](std::size_t first, std::size_t last) {
+            StepLimit part;
+            for (std::size_t i = first; i < last; ++i) take_smaller(part, of(static_cast<Row>(i)));
+            return part;
+        },
+        take_smaller);
+}
+
+/// Marks the blocks that have a contact with a marked one.
+void spread(const Contacts& contacts, const std::vector<char>& from, std::vector<char>& to) {
+    to = from;
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+        if (from[contacts.block1[c]] || from[contacts.block2[c]]) to[contacts.block1[c]] = to[contacts.block2[c]] = 1;
+}
+
+void mark_whole_bodies(const JoinedBodies& bodies, std::vector<char>& blocks) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const auto members = bodies.members(i);
+        const bool any = std::any_of(members.begin(), members.end(), [&](Row b) { return blocks[b]; });
+        for (const Row b : members) blocks[b] = any;
+    }
+}
+
 } // namespace
+
+double Resistance::stable_step() const {
+    const double root = std::sqrt(viscous * viscous + 4 * elastic);
+    return root + viscous > 0 ? 4 / (root + viscous) : std::numeric_limits<double>::infinity();
+}
 
 void StepBounds::update(const Model& model, const Adjacency& adjacency) {
     asked_.assign(model.blocks.size(), 1);
@@ -53,207 +69,247 @@ void StepBounds::update(const Model& model, const Adjacency& adjacency) {
     look(model, adjacency);
 }
 
+// A body's bound depends on its own resistance and on those of its neighbours.
 void StepBounds::update_at(const Model& model, const Adjacency& adjacency, const std::vector<char>& contacts) {
-    const auto &block1 = model.contacts.block1, &block2 = model.contacts.block2;
-    asked_.assign(model.blocks.size(), 0);
+    near_.assign(model.blocks.size(), 0);
     for (std::size_t c = 0; c < contacts.size(); ++c)
-        if (contacts[c]) asked_[block1[c]] = asked_[block2[c]] = 1;
-    for (std::size_t i = 0; i < adjacency.bodies.size(); ++i) {
-        const auto members = adjacency.bodies.members(i);
-        const bool any = std::any_of(members.begin(), members.end(), [&](Row b) { return asked_[b]; });
-        for (const Row b : members) asked_[b] = any;
-    }
-    near_ = asked_;
-    for (std::size_t c = 0; c < contacts.size(); ++c)
-        if (asked_[block1[c]] || asked_[block2[c]]) near_[block1[c]] = near_[block2[c]] = 1;
+        if (contacts[c]) near_[model.contacts.block1[c]] = near_[model.contacts.block2[c]] = 1;
+    mark_whole_bodies(adjacency.bodies, near_);
+    spread(model.contacts, near_, asked_);
+    mark_whole_bodies(adjacency.bodies, asked_);
+    spread(model.contacts, asked_, near_);
+    mark_whole_bodies(adjacency.bodies, near_);
     look(model, adjacency);
+}
+
+Springs StepBounds::springs(const Model& model, Row sub_contact, double factor) const {
+    if (foreseen) return (*foreseen)[static_cast<std::size_t>(sub_contact)];
+    return springs_of(model.sub_contacts, sub_contact, factor);
+}
+
+SpringSums StepBounds::sums_of(const Model& model, Row contact) const {
+    SpringSums sums;
+    const Span span = model.contacts.sub_contacts[contact];
+    const Vec3& origin = model.contacts.position[contact];
+    const double factor = normal_area_factor(model, contact);
+    for (Row s = span.first; s < span.end(); ++s) {
+        const Springs k = springs(model, s, factor);
+        const Vec3 place = model.sub_contacts.position[s] - origin;
+        if (k.normal > 0) sums.normal.add(k.normal, place);
+        if (k.shear > 0) sums.shear.add(k.shear, place);
+    }
+    return sums;
 }
 
 void StepBounds::look(const Model& model, const Adjacency& adjacency) {
     const auto& blocks = model.blocks;
-    centroid_ = blocks.centroid;
-    gyration2_.resize(blocks.size());
-    body_mass_ = blocks.mass;
-    held_.resize(blocks.size());
-    for_rows(blocks.size(), [&](Row b) {
-        held_[b] = blocks.fixed[b] == fix_all || blocks.mass[b] <= 0;
-        if (near_[b] && !blocks.deformable[b] && blocks.body[b] == 0)
-            gyration2_[b] = least_eigenvalue(blocks.inertia[b]) / blocks.volume[b];
-    });
-    for (std::size_t i = 0; i < adjacency.bodies.size(); ++i) {
-        const auto members = adjacency.bodies.members(i);
-        if (std::none_of(members.begin(), members.end(), [&](Row b) { return near_[b]; })) continue;
-        const BodyMass body = body_mass(model, members);
-        const double gyration2 = least_eigenvalue(body.inertia) / body.mass;
-        std::uint8_t fixed = 0;
-        for (const Row b : members) fixed |= blocks.fixed[b];
-        for (const Row b : members) {
-            centroid_[b] = body.centroid;
-            gyration2_[b] = gyration2;
-            body_mass_[b] = body.mass;
-            held_[b] = fixed == fix_all || blocks.mass[members.front()] <= 0;
+    body_.assign(blocks.size(), no_row);
+    lead_.resize(blocks.size());
+    for_rows(blocks.size(), [&](Row b) { lead_[b] = b; });
+    for (std::size_t i = 0; i < adjacency.bodies.size(); ++i)
+        for (const Row b : adjacency.bodies.members(i)) {
+            body_[b] = static_cast<Row>(i);
+            lead_[b] = adjacency.bodies.members(i).front();
         }
-    }
     const auto& contacts = model.contacts;
     sums_.resize(contacts.size());
     for_rows(contacts.size(), [&](Row c) {
-        if ((asked_[contacts.block1[c]] || asked_[contacts.block2[c]]) && between_rigid(model, c)) add_contact(model, c);
+        if ((near_[contacts.block1[c]] || near_[contacts.block2[c]]) && between_rigid(model, c)) sums_[c] = sums_of(model, c);
     });
-    if (model.settings.mass_scaling != MassScaling::none) find_stiffness(model, adjacency);
 }
 
-/// The size a of equation (7) of a rigid block's row at a sub-contact.
-double StepBounds::size(const Model& model, Row block, Row sub_contact) const {
-    const double arm2 = (model.sub_contacts.position[sub_contact] - centroid_[block]).squaredNorm();
-    return std::sqrt(1 + arm2 / gyration2_[block]);
+void StepBounds::find_frames(const Model& model, const Adjacency& adjacency, Masses masses) {
+    const auto& blocks = model.blocks;
+    const bool real = masses == Masses::real;
+    frames_.resize(blocks.size());
+    for_rows(blocks.size(), [&](Row b) {
+        if (!near_[b] || blocks.deformable[b] || lead_[b] != b) return;
+        const double factor = real || !(blocks.mass[b] > 0) ? 1 : blocks.inertial_mass[b] / blocks.mass[b];
+        if (body_[b] != no_row) {
+            const auto members = adjacency.bodies.members(static_cast<std::size_t>(body_[b]));
+            const BodyMass body = body_mass(model, members);
+            std::uint8_t fixed = 0;
+            for (const Row m : members) fixed |= blocks.fixed[m];
+            frames_[b] = make_frame(body.centroid, blocks.mass[b] > 0 ? factor * body.mass : 0, factor * body.inertia, fixed);
+            return;
+        }
+        const auto& q = blocks.orientation[b];
+        const Mat3 turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+        const double mass = factor * blocks.mass[b];
+        frames_[b] = make_frame(blocks.centroid[b], mass,
+                                mass / blocks.volume[b] * (turn * blocks.inertia[b] * turn.transpose()), blocks.fixed[b]);
+    });
+    if (adjacency.of_gridpoint.entries.empty() && model.zones.size() == 0) return;
+    const auto& points = model.gridpoints;
+    root_of_gridpoint_.resize(points.size());
+    zone_part_.resize(points.size());
+    for_rows(points.size(), [&](Row g) {
+        const double mass = real ? points.mass[g] : points.inertial_mass[g];
+        const bool moves = mass > 0 && !held(model, g);
+        root_of_gridpoint_[g] = moves ? 1 / std::sqrt(mass) : 0;
+        zone_part_[g] = moves ? points.zone_frequency[g] * (points.mass[g] / mass) : 0;
+    });
 }
 
-void StepBounds::add_contact(const Model& model, Row contact) {
-    const auto& contacts = model.contacts;
-    ContactSums sums;
-    const Span span = contacts.sub_contacts[contact];
-    const double factor = contacts.stiffness_area[contact] > 0 ? contacts.stiffness_area[contact] / contacts.area[contact] : 1;
-    for (Row s = span.first; s < span.end(); ++s) {
-        const double stiffness = factor * tangent_stiffness(model.sub_contacts, s);
-        if (stiffness == 0) continue; // open
-        const double a1 = size(model, contacts.block1[contact], s), a2 = size(model, contacts.block2[contact], s);
-        sums.own1 += stiffness * a1 * a1;
-        sums.cross += stiffness * a1 * a2;
-        sums.own2 += stiffness * a2 * a2;
-    }
-    sums_[contact] = sums;
-}
-
-/// One side of a sub-contact, over all its nodes, in coordinates scaled by the roots of the masses.
-double StepBounds::side(const Model& model, Row block, const Attachment& attachment, Row sub_contact) const {
-    if (!model.blocks.deformable[block]) return root_of_block_[block] * size(model, block, sub_contact);
+/// The part of a sub-contact's stiffness that its gridpoints on one side are charged with together, over mass.
+double StepBounds::mobility(const Model& model, Row block, const Attachment& attachment) const {
+    if (!model.blocks.deformable[block]) return 0;
     double sum = 0;
     for (int k = 0; k < 3; ++k)
         if (attachment.weights[k] != 0) sum += attachment.weights[k] * root_of_gridpoint_[attachment.gridpoints[k]];
     return sum;
 }
 
-/// Takes masses to go by.
-void StepBounds::weigh(const Model& model, const Adjacency& adjacency, Masses masses) {
-    const auto& blocks = model.blocks;
-    root_of_block_.resize(blocks.size());
-    for_rows(blocks.size(), [&](Row b) {
-        const double mass = masses == Masses::unit   ? 1
-                            : masses == Masses::real ? body_mass_[b]
-                            : blocks.body[b] == 0    ? blocks.inertial_mass[b]
-                                                     : body_mass_[b] * (blocks.inertial_mass[b] / blocks.mass[b]);
-        root_of_block_[b] = held_[b] ? 0 : 1 / std::sqrt(mass);
-    });
-    if (adjacency.of_gridpoint.entries.empty()) return;
+/// How many times its own part of a spring a body is charged with: (a - b)^2 <= p a^2 + q b^2 with 1/p + 1/q = 1. What
+/// cannot move charges nothing.
+double StepBounds::share(const Model& model, Row contact, Row sub_contact, int side, Shares shares) const {
+    if (shares == Shares::none) return 1;
+    const auto of_side = [&](int i) {
+        const Row block = block_of(model, contact, i);
+        if (!model.blocks.deformable[block]) return resistance_[lead_[block]];
+        const auto& subs = model.sub_contacts;
+        const Attachment& attachment = i == 0 ? subs.side1[sub_contact] : subs.side2[sub_contact];
+        double largest = 0;
+        for (int k = 0; k < 3; ++k)
+            if (attachment.weights[k] != 0) largest = std::max(largest, point_resistance_[attachment.gridpoints[k]]);
+        return largest;
+    };
+    const double own = of_side(side), other = of_side(1 - side);
+    if (own == 0 || other == 0) return 1;
+    return shares == Shares::halves ? 2 : 1 + other / own;
+}
 
-    const auto& points = model.gridpoints;
-    root_of_gridpoint_.resize(points.size());
-    for_rows(points.size(), [&](Row g) {
-        const double mass = masses == Masses::unit ? 1 : masses == Masses::real ? points.mass[g] : points.inertial_mass[g];
-        root_of_gridpoint_[g] = held(model, g) || mass <= 0 ? 0 : 1 / std::sqrt(mass);
-    });
-    const auto& contacts = model.contacts;
+void StepBounds::add_contact(const Model& model, const BodyFrame& frame, const ContactEntry& entry, Shares shares,
+                             Matrices& matrices) const {
+    const Row c = entry.contact;
+    const Vec3 arm = model.contacts.position[c] - frame.centre;
+    const Vec3& normal = model.contacts.normal[c];
+    const Beta beta = damped_ ? beta_[c] : Beta{0, 0};
+    const auto add = [&](const SpringSums& sums, double times) {
+        add_springs(matrices.elastic, sums, normal, arm, times);
+        if (damped_) add_springs(matrices.viscous, {sums.normal * beta.normal, sums.shear * beta.shear}, normal, arm, times);
+    };
+    if (between_rigid(model, c)) return add(sums_[c], share(model, c, no_row, entry.side, shares));
+    const Span span = model.contacts.sub_contacts[c];
+    const double factor = normal_area_factor(model, c);
+    SpringSums sums;
+    for (Row s = span.first; s < span.end(); ++s) {
+        const Springs k = springs(model, s, factor);
+        if (k.stiffer() <= 0) continue;
+        const Vec3 place = model.sub_contacts.position[s] - model.contacts.position[c];
+        const double times = share(model, c, s, entry.side, shares);
+        sums.normal.add(times * k.normal, place);
+        sums.shear.add(times * k.shear, place);
+    }
+    add(sums, 1);
+}
+
+Resistance StepBounds::of_block(const Model& model, const Adjacency& adjacency, Row row, Shares shares) const {
+    const BodyFrame& frame = frames_[row];
+    if (!frame.moves()) return {};
+    Matrices matrices;
+    const auto add = [&](Row b) {
+        for (auto e = adjacency.of_block.begin(b); e != adjacency.of_block.end(b); ++e)
+            add_contact(model, frame, *e, shares, matrices);
+    };
+    if (body_[row] == no_row) add(row);
+    else
+        for (const Row b : adjacency.bodies.members(static_cast<std::size_t>(body_[row]))) add(b);
+    const Mat6 elastic = frame.scaled(matrices.elastic);
+    if (shares == Shares::none) return {elastic.norm(), 0};
+    return {largest_eigenvalue(elastic), damped_ ? largest_eigenvalue(frame.scaled(matrices.viscous)) : 0};
+}
+
+Resistance StepBounds::of_gridpoint(const Model& model, const Adjacency& adjacency, Row row, Shares shares) const {
+    const double root = root_of_gridpoint_[row];
+    if (root == 0) return {};
     const auto& subs = model.sub_contacts;
-    coupling_.resize(subs.size());
-    for_rows(contacts.size(), [&](Row c) {
-        if (between_rigid(model, c)) return;
-        const Span span = contacts.sub_contacts[c];
-        for (Row s = span.first; s < span.end(); ++s)
-            coupling_[s] = tangent_stiffness(subs, s) * (side(model, contacts.block1[c], subs.side1[s], s) +
-                                                    side(model, contacts.block2[c], subs.side2[s], s));
-    });
-}
-
-// Sums of the absolute values in the rows of the joints' stiffness matrix, in the coordinates of the sizes.
-
-double StepBounds::row_of_gridpoint(const Adjacency& adjacency, Row row) const {
-    double sum = 0;
-    for (auto e = adjacency.of_gridpoint.begin(row); e != adjacency.of_gridpoint.end(row); ++e)
-        sum += root_of_gridpoint_[row] * e->weight * coupling_[e->sub_contact];
-    return sum;
-}
-
-double StepBounds::row_of_block(const Model& model, const Adjacency& adjacency, Row row) const {
-    const double root = root_of_block_[row];
-    if (root == 0) return 0;
-    double sum = 0;
-    for (auto e = adjacency.of_block.begin(row); e != adjacency.of_block.end(row); ++e) {
-        if (between_rigid(model, e->contact)) {
-            const ContactSums& sums = sums_[e->contact];
-            const auto& contacts = model.contacts;
-            const Row other = e->side == 0 ? contacts.block2[e->contact] : contacts.block1[e->contact];
-            sum += root * (root * (e->side == 0 ? sums.own1 : sums.own2) + root_of_block_[other] * sums.cross);
-        } else {
-            const Span span = model.contacts.sub_contacts[e->contact];
-            for (Row s = span.first; s < span.end(); ++s) sum += root * size(model, row, s) * coupling_[s];
-        }
+    Resistance sum{zone_part_[row], stiffness_damping(model.settings) * zone_part_[row]};
+    for (auto e = adjacency.of_gridpoint.begin(row); e != adjacency.of_gridpoint.end(row); ++e) {
+        const Row s = e->sub_contact, c = subs.contact[s];
+        const Springs k = springs(model, s, normal_area_factor(model, c));
+        if (k.stiffer() <= 0) continue;
+        const double times = share(model, c, s, e->side, shares) * root * e->weight *
+                             mobility(model, block_of(model, c, e->side), e->side == 0 ? subs.side1[s] : subs.side2[s]);
+        sum.elastic += times * k.stiffer();
+        if (damped_) sum.viscous += times * std::max(beta_[c].normal * k.normal, beta_[c].shear * k.shear);
     }
     return sum;
 }
 
-/// Of joined blocks together.
-double StepBounds::row_of_body(const Model& model, const Adjacency& adjacency, std::size_t body) const {
-    double sum = 0;
-    for (const Row b : adjacency.bodies.members(body)) sum += row_of_block(model, adjacency, b);
-    return sum;
+void StepBounds::find_resistances(const Model& model, const Adjacency& adjacency, Masses masses) {
+    find_frames(model, adjacency, masses);
+    damped_ = joints_are_damped(model.settings);
+    const auto& contacts = model.contacts;
+    if (damped_) {
+        beta_.resize(contacts.size());
+        for_rows(contacts.size(), [&](Row c) {
+            if (near_[contacts.block1[c]] || near_[contacts.block2[c]]) beta_[c] = beta_of(model, c);
+        });
+    }
+    resistance_.resize(model.blocks.size());
+    for_rows(model.blocks.size(), [&](Row b) {
+        if (near_[b] && !model.blocks.deformable[b] && lead_[b] == b)
+            resistance_[b] = of_block(model, adjacency, b, Shares::none).elastic;
+    });
+    if (root_of_gridpoint_.empty()) return;
+    point_resistance_.resize(model.gridpoints.size());
+    for_rows(model.gridpoints.size(), [&](Row g) {
+        const Row b = model.gridpoints.block[g];
+        if (near_[b] && model.blocks.deformable[b])
+            point_resistance_[g] = of_gridpoint(model, adjacency, g, Shares::none).elastic;
+    });
 }
 
-// Gershgorin's theorem on the scaled stiffness matrix: a sub-contact of stiffness k couples its nodes i
-// and j with at most k s_i s_j, s being the sizes over the roots of the masses, so every eigenvalue is below the
-// largest of sum over sub-contacts of k s_i (sum over its nodes of s_j), to which the zones add theirs.
-StepLimit StepBounds::limit(const Model& model, const Adjacency& adjacency, Masses masses) {
+StepLimit StepBounds::smallest(const Model& model, const Adjacency& adjacency, Shares shares) const {
     const auto& points = model.gridpoints;
     const auto& blocks = model.blocks;
-    const auto& of_points = masses == Masses::real ? points.mass : points.inertial_mass;
-    weigh(model, adjacency, masses);
     StepLimit limit;
     if (model.zones.size() > 0)
-        limit = largest(points.size(), false, [&](Row g) {
-            if (!asked_[points.block[g]] || held(model, g) || of_points[g] <= 0) return 0.0;
-            return points.zone_frequency[g] * (points.mass[g] / of_points[g]) + row_of_gridpoint(adjacency, g);
+        limit = smallest_of(points.size(), [&](Row g) {
+            if (!asked_[points.block[g]] || !blocks.deformable[points.block[g]]) return StepLimit{};
+            const Resistance sum = of_gridpoint(model, adjacency, g, shares);
+            return StepLimit{sum.stable_step(), false, g, sum.elastic > 0 ? zone_part_[g] / sum.elastic : 0};
         });
-    take_larger(limit, largest(blocks.size(), true, [&](Row b) {
-                    return asked_[b] && blocks.body[b] == 0 ? row_of_block(model, adjacency, b) : 0;
-                }));
-    for (std::size_t i = 0; i < adjacency.bodies.size(); ++i) {
-        const Row lead = adjacency.bodies.members(i).front();
-        if (asked_[lead]) take_larger(limit, {row_of_body(model, adjacency, i), true, lead});
-    }
-    if (masses == Masses::real || model.settings.mass_scaling == MassScaling::none) return limit;
-
-    const auto ratio = [](double k, double mass) { return k > 0 ? k / mass : 0; };
-    StepLimit other = largest(points.size(), false, [&](Row g) { return ratio(stiffness_.of_gridpoint[g], of_points[g]); });
-    take_larger(other, largest(blocks.size(), true,
-                               [&](Row b) { return ratio(stiffness_.of_block[b], blocks.inertial_mass[b]); }));
-    // Bounds that are the same but for rounding count as the one that holds without scaling.
-    return other.frequency_squared < (1 - rounding) * limit.frequency_squared ? other : limit;
+    take_smaller(limit, smallest_of(blocks.size(), [&](Row b) {
+                     if (!asked_[b] || blocks.deformable[b] || lead_[b] != b) return StepLimit{};
+                     return StepLimit{of_block(model, adjacency, b, shares).stable_step(), true, b};
+                 }));
+    return limit;
 }
 
-// The same theorem on the matrix M^-1 K itself, rotations measured by the radius of gyration: its rows are sums
-// of stiffnesses that do not know of the neighbours' masses, over the body's own mass.
-void StepBounds::find_stiffness(const Model& model, const Adjacency& adjacency) {
-    weigh(model, adjacency, Masses::unit);
+StepLimit StepBounds::limit(const Model& model, const Adjacency& adjacency, Masses masses) {
+    find_resistances(model, adjacency, masses);
+    const StepLimit limit = smallest(model, adjacency, Shares::by_resistance);
+    if (masses == Masses::real || model.settings.mass_scaling == MassScaling::none) return limit;
+    // Bounds that are the same but for rounding count as the one that holds without scaling.
+    const StepLimit other = smallest(model, adjacency, Shares::halves);
+    return other.stable > (1 + rounding) * limit.stable ? other : limit;
+}
+
+// With halves no share knows of the neighbours' masses, so that an eigenvalue is over the body's own mass.
+const BodyStiffness& StepBounds::stiffness(const Model& model, const Adjacency& adjacency) {
+    find_resistances(model, adjacency, Masses::inertial);
     const auto& points = model.gridpoints;
     const auto& blocks = model.blocks;
-    stiffness_.of_gridpoint.assign(points.size(), 0);
-    stiffness_.of_block.assign(blocks.size(), 0);
+    const auto times = [](const Resistance& r, double mass) { return Resistance{mass * r.elastic, mass * r.viscous}; };
+    stiffness_.of_gridpoint.assign(points.size(), {});
+    stiffness_.of_block.assign(blocks.size(), {});
     if (model.zones.size() > 0)
         for_rows(points.size(), [&](Row g) {
-            if (!held(model, g))
-                stiffness_.of_gridpoint[g] = points.zone_frequency[g] * points.mass[g] + row_of_gridpoint(adjacency, g);
+            if (blocks.deformable[points.block[g]])
+                stiffness_.of_gridpoint[g] = times(of_gridpoint(model, adjacency, g, Shares::halves), points.inertial_mass[g]);
         });
-    for_rows(blocks.size(), [&](Row b) {
-        if (blocks.body[b] == 0) stiffness_.of_block[b] = row_of_block(model, adjacency, b);
-    });
     // Members share the stiffness of their body by mass, so that one factor scales them all.
-    for (std::size_t i = 0; i < adjacency.bodies.size(); ++i) {
-        const auto members = adjacency.bodies.members(i);
-        const double whole = row_of_body(model, adjacency, i);
-        double mass = 0;
-        for (const Row b : members) mass += blocks.mass[b];
-        if (mass > 0)
-            for (const Row b : members) stiffness_.of_block[b] = whole * (blocks.mass[b] / mass);
-    }
+    for_rows(blocks.size(), [&](Row b) {
+        if (blocks.deformable[b] || lead_[b] != b) return;
+        const Resistance whole = of_block(model, adjacency, b, Shares::halves);
+        if (body_[b] == no_row) stiffness_.of_block[b] = times(whole, blocks.inertial_mass[b]);
+        else
+            for (const Row m : adjacency.bodies.members(static_cast<std::size_t>(body_[b])))
+                stiffness_.of_block[m] = times(whole, blocks.inertial_mass[b] / blocks.mass[b] * blocks.mass[m]);
+    });
+    return stiffness_;
 }
 
 } // namespace kaya

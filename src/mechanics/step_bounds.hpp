@@ -2,33 +2,51 @@
 #pragma once
 
 #include "mechanics/adjacency.hpp"
+#include "mechanics/contact_stiffness.hpp"
+#include "mechanics/dashpots.hpp"
+#include "mechanics/step_matrix.hpp"
 #include "model/model.hpp"
 
-#include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace kaya {
 
-/// The larger tangent stiffness of a sub-contact, force/length.
-inline double tangent_stiffness(const SubContacts& subs, Row s) {
-    return std::max(subs.normal_stiffness[s], subs.shear_stiffness[s]) * subs.area[s];
-}
+/// What limits the time step of one body.
+struct Resistance {
+    double elastic = 0; ///< bound of the largest eigenvalue of stiffness over mass, 1/time^2
+    double viscous = 0; ///< the same of the dashpots, 1/time
+
+    /// The largest stable step by equation (6) of docs/theory/time-step.md; infinite when nothing resists.
+    double stable_step() const;
+    /// What the mass must be multiplied with to make `step` the largest stable one, which grows with both parts.
+    double needed_for(double step) const { return 0.25 * step * (step * elastic + 2 * viscous); }
+    bool acts() const { return elastic > 0 || viscous > 0; }
+    void add(const Resistance& other) {
+        elastic += other.elastic;
+        viscous += other.viscous;
+    }
+    Resistance over(double mass) const { return {elastic / mass, viscous / mass}; }
+};
 
 /// The body that limits the time step.
 struct StepLimit {
-    double frequency_squared = 0; ///< upper bound of the highest, (rad/time)^2
+    double stable = std::numeric_limits<double>::infinity(); ///< the largest stable step
     bool of_block = false;
-    Row row = no_row; ///< gridpoint or rigid block
+    Row row = no_row;          ///< gridpoint or rigid block, the first one of joined blocks
+    double part_of_zones = 0;  ///< in its stiffness
+
+    bool exists() const { return row != no_row; }
 };
 
-/// Masses that a bound of the frequency goes by; unit: 1 for all.
-enum class Masses { real, inertial, unit };
+/// Masses that a bound goes by.
+enum class Masses { real, inertial };
 
-/// Stiffness of each body by equation (8) of docs/theory/time-step.md: force/length, 0 for what cannot move. The
-/// frequency of a model stays below the root of the largest ratio of stiffness to inertial mass.
+/// Resistances of each body by equation (9) of docs/theory/time-step.md, times its mass: 0 for what cannot move. They hold
+/// whatever the inertial masses are.
 struct BodyStiffness {
-    std::vector<double> of_gridpoint, of_block; ///< gridpoints of deformable blocks, rigid blocks; by row; joined blocks share that
-                                                ///< of their body by mass
+    std::vector<Resistance> of_gridpoint, of_block; ///< gridpoints of deformable blocks, rigid blocks; by row; joined blocks share that
+                                                    ///< of their body by mass
 };
 
 /// What the joints hold the bodies with. Everything in it is derived from the model; it is kept for its memory.
@@ -38,44 +56,57 @@ public:
     /// Bounds are then those of all bodies.
     void update(const Model& model, const Adjacency& adjacency);
 
-    /// The same for the bodies on the marked contacts only: what has changed for others far away says nothing about
-    /// these. Not while density is scaled.
+    /// The same for the bodies on the marked contacts and their neighbours: the bounds of others are what they were. Not
+    /// while density is scaled.
     void update_at(const Model& model, const Adjacency& adjacency, const std::vector<char>& contacts);
 
     /// Since the last update only inertial masses may have changed. Where density is scaled it is the smaller one of
-    /// the bounds by equations (4) and (8).
+    /// the bounds by equations (4) and (9).
     StepLimit limit(const Model& model, const Adjacency& adjacency, Masses masses = Masses::inertial);
 
-    /// As of the last update.
-    const BodyStiffness& stiffness() const { return stiffness_; }
+    /// Of all bodies, with the dashpots that belong to the inertial masses; after update().
+    const BodyStiffness& stiffness(const Model& model, const Adjacency& adjacency);
+
+    /// About the largest eigenvalue of the stiffness matrix over masses, dashpots being 2/step times stiff: 1/time^2. The
+    /// bound may be far above it where many joints pull a body in different directions; costs as much as many cycles.
+    double estimate(const Model& model, const Adjacency& adjacency, double step);
+
+    /// Stiffness to go by instead of that which the columns have, by sub-contact; none: the columns.
+    const std::vector<Springs>* foreseen = nullptr;
 
 private:
-    /// Sums over the sub-contacts of a contact between rigid blocks, k being stiffnesses and a the sizes of equation (7).
-    struct ContactSums {
-        double own1 = 0, cross = 0, own2 = 0; ///< of k a1 a1, k a1 a2, k a2 a2
+    /// A rigid body's matrices, each contact's part multiplied with what its side bears.
+    struct Matrices {
+        Mat6 elastic = Mat6::Zero(), viscous = Mat6::Zero();
     };
+    class Operator;
+    enum class Shares { none, by_resistance, halves };
 
     void look(const Model& model, const Adjacency& adjacency);
-    void weigh(const Model& model, const Adjacency& adjacency, Masses masses);
-    double size(const Model& model, Row block, Row sub_contact) const;
-    double side(const Model& model, Row block, const Attachment& attachment, Row sub_contact) const;
-    void add_contact(const Model& model, Row contact);
-    double row_of_gridpoint(const Adjacency& adjacency, Row row) const;
-    double row_of_block(const Model& model, const Adjacency& adjacency, Row row) const;
-    double row_of_body(const Model& model, const Adjacency& adjacency, std::size_t body) const;
-    void find_stiffness(const Model& model, const Adjacency& adjacency);
+    void find_frames(const Model& model, const Adjacency& adjacency, Masses masses);
+    void find_bodies(const Model& model, const Adjacency& adjacency);
+    void find_resistances(const Model& model, const Adjacency& adjacency, Masses masses);
+    Springs springs(const Model& model, Row sub_contact, double factor) const;
+    SpringSums sums_of(const Model& model, Row contact) const;
+    double share(const Model& model, Row contact, Row sub_contact, int side, Shares shares) const;
+    double mobility(const Model& model, Row block, const Attachment& attachment) const;
+    void add_contact(const Model& model, const BodyFrame& frame, const ContactEntry& entry, Shares shares,
+                     Matrices& matrices) const;
+    Resistance of_block(const Model& model, const Adjacency& adjacency, Row row, Shares shares) const;
+    Resistance of_gridpoint(const Model& model, const Adjacency& adjacency, Row row, Shares shares) const;
+    StepLimit smallest(const Model& model, const Adjacency& adjacency, Shares shares) const;
 
-    std::vector<char> asked_;           ///< by block: bounds are of these
-    std::vector<char> near_;            ///< by block: asked, or in contact with one that is
-    // By block; of a joined block: those of the whole body.
-    std::vector<Vec3> centroid_;
-    std::vector<double> gyration2_;     ///< least moment of inertia over mass
-    std::vector<double> body_mass_;     ///< of joined blocks
-    std::vector<char> held_;
-    std::vector<double> root_of_block_; ///< one over the root of the mass, 0 for what cannot move
-    std::vector<double> root_of_gridpoint_;
-    std::vector<ContactSums> sums_;     ///< by contact; of contacts between rigid blocks
-    std::vector<double> coupling_;      ///< by sub-contact; of contacts of deformable blocks
+    bool damped_ = false;
+    std::vector<char> asked_;  ///< by block: bounds are of these
+    std::vector<char> near_;   ///< by block: asked, or in contact with one that is
+    std::vector<Row> body_;    ///< by block: of joined rigid blocks the row in Adjacency::bodies, else no_row
+    std::vector<BodyFrame> frames_;        ///< by block; of joined ones at the first
+    std::vector<Row> lead_;                ///< by block: itself or the first of those that it is joined to
+    std::vector<SpringSums> sums_;         ///< by contact, of contacts between rigid blocks
+    std::vector<Beta> beta_;               ///< by contact
+    std::vector<double> resistance_;       ///< by block: about its largest eigenvalue without its neighbours
+    std::vector<double> root_of_gridpoint_; ///< 1 over the root of the mass, 0 for what cannot move
+    std::vector<double> zone_part_, point_resistance_; ///< by gridpoint
     BodyStiffness stiffness_;
 };
 

@@ -19,12 +19,13 @@ template <int k> void set_gravity(Model& model, Row, const FieldValue& value) {
     model.settings.gravity[k] = number(value);
 }
 void set_gravity_vector(Model& model, Row, const FieldValue& value) { model.settings.gravity = vector(value); }
+FieldValue fraction(const Model& model, Row) { return time_step_fraction(model.settings); }
 void set_fraction(Model& model, Row, const FieldValue& value) {
-    const double fraction = number(value);
-    if (!(fraction > 0 && fraction <= 1))
-        throw Diagnostic(fmt::format("the time step cannot be {} of the largest stable one", fraction),
+    const double part = number(value);
+    if (!(part > 0 && part <= 1))
+        throw Diagnostic(fmt::format("the time step cannot be {} of the largest stable one", part),
                          "give a number above 0 and at most 1");
-    model.settings.time_step_fraction = fraction;
+    model.settings.time_step_fraction = part;
     model.properties_changed = true;
 }
 
@@ -84,9 +85,9 @@ const Fields& global_fields() {
         {table, "gravity_y", "grav_y", "", "acceleration", "the same as y_gravity", gravity<1>, set_gravity<1>},
         {table, "gravity_z", "grav_z", "", "acceleration", "the same as z_gravity", gravity<2>, set_gravity<2>},
         {table, "time_step_fraction", "fracb", "", "-", "time step as a part of the largest stable one",
-         setting<&Settings::time_step_fraction>, set_fraction},
+         fraction, set_fraction},
         {table, "zone_time_step_fraction", "fracz", "", "-", "the same as time_step_fraction",
-         setting<&Settings::time_step_fraction>, set_fraction},
+         fraction, set_fraction},
         {table, "globally_damped", "damp_auto", "", "-", "1 with adaptive global damping", damped_by<Damping::global>,
          nullptr},
         {table, "locally_damped", "damp_local", "", "-", "1 with local damping", damped_by<Damping::local>, nullptr},

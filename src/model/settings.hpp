@@ -35,7 +35,7 @@ struct Settings {
     bool rayleigh_mass = true;       ///< the part that is proportional to mass acts
     bool rayleigh_stiffness = true;  ///< the part that is proportional to stiffness acts
     double contact_damping = 0;      ///< of critical damping, in a dashpot at every contact
-    double time_step_fraction = 0.25; ///< of the largest stable step; about what 3DEC takes
+    double time_step_fraction = 0;   ///< of the largest stable step; 0: by the damping, see time_step_fraction()
     double given_time_step = 0;      ///< 0: computed
     MassScaling mass_scaling = MassScaling::none;
     double scaled_time_step = 0;     ///< of partial density scaling
@@ -52,6 +52,15 @@ struct Settings {
     /// two defaults above decide.
     std::int32_t default_properties = -1;
 };
+
+/// The part of the largest stable step that is taken. On the way to rest stability is enough; motion that is to be
+/// followed needs several steps for each of its periods, or touches that come and go make energy.
+inline double time_step_fraction(const Settings& settings) {
+    if (settings.time_step_fraction > 0) return settings.time_step_fraction;
+    const bool to_rest = settings.damping == Damping::local || settings.damping == Damping::global ||
+                         settings.damping == Damping::combined;
+    return to_rest ? 0.75 : 0.25;
+}
 
 /// Numbers that the cycle keeps from step to step.
 struct Clock {

@@ -1,0 +1,60 @@
+// Stiffness matrices of one rigid body, six by six, and their largest eigenvalue: docs/theory/time-step.md.
+#pragma once
+
+#include "base/vector.hpp"
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace kaya {
+
+/// Translations first, then rotations.
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+/// Sums over points with a weight each: of the weight, and of it times the place and its square.
+struct Moments {
+    double weight = 0;
+    Vec3 first = Vec3::Zero();
+    Mat3 second = Mat3::Zero();
+
+    void add(double w, const Vec3& place) {
+        weight += w;
+        first += w * place;
+        second += (w * place) * place.transpose();
+    }
+    /// The same points seen from a place that lies at -arm.
+    Moments from(const Vec3& arm) const {
+        const Vec3 product = first + weight * arm;
+        return {weight, product, second + arm * first.transpose() + product * arm.transpose()};
+    }
+    Moments operator*(double f) const { return {f * weight, f * first, f * second}; }
+};
+
+/// The springs of one contact: weights are stiffnesses across and along its plane, places are counted from its position.
+struct SpringSums {
+    Moments normal, shear;
+};
+
+/// Adds `times` the stiffness matrix of springs that hold a body; `arm` leads from the centre of the body to their origin.
+void add_springs(Mat6& matrix, const SpringSums& springs, const Vec3& normal, const Vec3& arm, double times);
+
+/// How a rigid body resists: mass and inertia in coordinates in which both are 1.
+struct BodyFrame {
+    Vec3 centre = Vec3::Zero();
+    double root_of_mass = 0;        ///< 1 over it; 0 for what cannot move
+    Mat3 root_of_inertia = Mat3::Zero(); ///< lower triangle L with L J L^T = 1
+    std::uint8_t fixed = 0;         ///< Fixity bits
+
+    bool moves() const { return root_of_mass > 0; }
+    /// A stiffness matrix in these coordinates, (rad/time)^2; components that are held have zeros.
+    Mat6 scaled(const Mat6& stiffness) const;
+};
+
+/// `inertia` about the centre, global axes. Components that are held are left out (the others follow from their momentum).
+BodyFrame make_frame(const Vec3& centre, double mass, const Mat3& inertia, std::uint8_t fixed);
+
+/// A number that no eigenvalue of the symmetric matrix, none of which is below 0, exceeds; it is the largest one but for
+/// less than 0.4 %.
+double largest_eigenvalue(const Mat6& matrix);
+
+} // namespace kaya

@@ -1,0 +1,156 @@
+#include "mechanics/time_step.hpp"
+
+#include "base/diagnostic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace kaya {
+
+namespace {
+
+/// The step shrinks a little more than it must, so that it does not have to again in the next cycle.
+constexpr double shrink = 0.9;
+/// Masses that were scaled for a step give it back but for rounding.
+constexpr double rounding = 1e-8;
+/// The part of the energy that has been turned over which a step beyond the bound may have made.
+constexpr double most_made = 0.1;
+/// Full density scaling makes no body lighter than this part of its mass: gravity would throw one that is hardly held.
+constexpr double lightest = 0.1;
+
+/// Where nothing is elastic, a thousandth of the time to fall through one's own size is fine enough.
+double step_of_falling(const Model& model) {
+    double size = 1;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) size = std::min(size, std::cbrt(model.blocks.volume[b]));
+    const double g = model.settings.gravity.norm();
+    return 1e-3 * (g > 0 ? std::sqrt(2 * size / g) : 1.0);
+}
+
+} // namespace
+
+/// Density scaling. `anew`: masses may also become smaller and the step another; otherwise the step stays, and
+/// bodies that have become too stiff for it get more mass.
+void TimeStep::fit_masses(Model& model, const Adjacency& adjacency, bool anew) {
+    const Settings& settings = model.settings;
+    const double fraction = time_step_fraction(settings);
+    const auto reached = [&](Masses masses) {
+        return fraction * bounds_.limit(model, adjacency, masses).stable >= settings.scaled_time_step;
+    };
+    if (settings.mass_scaling == MassScaling::full) {
+        const BodyStiffness& stiffness = bounds_.stiffness(model, adjacency);
+        if (!anew) return raise_masses(model, stiffness, model.clock.time_step / fraction);
+        const double given = settings.given_time_step;
+        const double target = given > 0 ? given / fraction : mean_stable_step(model, stiffness);
+        if (target > 0) scale_masses(model, stiffness, target, lightest);
+        return;
+    }
+    if (anew && reached(Masses::real)) return restore_masses(model);
+    // The dashpots of contacts follow the masses and shorten the step in turn.
+    for (int i = 0; i < 20 && (anew || !reached(Masses::inertial)); ++i) {
+        const double target = settings.scaled_time_step / fraction;
+        const BodyStiffness& stiffness = bounds_.stiffness(model, adjacency);
+        if (anew) scale_masses(model, stiffness, target, 1);
+        else raise_masses(model, stiffness, target);
+        anew = false;
+    }
+}
+
+/// `all`: `stable` is the bound of all bodies.
+void TimeStep::take_given(Model& model, const Adjacency& adjacency, double stable, bool all) {
+    const double given = model.settings.given_time_step;
+    if (given <= stable) {
+        model.clock.time_step = given;
+        if (all) beyond_bound_ = false;
+        return;
+    }
+    // The bound is on the safe side; what the bodies do together may allow more.
+    const double needed = 0.25 * given * given * bounds_.estimate(model, adjacency, given);
+    if (needed > 1) {
+        Diagnostic d(fmt::format("the time step {:.6g} is above the largest stable one, {:.6g}", given,
+                                 std::max(stable, given / std::sqrt(needed))),
+                     "give a smaller one, or none");
+        d.add(report(model, adjacency));
+        throw d;
+    }
+    model.clock.time_step = given;
+    beyond_bound_ = true;
+    model.settings.energy = true;
+}
+
+void TimeStep::audit(const Model& model) const {
+    if (!beyond_bound_) return;
+    const Energy& e = model.energy;
+    const double made = -e.error();
+    const double turned = e.start + std::abs(e.gravity) + std::abs(e.boundary) + e.kinetic + std::abs(e.damped) + e.joint_friction;
+    if (!(made > most_made * turned)) return;
+    Diagnostic d(fmt::format("the time step {:.6g} makes energy: {:.6g} of {:.6g} come from nowhere", model.clock.time_step, made, turned),
+                 "give a smaller one with `set dt`, or `set dt 0` for the one that is computed", Fault::run);
+    d.code = "step-makes-energy";
+    throw d;
+}
+
+/// The longest step, not above `step`, at the end of which no joint will be so stiff that it is too long.
+double TimeStep::without_growth(const Model& model, const Adjacency& adjacency, double step) {
+    const double fraction = time_step_fraction(model.settings);
+    for (int i = 0; i < 200 && ahead_.look(model, adjacency, step); ++i) {
+        bounds_.foreseen = &ahead_.springs();
+        bounds_.update_at(model, adjacency, ahead_.marks());
+        const double allowed = fraction * bounds_.limit(model, adjacency).stable;
+        bounds_.foreseen = nullptr;
+        if (allowed >= (1 - rounding) * step) break;
+        step = std::max(allowed, 0.5 * step);
+    }
+    return step;
+}
+
+void TimeStep::limit(Model& model, const Adjacency& adjacency, std::vector<char>& changed, Look look) {
+    Clock& clock = model.clock;
+    const Settings& settings = model.settings;
+    const bool scaled = settings.mass_scaling != MassScaling::none, may_grow = look == Look::all_and_grow;
+    const bool all = look != Look::marked || scaled;
+    double stable = std::numeric_limits<double>::infinity();
+    if (all || std::find(changed.begin(), changed.end(), 1) != changed.end()) {
+        if (all) bounds_.update(model, adjacency);
+        else bounds_.update_at(model, adjacency, changed);
+        std::fill(changed.begin(), changed.end(), 0);
+        if (scaled) {
+            // The step stays and masses follow, also for the stiffness that is to come.
+            if (ahead_.needed() && clock.time_step > 0 && ahead_.look(model, adjacency, clock.time_step)) {
+                bounds_.foreseen = &ahead_.springs();
+                bounds_.update(model, adjacency);
+            }
+            fit_masses(model, adjacency, may_grow || clock.time_step == 0);
+        }
+        stable = bounds_.limit(model, adjacency).stable;
+        bounds_.foreseen = nullptr;
+    }
+    if (settings.given_time_step > 0) return take_given(model, adjacency, stable, all);
+    if (clock.time_step == 0) clock.time_step = std::isinf(stable) ? step_of_falling(model) : time_step_fraction(settings) * stable;
+    double step = clock.time_step;
+    if (!std::isinf(stable)) {
+        const double wanted = time_step_fraction(settings) * stable;
+        const double least = settings.mass_scaling == MassScaling::partial ? settings.scaled_time_step : 0;
+        if (wanted < (1 - rounding) * step) step = std::max(shrink * wanted, std::min(wanted, least));
+        else if (may_grow && wanted * shrink * shrink > step) step = wanted;
+    }
+    clock.time_step = ahead_.needed() && !scaled ? without_growth(model, adjacency, step) : step;
+}
+
+std::string TimeStep::report(const Model& model, const Adjacency& adjacency) {
+    bounds_.update(model, adjacency);
+    const StepLimit limit = bounds_.limit(model, adjacency);
+    if (!limit.exists()) return "nothing limits the time step: no stiffness acts";
+    if (limit.of_block)
+        return fmt::format("largest stable step {:.6g}, set by block {} and the joints on it", limit.stable,
+                           model.blocks.number[limit.row]);
+    const auto& points = model.gridpoints;
+    const Vec3& x = points.position[limit.row];
+    return fmt::format("largest stable step {:.6g}, set by the gridpoint of block {} at ({:.6g}, {:.6g}, {:.6g}): "
+                       "{:.0f} % by its zones, {:.0f} % by joints",
+                       limit.stable, model.blocks.number[points.block[limit.row]], x.x(), x.y(), x.z(),
+                       100 * limit.part_of_zones, 100 * (1 - limit.part_of_zones));
+}
+
+} // namespace kaya

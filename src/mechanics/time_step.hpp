@@ -1,0 +1,45 @@
+// How long the next step may be: docs/theory/time-step.md.
+#pragma once
+
+#include "mechanics/look_ahead.hpp"
+#include "mechanics/phases.hpp"
+#include "mechanics/step_bounds.hpp"
+
+#include <string>
+
+namespace kaya {
+
+/// Writes Clock::time_step and, where density is scaled, inertial masses. The step is a function of the state at the
+/// cycles in which it is asked for, whatever was asked before.
+class TimeStep {
+public:
+    /// Which bodies are looked at: those on the marked contacts and their neighbours, or all; and whether the step may
+    /// become longer too.
+    enum class Look { marked, all, all_and_grow };
+
+    /// Clears the marks. Throws Diagnostic when the step that the deck gives is too long.
+    void limit(Model& model, const Adjacency& adjacency, std::vector<char>& changed, Look look);
+
+    /// Whether the step may have to be shorter though no stiffness has changed yet.
+    bool looks_ahead() const { return ahead_.needed(); }
+    void take(const Model& model, const std::vector<Batch>& batches) { ahead_.take(model, batches); }
+    void forget() { ahead_.forget(); }
+
+    /// Throws Diagnostic (Fault::run) when the step is longer than the bound allows and energy has been made.
+    void audit(const Model& model) const;
+
+    /// The body that limits the time step and why, in words.
+    std::string report(const Model& model, const Adjacency& adjacency);
+
+private:
+    void fit_masses(Model& model, const Adjacency& adjacency, bool anew);
+    void take_given(Model& model, const Adjacency& adjacency, double stable, bool all);
+
+    double without_growth(const Model& model, const Adjacency& adjacency, double step);
+
+    StepBounds bounds_;
+    LookAhead ahead_;
+    bool beyond_bound_ = false; ///< the deck gives a step that only the estimate allows
+};
+
+} // namespace kaya
