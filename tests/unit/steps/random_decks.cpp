@@ -1,0 +1,184 @@
+// Decks made by chance from a seed: the time step in use never exceeds the bound, and a run that is saved and restored at any
+// cycle goes on with the same bits.
+#include "commands/session.hpp"
+
+#include "base/diagnostic.hpp"
+#include "mechanics/step_bounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace kaya {
+namespace {
+
+/// The same numbers everywhere for a seed.
+class Chance {
+public:
+    explicit Chance(std::uint64_t seed) : bits_(seed * 2654435769u + 12345) {}
+
+    double between(double low, double high) {
+        bits_ = bits_ * 6364136223846793005u + 1442695040888963407u;
+        return low + (high - low) * static_cast<double>(bits_ >> 11) * 0x1p-53;
+    }
+    /// Over decades.
+    double scale(double low, double high) { return std::pow(10, between(std::log10(low), std::log10(high))); }
+    int below(int n) { return static_cast<int>(between(0, n)); }
+    bool heads(double part = 0.5) { return between(0, 1) < part; }
+
+private:
+    std::uint64_t bits_;
+};
+
+/// Lines that are run one after another, and cycles between them.
+struct Part {
+    std::string line;
+    int cycles = 0;
+};
+
+std::string brick(Chance& c, double low) {
+    const double x = c.between(-1, 1), y = c.between(-1, 1), z = c.between(low, low + 1);
+    return fmt::format("poly brick {:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}", x, x + c.scale(0.03, 2), y, y + c.scale(0.03, 2), z,
+                       z + c.scale(0.03, 1));
+}
+
+std::string joint_law(Chance& c) {
+    const double kn = c.scale(1e6, 1e10), ks = c.scale(1e6, 1e10);
+    switch (c.below(5)) {
+    case 0: return fmt::format("jmodel model elastic jkn {:.4g} jks {:.4g}", kn, ks);
+    case 1:
+        return fmt::format("jmodel barton-bandis jkn {:.4g} jks {:.4g} resfriction 20 jrco 8 jcso 100 sigmac 150 lo 0.1 ln 0.2", kn, ks);
+    case 2:
+        return fmt::format("jmodel model nonlinear jkn {:.4g} jks {:.4g} jen {:.2g} jes 0.3 fric 30", c.scale(1e5, 1e8), c.scale(1e5, 1e8),
+                           c.between(0.1, 0.9));
+    default: return fmt::format("jmodel model mohr jkn {:.4g} jks {:.4g} jfric {:.3g} jcoh {:.3g}", kn, ks, c.between(0, 50), c.heads() ? 0 : 1e4);
+    }
+}
+
+std::string change(Chance& c) {
+    switch (c.below(6)) {
+    case 0: return brick(c, 0.5);
+    case 1: return fmt::format("damp contact {:.2g}", c.heads() ? 0 : c.between(0.01, 0.5));
+    case 2: return fmt::format("jset dip {:.3g} dd {:.3g} spacing {:.3g} num 2 org 0 0 0.5{}", c.between(0, 90), c.between(0, 360), c.between(0.2, 1), c.heads() ? " join" : "");
+    case 3: return c.heads() ? "damp local" : "damp 0.05 20";
+    case 4: return fmt::format("apply zload {:.4g} range id 2", -c.scale(1e2, 1e6));
+    default: return joint_law(c);
+    }
+}
+
+std::vector<Part> random_deck(std::uint64_t seed) {
+    Chance c(seed);
+    std::vector<Part> parts;
+    const auto add = [&](const std::string& line, int cycles = 0) { parts.push_back({line, cycles}); };
+    add(fmt::format("prop mat 1 dens {:.4g} bulk {:.4g} shear {:.4g}", c.scale(100, 5000), c.scale(1e7, 1e10), c.scale(1e7, 1e10)));
+    add(fmt::format("prop jmat 1 jkn {:.4g} jks {:.4g} jfric 30", c.scale(1e6, 1e10), c.scale(1e6, 1e10)));
+    add("poly brick -3 3 -3 3 -1 0");
+    add("fix range id 1");
+    add("gravity 0 0 -9.81");
+    const int bricks = 1 + c.below(5);
+    for (int i = 0; i < bricks; ++i) add(brick(c, i == 0 ? 0 : 0.3 * i));
+    if (c.heads(0.3)) add(fmt::format("gen edge {:.3g} range id 2", c.between(0.3, 1)));
+    add(joint_law(c));
+    if (c.heads(0.4)) add(fmt::format("damp contact {:.2g}", c.between(0.01, 0.5)));
+    if (c.heads(0.3)) add("damp none");
+    add("", 5 + c.below(30));
+    for (int i = 0; i < 3; ++i) add(change(c), 5 + c.below(40));
+    return parts;
+}
+
+class Run {
+public:
+    Run() : results_(std::tmpfile()), messages_(std::tmpfile()) {
+        Options options;
+        options.threads = 1;
+        session_ = std::make_unique<Session>(options, results_, messages_);
+    }
+    ~Run() {
+        session_.reset();
+        std::fclose(results_);
+        std::fclose(messages_);
+    }
+    /// False when the command is refused, as some of those that chance makes are.
+    bool run(const std::string& line) {
+        try {
+            session_->interpreter.run_text(line, "random.3dd");
+        } catch (const Diagnostic&) {
+            return false;
+        }
+        return true;
+    }
+    Session& session() { return *session_; }
+
+private:
+    std::FILE* results_;
+    std::FILE* messages_;
+    std::unique_ptr<Session> session_;
+};
+
+/// The hashes after `cycles` more cycles of a run and of the same run restored from a file.
+void expect_same_when_restored(Run& run, int cycles, const std::string& where) {
+    const auto file = (std::filesystem::temp_directory_path() / fmt::format("kaya-random-{}.h5", where)).string();
+    ASSERT_TRUE(run.run("save " + file)) << where;
+    Run other;
+    ASSERT_TRUE(other.run("restore " + file)) << where;
+    std::filesystem::remove(file);
+    for (int i = 0; i < cycles; ++i) {
+        const bool went = run.run("cycle 1");
+        EXPECT_EQ(other.run("cycle 1"), went) << where;
+        if (!went) return;
+        ASSERT_EQ(state_hash(run.session().model), state_hash(other.session().model))
+            << where << ", " << i + 1 << " cycles after it was restored";
+    }
+}
+
+/// By the bound of all bodies as they are now.
+double largest_stable_step(const Model& model) {
+    const Adjacency adjacency = make_adjacency(model);
+    StepBounds bounds;
+    bounds.update(model, adjacency);
+    return bounds.limit(model, adjacency).stable;
+}
+
+/// Cycles that were looked at.
+int check(std::uint64_t seed) {
+    Run run;
+    Chance c(seed + 1000000);
+    int looked_at = 0, part_number = 0;
+    for (const Part& part : random_deck(seed)) {
+        if (!part.line.empty()) (void)run.run(part.line);
+        for (int i = 0; i < part.cycles; ++i) {
+            if (!run.run("cycle 1")) return looked_at; // nothing to run, or a law that gives up
+            ++looked_at;
+            const double step = run.session().model.clock.time_step, stable = largest_stable_step(run.session().model);
+            EXPECT_LE(step, stable) << "seed " << seed << ", cycle " << run.session().model.clock.cycle;
+            if (step > stable) return looked_at;
+        }
+        if (part.cycles > 0 && c.heads(0.7)) expect_same_when_restored(run, 3, fmt::format("{}-{}", seed, part_number));
+        ++part_number;
+        if (testing::Test::HasFailure()) return looked_at;
+    }
+    return looked_at;
+}
+
+// KAYA_RANDOM_DECKS says how many; the slow test asks for more.
+TEST(random_decks, the_step_stays_below_the_bound_and_a_restored_run_goes_on_with_the_same_bits) {
+    const char* given = std::getenv("KAYA_RANDOM_DECKS");
+    const int decks = given ? std::atoi(given) : 40;
+    int looked_at = 0;
+    for (int seed = 1; seed <= decks; ++seed) {
+        looked_at += check(static_cast<std::uint64_t>(seed));
+        ASSERT_FALSE(HasFailure()) << "seed " << seed;
+    }
+    EXPECT_GT(looked_at, 30 * decks); // most decks run to their end
+}
+
+} // namespace
+} // namespace kaya
