@@ -18,6 +18,8 @@ constexpr double steps_ahead = 2;
 constexpr double small_growth = 0.25;
 /// A way that a law refuses is as good as one at the end of which it is so many times as stiff.
 constexpr double refused = 1e6;
+/// The part of the stable step that is taken leaves room for a stiffness that grows so many times.
+constexpr double harmless = 1.25;
 /// Stiffnesses that differ by less than this part are the same.
 constexpr double same = 1e-9;
 
@@ -208,7 +210,7 @@ bool LookAhead::look_at(const Model& model, const Batch& batch, Row c, double st
         const bool failed = run_batch(*batch.model, columns).has_value();
         const double normal = failed ? refused * springs.normal : copy.normal_stiffness * copy.area * factor;
         const double shear = failed ? springs.shear : copy.shear_stiffness * copy.area;
-        if (normal <= springs.normal && shear <= springs.shear) continue;
+        if (normal <= harmless * springs.normal && shear <= harmless * springs.shear) continue;
         springs = {std::max(springs.normal, normal), std::max(springs.shear, shear)};
         grows = true;
     }
