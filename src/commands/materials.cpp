@@ -4,7 +4,6 @@
 #include "commands/handlers.hpp"
 #include "jointtest/bench.hpp"
 #include "mechanics/contact_properties.hpp"
-#include "mechanics/glue.hpp"
 
 #include <algorithm>
 #include <array>
@@ -306,7 +305,6 @@ double material_value(const Model& model, const JointRegistry& joints, std::int6
 std::set<Row> property_sets_in_use(const Model& model) {
     std::set<Row> rows(model.contacts.properties.begin(), model.contacts.properties.end());
     rows.erase(no_row);
-    std::erase_if(rows, [&](Row row) { return model.joint_properties[row].material == material_of_glue; });
     return rows;
 }
 

@@ -120,6 +120,7 @@ void run(Session& session, const lang::Damp& command) {
     std::ranges::fill(model.sub_contacts.dashpot_normal, 0.0);
     for (auto& column : model.sub_contacts.dashpot_shear.component) std::ranges::fill(column, 0.0);
     std::ranges::fill(model.zones.dashpot, Stress::Zero());
+    std::ranges::fill(model.ties.dashpot, Vec3::Zero());
 }
 
 void run(Session& session, const lang::MassScale& command) {

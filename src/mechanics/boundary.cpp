@@ -5,6 +5,7 @@
 #include "geometry/touch.hpp"
 #include "mechanics/phases.hpp"
 #include "mechanics/rotation.hpp"
+#include "model/ties.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -154,6 +155,7 @@ std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& 
     for (std::size_t c = 0; c < model.contacts.size(); ++c)
         if (model.contacts.touch[c] == Touch::face_face)
             covered[model.contacts.face1[c]] = covered[model.contacts.face2[c]] = 1;
+    for (const Row face : tied_faces(model)) covered[face] = 1;
     std::vector<Row> rows;
     for (std::size_t t = 0; t < model.triangles.size(); ++t) {
         const auto& corners = model.triangles.gridpoints[t];

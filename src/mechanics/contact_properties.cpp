@@ -6,7 +6,7 @@
 #include "mechanics/contact_table.hpp"
 #include "mechanics/property_sets.hpp"
 #include "mechanics/take_over.hpp"
-#include "model/selection.hpp"
+#include "mechanics/ties.hpp"
 
 #include <algorithm>
 #include <array>
@@ -66,9 +66,8 @@ constexpr std::array<std::pair<std::int32_t, const char*>, 2> numbered_models{{{
 
 std::vector<char> initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts);
 
-/// Glue is no joint, and select() leaves it out.
 bool are_all_joints(const Model& model, const std::vector<Row>& contacts) {
-    return contacts.size() == select(model, ObjectKind::contact, {}, true).size();
+    return contacts.size() == model.contacts.size();
 }
 
 } // namespace
@@ -114,6 +113,7 @@ Row property_set(Model& model, JointRegistry& joints, const std::string& name, s
 
 void find_contacts(Model& model, JointRegistry& joints) {
     if (!model.structure_changed) return;
+    make_ties(model); // tied blocks have no contact
     model.tables([](const char*, auto& table) { table.trim(); });
     ContactSearch{}.search(model, joints, false);
     give_back_memory(); // the search takes much for a moment, and the columns made meanwhile stand behind it on the heap

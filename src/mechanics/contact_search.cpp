@@ -5,6 +5,7 @@
 #include "mechanics/overlap_contact.hpp"
 #include "model/joined.hpp"
 #include "model/measure.hpp"
+#include "model/ties.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -123,6 +124,7 @@ std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int,
                            const std::vector<Box>& boxes, const std::vector<double>& ways, const std::vector<char>& moved) {
     const auto& contacts = model.contacts;
     const auto& margin = model.blocks.margin;
+    const TiedBlocks tied(model);
     // What moves may be wider together before the next look.
     const auto beside = [&](int a, int b) {
         const double sliver = narrowest_touch(model, a, b) - 2 * (ways[a] + ways[b]);
@@ -133,7 +135,7 @@ std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int,
     std::size_t c = 0;
     const auto blocks_of = [&](std::size_t row) { return std::array<int, 2>{contacts.block1[row], contacts.block2[row]}; };
     const auto add = [&](const std::array<int, 2>& pair, Row old) {
-        if (joined(model, pair[0], pair[1]) && !model.blocks.deformable[pair[0]]) return; // with zones they are glued
+        if (joined(model, pair[0], pair[1]) && (!model.blocks.deformable[pair[0]] || tied.contains(pair[0], pair[1]))) return;
         const bool look = moved[pair[0]] || moved[pair[1]];
         if (look || old != no_row) pairs.push_back({pair[0], pair[1], old, look});
     };

@@ -4,9 +4,9 @@
 #include "base/memory.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/contact_search.hpp"
-#include "mechanics/glue.hpp"
 #include "mechanics/phases.hpp"
 #include "mechanics/take_over.hpp"
+#include "mechanics/ties.hpp"
 #include "mechanics/time_step.hpp"
 #include "model/sampling.hpp"
 
@@ -92,6 +92,7 @@ struct Cycle::Scratch {
     std::vector<ElasticConstants> elastic;
     DriveLists drives;
     QuietPoints quiet;
+    TieLists ties;
     TimeStep step;
     JointForces joints;
     std::vector<Vec3> corner_forces;
@@ -122,11 +123,12 @@ void Cycle::prepare() {
     Scratch& s = *scratch_;
     find_contacts(model_, joints_);
     if (model_.properties_changed) {
-        glue_joined_blocks(model_, joints_);
         check_properties(model_, joints_);
         compute_masses(model_);
         s.elastic = elastic_constants(model_);
+        s.ties = TieLists(model_, s.elastic);
         zone_frequencies(model_, s.elastic);
+        add_tie_frequencies(model_, s.ties);
     }
     if (model_.lists_changed || model_.properties_changed) {
         s.step.forget(); // properties may be others now
@@ -144,7 +146,7 @@ void Cycle::prepare() {
     if (model_.properties_changed) {
         drive_loads(model_, s.drives, hooks);
         // Forces of what is there already, so that the first step starts from them.
-        gather_forces(model_, s.adjacency, s.joints, s.corner_forces);
+        gather_forces(model_, s.adjacency, s.ties, s.joints, s.corner_forces);
         model_.clock.time_step = 0;
         s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, TimeStep::Look::all_and_grow);
         model_.properties_changed = false;
@@ -157,6 +159,7 @@ void Cycle::make_lists() {
     s.batches = make_batches(model_, joints_);
     s.step.take(model_, s.batches);
     s.elastic = elastic_constants(model_);
+    s.ties = TieLists(model_, s.elastic);
     s.drives = list_drives(model_);
     put_water(model_);
     joint_forces(model_, s.joints);
@@ -211,15 +214,20 @@ void Cycle::advance() {
     DriveSums driven;
     const MotionSums motion = s.timed(move, [&] {
         driven = drive_velocities(model_, s.drives, hooks);
+        if (!s.drives.velocities.empty()) driven.add(follow_driven(model_, s.ties));
         MotionSums sums = move_blocks(model_, s.adjacency.bodies);
-        sums.add(move_gridpoints(model_, s.quiet));
+        sums.add(move_gridpoints(model_, s.quiet, s.ties));
         return sums;
     });
     const JointSums joint_sums = s.timed(joint, [&] {
         put_water(model_);
         return advance_joints(model_, s.batches, s.joints);
     });
-    const ZoneSums zone_sums = s.timed(zone, [&] { return run_zone_models(model_, s.elastic, s.corner_forces); });
+    const ZoneSums zone_sums = s.timed(zone, [&] {
+        ZoneSums sums = run_zone_models(model_, s.elastic, s.corner_forces);
+        sums.add(run_ties(model_, s.ties));
+        return sums;
+    });
     clock.time += clock.time_step;
     ++clock.cycle;
     const ContactChange contacts_changed = s.timed(search, [&] {
@@ -227,10 +235,8 @@ void Cycle::advance() {
         ContactChange change = s.search.refresh_slid(model_, joints_);
         if (ContactSearch::due(model_)) change = std::max(change, s.search.search(model_, joints_, true));
         if (change == ContactChange::none) return change;
-        if (change == ContactChange::replaced) {
-            glue_joined_blocks(model_, joints_);
-            check_properties(model_, joints_); // a contact that is new may have a joint material of its own
-        }
+        // A contact that is new may have a joint material of its own.
+        if (change == ContactChange::replaced) check_properties(model_, joints_);
         if (model_.lists_changed) make_lists();
         else joint_forces_of_new(model_, s.joints);
         model_.lists_changed = false;
@@ -238,7 +244,7 @@ void Cycle::advance() {
     });
     const double inner_power = s.timed(gather, [&] {
         drive_loads(model_, s.drives, hooks);
-        return gather_forces(model_, s.adjacency, s.joints, s.corner_forces);
+        return gather_forces(model_, s.adjacency, s.ties, s.joints, s.corner_forces);
     });
     run_hooks(hooks.after_forces);
 
@@ -250,7 +256,10 @@ void Cycle::advance() {
     const bool follows = joint_sums.stiffness_changed || s.step.looks_ahead();
     if (follows || contacts_changed != ContactChange::none || may_grow)
         s.timed(step, [&] {
-            if (may_grow) zone_frequencies(model_, s.elastic);
+            if (may_grow) {
+                zone_frequencies(model_, s.elastic);
+                add_tie_frequencies(model_, s.ties);
+            }
             const auto look = may_grow                                          ? TimeStep::Look::all_and_grow
                               : follows && clock.cycle % follow_interval == 0 ? TimeStep::Look::all
                                                                               : TimeStep::Look::marked;

@@ -10,25 +10,6 @@ namespace kaya {
 
 namespace {
 
-/// Normals that differ by less are one direction.
-constexpr double parallel = 1e-3;
-
-/// Adds a direction to a roller when it is another than those that it has, at right angles to them.
-void add_direction(Roller& roller, Vec3 direction, double speed) {
-    if (roller.count == 3) return;
-    for (std::int32_t k = 0; k < roller.count; ++k) {
-        const Vec3& known = roller.direction[static_cast<std::size_t>(k)];
-        const double along = direction.dot(known);
-        direction -= along * known;
-        speed -= along * roller.speed[k];
-    }
-    const double length = direction.norm();
-    if (length < parallel) return;
-    roller.direction[static_cast<std::size_t>(roller.count)] = direction / length;
-    roller.speed[roller.count] = speed / length;
-    ++roller.count;
-}
-
 /// Rollers by what they are, so that gridpoints of one face share one.
 class RollerRows {
 public:
@@ -55,7 +36,25 @@ private:
     std::map<Key, std::int32_t> rows_;
 };
 
+/// Normals that differ by less are one direction.
+constexpr double parallel = 1e-3;
+
 } // namespace
+
+void add_direction(Roller& roller, Vec3 direction, double speed) {
+    if (roller.count == 3) return;
+    for (std::int32_t k = 0; k < roller.count; ++k) {
+        const Vec3& known = roller.direction[static_cast<std::size_t>(k)];
+        const double along = direction.dot(known);
+        direction -= along * known;
+        speed -= along * roller.speed[k];
+    }
+    const double length = direction.norm();
+    if (length < parallel) return;
+    roller.direction[static_cast<std::size_t>(roller.count)] = direction / length;
+    roller.speed[roller.count] = speed / length;
+    ++roller.count;
+}
 
 std::size_t make_quiet(Model& model, const std::vector<Row>& triangles, std::uint8_t bits) {
     std::size_t count = 0;

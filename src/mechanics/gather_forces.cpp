@@ -1,5 +1,6 @@
 #include "base/reduce.hpp"
 #include "mechanics/phases.hpp"
+#include "mechanics/ties.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,10 +14,10 @@ constexpr std::size_t grain = 512;
 
 /// Unbalanced forces of free bodies against the forces that act on them.
 struct Balance {
-    double largest = 0;      ///< unbalanced force of one body
-    double unbalanced = 0;   ///< sum over bodies
-    double applied = 0;      ///< sum over bodies of the sizes of all forces on them
-    double local_ratio = 0;  ///< largest unbalanced over applied of one body
+    double largest = 0;     ///< unbalanced force of one body
+    double unbalanced = 0;  ///< sum over bodies
+    double applied = 0;     ///< sum over bodies of the sizes of all forces on them
+    double local_ratio = 0; ///< largest unbalanced over applied of one body
     std::size_t bodies = 0;
     double inner_power = 0;  ///< of the forces of joints and zones
 
@@ -64,13 +65,74 @@ void add_body(const Model& model, const Adjacency& adjacency, const JointForces&
     if ((fixed & 7) != 7) balance.add(free_part(force, fixed), acting);
 }
 
+/// Forces on gridpoints, and the sum of the sizes of all that act on one.
+struct PointForces {
+    const Model& model;
+    const Adjacency& adjacency;
+    const TieLists& ties;
+    const JointForces& joints;
+    const std::vector<Vec3>& corner_forces;
+
+    Vec3 sum(Row row, double& acting) const {
+        Vec3 sum = Vec3::Zero();
+        const auto add = [&](const Vec3& force) {
+            sum += force;
+            acting += force.norm();
+        };
+        for (auto c = adjacency.corners.begin(row); c != adjacency.corners.end(row); ++c)
+            add(corner_forces[*c]);
+        for (auto e = adjacency.of_gridpoint.begin(row); e != adjacency.of_gridpoint.end(row); ++e)
+            add((e->side == 0 ? -e->weight : e->weight) * joints.of_sub_contact[e->sub_contact]);
+        for (const auto& share : ties.shares(row))
+            add(share.weight * (model.ties.force[share.tie] + model.ties.dashpot[share.tie]));
+        acting += model.gridpoints.load[row].norm() + weight(row).norm();
+        return sum;
+    }
+    Vec3 weight(Row row) const { return model.gridpoints.mass[row] * model.settings.gravity; }
+};
+
+/// What is out of balance on a point; `force` is the sum of all forces.
+void add_point(const Vec3& force, std::uint8_t fixed, const Roller& roller, double acting, Balance& balance) {
+    if ((fixed & 7) == 7) return;
+    Vec3 unbalanced = free_part(force, fixed);
+    if (roller.count != 0) unbalanced += roller_change(roller, unbalanced, fixed, Vec3::Zero());
+    balance.add(unbalanced, acting);
+}
+
+/// Gridpoints that are tied to each other count as one.
+Balance gather_groups(Model& model, const PointForces& forces) {
+    auto& g = model.gridpoints;
+    const auto& ties = forces.ties;
+    return reduce_chunks(
+        ties.groups(), grain, Balance{},
+        [&](std::size_t first, std::size_t last) {
+            Balance part;
+            for (std::size_t i = first; i < last; ++i) {
+                Vec3 sum = Vec3::Zero();
+                double acting = 0;
+                std::uint8_t fixed = 0;
+                for (const Row row : ties.members(i)) {
+                    g.force[row] = forces.sum(row, acting);
+                    sum += g.force[row] + g.load[row] + forces.weight(row);
+                    fixed |= g.fixed[row];
+                }
+                add_point(sum, fixed, ties.roller(i), acting, part);
+                share_forces(model, ties.members(i));
+                for (const Row row : ties.members(i)) part.inner_power += g.force[row].dot(g.velocity[row]);
+            }
+            return part;
+        },
+        combine);
+}
+
 } // namespace
 
-double gather_forces(Model& model, const Adjacency& adjacency, const JointForces& joints,
+double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& ties, const JointForces& joints,
                    const std::vector<Vec3>& corner_forces) {
     auto& g = model.gridpoints;
     auto& blocks = model.blocks;
     const Vec3 gravity = model.settings.gravity;
+    const PointForces forces{model, adjacency, ties, joints, corner_forces};
 
     Balance balance = reduce_chunks(
         g.size(), grain, Balance{},
@@ -78,32 +140,17 @@ double gather_forces(Model& model, const Adjacency& adjacency, const JointForces
             Balance part;
             for (std::size_t i = first; i < last; ++i) {
                 const Row row = static_cast<Row>(i);
-                if (!blocks.deformable[g.block[row]]) continue;
-                Vec3 sum = Vec3::Zero();
+                if (!blocks.deformable[g.block[row]] || ties.in_group(row)) continue;
                 double acting = 0;
-                for (auto c = adjacency.corners.begin(row); c != adjacency.corners.end(row); ++c) {
-                    sum += corner_forces[*c];
-                    acting += corner_forces[*c].norm();
-                }
-                for (auto e = adjacency.of_gridpoint.begin(row); e != adjacency.of_gridpoint.end(row); ++e) {
-                    const Vec3 force = (e->side == 0 ? -e->weight : e->weight) * joints.of_sub_contact[e->sub_contact];
-                    sum += force;
-                    acting += force.norm();
-                }
-                g.force[row] = sum;
-                part.inner_power += sum.dot(g.velocity[row]);
-                const Vec3 weight = g.mass[row] * gravity;
-                if ((g.fixed[row] & 7) != 7) {
-                    Vec3 unbalanced = free_part(sum + g.load[row] + weight, g.fixed[row]);
-                    if (g.roller[row] != 0)
-                        unbalanced += roller_change(model.rollers[static_cast<std::size_t>(g.roller[row])], unbalanced,
-                                                    g.fixed[row], Vec3::Zero());
-                    part.add(unbalanced, acting + g.load[row].norm() + weight.norm());
-                }
+                g.force[row] = forces.sum(row, acting);
+                part.inner_power += g.force[row].dot(g.velocity[row]);
+                add_point(g.force[row] + g.load[row] + forces.weight(row), g.fixed[row],
+                          model.rollers[static_cast<std::size_t>(g.roller[row])], acting, part);
             }
             return part;
         },
         combine);
+    combine(balance, gather_groups(model, forces));
 
     const Balance of_blocks = reduce_chunks(
         blocks.size(), grain, Balance{},
@@ -114,7 +161,8 @@ double gather_forces(Model& model, const Adjacency& adjacency, const JointForces
                 Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
                 double acting = 0;
                 if (blocks.deformable[row]) {
-                    for (Row p = blocks.gridpoints[row].first; p < blocks.gridpoints[row].end(); ++p) sum += g.force[p];
+                    for (Row p = blocks.gridpoints[row].first; p < blocks.gridpoints[row].end(); ++p)
+                        sum += g.force[p];
                     blocks.force[row] = sum;
                     continue;
                 }

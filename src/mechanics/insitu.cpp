@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "mechanics/contact_table.hpp"
 #include "mechanics/take_over.hpp"
+#include "mechanics/ties.hpp"
 #include "mechanics/topography.hpp"
 #include "model/measure.hpp"
 
@@ -55,6 +56,7 @@ Vec3 inside_joint(const Model& model, Row s) {
 void set_insitu_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
                        const std::vector<Row>& sub_contacts, const StressField& stress) {
     for (const Row z : zones) model.zones.stress[z] = stress.at(zone_centroid(model, z));
+    set_tie_tractions(model, zones);
     put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress.at(model.sub_contacts.position[s]); });
 }
 
@@ -70,12 +72,14 @@ void set_topography_stress(Model& model, JointRegistry& joints, const std::vecto
     for_chunks(zones.size(), 256, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) model.zones.stress[zones[i]] = stress_at(zone_centroid(model, zones[i]));
     });
+    set_tie_tractions(model, zones);
     put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress_at(inside_joint(model, s)); });
 }
 
 void set_stress_component(Model& model, const std::vector<Row>& zones, int component, double at_origin,
                           const Vec3& gradient) {
     for (const Row z : zones) model.zones.stress[z][component] = at_origin + gradient.dot(zone_centroid(model, z));
+    set_tie_tractions(model, zones);
     model.properties_changed = true;
 }
 

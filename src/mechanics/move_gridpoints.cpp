@@ -1,5 +1,6 @@
 #include "base/reduce.hpp"
 #include "mechanics/motion.hpp"
+#include "mechanics/ties.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,60 +28,137 @@ void add_travel(Model& model) {
     });
 }
 
-/// Moves the velocity of a gridpoint on a quiet boundary or on rollers. What a roller pushes is the boundary's work; what
-/// a quiet boundary brakes counts as damped.
-void advance_on_boundary(Model& model, const QuietPoints& quiet, Row row, const DampingFactors& damping, MotionLanes& sums) {
-    auto& g = model.gridpoints;
-    const double mass = g.inertial_mass[row], step = model.clock.time_step;
-    const std::uint8_t fixed = g.fixed[row];
-    const Vec3 weight = g.mass[row] * model.settings.gravity, force = g.force[row] + g.load[row] + weight;
+/// A point that moves: a gridpoint, or several that are tied to each other.
+struct MovingPoint {
+    double mass, inertial_mass;
+    Vec3 force, load;
+    std::uint8_t fixed;
+    const Roller& roller;
+    bool quiet = false;
+    Mat3 dashpot = Mat3::Zero(); ///< of a quiet boundary
+};
+
+/// Moves the velocity of a point on a quiet boundary or on rollers. What a roller pushes is the boundary's
+/// work; what a quiet boundary brakes counts as damped.
+void advance_on_boundary(const Model& model, const MovingPoint& point, const DampingFactors& damping,
+                         Vec3& velocity, Vec3& last_force, MotionLanes& sums) {
+    const double mass = point.inertial_mass, step = model.clock.time_step;
+    const Vec3 weight = point.mass * model.settings.gravity, force = point.force + point.load + weight;
     Vec3 brake = Vec3::Zero(), support = Vec3::Zero();
-    if (quiet.at(row)) brake = quiet_force(quiet.dashpot[quiet.index[row]], mass, g.velocity[row], force, fixed, step);
-    const Lanes before = lanes(g.velocity[row]), held = prescribed(fixed);
-    sums.add_power(lanes(g.force[row]) * before);
-    Lanes after = damping.advance(before, lanes(force + brake), step / mass, g.last_force[row]);
+    if (point.quiet) brake = quiet_force(point.dashpot, mass, velocity, force, point.fixed, step);
+    const Lanes before = lanes(velocity), held = prescribed(point.fixed);
+    sums.add_power(lanes(point.force) * before);
+    Lanes after = damping.advance(before, lanes(force + brake), step / mass, last_force);
     for (int k = 0; k < lane_count; ++k) after[k] = held[k] != 0 ? before[k] : after[k];
-    store(g.velocity[row], after);
-    if (g.roller[row] != 0) {
-        const Roller& roller = model.rollers[static_cast<std::size_t>(g.roller[row])];
-        const Vec3 change = roller_change(roller, g.velocity[row], fixed, roller.speed);
-        g.velocity[row] += change;
+    store(velocity, after);
+    if (point.roller.count != 0) {
+        const Vec3 change = roller_change(point.roller, velocity, point.fixed, point.roller.speed);
+        velocity += change;
         support = mass * change;
-        after = lanes(g.velocity[row]);
+        after = lanes(velocity);
     }
     const Lanes mean = 0.5 * (before + after);
     const Lanes rest = (mass * (after - before) - lanes(support) - lanes(force) * step) * mean;
     sums.gravity += lanes(weight) * mean * step;
-    sums.boundary += (lanes(g.load[row]) * step + lanes(support)) * mean + held * rest;
+    sums.boundary += (lanes(point.load) * step + lanes(support)) * mean + held * rest;
     sums.damped -= (1 - held) * rest;
     sums.kinetic_before += 0.5 * mass * before * before;
     sums.kinetic += 0.5 * mass * after * after;
 }
 
+void place(Model& model, Row row) {
+    auto& g = model.gridpoints;
+    const Vec3 way = g.velocity[row] * model.clock.time_step;
+    g.displacement[row] += way;
+    if (model.settings.large_strain) g.position[row] += way;
+}
+
+/// The velocity of a group before a step: what its members have in common; after an impact of parts, or when
+/// a script has set that of one, the mean by mass. The first that is held says how fast.
+Vec3 common_velocity(const Model& model, std::span<const Row> members) {
+    const auto& g = model.gridpoints;
+    Vec3 velocity = g.velocity[members.front()];
+    if (std::ranges::any_of(members, [&](Row row) { return g.velocity[row] != velocity; })) {
+        double mass = 0;
+        velocity.setZero();
+        for (const Row row : members) {
+            velocity += g.inertial_mass[row] * g.velocity[row];
+            mass += g.inertial_mass[row];
+        }
+        velocity /= mass;
+    }
+    for (int k = 0; k < 3; ++k) {
+        const auto holder = std::ranges::find_if(members, [&](Row row) { return g.fixed[row] & (1 << k); });
+        if (holder != members.end()) velocity[k] = g.velocity[*holder][k];
+    }
+    return velocity;
+}
+
+void move_group(Model& model, std::span<const Row> members, const Roller& roller, const QuietPoints& quiet,
+                const DampingFactors& damping, MotionLanes& sums) {
+    auto& g = model.gridpoints;
+    MovingPoint point{0, 0, Vec3::Zero(), Vec3::Zero(), 0, roller};
+    for (const Row row : members) {
+        point.mass += g.mass[row];
+        point.inertial_mass += g.inertial_mass[row];
+        point.force += g.force[row];
+        point.load += g.load[row];
+        point.fixed |= g.fixed[row];
+        if (!quiet.at(row)) continue;
+        point.quiet = true;
+        point.dashpot += quiet.dashpot[quiet.index[row]];
+    }
+    Vec3 velocity = common_velocity(model, members), last_force = g.last_force[members.front()];
+    if (point.quiet || roller.count != 0)
+        advance_on_boundary(model, point, damping, velocity, last_force, sums);
+    else
+        advance_velocity(velocity, point.force, point.load, point.mass * lanes(model.settings.gravity),
+                         point.inertial_mass, model.clock.time_step, point.fixed, damping, last_force, sums);
+    for (const Row row : members) {
+        g.velocity[row] = velocity;
+        g.last_force[row] = last_force;
+        place(model, row);
+    }
+}
+
 } // namespace
 
-MotionSums move_gridpoints(Model& model, const QuietPoints& quiet) {
+MotionSums move_gridpoints(Model& model, const QuietPoints& quiet, const TieLists& ties) {
     auto& g = model.gridpoints;
     const Settings& settings = model.settings;
     const DampingFactors damping(settings, model.clock);
     const double step = model.clock.time_step;
     const Lanes gravity = lanes(settings.gravity);
-    const MotionSums whole = reduce_chunks(
+    MotionSums whole = reduce_chunks(
         g.size(), grain, MotionSums{},
         [&](std::size_t first, std::size_t last) {
             MotionLanes sums;
             for (std::size_t row = first; row < last; ++row) {
-                if (!model.blocks.deformable[g.block[row]]) continue;
+                if (!model.blocks.deformable[g.block[row]] || ties.in_group(static_cast<Row>(row))) continue;
                 Vec3& v = g.velocity[row];
-                if (quiet.at(row) || g.roller[row] != 0)
-                    advance_on_boundary(model, quiet, static_cast<Row>(row), damping, sums);
-                else
-                    advance_velocity(v, g.force[row], g.load[row], g.mass[row] * gravity, g.inertial_mass[row], step,
-                                     g.fixed[row], damping, g.last_force[row], sums);
-                const Vec3 way = v * step;
-                g.displacement[row] += way;
-                if (settings.large_strain) g.position[row] += way;
+                if (quiet.at(row) || g.roller[row] != 0) {
+                    MovingPoint point{g.mass[row],  g.inertial_mass[row],
+                                      g.force[row], g.load[row],
+                                      g.fixed[row], model.rollers[static_cast<std::size_t>(g.roller[row])]};
+                    point.quiet = quiet.at(row);
+                    if (point.quiet) point.dashpot = quiet.dashpot[quiet.index[row]];
+                    advance_on_boundary(model, point, damping, v, g.last_force[row], sums);
+                } else {
+                    advance_velocity(v, g.force[row], g.load[row], g.mass[row] * gravity,
+                                     g.inertial_mass[row], step, g.fixed[row], damping, g.last_force[row],
+                                     sums);
+                }
+                place(model, static_cast<Row>(row));
             }
+            return sums.sums();
+        },
+        combine);
+    whole = reduce_chunks(
+        ties.groups(), grain, whole,
+        [&](std::size_t first, std::size_t last) {
+            MotionLanes sums;
+            for (std::size_t i = first; i < last; ++i)
+                move_group(model, ties.members(i), ties.roller(i), quiet, damping, sums);
             return sums.sums();
         },
         combine);

@@ -35,6 +35,7 @@ inline void MotionSums::add(const MotionSums& part) {
 
 struct Hooks;
 struct BodyStiffness;
+class TieLists;
 
 /// The drives by what they do, and room for the values of their functions; derived.
 struct DriveLists {
@@ -50,6 +51,13 @@ struct DriveSums {
     double kinetic = 0;           ///< change of kinetic energy
     double gravity = 0, boundary = 0;
     double inner_power = 0;       ///< change of the power of the forces of joints and zones
+
+    void add(const DriveSums& part) {
+        kinetic += part.kinetic;
+        gravity += part.gravity;
+        boundary += part.boundary;
+        inner_power += part.inner_power;
+    }
 };
 
 /// Sets the prescribed velocities that change with time to those of the middle of the step. Throws Diagnostic
@@ -63,8 +71,9 @@ void drive_loads(Model& model, DriveLists& lists, const Hooks& hooks);
 /// and the positions of their vertices. Joined blocks move as one.
 MotionSums move_blocks(Model& model, const JoinedBodies& bodies);
 
-/// The same for gridpoints of deformable blocks; quiet boundaries brake theirs, rollers keep theirs on their way.
-MotionSums move_gridpoints(Model& model, const QuietPoints& quiet);
+/// The same for gridpoints of deformable blocks; quiet boundaries brake theirs, rollers keep theirs on their way, and
+/// those that are tied to each other move as one.
+MotionSums move_gridpoints(Model& model, const QuietPoints& quiet, const TieLists& ties);
 
 /// What contacts pass on in a cycle; derived, so that it is not part of the model.
 struct JointForces {
@@ -142,6 +151,11 @@ std::vector<ElasticConstants> elastic_constants(const Model& model);
 struct ZoneSums {
     double work = 0;   ///< put into them
     double damped = 0; ///< taken up by viscous stress
+
+    void add(const ZoneSums& part) {
+        work += part.work;
+        damped += part.damped;
+    }
 };
 
 /// Reads gridpoint motion; writes zone stresses and the four corner forces of every zone.
@@ -152,7 +166,7 @@ void zone_forces(const Model& model, std::vector<Vec3>& corner_forces);
 
 /// Reads contact forces, corner forces, loads; writes forces and moments in row order, and the unbalanced
 /// force and its ratios in the clock. Returns the power of the forces of joints and zones on the bodies.
-double gather_forces(Model& model, const Adjacency& adjacency, const JointForces& joints,
+double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& ties, const JointForces& joints,
                    const std::vector<Vec3>& corner_forces);
 
 /// Masses of blocks and gridpoints from the densities. Throws Diagnostic when one is missing.

@@ -38,6 +38,7 @@ public:
     Column<std::int32_t> group; ///< index into Model::group_names, 0 is none
     Column<std::int32_t> body;  ///< blocks of equal body move as one (joined.hpp); 0: on its own
     Column<std::int32_t> shape; ///< number of its surface and mesh, no two alike: another behind each cut and each meshing
+    Column<std::int32_t> tied_shape; ///< its shape when its ties to the other blocks of its body were made (ties.hpp), 0: not yet
     Column<std::uint8_t> hidden;
     Column<std::uint8_t> deformable;
     Column<std::uint8_t> fixed;   ///< Fixity bits, rigid blocks
@@ -77,6 +78,7 @@ public:
         visit("group", group);
         visit("body", body);
         visit("shape", shape);
+        visit("tied_shape", tied_shape);
         visit("hidden", hidden);
         visit("deformable", deformable);
         visit("fixed", fixed);

@@ -178,6 +178,28 @@ void check_sub_contacts(Findings& findings, const Model& model) {
     }
 }
 
+/// Ties count their rows from the first of blocks that may be gone by now; those of pairs that hold are looked at.
+void check_ties(Findings& findings, const Model& model) {
+    const auto& pairs = model.tied_pairs;
+    const auto& ties = model.ties;
+    check_spans(findings, "tied_pairs", "tie", pairs.ties, ties.pair);
+    for (std::size_t p = 0; p < pairs.size() && findings.clean(); ++p) {
+        std::array<Row, 2> blocks;
+        if (!blocks_of_pair(model, static_cast<Row>(p), blocks)) continue;
+        const auto in_block = [&](const Column<Span>& spans, int side, Row row) {
+            return inside(row, static_cast<std::size_t>(spans[blocks[side]].count));
+        };
+        for (Row t = pairs.ties[p].first; t < pairs.ties[p].end(); ++t) {
+            bool right = in_block(model.blocks.faces, 0, ties.face1[t]) && in_block(model.blocks.faces, 1, ties.face2[t]) &&
+                         in_block(model.blocks.zones, 0, ties.zone1[t]) && in_block(model.blocks.zones, 1, ties.zone2[t]);
+            for (int k = 0; k < 3; ++k)
+                right = right && in_block(model.blocks.gridpoints, 0, ties.gridpoints1[t][k]) &&
+                        in_block(model.blocks.gridpoints, 1, ties.gridpoints2[t][k]);
+            findings.require(right, "ties", t, "its blocks have no such gridpoints, faces or zones");
+        }
+    }
+}
+
 void check_histories(Findings& findings, const Model& model) {
     const auto& histories = model.histories;
     const std::size_t samples = histories.time.size();
@@ -239,7 +261,7 @@ std::string inconsistency(Model& model) {
     if (!findings.clean()) return findings.text();
 
     for (const auto check :
-         {check_blocks, check_geometry, check_excavated, check_contacts, check_sub_contacts, check_histories, check_drives}) {
+         {check_blocks, check_geometry, check_excavated, check_contacts, check_sub_contacts, check_ties, check_histories, check_drives}) {
         check(findings, model);
         if (!findings.clean()) break;
     }

@@ -66,7 +66,7 @@ void put_to_rest(Model& model, Row b) {
         (*column)[b] = Vec3::Zero();
     blocks.load_arms[b] = Mat3::Zero();
     blocks.travelled[b] = 0;
-    blocks.body[b] = 0;
+    blocks.body[b] = blocks.tied_shape[b] = 0;
     auto& points = model.gridpoints;
     for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g)
         for (auto* column :

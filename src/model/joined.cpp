@@ -112,7 +112,10 @@ void join_pairs(Model& model, const std::vector<std::pair<Row, Row>>& pairs) {
         if (const std::size_t root = root_of(parent, b); changed.contains(root))
             members[root].push_back(static_cast<Row>(b));
     for (const auto& [root, rows] : members) {
-        for (const Row b : rows) blocks.body[b] = blocks.number[rows.front()];
+        for (const Row b : rows) {
+            blocks.body[b] = blocks.number[rows.front()];
+            blocks.tied_shape[b] = 0;
+        }
         if (!blocks.deformable[rows.front()]) share_motion(model, rows);
     }
     if (!pairs.empty()) model.structure_changed = model.properties_changed = true;
@@ -148,7 +151,7 @@ void unjoin(Model& model, const std::vector<Row>& rows) {
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (blocks.body[b] == 0 || !apart.contains(blocks.body[b])) continue;
         const Row row = static_cast<Row>(b);
-        blocks.body[b] = 0;
+        blocks.body[b] = blocks.tied_shape[b] = 0;
         if (blocks.deformable[b]) continue;
         blocks.angular_momentum[b] = block_inertia(model, row, blocks.mass[b]) * blocks.rotational_velocity[b];
         blocks.inertial_mass[b] = blocks.mass[b];

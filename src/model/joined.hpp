@@ -1,5 +1,5 @@
-// Blocks that are joined: concave solids, and what a deck joins. Rigid ones move as one body; those with zones are glued
-// where their faces lie on each other.
+// Blocks that are joined: concave solids, and what a deck joins. Rigid ones move as one body; those with zones are tied
+// where their faces lie on each other (ties.hpp).
 #pragma once
 
 #include "model/model.hpp"
@@ -11,14 +11,9 @@
 
 namespace kaya {
 
-/// Whether two blocks are parts of one body; between them there is no joint.
+/// Whether two blocks are parts of one body.
 inline bool joined(const Model& model, Row a, Row b) {
     return model.blocks.body[a] != 0 && model.blocks.body[a] == model.blocks.body[b];
-}
-
-/// Whether a contact is no joint but the glue between joined blocks with zones. Rigid ones have no contact at all.
-inline bool glued(const Model& model, Row contact) {
-    return joined(model, model.contacts.block1[contact], model.contacts.block2[contact]);
 }
 
 /// The rigid bodies of more than one block; derived from Blocks::body. Members in ascending order.

@@ -8,6 +8,7 @@
 #include "model/history.hpp"
 #include "model/materials.hpp"
 #include "model/settings.hpp"
+#include "model/ties.hpp"
 
 #include <array>
 #include <map>
@@ -46,6 +47,8 @@ struct Model {
     Zones zones;
     Contacts contacts;
     SubContacts sub_contacts;
+    TiedPairs tied_pairs;
+    Ties ties;
     Drives drives;
     Excavated excavated; ///< blocks that were taken out and may be put back
 
@@ -85,6 +88,8 @@ struct Model {
         visit("zones", zones);
         visit("contacts", contacts);
         visit("sub_contacts", sub_contacts);
+        visit("tied_pairs", tied_pairs);
+        visit("ties", ties);
         visit("drives", drives);
         visit("excavated_blocks", excavated.blocks);
         visit("excavated_gridpoints", excavated.gridpoints);

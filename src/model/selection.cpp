@@ -1,6 +1,5 @@
 #include "model/selection.hpp"
 
-#include "model/joined.hpp"
 #include "model/measure.hpp"
 
 #include <algorithm>
@@ -17,12 +16,6 @@ bool visible(const Model& model, ObjectKind kind, Row row) {
     if (kind == ObjectKind::contact) return both_shown(row);
     if (kind == ObjectKind::sub_contact) return both_shown(model.sub_contacts.contact[row]);
     return shown(block_of(model, kind, row));
-}
-
-/// The glue inside joined blocks is nothing that a deck can ask for.
-bool is_glue(const Model& model, ObjectKind kind, Row row) {
-    if (kind == ObjectKind::contact) return glued(model, row);
-    return kind == ObjectKind::sub_contact && glued(model, model.sub_contacts.contact[row]);
 }
 
 } // namespace
@@ -44,7 +37,7 @@ std::vector<Row> select(const Model& model, ObjectKind kind, const RangeTest& te
     std::vector<Row> rows;
     const auto count = static_cast<Row>(count_of(model, kind));
     for (Row row = 0; row < count; ++row) {
-        if ((!hidden_too && !visible(model, kind, row)) || is_glue(model, kind, row)) continue;
+        if (!hidden_too && !visible(model, kind, row)) continue;
         if (!test || test(model, kind, row)) rows.push_back(row);
     }
     return rows;

@@ -1,0 +1,85 @@
+// Ties between joined blocks with zones, at work: docs/theory/ties.md.
+#pragma once
+
+#include "mechanics/adjacency.hpp"
+#include "mechanics/phases.hpp"
+#include "model/model.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace kaya {
+
+/// Brings the ties up to date with bodies and meshes: void ones go, and bodies whose ties have not been made
+/// get them where faces of their blocks lie on each other. Where all corners of the two meshes are the same,
+/// gridpoints are tied exactly; elsewhere springs at the corners of the common refinement hold the faces, at
+/// first with the forces that the stresses of the zones behind them ask for.
+void make_ties(Model& model);
+
+/// Gives springs between zones that are both in the list (ascending rows) the forces that go with the
+/// stresses there.
+void set_tie_tractions(Model& model, const std::vector<Row>& zones);
+
+/// What is derived from the ties: rows, sums and stiffnesses.
+class TieLists {
+public:
+    TieLists() = default;
+    /// `elastic` has one entry per block.
+    TieLists(const Model& model, const std::vector<ElasticConstants>& elastic);
+
+    /// Gridpoints that move as one, as groups; members in ascending order.
+    std::size_t groups() const { return start_.size() - 1; }
+    std::span<const Row> members(std::size_t group) const {
+        return {members_.data() + start_[group], start_[group + 1] - start_[group]};
+    }
+    bool in_group(Row gridpoint) const { return !grouped_.empty() && grouped_[gridpoint]; }
+    /// What holds a group: the rollers of all its members.
+    const Roller& roller(std::size_t group) const { return rollers_[group]; }
+
+    /// A spring: rows of the gridpoints of its two triangles, and its stiffness, force/length.
+    struct Spring {
+        Row tie;
+        std::array<Attachment, 2> side;
+        double stiffness;
+    };
+    const std::vector<Spring>& springs() const { return springs_; }
+
+    /// The part of a spring's force on the second block that acts on a gridpoint.
+    struct Share {
+        Row tie;
+        double weight;
+    };
+    std::span<const Share> shares(Row gridpoint) const {
+        if (shares_.entries.empty()) return {};
+        return {shares_.begin(gridpoint), shares_.end(gridpoint)};
+    }
+
+private:
+    void find_groups(const Model& model);
+    void find_springs(const Model& model, const std::vector<ElasticConstants>& elastic);
+
+    std::vector<std::size_t> start_{0};
+    std::vector<Row> members_;
+    std::vector<char> grouped_; ///< by gridpoint; empty when there are none
+    std::vector<Roller> rollers_;
+    std::vector<Spring> springs_;
+    Lists<Share> shares_;
+};
+
+/// What springs hold a gridpoint with, as a bound of its part of the squared frequency with the true mass:
+/// adds to Gridpoints::zone_frequency.
+void add_tie_frequencies(Model& model, const TieLists& ties);
+
+/// Reads gridpoint motion; writes the forces of the springs.
+ZoneSums run_ties(Model& model, const TieLists& ties);
+
+/// Members of a group that others of it hold and drive get their velocity, as drive_velocities does for
+/// those.
+DriveSums follow_driven(Model& model, const TieLists& ties);
+
+/// Shares the forces of a group's members: by mass where it is free, so that all are accelerated alike; in
+/// directions in which some of them are held these bear all. Sums over the group stay.
+void share_forces(Model& model, std::span<const Row> members);
+
+} // namespace kaya

@@ -1,0 +1,85 @@
+// What holds joined blocks with zones together: docs/theory/ties.md.
+#pragma once
+
+#include "model/blocks.hpp"
+#include "model/column.hpp"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace kaya {
+
+struct Model;
+
+/// Pairs of joined blocks with zones whose surfaces have been looked at: there are no contacts between them.
+/// Blocks stand here by their ids, so that nothing needs to be renamed when rows move.
+class TiedPairs : public Table<TiedPairs> {
+public:
+    Column<BlockId> block1, block2;
+    Column<std::int32_t> shape1,
+        shape2;        ///< Blocks::shape when they were looked at; the pair is void when it is another
+    Column<Span> ties; ///< a pair's rows are contiguous and in the order of pairs; none where no faces lie on
+                       ///< each other
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("block1", block1);
+        visit("block2", block2);
+        visit("shape1", shape1);
+        visit("shape2", shape2);
+        visit("ties", ties);
+    }
+};
+
+/// One place where two faces of joined blocks are held together. Rows of gridpoints, faces and zones are
+/// counted from the first of their block.
+class Ties : public Table<Ties> {
+public:
+    Column<Row> pair;
+    Column<std::uint8_t> exact; ///< two gridpoints that move as one; otherwise a spring between two triangles
+    Column<Row> face1, face2;
+    Column<std::array<Row, 3>> gridpoints1, gridpoints2; ///< of the triangle that holds the place
+    Column<std::array<double, 3>> weights1, weights2;    ///< sum to 1; of an exact tie 1, 0, 0
+    Column<Row> zone1, zone2;                            ///< behind the triangles
+    Column<double> area;                                 ///< of the common face that the place stands for
+    Column<Vec3> force;                                  ///< of a spring on the second block, global axes
+    Column<Vec3> dashpot;                                ///< viscous force besides, where damping asks for it
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("pair", pair);
+        visit("exact", exact);
+        visit("face1", face1);
+        visit("face2", face2);
+        visit("gridpoints1", gridpoints1);
+        visit("gridpoints2", gridpoints2);
+        visit("weights1", weights1);
+        visit("weights2", weights2);
+        visit("zone1", zone1);
+        visit("zone2", zone2);
+        visit("area", area);
+        visit("force", force);
+        visit("dashpot", dashpot);
+    }
+};
+
+/// The rows of the two blocks of a pair; nothing when one is gone, has got another shape, or they are joined
+/// no longer.
+bool blocks_of_pair(const Model& model, Row pair, std::array<Row, 2>& blocks);
+
+/// Which blocks are a looked-at pair at present; derived.
+class TiedBlocks {
+public:
+    explicit TiedBlocks(const Model& model);
+    bool contains(Row a, Row b) const;
+
+private:
+    std::vector<std::array<Row, 2>> pairs_; ///< the lower row first, sorted
+};
+
+/// The faces on which another block of the same body is tied, as ascending rows.
+std::vector<Row> tied_faces(const Model& model);
+
+/// Takes out the pairs that are void. A body that has lost a block to them comes apart where no tie is left.
+void drop_void_ties(Model& model);
+
+} // namespace kaya
