@@ -1,6 +1,7 @@
 // The highest frequency by Lanczos's method: closer than the bound, and no bound.
 #include "mechanics/phases.hpp"
 #include "mechanics/step_bounds.hpp"
+#include "mechanics/ties.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -86,7 +87,9 @@ public:
             at_point_[g] = size_;
             size_ += 3;
         }
-        if (model.zones.size() > 0) elastic_ = elastic_constants(model);
+        if (model.zones.size() == 0) return;
+        elastic_ = elastic_constants(model);
+        ties_ = TieLists(model, elastic_);
     }
     std::size_t size() const { return size_; }
 
@@ -111,6 +114,7 @@ public:
             }
         }
         add_zones(x, y);
+        add_ties(x, y);
         return y;
     }
 
@@ -167,11 +171,27 @@ private:
         }
     }
 
+    /// Springs of ties. Gridpoints that are tied exactly count as free, which allows no longer step.
+    void add_ties(const Vector& x, Vector& y) const {
+        const double more = 1 + 2 * stiffness_damping(model_.settings) / step_;
+        for (const auto& spring : ties_.springs()) {
+            Vec3 way = Vec3::Zero();
+            for (int side = 0; side < 2; ++side)
+                for (int k = 0; k < 3; ++k)
+                    way += (side == 0 ? -1 : 1) * spring.side[side].weights[k] * of_point(x, spring.side[side].gridpoints[k]);
+            for (int side = 0; side < 2; ++side)
+                for (int k = 0; k < 3; ++k)
+                    push_point(y, spring.side[side].gridpoints[k],
+                               (side == 0 ? -1 : 1) * spring.side[side].weights[k] * more * spring.stiffness * way);
+        }
+    }
+
     const Model& model_;
     const StepBounds& bounds_;
     double step_;
     std::vector<std::size_t> at_block_, at_point_;
     std::vector<ElasticConstants> elastic_;
+    TieLists ties_;
     std::size_t size_ = 0;
 };
 
