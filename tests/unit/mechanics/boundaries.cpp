@@ -1,4 +1,5 @@
 #include "mechanics/face_conditions.hpp"
+#include "mechanics/rotation.hpp"
 #include "model/joined.hpp"
 #include "model/measure.hpp"
 #include "two_bricks.hpp"
@@ -94,7 +95,7 @@ struct JoinedTee : Bench {
         Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
         for (std::size_t b = 0; b < model.blocks.size(); ++b) {
             force += model.blocks.load[b];
-            moment += model.blocks.torque[b] + model.blocks.centroid[b].cross(model.blocks.load[b]);
+            moment += load_moment(model, static_cast<Row>(b)) + model.blocks.centroid[b].cross(model.blocks.load[b]);
         }
         return {force, moment};
     }
