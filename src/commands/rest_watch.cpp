@@ -16,7 +16,7 @@ constexpr std::size_t most_marks = 8;
 /// A body that keeps this part of its mean velocity from one span to the next does not slow down.
 constexpr double kept_velocity = 0.9;
 /// Less displacement than this part of what its springs give under the forces on it is a body at rest.
-constexpr double quiet_part = 0.1;
+constexpr double quiet_part = 0.1 / 16;
 
 bool held(const Model& model, std::size_t b) {
     if (!model.blocks.deformable[b]) return (model.blocks.fixed[b] & 7) == 7;
@@ -89,8 +89,8 @@ void RestWatch::look() {
 std::optional<MovingBody> RestWatch::moving() const {
     // Late marks only: what springs gave when the run began is no motion of now.
     constexpr std::size_t least_marks = 4;
-    constexpr std::int64_t least_cycles = 100; // before, springs are still taking up their forces
-    if (marks_.size() < least_marks || cycles_ < least_cycles) return std::nullopt;
+    constexpr double least_time = 25; // in largest stable steps; before, springs are still taking up their forces
+    if (marks_.size() < least_marks || static_cast<double>(cycles_) * time_step_fraction(model_.settings) < least_time) return std::nullopt;
     const Mark now = mark();
     const Mark &middle = marks_[marks_.size() - 2], &first = marks_[marks_.size() - 3];
     if (first.blocks != now.blocks || middle.blocks != now.blocks) return std::nullopt;
@@ -98,7 +98,7 @@ std::optional<MovingBody> RestWatch::moving() const {
     if (!(before > 0 && after > 0)) return std::nullopt;
     const std::vector<double> acting = acting_forces(model_);
     const auto& blocks = model_.blocks;
-    const double step = model_.clock.time_step;
+    const double step = model_.clock.time_step / time_step_fraction(model_.settings); // the largest stable one
     MovingBody most;
     for (std::size_t b = 0; b < now.blocks.size(); ++b) {
         if (held(model_, b) || !(blocks.inertial_mass[b] > 0)) continue;
