@@ -87,11 +87,17 @@ constexpr Explanation explanations[] = {
      "The saved state belongs to the library that was used then: same name, same properties. Use that one."},
     {"property-missing", "a property that must be given",
      "The joint or block model cannot run without it. Give it with 'prop' or 'jmodel property' before the first cycle."},
+    {"forces-not-carried", "a joint model cannot carry the forces that a joint has",
+     "The joint had them from another model, from 'insitu' or from a script. They are cut to the strength of the new model,\n"
+     "and what held them before is gone. Look at the strength, or bring the model to rest before the change."},
     // Runs.
     {"motion-lost", "numbers that are not finite in the motion",
      "Something moved further than numbers can tell, nearly always because the step was too long for a stiffness that\n"
      "nobody reported, or because loads are in other units than stiffnesses. Look at the last histories, and try a\n"
      "smaller 'set fraction'."},
+    {"step-makes-energy", "a time step beyond the bound makes energy",
+     "The step of 'set dt' is above the one that is surely stable, and more than a tenth of the energy that has been turned\n"
+     "over comes from nowhere. Give a smaller one, or 'set dt 0' for the one that is computed."},
     // Exit status.
     {"status-1", "the deck is wrong", "Exit status 1. Nothing has run when the mistake is one of the words of the deck."},
     {"status-2", "the run failed",

@@ -367,6 +367,7 @@ syntax keyword kayaKeyword state
 syntax keyword kayaKeyword step
 syntax keyword kayaKeyword steps
 syntax keyword kayaKeyword stiffness
+syntax keyword kayaKeyword still
 syntax keyword kayaKeyword stress
 syntax keyword kayaKeyword structure
 syntax keyword kayaKeyword subcontacts
