@@ -184,7 +184,7 @@ bool any_row_pulls(const Model& model, Row contact) {
 /// An overlap that is closed over most of what it covers may be a joint again, if it does not roll: a joint follows
 /// small rotations only.
 bool may_close(const Model& model, Row contact) {
-    constexpr double part = 0.62; // a wedge fills one half
+    constexpr double part = 0.4; // a joint about to open carries on half of its area, which is kept a rung too large
     constexpr double rolling = 0.25; // of the depth, in the time of two looks
     const auto& contacts = model.contacts;
     if (!(contacts.depth[contact] > 0 && contacts.area[contact] > part * contacts.stiffness_area[contact])) return false;
@@ -197,7 +197,7 @@ bool may_close(const Model& model, Row contact) {
 bool closes_everywhere(const Model& model, Row contact, const TouchGeometry& touch) {
     const auto& contacts = model.contacts;
     const Vec3& origin = model.blocks.centroid[contacts.block1[contact]];
-    constexpr double least = 0.15; // of the depth: a joint that is about to open would go to and fro
+    constexpr double least = 0.03; // of the depth: a joint that is about to open would go to and fro
     return std::all_of(touch.points.begin(), touch.points.end(), [&](const TouchPoint& p) {
         return contacts.offset[contact] + contacts.offset_tilt[contact].dot(p.position - origin) - p.gap > least * contacts.depth[contact];
     });

@@ -1,0 +1,224 @@
+// Joints between rigid blocks that begin to open: from then on their force follows the overlap.
+#include "mechanics/contact_geometry.hpp"
+#include "mechanics/overlap_contact.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace kaya {
+
+bool is_partly_open(const Model& model, Row c) {
+    const auto& subs = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[c];
+    bool open = false, closed = false;
+    for (Row s = span.first; s < span.end(); ++s) {
+        if (subs.normal_force[s] < 0) return false;
+        (subs.normal_force[s] > 0 ? closed : open) = true;
+    }
+    return open && closed;
+}
+
+namespace {
+
+/// What the sub-contacts of a joint say of its closure.
+struct Closures {
+    double force = 0; ///< sum over rows
+    Vec3 shear = Vec3::Zero();
+    Row most = no_row; ///< the row with the greatest traction
+    Row open = no_row; ///< one that carries nothing
+    double area = 0;
+    double deepest = 0;
+    double mean_offset = 0; ///< closure besides that of the places, weighted with the forces
+    double misfit = 0; ///< by which places are closed or open that the mean offset says are not so
+};
+
+/// Closure that belongs to the normal force of a row: that of its spring, or what it has moved if that is more, as of a
+/// joint that stiffens.
+double closure_of(const SubContacts& subs, Row s) {
+    const double stiffness = subs.normal_stiffness[s] * subs.area[s];
+    return std::max(stiffness > 0 ? subs.normal_force[s] / stiffness : 0, -subs.normal_displacement[s]);
+}
+
+double geometric_closure(const Model& model, Row s, const Vec3& n) {
+    const auto& subs = model.sub_contacts;
+    return -n.dot(attached_position(model, subs.side2[s]) - attached_position(model, subs.side1[s]));
+}
+
+Closures closures_of(const Model& model, Row c) {
+    const auto& subs = model.sub_contacts;
+    const Vec3 n = model.contacts.normal[c];
+    const Span span = model.contacts.sub_contacts[c];
+    Closures found;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double greatest = 0, low = infinity, high = -infinity, nearest = -infinity, open = 0;
+    for (Row s = span.first; s < span.end(); ++s) {
+        found.shear += Vec3(subs.shear_force[s]);
+        const bool known = subs.side1[s].attached() && subs.side2[s].attached();
+        found.area += subs.area[s];
+        if (!(subs.normal_force[s] > 0)) {
+            found.open = s;
+            if (!known) continue;
+            open += geometric_closure(model, s, n) + subs.normal_displacement[s];
+            nearest = std::max(nearest, geometric_closure(model, s, n));
+            continue;
+        }
+        found.force += subs.normal_force[s];
+        const double closure = closure_of(subs, s), traction = subs.normal_force[s] / subs.area[s];
+        const double offset = known ? closure - geometric_closure(model, s, n) : 0;
+        found.mean_offset += subs.normal_force[s] * offset;
+        low = std::min(low, offset);
+        high = std::max(high, offset);
+        found.deepest = std::max(found.deepest, closure);
+        if (traction > greatest) {
+            greatest = traction;
+            found.most = s;
+        }
+    }
+    if (found.force > 0) {
+        found.mean_offset /= found.force;
+        found.misfit = std::max(high - low, nearest + found.mean_offset);
+    } else {
+        // All open: blocks that were made to overlap still do so without force.
+        found.most = span.first;
+        found.mean_offset = std::min(0.0, -open / span.count);
+    }
+    return found;
+}
+
+/// The linear closure over a joint whose positive part has the force and the moments that the rows have, over the
+/// stiffness: the minimum of a convex function, by Newton's method. The resultant is kept inside the overlap.
+ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& closures) {
+    const auto& subs = model.sub_contacts;
+    const auto& contacts = model.contacts;
+    const Span span = contacts.sub_contacts[c];
+    const Vec3 n = contacts.normal[c];
+    // The offset is linear in space: the centre of force moves to where the overlap has it by a tilt. A few steps of a
+    // secant iteration on the two tilts are enough, since what was set by hand is an estimate itself.
+    Vec3 wanted = Vec3::Zero();
+    for (Row s = span.first; s < span.end(); ++s) wanted += subs.normal_force[s] / closures.force * Vec3(subs.position[s]);
+    const double stiffness = subs.normal_stiffness[closures.most];
+    const Row b1 = contacts.block1[c];
+    const Vec3 origin = model.blocks.centroid[b1];
+    ClosureOffset offset;
+    offset.closure = closures.mean_offset;
+    const double size = std::sqrt(std::max(contacts.area[c], contacts.least_area[c]));
+    const auto scale_to_force = [&](ClosureOffset& o) {
+        const auto force_at = [&](double closure) {
+            ClosureOffset tried = o;
+            tried.closure = closure;
+            const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), n, tried);
+            return stiffness * patch.carried;
+        };
+        const double reach = closures.force / (stiffness * contacts.least_area[c]) + o.tilt.norm() * 2 * size;
+        double low = o.closure - reach, high = o.closure + reach;
+        for (int i = 0; i < 60 && force_at(high) < closures.force; ++i) high += reach;
+        for (int i = 0; i < 60 && force_at(low) > closures.force; ++i) low -= reach;
+        for (int i = 0; i < 50; ++i) {
+            const double middle = 0.5 * (low + high);
+            (force_at(middle) < closures.force ? low : high) = middle;
+        }
+        o.closure = 0.5 * (low + high);
+    };
+    // Of the continuous joint the centre moves by tilt I / (A closure); where it is partly open by less and less.
+    double tilt_per_way = 12 * closures.deepest / (size * size);
+    Vec3 way_before = Vec3::Zero();
+    for (int i = 0; i < 60; ++i) {
+        scale_to_force(offset);
+        const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), n, offset);
+        if (!(patch.carried > 0)) break;
+        Vec3 way = wanted - patch.centre;
+        way -= way.dot(n) * n;
+        if (way.norm() < 1e-3 * size) break;
+        tilt_per_way *= way.dot(way_before) < 0 ? 0.3 : 1.6;
+        way_before = way;
+        // The tilt acts about the centre of the contact, or it would close the joint as a whole.
+        const Vec3 more = tilt_per_way * way;
+        offset.tilt += more;
+        offset.closure -= more.dot(patch.centre - origin);
+        constexpr double steepest = 0.2;
+        if (offset.tilt.norm() > steepest) {
+            const Vec3 turned = offset.tilt * (steepest / offset.tilt.norm() - 1);
+            offset.tilt += turned;
+            offset.closure -= turned.dot(patch.centre - origin);
+            scale_to_force(offset);
+            break;
+        }
+    }
+    return offset;
+}
+
+/// What a joint model keeps of a row.
+struct RowState {
+    std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
+    JointObject object;
+    std::uint32_t state;
+    double normal_stiffness, shear_stiffness, displacement;
+
+    RowState(const SubContacts& subs, Row s)
+        : state(subs.state[s]), normal_stiffness(subs.normal_stiffness[s]), shear_stiffness(subs.shear_stiffness[s]),
+          displacement(subs.normal_displacement[s]) {
+        for (std::int32_t h = 0; h < subs.history_columns; ++h) history[h] = subs.history[h][s];
+        if (subs.keeps_objects) object = subs.object[s];
+    }
+    void put(SubContacts& subs, Row s) const {
+        for (std::int32_t h = 0; h < subs.history_columns; ++h) subs.history[h][s] = history[h];
+        if (subs.keeps_objects) subs.object[s] = object;
+        subs.state[s] = state;
+        subs.normal_stiffness[s] = normal_stiffness;
+        subs.shear_stiffness[s] = shear_stiffness;
+        subs.normal_displacement[s] = displacement;
+    }
+};
+
+} // namespace
+
+void follow_overlap(Model& model, Row c) {
+    auto& contacts = model.contacts;
+    auto& subs = model.sub_contacts;
+    const Span span = contacts.sub_contacts[c];
+    const Closures closures = closures_of(model, c);
+    ClosureOffset offset;
+    constexpr double same = 0.05; // of the deepest closure
+    offset.closure = closures.mean_offset;
+    if (closures.force > 0 && closures.misfit > same * closures.deepest) offset = closure_of_resultant(model, c, closures);
+
+    const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset);
+    const bool closed = patch.carried > 0 && closures.force > 0;
+    contacts.kind[c] = ContactKind::overlap;
+    contacts.offset[c] = offset.closure;
+    contacts.offset_tilt[c] = offset.tilt;
+    contacts.depth[c] = closed ? patch.depth : 0;
+    contacts.twist[c] = patch.twist;
+    contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
+    contacts.stiffness_area[c] = rung_above(std::max(patch.area, contacts.area[c]), contacts.least_area[c]);
+    contacts.slid[c] = 0;
+    contacts.given_up[c] = closures.force * (patch.carried > 0 ? patch.energy / patch.carried : 0);
+    std::array<Vec3, carriers> places;
+    places.fill(contacts.position[c]);
+    if (patch.carried > 0) {
+        contacts.normal[c] = patch.normal;
+        contacts.axis[c] = axis_in_plane(Vec3::Zero(), patch.longest_edge, patch.normal);
+        places = places_of(patch, contacts.axis[c]);
+        contacts.position[c] = patch.centre;
+    }
+    const Vec3 n = contacts.normal[c], shear = closures.shear - closures.shear.dot(n) * n;
+    // The rows that carry nothing have the area of the open part, and a history that says that they are open.
+    const double open_area = std::max(0.0, closures.area - contacts.area[c]) / std::max<Row>(1, span.count - carriers);
+    const Row source_open = closures.open == no_row ? closures.most : closures.open;
+    const RowState of_carrier(subs, closures.most), of_open(subs, source_open);
+    for (Row k = 0; k < span.count; ++k) {
+        const Row s = span.first + k;
+        const bool carries = k < carriers;
+        (carries ? of_carrier : of_open).put(subs, s);
+        subs.area[s] = carries ? contacts.area[c] / carriers : closures.open == no_row ? 0 : open_area;
+        subs.normal_force[s] = carries && closed ? closures.force / carriers : 0;
+        subs.shear_force.set(s, carries && closed ? Vec3(shear / carriers) : Vec3(Vec3::Zero()));
+        if (carries) subs.normal_displacement[s] = closed ? -patch.depth : std::max(0.0, of_carrier.displacement);
+        subs.position.set(s, carries ? places[k] : contacts.position[c]);
+    }
+}
+
+} // namespace kaya

@@ -1,0 +1,254 @@
+#include "mechanics/overlap_patch.hpp"
+
+#include "geometry/convex_overlap.hpp"
+#include "mechanics/surfaces.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace kaya {
+
+namespace {
+
+/// Calls `visit` with the corners of a rigid block's face, in order: its triangles are a fan.
+template <class Visit> void for_corners(const Model& model, Row face, const Visit& visit) {
+    const Span span = model.faces.triangles[face];
+    if (span.count == 0) return;
+    const auto& first = model.triangles.gridpoints[span.first];
+    visit(first[0]);
+    visit(first[1]);
+    for (Row t = span.first; t < span.end(); ++t) visit(model.triangles.gridpoints[t][2]);
+}
+
+/// The part of a clip that one block brings.
+struct Side {
+    Row block;
+    double sense; ///< +1: its outward normals look along the contact's normal
+};
+
+/// Memory of one thread.
+struct Workspace {
+    ConvexClip clip, piece;
+    std::vector<HalfSpace> of_subject, of_other;
+};
+
+/// What closes the joint moves block 1 along the normal, or block 2 against it.
+Vec3 shift(const Side& side, const Vec3& x, const Vec3& normal, const ClosureOffset& offset, const Vec3& offset_origin) {
+    return side.sense * (offset.closure + offset.tilt.dot(x - offset_origin)) * normal;
+}
+
+/// The half space of a face of the polyhedron to be clipped.
+HalfSpace half_space_of(const ConvexClip& clip, std::size_t face) {
+    const Vec3 outward = clip.area_vector(face).normalized();
+    return {outward, outward.dot(clip.corner(face, 0))};
+}
+
+void add_subject(const Model& model, const Side& side, const Vec3& origin, const Vec3& normal, const ClosureOffset& offset,
+                 const Vec3& offset_origin, Workspace& work) {
+    const Span points = model.blocks.gridpoints[side.block];
+    const bool shifted = offset.closure != 0 || !offset.tilt.isZero(0);
+    for (Row g = points.first; g < points.end(); ++g) {
+        const Vec3& x = model.gridpoints.position[g];
+        work.clip.add_vertex(shifted ? Vec3(x + shift(side, x, normal, offset, offset_origin) - origin) : Vec3(x - origin));
+    }
+    const Span faces = model.blocks.faces[side.block];
+    for (Row f = faces.first; f < faces.end(); ++f) {
+        if (model.faces.triangles[f].count == 0) continue;
+        work.clip.begin_face();
+        for_corners(model, f, [&](Row g) { work.clip.add_corner(static_cast<int>(g - points.first)); });
+    }
+    for (std::size_t f = 0; f < work.clip.face_count(); ++f) work.of_subject.push_back(half_space_of(work.clip, f));
+}
+
+void clip_by(const Model& model, const Side& side, const Vec3& origin, const Vec3& normal, Workspace& work) {
+    const Span faces = model.blocks.faces[side.block];
+    std::size_t best = 0;
+    double most = -2;
+    for (Row f = faces.first; f < faces.end(); ++f) {
+        if (model.faces.triangles[f].count == 0) continue;
+        const Vec3 outward = current_normal(model, f);
+        const Row corner = model.triangles.gridpoints[model.faces.triangles[f].first][0];
+        const double cosine = side.sense * outward.dot(normal);
+        if (cosine > most) {
+            most = cosine;
+            best = work.of_other.size();
+        }
+        work.of_other.push_back({outward, outward.dot(model.gridpoints.position[corner] - origin)});
+    }
+    if (work.of_other.empty()) return;
+    // The face that looks most at the other block first: it leaves little for the others.
+    work.clip.clip(work.of_other[best], FaceOrigin::clipper);
+    for (std::size_t i = 0; i < work.of_other.size() && !work.clip.empty(); ++i)
+        if (i != best) work.clip.clip(work.of_other[i], FaceOrigin::clipper);
+}
+
+Vec3 longest_edge_across(const ConvexClip& clip, const Vec3& normal) {
+    Vec3 longest = Vec3::Zero();
+    for (std::size_t f = 0; f < clip.face_count(); ++f)
+        for (int i = 0, n = clip.corner_count(f); i < n; ++i) {
+            Vec3 edge = clip.corner(f, (i + 1) % n) - clip.corner(f, i);
+            edge -= edge.dot(normal) * normal;
+            if (edge.squaredNorm() > longest.squaredNorm()) longest = edge;
+        }
+    return longest;
+}
+
+/// Leaves one face of a block in the list of its faces.
+void keep_face(const Model& model, Row face, std::vector<HalfSpace>& faces) {
+    std::size_t place = 0;
+    for (Row f = model.blocks.faces[model.faces.block[face]].first; f < face; ++f) place += model.faces.triangles[f].count > 0;
+    faces = {HalfSpace(faces[place])};
+}
+
+} // namespace
+
+bool lie_on_each_other(const Model& model, const OverlapPair& pair) {
+    constexpr double cosine = 0.99863; // 3 degrees
+    return pair.face1 != no_row && pair.face2 != no_row && current_normal(model, pair.face1).dot(current_normal(model, pair.face2)) < -cosine;
+}
+
+double part_of_first(const Model& model, Row block1, Row block2) {
+    constexpr double larger = 2;
+    const auto& volume = model.blocks.volume;
+    if (volume[block1] > larger * volume[block2]) return 1;
+    return volume[block2] > larger * volume[block1] ? 0 : 0.5;
+}
+
+namespace {
+
+/// Energy over stiffness of an overlap: U of the depth, or that of a joint of the least area, whichever is more, by a
+/// norm that is smooth and exact far from where they are equal. Gives minus its gradient.
+OverlapGradient energy_of(const OverlapGradient& volume, const OverlapGradient& depth, double least_area) {
+    constexpr int power = 8;
+    const double mean = depth.value / volume.value;
+    // Half of the area times the square of its closure. The mean depth of a corner is a quarter or less of how deep it is.
+    constexpr double closure_per_mean = 6;
+    const double joint = 0.5 * least_area * (closure_per_mean * mean) * (closure_per_mean * mean);
+    const double larger = std::max(joint, depth.value), one = depth.value / larger, other = joint / larger;
+    const double sum = std::pow(std::pow(one, power) + std::pow(other, power), 1.0 / power); // over the larger
+    const double of_depth = std::pow(one / sum, power - 1), of_joint = std::pow(other / sum, power - 1);
+    OverlapGradient energy;
+    energy.value = larger * sum;
+    energy.force = (of_depth + of_joint * 2 * joint / depth.value) * depth.force - of_joint * 2 * joint / volume.value * volume.force;
+    energy.moment = (of_depth + of_joint * 2 * joint / depth.value) * depth.moment - of_joint * 2 * joint / volume.value * volume.moment;
+    return energy;
+}
+
+double mean_face_area(const Model& model, Row block) {
+    const Span faces = model.blocks.faces[block];
+    double sum = 0;
+    for (Row f = faces.first; f < faces.end(); ++f) {
+        const Span span = model.faces.triangles[f];
+        for (Row t = span.first; t < span.end(); ++t) {
+            const auto& g = model.triangles.gridpoints[t];
+            const Vec3& a = model.gridpoints.position[g[0]];
+            sum += 0.5 * (model.gridpoints.position[g[1]] - a).cross(model.gridpoints.position[g[2]] - a).norm();
+        }
+    }
+    return faces.count > 0 ? sum / faces.count : 0;
+}
+
+} // namespace
+
+double least_contact_area(const Model& model, Row block1, Row block2) {
+    constexpr double part = 0.01;
+    return part * std::min(mean_face_area(model, block1), mean_face_area(model, block2));
+}
+
+bool between_rigid(const Model& model, Row c) {
+    return !model.blocks.deformable[model.contacts.block1[c]] && !model.blocks.deformable[model.contacts.block2[c]];
+}
+
+OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset) {
+    const auto& [block1, block2, face1, face2, least_area] = pair;
+    static thread_local Workspace work; // kept for its memory
+    work.clip.clear();
+    work.of_subject.clear();
+    work.of_other.clear();
+    const auto& blocks = model.blocks;
+    const Side one{block1, 1}, two{block2, -1};
+    const bool second_is_subject = blocks.volume[block2] < blocks.volume[block1];
+    const Side &subject = second_is_subject ? two : one, &other = second_is_subject ? one : two;
+    const Vec3 origin = blocks.centroid[subject.block];
+    add_subject(model, subject, origin, normal, offset, blocks.centroid[block1], work);
+    clip_by(model, other, origin, normal, work);
+
+    OverlapPatch patch;
+    patch.normal = normal;
+    if (work.clip.empty()) return patch;
+    const OverlapMoments moments = moments_of(work.clip);
+    if (!(moments.volume > 0)) return patch;
+    patch.lies = lie_on_each_other(model, pair);
+    if (patch.lies) {
+        keep_face(model, face1, second_is_subject ? work.of_other : work.of_subject);
+        keep_face(model, face2, second_is_subject ? work.of_subject : work.of_other);
+    }
+    const OverlapGradient volume = volume_gradient(work.clip, moments.volume, second_is_subject);
+    OverlapGradient depth;
+    const double first = part_of_first(model, block1, block2), of_subject = second_is_subject ? 1 - first : first;
+    if (of_subject > 0) depth.add(depth_gradient(work.clip, work.of_subject, true, second_is_subject, work.piece), of_subject);
+    if (of_subject < 1) depth.add(depth_gradient(work.clip, work.of_other, false, second_is_subject, work.piece), 1 - of_subject);
+    if (!(depth.value > 0)) return patch;
+    const OverlapGradient energy = energy_of(volume, depth, least_area);
+    const double force = energy.force.norm();
+    if (!(force > 0)) return patch;
+
+    if (getenv("DBG") && force > 1e-3) for (std::size_t f = 0; f < work.clip.face_count(); ++f) { fprintf(stderr, " face %d:", (int)work.clip.origin(f)); for (int i = 0; i < work.clip.corner_count(f); ++i) fprintf(stderr, " (%.17g %.17g %.17g)", work.clip.corner(f,i).x(), work.clip.corner(f,i).y(), work.clip.corner(f,i).z()); fprintf(stderr, "\n"); }
+    patch.carried = force;
+    patch.energy = energy.value;
+    patch.normal = energy.force / force;
+    const Vec3& n = patch.normal;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec3& v : work.clip.vertices()) {
+        low = std::min(low, n.dot(v));
+        high = std::max(high, n.dot(v));
+    }
+    patch.depth = high - low;
+    if (!(patch.depth > 0)) return OverlapPatch{.normal = normal};
+    // The line along which the force acts, at the height of the common part.
+    const Vec3 arm = n.cross(energy.moment) / force;
+    patch.centre = origin + arm + (moments.centroid - arm).dot(n) * n;
+    patch.twist = energy.moment.dot(n) / force;
+    patch.second = moments.second;
+    for (std::size_t f = 0; f < work.clip.face_count(); ++f) patch.area += 0.5 * std::abs(work.clip.area_vector(f).dot(n));
+    patch.longest_edge = longest_edge_across(work.clip, n);
+    return patch;
+}
+
+OverlapPair pair_of(const Contacts& contacts, Row c) {
+    return {contacts.block1[c], contacts.block2[c], contacts.face1[c], contacts.face2[c], contacts.least_area[c]};
+}
+
+double rung_above(double area, double least) {
+    constexpr double per_octave = 4;
+    if (!(area > least)) return least;
+    return least * std::exp2(std::ceil(per_octave * std::log2(area / least)) / per_octave);
+}
+
+Vec3 axis_in_plane(const Vec3& axis, const Vec3& wanted, const Vec3& normal) {
+    for (const Vec3& candidate : {axis, wanted}) {
+        const Vec3 flat = candidate - candidate.dot(normal) * normal;
+        if (flat.squaredNorm() > 1e-24 + 1e-6 * candidate.squaredNorm()) return flat.normalized();
+    }
+    int least = 0;
+    normal.cwiseAbs().minCoeff(&least);
+    return normal.cross(Vec3::Unit(least)).normalized();
+}
+
+std::array<Vec3, carriers> places_of(const OverlapPatch& patch, const Vec3& u) {
+    const Vec3 v = patch.normal.cross(u);
+    const double uu = std::max(0.0, u.dot(patch.second * u)), vv = std::max(0.0, v.dot(patch.second * v)), uv = u.dot(patch.second * v);
+    // The root of the 2 x 2 matrix: (M + s I)/t with s^2 = det M, t^2 = trace M + 2 s.
+    const double s = std::sqrt(std::max(0.0, uu * vv - uv * uv)), t = std::sqrt(uu + vv + 2 * s);
+    const double a = t > 0 ? (uu + s) / t : 0, b = t > 0 ? uv / t : 0, d = t > 0 ? (vv + s) / t : 0;
+    std::array<Vec3, carriers> places;
+    constexpr double sign[carriers][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+    for (Row k = 0; k < carriers; ++k)
+        places[k] = patch.centre + (a * sign[k][0] + b * sign[k][1]) * u + (b * sign[k][0] + d * sign[k][1]) * v;
+    return places;
+}
+
+} // namespace kaya
