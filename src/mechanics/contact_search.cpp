@@ -156,14 +156,13 @@ std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int,
 constexpr double meeting_depth = 1e-3;
 
 void add_overlap_points(const Model& model, Row b1, Row b2, TouchGeometry& touch) {
-    constexpr int carriers = 4;
     ClosureOffset offset;
     offset.closure = std::max(0.0, touch.gap) + meeting_depth * std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
     const double least = least_contact_area(model, b1, b2);
     const OverlapPatch patch = overlap_patch(model, {b1, b2, no_row, no_row, least}, touch.normal, offset);
     touch.position = patch.carried > 0 ? patch.centre : 0.5 * (model.blocks.centroid[b1] + model.blocks.centroid[b2]);
     touch.area = least;
-    for (int k = 0; k < carriers; ++k) {
+    for (Row k = 0; k < carriers; ++k) {
         TouchPoint& point = touch.points.add();
         point.position = touch.position;
         point.gap = touch.gap;

@@ -2,6 +2,7 @@
 
 #include "geometry/convex_overlap.hpp"
 #include "mechanics/surfaces.hpp"
+#include "model/measure.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -142,11 +143,7 @@ double mean_face_area(const Model& model, Row block) {
     double sum = 0;
     for (Row f = faces.first; f < faces.end(); ++f) {
         const Span span = model.faces.triangles[f];
-        for (Row t = span.first; t < span.end(); ++t) {
-            const auto& g = model.triangles.gridpoints[t];
-            const Vec3& a = model.gridpoints.position[g[0]];
-            sum += 0.5 * (model.gridpoints.position[g[1]] - a).cross(model.gridpoints.position[g[2]] - a).norm();
-        }
+        for (Row t = span.first; t < span.end(); ++t) sum += triangle_area_vector(model, t).norm();
     }
     return faces.count > 0 ? sum / faces.count : 0;
 }
