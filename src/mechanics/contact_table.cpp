@@ -416,6 +416,11 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         spans.push_back({first, static_cast<Row>(sub_source.size()) - first});
     }
 
+    // A joint model that is not there is found out before any table changes.
+    const bool any_new = std::any_of(drafts.begin(), drafts.end(), [](const auto& d) { return d.old == no_row; });
+    const std::int32_t material = model.settings.default_joint_material;
+    const Row properties = any_new ? property_set(model, joints, default_joint_model(model), material, "") : no_row;
+
     std::vector<char> sub_kept(subs.size(), 0);
     const auto old_contact_ids = contacts.id;
     const auto old_sub_ids = subs.id;
@@ -435,9 +440,8 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         if (draft.old == no_row) {
             contacts.id[c] = contacts.ids.create(row);
             contacts.number[c] = model.next_contact_number++;
-            contacts.material[c] = model.settings.default_joint_material;
-            contacts.properties[c] =
-                property_set(model, joints, default_joint_model(model), contacts.material[c], "");
+            contacts.material[c] = material;
+            contacts.properties[c] = properties;
         } else {
             contacts.ids.move(contacts.id[c], row);
         }
@@ -476,13 +480,13 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     for (std::size_t s = 0; s < sub_kept.size(); ++s)
         if (!sub_kept[s]) subs.ids.destroy(old_sub_ids[s]);
 
+    model.lists_changed = true; // even if a joint model gives up below
     for (const Row c : converted) follow_overlap(model, c);
     tell_joint_models(model, joints, changes, moving);
     for (const auto& [row, load] : loads) lost += settle(model, row, load);
     for (std::size_t c = 0; c < drafts.size(); ++c)
         if (drafts[c].old == no_row) lost -= Load(model, static_cast<Row>(c)).stored();
     if (model.settings.energy) model.energy.joint_lost += lost;
-    model.lists_changed = true;
     return ContactChange::replaced;
 }
 

@@ -99,6 +99,7 @@ public:
     Run() : results_(std::tmpfile()), messages_(std::tmpfile()) {
         Options options;
         options.threads = 1;
+        options.joint_folders = {KAYA_TEST_JOINTS};
         session_ = std::make_unique<Session>(options, results_, messages_);
     }
     ~Run() {
