@@ -204,7 +204,7 @@ std::string list_extremes(Session& session, const lang::List&) {
 std::string list_energy(Session& session, const lang::List&) {
     const auto& e = session.model.energy;
     TextTable table({"energy", "value"});
-    const std::array<std::pair<const char*, double>, 10> rows{{{"kinetic", e.kinetic},
+    const std::array<std::pair<const char*, double>, 11> rows{{{"kinetic", e.kinetic},
                                                               {"kinetic at the start", e.start},
                                                               {"work of gravity", e.gravity},
                                                               {"work of the boundary", e.boundary},
@@ -213,6 +213,7 @@ std::string list_energy(Session& session, const lang::List&) {
                                                               {"lost in slip and breaking", e.joint_friction},
                                                               {"lost where touches change", e.joint_lost},
                                                               {"put into zones", e.zone_work},
+                                                              {"made by changes of the time step", e.step_made},
                                                               {"not accounted for", e.error()}}};
     for (const auto& [name, value] : rows) table.add({name, number_text(value)});
     return table.text();

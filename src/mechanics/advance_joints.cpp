@@ -133,12 +133,9 @@ void finish_contact(Model& model, Row c, JointForces& forces, JointWork& after) 
 /// A stiffness that grows by no more than this part in a cycle waits for the next look at all bodies.
 constexpr double slow_growth = 0.02;
 
-/// Marks a contact that is much stiffer than it was.
+/// Marks a contact that is much stiffer than it was, or whose places have moved away from the centres of its blocks.
 void note_stiffness(const Model& model, Row c, JointForces& forces) {
-    const Span span = model.contacts.sub_contacts[c];
-    const double factor = normal_area_factor(model, c);
-    double sum = 0;
-    for (Row s = span.first; s < span.end(); ++s) sum += springs_of(model.sub_contacts, s, factor).stiffer();
+    const double sum = follows_overlap(model, c) ? stiffness_over_mass(model, c) : sum_of_stiffness(model, c);
     if (sum > (1 + slow_growth) * forces.stiffness[c]) forces.stiffness_changed[c] = 1;
     forces.stiffness[c] = sum;
 }
@@ -199,7 +196,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         }
         finish_contact(model, c, forces, after);
         if (opens_in_part(model, c)) {
-            follow_overlap(model, c);
+            sums.lost += follow_overlap(model, c);
             sum_contact(model, c, forces);
             note_stiffness(model, c, forces);
             sums.stiffness_changed = true;
@@ -219,6 +216,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     sums.work = -0.5 * (sum(before.joint) + sum(after.joint));
     sums.friction = sum(after.friction) - sum(before.friction) - recovered;
     sums.fluid = sum(before.fluid);
+    sums.damped -= 0.5 * (before.dashpots + after.dashpots);
     sums.stiffness_changed = sums.stiffness_changed || columns.stiffness_changed;
     return sums;
 }

@@ -444,15 +444,16 @@ bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row bl
     touch.kind = ContactKind::joint;
     const bool flat_faces = touch.reference != 0 && separation.cosine > flat;
     if (!model.blocks.deformable[block1] && !model.blocks.deformable[block2]) {
-        const bool carries = old != no_row && model.contacts.kind[old] == ContactKind::overlap && model.contacts.depth[old] > 0;
-        if (flat_faces && separation.beside && !carries) return false;
+        // What has been an overlap stays one while the blocks are near: it would come back too late, with a blow.
+        const bool overlaps = old != no_row && model.contacts.kind[old] == ContactKind::overlap;
+        if (flat_faces && separation.beside && !overlaps) return false;
         if (flat_faces) {
             (touch.reference == 1 ? touch.face2 : touch.face1) = separation.opposite;
             const double first = part_of_first(model, block1, block2);
             touch.normal = (first * surfaces.normal(touch.face1) - (1 - first) * surfaces.normal(touch.face2)).normalized();
             const bool laid = lay_rigid_faces(model, surfaces, touch, margin, tolerance);
             if (laid && touch.area >= least_joint * least_contact_area(model, block1, block2)) return true;
-            if (!laid && !carries) return false;
+            if (!laid && !overlaps) return false;
             touch.points.clear();
         }
         touch.kind = ContactKind::overlap;

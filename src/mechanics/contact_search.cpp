@@ -192,14 +192,22 @@ bool may_close(const Model& model, Row contact) {
     return turn.cross(contacts.normal[contact]).norm() * std::sqrt(contacts.area[contact]) < rolling * contacts.depth[contact];
 }
 
-/// Whether every place of a joint to be is well closed by what the overlap has now.
+/// Whether every place of a joint to be is well closed by what the overlap has now, and the joint would carry the same
+/// force with the same energy.
 bool closes_everywhere(const Model& model, Row contact, const TouchGeometry& touch) {
     const auto& contacts = model.contacts;
     const Vec3& origin = model.blocks.centroid[contacts.block1[contact]];
     constexpr double least = 0.03; // of the depth: a joint that is about to open would go to and fro
-    return std::all_of(touch.points.begin(), touch.points.end(), [&](const TouchPoint& p) {
-        return contacts.offset[contact] + contacts.offset_tilt[contact].dot(p.position - origin) - p.gap > least * contacts.depth[contact];
-    });
+    constexpr double same = 0.02;  // faces that grip each other at their edges would make one of a smaller area
+    double volume = 0, square = 0;
+    for (const TouchPoint& p : touch.points) {
+        const double closure = contacts.offset[contact] + contacts.offset_tilt[contact].dot(p.position - origin) - p.gap;
+        if (!(closure > least * contacts.depth[contact])) return false;
+        volume += p.area * closure;
+        square += p.area * closure * closure;
+    }
+    const double carried = contacts.area[contact] * contacts.depth[contact];
+    return std::abs(volume - carried) <= same * carried && std::abs(square - 2 * contacts.energy_length[contact] * carried) <= 2 * same * square;
 }
 
 /// Faces that will meet all at once.

@@ -25,4 +25,11 @@ inline Springs springs_of(const SubContacts& subs, Row s, double factor) {
     return {subs.normal_stiffness[s] * subs.area[s] * factor, subs.shear_stiffness[s] * subs.area[s]};
 }
 
+/// Sum over the contact's sub-contacts of the larger stiffness, force/length.
+double sum_of_stiffness(const Model& model, Row contact);
+
+/// Trace of the contact's stiffness over the masses and moments of inertia of its rigid blocks, 1/time^2: no eigenvalue
+/// of the contact alone is greater. 0 for blocks that are fixed.
+double stiffness_over_mass(const Model& model, Row contact);
+
 } // namespace kaya

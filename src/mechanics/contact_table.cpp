@@ -1,6 +1,7 @@
 #include "mechanics/contact_table.hpp"
 
 #include "mechanics/batches.hpp"
+#include "mechanics/contact_load.hpp"
 #include "mechanics/overlap_contact.hpp"
 #include "mechanics/property_sets.hpp"
 #include "model/lanes.hpp"
@@ -109,6 +110,7 @@ void write_contact(Model& model, Row c, const TouchPlane& g) {
     contacts.normal[c] = g.normal;
     contacts.position[c] = g.position;
     contacts.area[c] = g.area;
+    contacts.energy_length[c] = contacts.energy_taken[c] = contacts.withheld[c] = 0;
     contacts.slid[c] = 0;
     contacts.joint_set[c] = g.face1 != no_row   ? model.faces.joint_set[g.face1]
                             : g.face2 != no_row ? model.faces.joint_set[g.face2]
@@ -179,44 +181,11 @@ void clear_sub_contact(SubContacts& subs, Row s) {
     if (subs.keeps_objects) subs.object[s].reset();
 }
 
-/// What passes through a contact.
-struct Load {
-    double energy = 0;       ///< in the normal springs of its sub-contacts
-    double shear_energy = 0; ///< in their shear springs
-    double normal = 0;       ///< sum of their normal forces
-    double shear = 0;        ///< sum of the sizes of their shear forces
-    Vec3 shear_sum = Vec3::Zero();
-
-    Load() = default;
-    Load(const Model& model, Row c) {
-        const auto& subs = model.sub_contacts;
-        const Span span = model.contacts.sub_contacts[c];
-        for (Row s = span.first; s < span.end(); s += lane_count) {
-            const LaneGroup group(span.end() - s);
-            const Lanes area = group.load(subs.area.data() + s), force = group.load(subs.normal_force.data() + s);
-            const Lanes3 along = group.load(subs.shear_force, s);
-            const Lanes squared = along.dot(along);
-            energy += in_springs(force * force, group.load(subs.normal_stiffness.data() + s) * area);
-            shear_energy += in_springs(squared, group.load(subs.shear_stiffness.data() + s) * area);
-            normal += sum(force);
-            shear_sum += sum(along);
-            shear += sum(squared.sqrt());
-        }
-    }
-    /// Where there is no stiffness there is no spring.
-    static double in_springs(const Lanes& force_squared, const Lanes& stiffness) {
-        Lanes energy;
-        for (Row i = 0; i < lane_count; ++i) energy[i] = stiffness[i] > 0 ? 0.5 * force_squared[i] / stiffness[i] : 0;
-        return sum(energy);
-    }
-    double stored() const { return energy + shear_energy; }
-};
-
 /// New geometry must not make energy. It may give back what it has taken from this contact before, and no more
 /// (Hannaford and Ryu 2002, IEEE Trans. Robot. Autom. 18, keep a contact passive by such an account). What then
 /// overlaps more than its force says is noted. Returns what is lost of the energy in the springs.
-double keep_passive(Model& model, Row c, const Load& before) {
-    const Load after(model, c);
+double keep_passive(Model& model, Row c, const ContactLoad& before) {
+    const ContactLoad after(model, c);
     auto& subs = model.sub_contacts;
     double& account = model.contacts.given_up[c];
     const double gain = after.energy - before.energy, allowed = std::min(gain, account);
@@ -238,8 +207,8 @@ double keep_passive(Model& model, Row c, const Load& before) {
 
 /// Shear forces of a joint between rigid blocks stay no larger than they were when its places change; its normal force
 /// is that of its closure, before and after. Returns what is lost of the energy in the springs.
-double keep_shear(Model& model, Row c, const Load& before) {
-    const Load after(model, c);
+double keep_shear(Model& model, Row c, const ContactLoad& before) {
+    const ContactLoad after(model, c);
     const double scale = after.shear > before.shear ? before.shear / after.shear : 1;
     const Span span = model.contacts.sub_contacts[c];
     if (scale != 1)
@@ -249,14 +218,14 @@ double keep_shear(Model& model, Row c, const Load& before) {
 }
 
 /// What is lost when a contact's geometry has been made anew.
-double settle(Model& model, Row c, const Load& before) {
+double settle(Model& model, Row c, const ContactLoad& before) {
     if (model.contacts.kind[c] == ContactKind::overlap) return 0;
     return between_rigid(model, c) ? keep_shear(model, c, before) : keep_passive(model, c, before);
 }
 
 /// Makes a joint of an overlap that is closed everywhere: normal force by the closure of each place, in all what it was;
 /// shear force in the same parts. `row` of the first place; history comes from the overlap's first sub-contact.
-void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const Load& before, const ClosureOffset& offset) {
+void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before, const ClosureOffset& offset) {
     auto& subs = model.sub_contacts;
     const Vec3& n = draft.plane.normal;
     const Vec3 origin = model.blocks.centroid[draft.block1], shear = before.shear_sum - before.shear_sum.dot(n) * n;
@@ -292,11 +261,11 @@ bool closes(const Model& model, const ContactDraft& draft) {
 }
 
 /// The loads of contacts that get new geometry, by row of the draft.
-std::vector<std::pair<Row, Load>> loads_of(const Model& model, const std::vector<ContactDraft>& drafts) {
-    std::vector<std::pair<Row, Load>> loads;
+std::vector<std::pair<Row, ContactLoad>> loads_of(const Model& model, const std::vector<ContactDraft>& drafts) {
+    std::vector<std::pair<Row, ContactLoad>> loads;
     for (std::size_t c = 0; c < drafts.size(); ++c)
         if (drafts[c].old != no_row && drafts[c].kind == DraftKind::new_geometry)
-            loads.emplace_back(static_cast<Row>(c), Load(model, drafts[c].old));
+            loads.emplace_back(static_cast<Row>(c), ContactLoad(model, drafts[c].old));
     return loads;
 }
 
@@ -312,7 +281,7 @@ std::vector<char> kept_contacts(const Model& model, const std::vector<ContactDra
 double stored_in_parted(const Model& model, const std::vector<char>& kept) {
     double stored = 0;
     for (std::size_t c = 0; c < kept.size(); ++c)
-        if (!kept[c]) stored += Load(model, static_cast<Row>(c)).stored();
+        if (!kept[c]) stored += ContactLoad(model, static_cast<Row>(c)).stored();
     return stored;
 }
 
@@ -341,19 +310,21 @@ bool same_rows(const Model& model, const std::vector<ContactDraft>& drafts) {
     return true;
 }
 
-void refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Changes& changes) {
+/// Returns what is lost of the energy in springs where joints become overlaps.
+double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Changes& changes) {
     const auto& blocks = model.blocks;
+    double lost = 0;
     for (const auto& draft : drafts) {
         if (draft.kind == DraftKind::as_it_was) continue;
         if (draft.kind == DraftKind::overlap) {
-            follow_overlap(model, draft.old);
+            lost += follow_overlap(model, draft.old);
             continue;
         }
         const auto& g = draft.plane;
         const bool from_overlap = closes(model, draft);
         const ClosureOffset offset{model.contacts.offset[draft.old], model.contacts.offset_tilt[draft.old]};
         const Span span = model.contacts.sub_contacts[draft.old];
-        const Load before = from_overlap ? Load(model, draft.old) : Load();
+        const ContactLoad before = from_overlap ? ContactLoad(model, draft.old) : ContactLoad();
         write_contact(model, draft.old, g);
         if (from_overlap) {
             close_joint(model, draft, draft.old, span.first, before, offset);
@@ -364,6 +335,7 @@ void refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Cha
         // Weights of gridpoints are in the lists.
         if (blocks.deformable[draft.block1] || blocks.deformable[draft.block2]) model.lists_changed = true;
     }
+    return lost;
 }
 
 } // namespace
@@ -374,12 +346,11 @@ void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vec
 
 bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts) {
     if (!all_keep_places(model, drafts)) return false;
-    std::vector<Load> loads;
+    std::vector<ContactLoad> loads;
     for (const auto& draft : drafts) loads.emplace_back(model, draft.old);
     Changes changes(model.sub_contacts.size());
-    refresh_in_place(model, drafts, changes);
+    double lost = refresh_in_place(model, drafts, changes);
     tell_joint_models(model, joints, changes, true);
-    double lost = 0;
     for (std::size_t i = 0; i < drafts.size(); ++i)
         if (drafts[i].kind == DraftKind::new_geometry) lost += settle(model, drafts[i].old, loads[i]);
     if (model.settings.energy) model.energy.joint_lost += lost;
@@ -452,8 +423,8 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         const bool other_touch = is_new && !closing && draft.old != no_row &&
                                  draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_touch;
         if (is_new) write_contact(model, row, draft.plane);
-        // What was made to overlap does so without force.
-        if (draft.kind == DraftKind::overlap && draft.old == no_row && !moving) contacts.offset[c] = std::min(0.0, draft.plane.gap);
+        // What was made to overlap does so without force, and what is found too late begins without.
+        if (draft.kind == DraftKind::overlap && draft.old == no_row) contacts.offset[c] = std::min(0.0, draft.plane.gap);
         for (Row i = 0; i < spans[c].count; ++i) {
             const Row s = spans[c].first + i;
             const Row source = sub_source[s];
@@ -481,11 +452,11 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         if (!sub_kept[s]) subs.ids.destroy(old_sub_ids[s]);
 
     model.lists_changed = true; // even if a joint model gives up below
-    for (const Row c : converted) follow_overlap(model, c);
+    for (const Row c : converted) lost += follow_overlap(model, c);
     tell_joint_models(model, joints, changes, moving);
     for (const auto& [row, load] : loads) lost += settle(model, row, load);
     for (std::size_t c = 0; c < drafts.size(); ++c)
-        if (drafts[c].old == no_row) lost -= Load(model, static_cast<Row>(c)).stored();
+        if (drafts[c].old == no_row) lost -= ContactLoad(model, static_cast<Row>(c)).stored();
     if (model.settings.energy) model.energy.joint_lost += lost;
     return ContactChange::replaced;
 }

@@ -148,6 +148,7 @@ void Cycle::prepare() {
         // Forces of what is there already, so that the first step starts from them.
         gather_forces(model_, s.adjacency, s.ties, s.joints, s.corner_forces);
         model_.clock.time_step = 0;
+        model_.clock.last_step = 0; // what a command has changed acts from now on
         s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, TimeStep::Look::all_and_grow);
         model_.properties_changed = false;
     }
@@ -185,12 +186,13 @@ void Cycle::keep_account(const DriveSums& driven, const MotionSums& motion, cons
     const double power_set = motion.inner_power - driven.inner_power - energy.inner_power;
     const double half_step = 0.5 * model_.clock.time_step;
     const bool opens = energy.behind == 0; // nothing is known of the half step before
+    const double half_step_before = opens ? half_step : energy.behind;
     energy.inner_power = inner_power;
     energy.behind = half_step;
     if (!model_.settings.energy) return;
     constexpr double rounding_of_sums = 1e-12;
     if (std::abs(power_set) > rounding_of_sums * motion.inner_power_size)
-        (opens ? energy.start : energy.boundary) += half_step * power_set;
+        (opens ? energy.start : energy.boundary) += half_step_before * power_set;
     energy.gravity += driven.gravity + motion.gravity;
     energy.boundary += driven.boundary + motion.boundary + joint_sums.fluid;
     energy.damped += motion.damped + joint_sums.damped + zone_sums.damped;
@@ -198,6 +200,8 @@ void Cycle::keep_account(const DriveSums& driven, const MotionSums& motion, cons
     energy.joint_friction += joint_sums.friction;
     energy.joint_lost += joint_sums.lost - joint_sums.returned;
     energy.zone_work += zone_sums.work;
+    const Clock& clock = model_.clock;
+    if (clock.last_step > 0) energy.step_made -= 0.25 * (clock.time_step - clock.last_step) * motion.inner_power_gain;
 }
 
 // The order of one step, and the only place where it stands.
@@ -252,6 +256,7 @@ void Cycle::advance() {
     adapt_viscosity(motion);
     keep_account(driven, motion, joint_sums, zone_sums, inner_power);
     s.step.audit(model_);
+    clock.last_step = clock.time_step;
     const bool may_grow = clock.cycle % growth_interval == 0;
     const bool follows = joint_sums.stiffness_changed || s.step.looks_ahead();
     if (follows || contacts_changed != ContactChange::none || may_grow)

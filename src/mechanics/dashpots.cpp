@@ -1,6 +1,7 @@
 #include "mechanics/dashpots.hpp"
 
 #include "mechanics/contact_stiffness.hpp"
+#include "mechanics/overlap_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,9 +66,13 @@ BatchDashpots::BatchDashpots(Model& model, const Batch& batch)
 double BatchDashpots::work() const {
     const auto& s = model_.sub_contacts;
     double sum = 0;
-    for (Row row = batch_.first; row < batch_.first + batch_.count; ++row)
-        sum += s.dashpot_normal[row] * s.normal_displacement_increment[row] +
-               s.dashpot_shear[row].dot(s.shear_displacement_increment[row]);
+    for (Row c = batch_.contacts.first; c < batch_.contacts.end(); ++c) {
+        if (follows_overlap(model_, c)) continue; // its rows do not stay in their places
+        const Span span = model_.contacts.sub_contacts[c];
+        for (Row row = span.first; row < span.end(); ++row)
+            sum += s.dashpot_normal[row] * s.normal_displacement_increment[row] +
+                   s.dashpot_shear[row].dot(s.shear_displacement_increment[row]);
+    }
     return sum;
 }
 

@@ -26,10 +26,12 @@ Beta beta_of(const Model& model, Row contact);
 class BatchDashpots {
 public:
     BatchDashpots(Model& model, const Batch& batch);
-    /// Writes SubContacts::dashpot_normal and dashpot_shear. Returns the energy that was taken up in the step.
+    /// Writes SubContacts::dashpot_normal and dashpot_shear. Returns the energy that was taken up in the step, but for
+    /// overlaps: JointWork::dashpots has theirs.
     double finish();
 
 private:
+    /// Of the dashpots as they are on the increments, but for overlaps.
     double work() const;
 
     Model& model_;

@@ -16,16 +16,18 @@ inline void store(Vec3& v, const Lanes& lanes) { LaneGroup(3).store(v.data(), la
 struct MotionLanes {
     Lanes kinetic_before = Lanes::Zero(), kinetic = Lanes::Zero();
     Lanes gravity = Lanes::Zero(), boundary = Lanes::Zero(), damped = Lanes::Zero();
-    Lanes inner_power = Lanes::Zero(), inner_power_size = Lanes::Zero();
+    Lanes inner_power = Lanes::Zero(), inner_power_size = Lanes::Zero(), inner_power_gain = Lanes::Zero();
 
-    /// Power of forces of joints and zones.
-    void add_power(const Lanes& power) {
+    /// Power of a force of joints and zones at the velocities before and after the step.
+    void add_power(const Lanes& force, const Lanes& before, const Lanes& after) {
+        const Lanes power = force * before;
         inner_power += power;
         inner_power_size += power.abs();
+        inner_power_gain += force * (after - before);
     }
     MotionSums sums() const {
         return {sum(kinetic_before), sum(kinetic),     sum(gravity),         sum(boundary),
-                sum(damped),         sum(inner_power), sum(inner_power_size)};
+                sum(damped),         sum(inner_power), sum(inner_power_size), sum(inner_power_gain)};
     }
 };
 
@@ -41,12 +43,12 @@ inline void advance_velocity(Vec3& velocity, const Vec3& force, const Vec3& load
                              double step, unsigned held_bits, const DampingFactors& damping, Vec3& last_force,
                              MotionLanes& sums) {
     const Lanes before = lanes(velocity), loads = lanes(load), inner = lanes(force), whole = inner + loads + weight;
-    sums.add_power(inner * before);
     Lanes after = damping.advance(before, whole, step / mass, last_force);
     const Lanes held = prescribed(held_bits);
     if (held_bits != 0)
         for (int k = 0; k < lane_count; ++k) after[k] = held[k] != 0 ? before[k] : after[k];
     store(velocity, after);
+    sums.add_power(inner, before, after);
     const Lanes mean = 0.5 * (before + after);
     sums.gravity += weight * mean * step;
     // What the step's forces do not explain of the change of momentum was done by the support, or by damping.

@@ -85,21 +85,22 @@ struct RigidBody {
 
 /// Work of forces that keep their directions on points that turn with a body: force times way. It is that between the
 /// middles of two steps, as all work on bodies; `arms` is the sum of arm times force now.
-double work_on_arms(const Mat3& arms, const Vec3& spin_before, const Vec3& spin, double step) {
+double work_on_arms(const Mat3& arms, const Vec3& turn_before, const Vec3& turn_now) {
     const auto turn = [](const Vec3& angle) {
         const Rotor r = Rotor::by(Triple(angle));
         return quaternion(quaternion_of(r)).toRotationMatrix();
     };
-    const Mat3 way = turn(step * spin) - turn(-step * spin_before);
+    const Mat3 way = turn(turn_now) - turn(-turn_before);
     return 0.5 * way.cwiseProduct(arms.transpose()).sum();
 }
 
 /// Velocities and momentum after one step, and the orientation in large strain.
-inline void advance(const RigidBody& body, const Settings& settings, double step, const DampingFactors& damping,
+inline void advance(const RigidBody& body, const Settings& settings, const Clock& clock, const DampingFactors& damping,
                     MotionLanes& sums) {
     const unsigned fixed = body.fixed;
+    const double step = clock.time_step, kick = clock.kick();
     Vec3& w = body.spin;
-    advance_velocity(body.velocity, body.force, body.load, body.mass * lanes(settings.gravity), body.inertial_mass, step,
+    advance_velocity(body.velocity, body.force, body.load, body.mass * lanes(settings.gravity), body.inertial_mass, kick,
                      fixed & (fix_x | fix_y | fix_z), damping, body.last_force, sums);
 
     // Moments act on the angular momentum; its viscous part decays like the velocity.
@@ -110,8 +111,7 @@ inline void advance(const RigidBody& body, const Settings& settings, double step
     const Vec3 turning = moment_of(arms), spin_then = w;
     const Lanes torque = lanes(body.torque), moment = lanes(body.moment) + torque + lanes(turning);
     const Lanes momentum_before = lanes(momentum), spin_before = lanes(w);
-    sums.add_power(lanes(body.moment) * spin_before);
-    store(momentum, damping.advance(momentum_before, moment, step, body.last_moment));
+    store(momentum, damping.advance(momentum_before, moment, kick, body.last_moment));
     if (fixed & (fix_rx | fix_ry | fix_rz)) {
         // Prescribed components keep their velocity; the others follow from their momentum.
         const Mat3 r = quaternion(body.orientation).toRotationMatrix();
@@ -139,12 +139,13 @@ inline void advance(const RigidBody& body, const Settings& settings, double step
     }
     // The same account for rotation, component by component of the mean spin.
     const Lanes spin = lanes(w), momentum_after = lanes(momentum);
+    sums.add_power(lanes(body.moment), spin_before, spin);
     const Lanes mean = 0.5 * (spin_before + spin), held = prescribed(fixed / fix_rx);
-    const Lanes rest = (momentum_after - momentum_before - moment * step) * mean;
-    sums.boundary += torque * mean * step + held * rest;
+    const Lanes rest = (momentum_after - momentum_before - moment * kick) * mean;
+    sums.boundary += torque * mean * kick + held * rest;
     if (has_arms)
-        sums.boundary[0] += settings.large_strain ? work_on_arms(arms, spin_then, w, step)
-                                                  : 0.5 * step * turning.dot(spin_then + w);
+        sums.boundary[0] += settings.large_strain ? work_on_arms(arms, (2 * kick - step) * spin_then, step * w)
+                                                  : 0.5 * kick * turning.dot(spin_then + w);
     sums.damped -= (1 - held) * rest;
     sums.kinetic_before += 0.5 * spin_before * momentum_before;
     sums.kinetic += 0.5 * spin * momentum_after;
@@ -158,7 +159,7 @@ void move_block(Model& model, std::size_t b, const DampingFactors& damping, Moti
     advance({blocks.mass[b], mass, blocks.inertia[b], mass / blocks.volume[b], blocks.fixed[b], blocks.force[b], blocks.load[b],
              blocks.moment[b], blocks.torque[b], blocks.load_arms[b], blocks.velocity[b], blocks.rotational_velocity[b],
              blocks.angular_momentum[b], blocks.last_force[b], blocks.last_moment[b], blocks.orientation[b]},
-            model.settings, step, damping, sums);
+            model.settings, model.clock, damping, sums);
     const Vec3 way = blocks.velocity[b] * step;
     blocks.displacement[b] += way;
     if (!model.settings.large_strain) return displace_vertices(model, b);
@@ -208,7 +209,7 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
     const Mat3 inertia = axes.transpose() * body.inertia * axes, own_arms = axes.transpose() * arms;
     advance({body.mass, factor * body.mass, inertia, factor, fixed, force, load, moment, torque, own_arms, velocity, spin,
              blocks.angular_momentum[first], blocks.last_force[first], blocks.last_moment[first], after},
-            model.settings, step, damping, sums);
+            model.settings, model.clock, damping, sums);
     const Rotor turn = rotor(after) * rotor(before).conjugate();
     for (const Row b : members) {
         const Vec3 arm = blocks.centroid[b] - body.centroid, arm_after = turn.turned(Triple(arm)).vector();

@@ -42,12 +42,11 @@ struct MovingPoint {
 /// work; what a quiet boundary brakes counts as damped.
 void advance_on_boundary(const Model& model, const MovingPoint& point, const DampingFactors& damping,
                          Vec3& velocity, Vec3& last_force, MotionLanes& sums) {
-    const double mass = point.inertial_mass, step = model.clock.time_step;
+    const double mass = point.inertial_mass, step = model.clock.kick();
     const Vec3 weight = point.mass * model.settings.gravity, force = point.force + point.load + weight;
     Vec3 brake = Vec3::Zero(), support = Vec3::Zero();
     if (point.quiet) brake = quiet_force(point.dashpot, mass, velocity, force, point.fixed, step);
     const Lanes before = lanes(velocity), held = prescribed(point.fixed);
-    sums.add_power(lanes(point.force) * before);
     Lanes after = damping.advance(before, lanes(force + brake), step / mass, last_force);
     for (int k = 0; k < lane_count; ++k) after[k] = held[k] != 0 ? before[k] : after[k];
     store(velocity, after);
@@ -57,6 +56,7 @@ void advance_on_boundary(const Model& model, const MovingPoint& point, const Dam
         support = mass * change;
         after = lanes(velocity);
     }
+    sums.add_power(lanes(point.force), before, after);
     const Lanes mean = 0.5 * (before + after);
     const Lanes rest = (mass * (after - before) - lanes(support) - lanes(force) * step) * mean;
     sums.gravity += lanes(weight) * mean * step;
@@ -113,7 +113,7 @@ void move_group(Model& model, std::span<const Row> members, const Roller& roller
         advance_on_boundary(model, point, damping, velocity, last_force, sums);
     else
         advance_velocity(velocity, point.force, point.load, point.mass * lanes(model.settings.gravity),
-                         point.inertial_mass, model.clock.time_step, point.fixed, damping, last_force, sums);
+                         point.inertial_mass, model.clock.kick(), point.fixed, damping, last_force, sums);
     for (const Row row : members) {
         g.velocity[row] = velocity;
         g.last_force[row] = last_force;
@@ -127,7 +127,7 @@ MotionSums move_gridpoints(Model& model, const QuietPoints& quiet, const TieList
     auto& g = model.gridpoints;
     const Settings& settings = model.settings;
     const DampingFactors damping(settings, model.clock);
-    const double step = model.clock.time_step;
+    const double kick = model.clock.kick();
     const Lanes gravity = lanes(settings.gravity);
     MotionSums whole = reduce_chunks(
         g.size(), grain, MotionSums{},
@@ -145,7 +145,7 @@ MotionSums move_gridpoints(Model& model, const QuietPoints& quiet, const TieList
                     advance_on_boundary(model, point, damping, v, g.last_force[row], sums);
                 } else {
                     advance_velocity(v, g.force[row], g.load[row], g.mass[row] * gravity,
-                                     g.inertial_mass[row], step, g.fixed[row], damping, g.last_force[row],
+                                     g.inertial_mass[row], kick, g.fixed[row], damping, g.last_force[row],
                                      sums);
                 }
                 place(model, static_cast<Row>(row));

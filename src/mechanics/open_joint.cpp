@@ -1,4 +1,5 @@
 // Joints between rigid blocks that begin to open: from then on their force follows the overlap.
+#include "mechanics/contact_load.hpp"
 #include "mechanics/contact_geometry.hpp"
 #include "mechanics/overlap_contact.hpp"
 
@@ -175,10 +176,11 @@ struct RowState {
 
 } // namespace
 
-void follow_overlap(Model& model, Row c) {
+double follow_overlap(Model& model, Row c) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
+    const double stored = ContactLoad(model, c).stored();
     const Closures closures = closures_of(model, c);
     ClosureOffset offset;
     constexpr double same = 0.05; // of the deepest closure
@@ -194,8 +196,9 @@ void follow_overlap(Model& model, Row c) {
     contacts.twist[c] = patch.twist;
     contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
     contacts.stiffness_area[c] = rung_above(std::max(patch.area, contacts.area[c]), contacts.least_area[c]);
-    contacts.slid[c] = 0;
-    contacts.given_up[c] = closures.force * (patch.carried > 0 ? patch.energy / patch.carried : 0);
+    contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
+    contacts.energy_taken[c] = closures.force * contacts.energy_length[c];
+    contacts.withheld[c] = contacts.slid[c] = contacts.sunk[c] = contacts.given_up[c] = 0;
     std::array<Vec3, carriers> places;
     places.fill(contacts.position[c]);
     if (patch.carried > 0) {
@@ -219,6 +222,7 @@ void follow_overlap(Model& model, Row c) {
         if (carries) subs.normal_displacement[s] = closed ? -patch.depth : std::max(0.0, of_carrier.displacement);
         subs.position.set(s, carries ? places[k] : contacts.position[c]);
     }
+    return stored - ContactLoad(model, c).stored();
 }
 
 } // namespace kaya

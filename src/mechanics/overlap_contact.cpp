@@ -1,6 +1,7 @@
 #include "mechanics/overlap_contact.hpp"
 
 #include "mechanics/contact_geometry.hpp"
+#include "mechanics/dashpots.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -42,6 +43,7 @@ void add_work_of(const Model& model, Row c, const RelativeMotion& motion, JointW
     const auto& subs = model.sub_contacts;
     const Vec3 n = model.contacts.normal[c];
     const Span span = model.contacts.sub_contacts[c];
+    const bool damped = joints_are_damped(model.settings);
     double joint = 0, friction = 0, fluid = 0, normal = 0;
     for (Row s = span.first; s < span.end(); ++s) {
         normal += subs.normal_force[s];
@@ -49,6 +51,7 @@ void add_work_of(const Model& model, Row c, const RelativeMotion& motion, JointW
         joint += (subs.normal_force[s] * n + subs.shear_force[s]).dot(way);
         friction += subs.frictional_work[s];
         fluid += subs.pore_pressure[s] * subs.area[s] * n.dot(way);
+        if (damped) work.dashpots += (subs.dashpot_normal[s] * n + subs.dashpot_shear[s]).dot(way);
     }
     joint += normal * model.contacts.twist[c] * n.dot(motion.two.turn - motion.one.turn);
     work.joint[0] += joint;
@@ -214,16 +217,15 @@ void scale_force(Model& model, Row c, double scale) {
 
 /// Steps are finite: a contact that closes and opens within a few of them would give back a little more or less than it
 /// took. On corners and edges it gives back no more: where the energy that it has taken is below that of its overlap, the force is that of the
-/// lower one, within limits, so that the overlap stays what the load asks for. `given_up` is the energy taken, `sunk`
-/// the length energy over force, `scale` the part of the force that acts.
+/// lower one, within limits, so that the overlap stays what the load asks for.
 void keep_passive(Model& model, Row c) {
     constexpr double least_scale = 0.75, recovery = 2e-3, surplus = 1.1;
     constexpr double slow = 1e-3; // of the energy in a step: it is kept as exactly as need be
     auto& contacts = model.contacts;
     const RelativeMotion motion(model, c);
-    const double of_overlap = normal_force_of(model, c) * contacts.sunk[c];
+    const double of_overlap = normal_force_of(model, c) * contacts.energy_length[c];
     const double work = 0.5 * normal_work(model, c, motion);
-    double& taken = contacts.given_up[c];
+    double& taken = contacts.energy_taken[c];
     double scale = 1;
     taken -= work;
     if (std::abs(work) < slow * of_overlap || lie_on_each_other(model, pair_of(contacts, c))) taken = of_overlap;
@@ -233,13 +235,20 @@ void keep_passive(Model& model, Row c) {
         scale_force(model, c, scale);
         taken += (1 - scale) * work + recovery * (of_overlap - taken);
     }
+    // Half of a force's work is yet to come. Where the blocks part in that time no more than what is left may be given back.
+    if (const double to_come = scale * work; of_overlap > 0 && to_come > taken) {
+        const double part = std::max(0.0, 0.5 * (taken + to_come) / to_come);
+        scale_force(model, c, part);
+        scale *= part;
+        taken += (1 - part) * to_come;
+    }
     taken = std::min(taken, surplus * of_overlap);
-    contacts.slid[c] = 1 - scale;
+    contacts.withheld[c] = 1 - scale;
 }
 
 /// The joint model sees the force of the overlap.
 void take_back_scale(Model& model, Row c) {
-    double& missing = model.contacts.slid[c];
+    double& missing = model.contacts.withheld[c];
     if (missing > 0) scale_force(model, c, 1 / (1 - missing));
     missing = 0;
 }
@@ -251,7 +260,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
     const RelativeMotion motion(model, c);
     add_work_of(model, c, motion.at_start(), work);
-    contacts.given_up[c] -= 0.5 * normal_work(model, c, motion.at_start());
+    contacts.energy_taken[c] -= 0.5 * normal_work(model, c, motion.at_start());
     take_back_scale(model, c);
 
     Vec3& n = contacts.normal[c];
@@ -283,7 +292,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     n = patch.normal;
     turn_shear(model, c, n, turn);
     const double lost = write_rows(model, c, patch, motion);
-    contacts.sunk[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
+    contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     contacts.stiffness_area[c] = rung_above(std::max(area, contacts.area[c]), contacts.least_area[c]);
     return lost;
 }
@@ -302,7 +311,7 @@ double finish_overlap_contact(Model& model, Row c, JointWork& work) {
         // Apart: a closure that was there besides that of the places is used up.
         if (contacts.offset[c] > 0) contacts.offset[c] = 0;
         contacts.offset_tilt[c].setZero();
-        contacts.given_up[c] = contacts.sunk[c] = 0;
+        contacts.energy_taken[c] = contacts.energy_length[c] = 0;
     } else {
         keep_passive(model, c);
     }

@@ -24,7 +24,8 @@ double finish_overlap_contact(Model& model, Row contact, JointWork& work);
 /// Whether the sub-contacts of a joint with fixed places are neither all closed nor all open, and none pulls.
 bool is_partly_open(const Model& model, Row contact);
 
-/// Makes an overlap contact of a joint with fixed places; normal and shear force stay.
-void follow_overlap(Model& model, Row contact);
+/// Makes an overlap contact of a joint with fixed places; normal and shear force stay. Returns the energy of its springs
+/// that is lost.
+double follow_overlap(Model& model, Row contact);
 
 } // namespace kaya

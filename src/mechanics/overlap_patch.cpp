@@ -33,7 +33,8 @@ struct Side {
 /// Memory of one thread.
 struct Workspace {
     ConvexClip clip, piece;
-    std::vector<HalfSpace> of_subject, of_other;
+    std::vector<HalfSpace> of_subject, of_other;         ///< faces of the block that is clipped, and of the other one
+    std::vector<HalfSpace> face_of_subject, face_of_other; ///< those that lie on each other
 };
 
 /// What closes the joint moves block 1 along the normal, or block 2 against it.
@@ -97,19 +98,35 @@ Vec3 longest_edge_across(const ConvexClip& clip, const Vec3& normal) {
     return longest;
 }
 
-/// Leaves one face of a block in the list of its faces.
-void keep_face(const Model& model, Row face, std::vector<HalfSpace>& faces) {
+/// Puts one face of a block, out of the list of its faces, into `one`.
+void take_face(const Model& model, Row face, const std::vector<HalfSpace>& faces, std::vector<HalfSpace>& one) {
     std::size_t place = 0;
     for (Row f = model.blocks.faces[model.faces.block[face]].first; f < face; ++f) place += model.faces.triangles[f].count > 0;
-    faces = {HalfSpace(faces[place])};
+    one.assign(1, faces[place]);
 }
+
+/// How far the faces of a pair lie on each other: 1 when they are parallel or nearly so, 0 from some angle on, or where
+/// corners or edges touch.
+struct Flatness {
+    double value = 0;
+    Vec3 turned = Vec3::Zero(); ///< minus its derivative to a turn of block 2
+
+    Flatness(const Model& model, const OverlapPair& pair) {
+        constexpr double low = 6.1e-4, high = 7.6e-3; // 1 - cosine of 2 and 7 degrees
+        if (pair.face1 == no_row || pair.face2 == no_row) return;
+        const Vec3 n1 = current_normal(model, pair.face1), n2 = current_normal(model, pair.face2);
+        const double t = (1 + n1.dot(n2) - low) / (high - low);
+        if (t >= 1) return;
+        value = 1;
+        if (t <= 0) return;
+        value -= t * t * (3 - 2 * t);
+        turned = 6 * t * (1 - t) / (high - low) * n2.cross(n1);
+    }
+};
 
 } // namespace
 
-bool lie_on_each_other(const Model& model, const OverlapPair& pair) {
-    constexpr double cosine = 0.99863; // 3 degrees
-    return pair.face1 != no_row && pair.face2 != no_row && current_normal(model, pair.face1).dot(current_normal(model, pair.face2)) < -cosine;
-}
+bool lie_on_each_other(const Model& model, const OverlapPair& pair) { return Flatness(model, pair).value > 0.5; }
 
 double part_of_first(const Model& model, Row block1, Row block2) {
     constexpr double larger = 2;
@@ -122,19 +139,22 @@ namespace {
 
 /// Energy over stiffness of an overlap: U of the depth, or that of a joint of the least area, whichever is more, by a
 /// norm that is smooth and exact far from where they are equal. Gives minus its gradient.
-OverlapGradient energy_of(const OverlapGradient& volume, const OverlapGradient& depth, double least_area) {
+OverlapGradient energy_of(const OverlapGradient& volume, const OverlapGradient& depth, double least_area, const Flatness& flatness) {
     constexpr int power = 8;
+    // The mean depth of a sharp corner is a sixth of how deep it is. Under a face that lies nearly flat it is a third or more,
+    // and the least area must not hide how that wedge carries.
+    constexpr double of_corner = 6, of_flat = 4;
+    const double closure = of_corner + flatness.value * (of_flat - of_corner);
     const double mean = depth.value / volume.value;
-    // Half of the area times the square of its closure. The mean depth of a corner is a quarter or less of how deep it is.
-    constexpr double closure_per_mean = 6;
-    const double joint = 0.5 * least_area * (closure_per_mean * mean) * (closure_per_mean * mean);
+    const double joint = 0.5 * least_area * (closure * mean) * (closure * mean);
     const double larger = std::max(joint, depth.value), one = depth.value / larger, other = joint / larger;
     const double sum = std::pow(std::pow(one, power) + std::pow(other, power), 1.0 / power); // over the larger
     const double of_depth = std::pow(one / sum, power - 1), of_joint = std::pow(other / sum, power - 1);
     OverlapGradient energy;
     energy.value = larger * sum;
     energy.force = (of_depth + of_joint * 2 * joint / depth.value) * depth.force - of_joint * 2 * joint / volume.value * volume.force;
-    energy.moment = (of_depth + of_joint * 2 * joint / depth.value) * depth.moment - of_joint * 2 * joint / volume.value * volume.moment;
+    energy.moment = (of_depth + of_joint * 2 * joint / depth.value) * depth.moment - of_joint * 2 * joint / volume.value * volume.moment +
+                    of_joint * 2 * joint / closure * (of_flat - of_corner) * flatness.turned;
     return energy;
 }
 
@@ -178,22 +198,31 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     if (work.clip.empty()) return patch;
     const OverlapMoments moments = moments_of(work.clip);
     if (!(moments.volume > 0)) return patch;
-    patch.lies = lie_on_each_other(model, pair);
-    if (patch.lies) {
-        keep_face(model, face1, second_is_subject ? work.of_other : work.of_subject);
-        keep_face(model, face2, second_is_subject ? work.of_subject : work.of_other);
-    }
+    const Flatness flatness(model, pair);
+    patch.lies = flatness.value > 0.5;
     const OverlapGradient volume = volume_gradient(work.clip, moments.volume, second_is_subject);
-    OverlapGradient depth;
     const double first = part_of_first(model, block1, block2), of_subject = second_is_subject ? 1 - first : first;
-    if (of_subject > 0) depth.add(depth_gradient(work.clip, work.of_subject, true, second_is_subject, work.piece), of_subject);
-    if (of_subject < 1) depth.add(depth_gradient(work.clip, work.of_other, false, second_is_subject, work.piece), 1 - of_subject);
+    const auto depth_below = [&](const std::vector<HalfSpace>& faces_of_subject, const std::vector<HalfSpace>& faces_of_other) {
+        OverlapGradient depth;
+        if (of_subject > 0) depth.add(depth_gradient(work.clip, faces_of_subject, true, second_is_subject, work.piece), of_subject);
+        if (of_subject < 1) depth.add(depth_gradient(work.clip, faces_of_other, false, second_is_subject, work.piece), 1 - of_subject);
+        return depth;
+    };
+    OverlapGradient depth;
+    if (flatness.value < 1) depth.add(depth_below(work.of_subject, work.of_other), 1 - flatness.value);
+    if (flatness.value > 0) {
+        const double of_all = flatness.value < 1 ? depth.value / (1 - flatness.value) : 0;
+        take_face(model, second_is_subject ? face2 : face1, work.of_subject, work.face_of_subject);
+        take_face(model, second_is_subject ? face1 : face2, work.of_other, work.face_of_other);
+        const OverlapGradient of_faces = depth_below(work.face_of_subject, work.face_of_other);
+        depth.add(of_faces, flatness.value);
+        depth.moment += (of_faces.value - of_all) * flatness.turned;
+    }
     if (!(depth.value > 0)) return patch;
-    const OverlapGradient energy = energy_of(volume, depth, least_area);
+    const OverlapGradient energy = energy_of(volume, depth, least_area, flatness);
     const double force = energy.force.norm();
     if (!(force > 0)) return patch;
 
-    if (getenv("DBG") && force > 1e-3) for (std::size_t f = 0; f < work.clip.face_count(); ++f) { fprintf(stderr, " face %d:", (int)work.clip.origin(f)); for (int i = 0; i < work.clip.corner_count(f); ++i) fprintf(stderr, " (%.17g %.17g %.17g)", work.clip.corner(f,i).x(), work.clip.corner(f,i).y(), work.clip.corner(f,i).z()); fprintf(stderr, "\n"); }
     patch.carried = force;
     patch.energy = energy.value;
     patch.normal = energy.force / force;

@@ -19,6 +19,7 @@ struct MotionSums {
     double damped = 0;                      ///< energy taken out by damping
     double inner_power = 0;      ///< of the forces of joints and zones at the velocities before the step
     double inner_power_size = 0; ///< the same with the sizes of its terms, to tell it from rounding
+    double inner_power_gain = 0; ///< by how much it is greater at the velocities after the step
 
     void add(const MotionSums& part);
 };
@@ -31,6 +32,7 @@ inline void MotionSums::add(const MotionSums& part) {
     damped += part.damped;
     inner_power += part.inner_power;
     inner_power_size += part.inner_power_size;
+    inner_power_gain += part.inner_power_gain;
 }
 
 struct Hooks;
@@ -80,7 +82,8 @@ struct JointForces {
     std::vector<Vec3> of_sub_contact; ///< on the second side, of contacts with a deformable block
     std::vector<Vec3> of_contact;     ///< sum on the second block
     std::vector<Vec3> moment;         ///< of that sum about Contacts::position
-    std::vector<double> stiffness;    ///< sum over the contact's sub-contacts of the larger tangent stiffness
+    std::vector<double> stiffness;    ///< of each contact, to be compared with that of the last step only: its sub-contacts'
+                                      ///< larger tangent stiffnesses, of overlaps over the masses as they feel it
     std::vector<char> stiffness_changed; ///< of contacts that are much stiffer or have other geometry, until someone clears it
 };
 
@@ -110,11 +113,13 @@ void joint_forces_of_new(const Model& model, JointForces& forces);
 struct JointWork {
     Lanes joint = Lanes::Zero(), friction = Lanes::Zero();
     Lanes fluid = Lanes::Zero(); ///< of the pore pressure; a joint model does not change it
+    double dashpots = 0;         ///< of the viscous forces of overlaps
 
     void add(const JointWork& other) {
         joint += other.joint;
         friction += other.friction;
         fluid += other.fluid;
+        dashpots += other.dashpots;
     }
 };
 

@@ -60,6 +60,10 @@ public:
     Column<double> offset;     ///< closure besides that of the places of the blocks
     Column<Vec3> offset_tilt;  ///< its slope in space, about the centroid of block1
     Column<Vec3> axis;         ///< a direction in the plane that turns with the contact
+    Column<double> energy_length; ///< energy of the overlap over its normal force
+    Column<double> energy_taken;  ///< what it has taken up and not given back
+    Column<double> withheld;      ///< part of its force that does not act, so that it gives back no more than that
+    // Of joints only.
     Column<double> slid;       ///< relative tangential motion since the geometry was made anew
     Column<double> sunk;       ///< overlap beyond that which its force belongs to
     Column<double> given_up;   ///< energy that new geometry has taken from it, less what it has given back
@@ -89,6 +93,9 @@ public:
         visit("offset", offset);
         visit("offset_tilt", offset_tilt);
         visit("axis", axis);
+        visit("energy_length", energy_length);
+        visit("energy_taken", energy_taken);
+        visit("withheld", withheld);
         visit("slid", slid);
         visit("given_up", given_up);
         visit("sunk", sunk);

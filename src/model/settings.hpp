@@ -59,7 +59,10 @@ inline double time_step_fraction(const Settings& settings) {
     if (settings.time_step_fraction > 0) return settings.time_step_fraction;
     const bool to_rest = settings.damping == Damping::local || settings.damping == Damping::global ||
                          settings.damping == Damping::combined;
-    return to_rest ? 0.75 : 0.25;
+    if (to_rest) return 0.75;
+    // Where nothing damps, a blow must give back what it has taken to a thousandth.
+    const bool undamped = settings.damping == Damping::none && settings.contact_damping == 0;
+    return undamped ? 0.0625 : 0.25;
 }
 
 /// Numbers that the cycle keeps from step to step.
@@ -67,10 +70,14 @@ struct Clock {
     double time = 0;
     std::int64_t cycle = 0;
     double time_step = 0;      ///< 0: not computed yet
+    double last_step = 0;      ///< that which brought the bodies to where they are; 0: none yet
     double global_viscosity = 0; ///< of adaptive global damping, 1/time
     double unbalanced_force = 0; ///< largest of the last cycle
     double average_ratio = 0, maximum_ratio = 0, local_ratio = 0; ///< docs/theory/motion.md
     double factor_of_safety = 0; ///< of the last `solve fos`; 0: none yet
+
+    /// From the middle of the last step, where velocities stand, to the middle of this one: forces act for so long.
+    double kick() const { return last_step > 0 ? 0.5 * (last_step + time_step) : time_step; }
 };
 
 } // namespace kaya

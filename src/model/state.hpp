@@ -51,11 +51,12 @@ template <class Archive> void visit_state(Archive& archive, Settings& settings) 
 }
 
 template <class Archive> void visit_state(Archive& archive, Clock& clock) {
-    auto& [time, cycle, time_step, global_viscosity, unbalanced_force, average_ratio,
+    auto& [time, cycle, time_step, last_step, global_viscosity, unbalanced_force, average_ratio,
            maximum_ratio, local_ratio, factor_of_safety] = clock;
     archive.value("time", time);
     archive.value("cycle", cycle);
     archive.value("time_step", time_step);
+    archive.value("last_step", last_step);
     archive.value("global_viscosity", global_viscosity);
     archive.value("unbalanced_force", unbalanced_force);
     archive.value("average_ratio", average_ratio);
@@ -65,7 +66,7 @@ template <class Archive> void visit_state(Archive& archive, Clock& clock) {
 }
 
 template <class Archive> void visit_state(Archive& archive, Energy& energy) {
-    auto& [kinetic, start, gravity, boundary, damped, joint_work, joint_friction, joint_lost, zone_work, inner_power, behind] = energy;
+    auto& [kinetic, start, gravity, boundary, damped, joint_work, joint_friction, joint_lost, zone_work, step_made, inner_power, behind] = energy;
     archive.value("kinetic", kinetic);
     archive.value("start", start);
     archive.value("gravity", gravity);
@@ -75,6 +76,7 @@ template <class Archive> void visit_state(Archive& archive, Energy& energy) {
     archive.value("joint_friction", joint_friction);
     archive.value("joint_lost", joint_lost);
     archive.value("zone_work", zone_work);
+    archive.value("step_made", step_made);
     archive.value("inner_power", inner_power);
     archive.value("behind", behind);
 }

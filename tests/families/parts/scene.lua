@@ -69,6 +69,16 @@ end
 
 local function velocity(block, point) return block.velocity + block.rotational_velocity:cross(point - block.position) end
 
+-- The step that has brought the blocks to where they are; model.time_step may be another already.
+local clock = { cycle = -1 }
+local function last_step()
+    if model.cycle ~= clock.cycle then
+        clock.step = clock.cycle == model.cycle - 1 and model.time - clock.time or model.time_step
+        clock.cycle, clock.time = model.cycle, model.time
+    end
+    return clock.step
+end
+
 -- What the springs of all contacts do to the blocks beside them in a step.
 local function contact_work()
     local power = 0.0
@@ -79,7 +89,7 @@ local function contact_work()
             power = power + (s.normal * normal_force + shear):dot(velocity(s.block2, x) - velocity(s.block1, x))
         end
     end
-    return power * model.time_step
+    return power * last_step()
 end
 
 local function account()
@@ -128,11 +138,12 @@ function scene.energy(moving, driven, every)
     end
     result.start = start
     command "cycle 0\nreset energy"
+    clock.cycle, clock.time = model.cycle, model.time
     local pushed = {}
     for i, b in ipairs(driven or {}) do pushed[i] = scene.contact_force(b) end
     result.deepest_potential = 0
     scene.watch(function()
-        local dt = model.time_step
+        local dt = last_step()
         local potential, drivers = 0.0, 0.0
         for i, b in ipairs(moving) do
             local v = b.velocity

@@ -1,0 +1,44 @@
+#include "mechanics/contact_stiffness.hpp"
+
+#include "mechanics/triple.hpp"
+
+namespace kaya {
+
+namespace {
+
+/// The same as seen from one block.
+double over_mass_of(const Model& model, Row c, Row block) {
+    const auto& blocks = model.blocks;
+    const double mass = blocks.inertial_mass[block];
+    if (blocks.fixed[block] == fix_all || blocks.deformable[block] || !(mass > 0)) return 0;
+    const auto& q = blocks.orientation[block];
+    const Rotor to_own = Rotor{q[0], {q[1], q[2], q[3]}}.conjugate();
+    const SymmetricInverse inverse(blocks.inertia[block], mass / blocks.volume[block]);
+    const Triple n = to_own.turned(Triple(model.contacts.normal[c])), centre(blocks.centroid[block]);
+    const double factor = normal_area_factor(model, c);
+    const Span span = model.contacts.sub_contacts[c];
+    double sum = 0;
+    for (Row s = span.first; s < span.end(); ++s) {
+        const Springs springs = springs_of(model.sub_contacts, s, factor);
+        const Triple arm = to_own.turned(Triple(Vec3(model.sub_contacts.position[s])) - centre), across = arm.cross(n);
+        const double along = across.dot(inverse * across);
+        sum += springs.normal * (1 / mass + along) + springs.shear * (2 / mass + inverse.of_arm(arm) - along);
+    }
+    return sum;
+}
+
+} // namespace
+
+double sum_of_stiffness(const Model& model, Row contact) {
+    const Span span = model.contacts.sub_contacts[contact];
+    const double factor = normal_area_factor(model, contact);
+    double sum = 0;
+    for (Row s = span.first; s < span.end(); ++s) sum += springs_of(model.sub_contacts, s, factor).stiffer();
+    return sum;
+}
+
+double stiffness_over_mass(const Model& model, Row contact) {
+    return over_mass_of(model, contact, model.contacts.block1[contact]) + over_mass_of(model, contact, model.contacts.block2[contact]);
+}
+
+} // namespace kaya
