@@ -29,7 +29,7 @@ struct ContactLoad {
             shear += sum(squared.sqrt());
         }
         if (model.contacts.kind[c] == ContactKind::overlap && model.settings.large_strain)
-            energy = normal * model.contacts.energy_length[c];
+            energy = model.contacts.energy_taken[c];
     }
     double stored() const { return energy + shear_energy; }
 

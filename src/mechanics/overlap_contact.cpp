@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace kaya {
 
@@ -205,20 +206,24 @@ double normal_work(const Model& model, Row c, const RelativeMotion& motion) {
     return work + force * contacts.twist[c] * n.dot(motion.two.turn - motion.one.turn);
 }
 
-/// Shear force goes with it: friction limits both.
-void scale_force(Model& model, Row c, double scale) {
+/// Shear force goes with it: friction limits both. Returns the energy of the shear springs that is lost.
+double scale_force(Model& model, Row c, double scale) {
     auto& subs = model.sub_contacts;
     const Span span = model.contacts.sub_contacts[c];
+    double before = 0;
     for (Row s = span.first; s < span.end(); ++s) {
+        before += shear_energy(subs, s);
         subs.normal_force[s] *= scale;
         subs.shear_force.set(s, scale * Vec3(subs.shear_force[s]));
     }
+    return before * (1 - scale * scale);
 }
 
 /// Steps are finite: a contact that closes and opens within a few of them would give back a little more or less than it
 /// took. On corners and edges it gives back no more: where the energy that it has taken is below that of its overlap, the force is that of the
-/// lower one, within limits, so that the overlap stays what the load asks for.
-void keep_passive(Model& model, Row c) {
+/// lower one, within limits, so that the overlap stays what the load asks for. Returns the energy that has gone out of what
+/// it has taken without work.
+double keep_passive(Model& model, Row c) {
     constexpr double least_scale = 0.75, recovery = 2e-3, surplus = 1.1;
     constexpr double slow = 1e-3; // of the energy in a step: it is kept as exactly as need be
     auto& contacts = model.contacts;
@@ -226,31 +231,32 @@ void keep_passive(Model& model, Row c) {
     const double of_overlap = normal_force_of(model, c) * contacts.energy_length[c];
     const double work = 0.5 * normal_work(model, c, motion);
     double& taken = contacts.energy_taken[c];
-    double scale = 1;
+    const double before = taken;
+    double scale = 1, of_shear = 0;
     taken -= work;
     if (std::abs(work) < slow * of_overlap || lie_on_each_other(model, pair_of(contacts, c))) taken = of_overlap;
     if (of_overlap > 0 && taken < of_overlap) {
         taken = std::max(taken, least_scale * least_scale * of_overlap);
         scale = std::sqrt(taken / of_overlap);
-        scale_force(model, c, scale);
+        of_shear += scale_force(model, c, scale);
         taken += (1 - scale) * work + recovery * (of_overlap - taken);
     }
     // Half of a force's work is yet to come. Where the blocks part in that time no more than what is left may be given back.
     if (const double to_come = scale * work; of_overlap > 0 && to_come > taken) {
         const double part = std::max(0.0, 0.5 * (taken + to_come) / to_come);
-        scale_force(model, c, part);
+        of_shear += scale_force(model, c, part);
         scale *= part;
         taken += (1 - part) * to_come;
     }
     taken = std::min(taken, surplus * of_overlap);
     contacts.withheld[c] = 1 - scale;
+    return before - scale * work - taken + of_shear;
 }
 
-/// The joint model sees the force of the overlap.
-void take_back_scale(Model& model, Row c) {
-    double& missing = model.contacts.withheld[c];
-    if (missing > 0) scale_force(model, c, 1 / (1 - missing));
-    missing = 0;
+/// The joint model sees the force of the overlap. Returns the energy of the shear springs that is lost.
+double take_back_scale(Model& model, Row c) {
+    const double missing = std::exchange(model.contacts.withheld[c], 0);
+    return missing > 0 && missing < 1 ? scale_force(model, c, 1 / (1 - missing)) : 0;
 }
 
 } // namespace
@@ -261,7 +267,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     const RelativeMotion motion(model, c);
     add_work_of(model, c, motion.at_start(), work);
     contacts.energy_taken[c] -= 0.5 * normal_work(model, c, motion.at_start());
-    take_back_scale(model, c);
+    const double of_scale = take_back_scale(model, c);
 
     Vec3& n = contacts.normal[c];
     const Vec3 turn = 0.5 * (motion.one.turn + motion.two.turn);
@@ -291,7 +297,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     }
     n = patch.normal;
     turn_shear(model, c, n, turn);
-    const double lost = write_rows(model, c, patch, motion);
+    const double lost = of_scale + write_rows(model, c, patch, motion);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     contacts.stiffness_area[c] = rung_above(std::max(area, contacts.area[c]), contacts.least_area[c]);
     return lost;
@@ -311,9 +317,10 @@ double finish_overlap_contact(Model& model, Row c, JointWork& work) {
         // Apart: a closure that was there besides that of the places is used up.
         if (contacts.offset[c] > 0) contacts.offset[c] = 0;
         contacts.offset_tilt[c].setZero();
+        lost += contacts.energy_taken[c];
         contacts.energy_taken[c] = contacts.energy_length[c] = 0;
     } else {
-        keep_passive(model, c);
+        lost += keep_passive(model, c);
     }
     add_work_of(model, c, RelativeMotion(model, c), work);
     for (Row s = span.first; s < span.end(); ++s) {

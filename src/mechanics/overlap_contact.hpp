@@ -17,8 +17,8 @@ inline bool follows_overlap(const Model& model, Row contact) {
 /// and increments of the sub-contacts. Returns the energy of shear springs that is lost where the area changes.
 double move_overlap_contact(Model& model, Row contact, JointWork& work);
 
-/// Adds the work of the forces that the joint model has given. A contact that has parted carries nothing: the energy
-/// that its springs held is returned as lost.
+/// Adds the work of the forces that the joint model has given. A contact that has parted carries nothing. Returns the
+/// energy that is lost: of the springs of what has parted, and what the contact has taken and does not give back.
 double finish_overlap_contact(Model& model, Row contact, JointWork& work);
 
 /// Whether the sub-contacts of a joint with fixed places are neither all closed nor all open, and none pulls.
