@@ -47,9 +47,11 @@ constexpr double default_ratio = 1e-5;
 /// Cycles after which a model that cannot fail ought to be at rest.
 constexpr std::int64_t patience = 100000;
 constexpr std::int64_t shortest_span = 100;
-/// Spans that one trial may take, and the part of its unbalanced force that each must take away.
-constexpr int spans = 6;
+/// Spans that one trial may take, the part of its unbalanced force that each should take away, and how many in a row may
+/// fail to: near the limit a block sticks and slips, and the force goes up and down.
+constexpr int spans = 12;
 constexpr double gain = 0.1;
+constexpr int most_without_gain = 2;
 /// Factors beyond which nobody looks.
 constexpr double largest = 64;
 
@@ -92,14 +94,15 @@ public:
         bool at_rest = false;
         std::optional<MovingBody> moving;
         std::int64_t cycles = 0;
-        double before = INFINITY;
-        for (int i = 0; i < spans; ++i) {
+        double least = INFINITY;
+        for (int i = 0, without_gain = 0; i < spans && without_gain <= most_without_gain; ++i) {
             const RestSpan span = advance_span(session_, span_, ratio_);
             cycles += span.cycles;
             at_rest = span.at_rest;
             moving = span.moving;
-            if (at_rest || moving || span.mean_ratio > (1 - gain) * before) break;
-            before = span.mean_ratio;
+            if (at_rest || moving) break;
+            without_gain = span.mean_ratio > (1 - gain) * least ? without_gain + 1 : 0;
+            least = std::min(least, span.mean_ratio);
         }
         session_.output.say(fmt::format("strength divided by {:.6g}: {} after {} cycles, ratio {:.3e}{}", factor,
                                         at_rest ? "stands" : "fails", cycles, session_.model.clock.average_ratio,

@@ -17,6 +17,8 @@ constexpr std::size_t most_marks = 8;
 constexpr double kept_velocity = 0.9;
 /// Less displacement than this part of what its springs give under the forces on it is a body at rest.
 constexpr double quiet_part = 0.1 / 16;
+/// So is one that gains less than this part of its displacement since the run began: its springs still settle.
+constexpr double settling_part = 0.02;
 
 bool held(const Model& model, std::size_t b) {
     if (!model.blocks.deformable[b]) return (model.blocks.fixed[b] & 7) == 7;
@@ -92,8 +94,8 @@ std::optional<MovingBody> RestWatch::moving() const {
     constexpr double least_time = 25; // in largest stable steps; before, springs are still taking up their forces
     if (marks_.size() < least_marks || static_cast<double>(cycles_) * time_step_fraction(model_.settings) < least_time) return std::nullopt;
     const Mark now = mark();
-    const Mark &middle = marks_[marks_.size() - 2], &first = marks_[marks_.size() - 3];
-    if (first.blocks != now.blocks || middle.blocks != now.blocks) return std::nullopt;
+    const Mark &middle = marks_[marks_.size() - 2], &first = marks_[marks_.size() - 3], &begin = marks_.front();
+    if (first.blocks != now.blocks || middle.blocks != now.blocks || begin.blocks != now.blocks) return std::nullopt;
     const double before = middle.time - first.time, after = now.time - middle.time;
     if (!(before > 0 && after > 0)) return std::nullopt;
     const std::vector<double> acting = acting_forces(model_);
@@ -108,7 +110,8 @@ std::optional<MovingBody> RestWatch::moving() const {
                        lately = (now.*column)[b] - (middle.*column)[b];
             const double gained = lately.norm();
             const bool slows = lately.dot(then) / after < kept_velocity * then.squaredNorm() / before;
-            if (slows || gained <= quiet || gained <= most.gained) continue;
+            const double whole = ((now.*column)[b] - (begin.*column)[b]).norm();
+            if (slows || gained <= quiet || gained <= settling_part * whole || gained <= most.gained) continue;
             const double speed = block_velocity(model_, static_cast<Row>(b)).norm();
             most = {static_cast<Row>(b), speed, gained};
         }

@@ -18,7 +18,7 @@ void look_for_overlaps(Session& session, Row first, const Place& place) {
         session.said_once.insert(once);
         return session.warn(Diagnostic(fmt::format("block {} stands where block {} is already",
                                                    model.blocks.number[row], model.blocks.number[other]),
-                                       "they will be pressed apart; said once, `list blocks quality` shows all such pairs")
+                                       "what overlaps now carries no force; said once, `list blocks quality` shows all such pairs")
                                 .at(place));
     }
 }

@@ -432,7 +432,7 @@ bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row bl
     const double tolerance = coincidence * size, sliver = narrowest_touch(model, block1, block2);
     const double flat = flat_limit(model, old);
     const Separation separation =
-        find_separation(model, surfaces, block1, block2, {margin, 10 * tolerance, sliver, flat, persistence * size, old});
+        find_separation(model, surfaces, block1, block2, {margin, 10 * tolerance, size, sliver, flat, persistence * size, old});
     if (separation.distance > margin || separation.normal.isZero(0)) return false;
 
     touch.normal = separation.normal;

@@ -107,7 +107,7 @@ void write_contact(Model& model, Row c, const TouchPlane& g) {
     contacts.face2[c] = g.face2;
     contacts.touch[c] = g.touch;
     contacts.reference[c] = g.reference;
-    contacts.normal[c] = g.normal;
+    contacts.normal[c] = contacts.offset_normal[c] = g.normal;
     contacts.position[c] = g.position;
     contacts.area[c] = g.area;
     contacts.energy_length[c] = contacts.energy_taken[c] = contacts.withheld[c] = 0;
@@ -424,7 +424,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
                                  draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_touch;
         if (is_new) write_contact(model, row, draft.plane);
         // What was made to overlap does so without force, and what is found too late begins without.
-        if (draft.kind == DraftKind::overlap && draft.old == no_row) contacts.offset[c] = std::min(0.0, draft.plane.gap);
+        if (draft.kind == DraftKind::overlap && draft.old == no_row) begin_without_force(model, row);
         for (Row i = 0; i < spans[c].count; ++i) {
             const Row s = spans[c].first + i;
             const Row source = sub_source[s];

@@ -192,6 +192,7 @@ double follow_overlap(Model& model, Row c) {
     contacts.kind[c] = ContactKind::overlap;
     contacts.offset[c] = offset.closure;
     contacts.offset_tilt[c] = offset.tilt;
+    contacts.offset_normal[c] = contacts.normal[c];
     contacts.depth[c] = closed ? patch.depth : 0;
     contacts.twist[c] = patch.twist;
     contacts.area[c] = patch.carrying_area(contacts.least_area[c]);

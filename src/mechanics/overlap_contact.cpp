@@ -100,7 +100,9 @@ double normal_force_of(const Model& model, Row c) {
     return sum;
 }
 
-ClosureOffset offset_of(const Contacts& contacts, Row c) { return {contacts.offset[c], contacts.offset_tilt[c]}; }
+ClosureOffset offset_of(const Contacts& contacts, Row c) {
+    return {contacts.offset[c], contacts.offset_tilt[c], contacts.offset_normal[c]};
+}
 
 /// A force that was set while nothing overlaps: the offset at which the overlap carries it.
 double offset_for_force(const Model& model, Row c, double force, double stiffness) {
@@ -185,7 +187,7 @@ double gap_along(const Model& model, Row block1, Row block2, const Vec3& n, cons
         high1 = std::max(high1, n.dot(from) + offset.tilt.dot(from));
     }
     for (Row g = two.first; g < two.end(); ++g) low2 = std::min(low2, n.dot(x[g] - origin));
-    return low2 - high1 - offset.closure;
+    return low2 - high1 - offset.closure * n.dot(offset.along);
 }
 
 } // namespace
@@ -261,6 +263,29 @@ double take_back_scale(Model& model, Row c) {
 
 } // namespace
 
+void begin_without_force(Model& model, Row c) {
+    auto& contacts = model.contacts;
+    contacts.offset[c] = 0;
+    contacts.offset_tilt[c].setZero();
+    const OverlapPair pair = pair_of(contacts, c);
+    ClosureOffset offset;
+    const OverlapPatch patch = overlap_patch(model, pair, contacts.normal[c], offset);
+    if (!(patch.carried > 0)) return;
+    const Vec3 n = patch.normal;
+    const auto overlaps = [&](double closure) {
+        offset.closure = closure;
+        return overlap_patch(model, pair, n, offset).carried > 0;
+    };
+    double low = -patch.depth, high = 0;
+    for (int i = 0; i < 20 && overlaps(low); ++i) low *= 2;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = 0.5 * (low + high);
+        (overlaps(middle) ? high : low) = middle;
+    }
+    contacts.offset[c] = low;
+    contacts.offset_normal[c] = n;
+}
+
 double move_overlap_contact(Model& model, Row c, JointWork& work) {
     auto& contacts = model.contacts;
     const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
@@ -276,9 +301,22 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
         contacts.position[c] += 0.5 * (motion.one.at(contacts.position[c]) + motion.two.at(contacts.position[c]));
         const double force = normal_force_of(model, c), stiffness = model.sub_contacts.normal_stiffness[contacts.sub_contacts[c].first];
         if (force > 0 && stiffness > 0) contacts.offset[c] = offset_for_force(model, c, force, stiffness);
+        // What overlaps less than it did without force does so from here on.
+        if (const double before = contacts.offset[c]; before < 0 && contacts.offset_tilt[c].isZero(0)) {
+            const Vec3 along = contacts.offset_normal[c];
+            begin_without_force(model, c);
+            if (contacts.offset[c] < before) {
+                contacts.offset[c] = before;
+                contacts.offset_normal[c] = along;
+            }
+        }
     }
     contacts.axis[c] += turn.cross(contacts.axis[c]);
     turn_offset(contacts, c, motion, model.blocks.centroid[b1]);
+    // If it were along the normal, which the common part gives, each would follow from the other and they might never agree.
+    Vec3& along = contacts.offset_normal[c];
+    const bool has_offset = contacts.offset[c] != 0 || !contacts.offset_tilt[c].isZero(0);
+    along = has_offset ? (along + turn.cross(along)).normalized() : n;
 
     // How much closer they may come in two more steps like this one.
     const double closing = std::max(0.0, -2 * motion.at(contacts.position[c]).dot(n));

@@ -17,6 +17,9 @@ inline bool follows_overlap(const Model& model, Row contact) {
 /// and increments of the sub-contacts. Returns the energy of shear springs that is lost where the area changes.
 double move_overlap_contact(Model& model, Row contact, JointWork& work);
 
+/// Gives a contact the offset at which what overlaps carries nothing; none where nothing overlaps.
+void begin_without_force(Model& model, Row contact);
+
 /// Adds the work of the forces that the joint model has given. A contact that has parted carries nothing. Returns the
 /// energy that is lost: of the springs of what has parted, and what the contact has taken and does not give back.
 double finish_overlap_contact(Model& model, Row contact, JointWork& work);

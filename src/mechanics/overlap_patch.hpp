@@ -27,10 +27,11 @@ struct OverlapPatch {
     Vec3 longest_edge = Vec3::Zero(); ///< direction of the longest edge of the common part in the plane of the contact
 };
 
-/// Closure besides that of the places of the blocks: `closure` + tilt . (x - centroid of block 1), along the normal.
+/// Closure besides that of the places of the blocks: `closure` + tilt . (x - centroid of block 1), along a direction.
 struct ClosureOffset {
     double closure = 0;
     Vec3 tilt = Vec3::Zero();
+    Vec3 along = Vec3::Zero(); ///< unit; zero is the contact's normal
 };
 
 /// Two rigid blocks that may overlap.
@@ -40,7 +41,7 @@ struct OverlapPair {
     double least_area; ///< see least_contact_area
 };
 
-/// The common part of two rigid blocks, the second one moved along -normal by the offset. Its force is the gradient of an
+/// The common part of two rigid blocks, the second one moved against `along` by the offset. Its force is the gradient of an
 /// energy, so that no motion of the blocks makes any. `normal` is also the normal of the patch where there is no common
 /// part.
 OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset);

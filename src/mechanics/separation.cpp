@@ -112,7 +112,7 @@ private:
 
 Separation find_separation(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
                            const SeparationLimits& limits) {
-    const auto& [enough, tie, sliver, flat, stay, old] = limits;
+    const auto& [enough, tie, clear, sliver, flat, stay, old] = limits;
     const OldAxis old_axis(model, old);
     Separation best;
     double best_score = best.distance; // distance, and more for the axis that was the best before
@@ -189,7 +189,7 @@ Separation find_separation(const Model& model, const Surfaces& surfaces, Row blo
             const double low2 = lowest(surfaces.vertices(block2), axis);
             if (axis.dot(x[e2.ends[0]]) > low2 + tie) continue;
             const double distance = low2 - high1, score = distance + (old_axis.is(e1.ends, e2.ends) ? stay : 0);
-            if (distance > enough || score > best_score + (best.edge1[0] == no_row ? enough : tie)) {
+            if (distance > enough || score > best_score + (best.edge1[0] == no_row ? clear : tie)) {
                 best_score = score;
                 best.distance = distance;
                 best.normal = axis;

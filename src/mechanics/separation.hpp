@@ -23,6 +23,7 @@ struct Separation {
 struct SeparationLimits {
     double enough; ///< an axis that keeps the blocks this far apart is good enough
     double tie;    ///< an axis must beat those before it by this
+    double clear;  ///< and the first axis of edges the faces by this
     double sliver; ///< where faces lie on each other, a common area narrower than this is none
     double flat;   ///< cosine of the angle up to which faces lie on each other
     double stay;   ///< by so much another axis must beat the old one: two that are equal would take turns

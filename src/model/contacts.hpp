@@ -59,6 +59,7 @@ public:
     Column<double> twist;      ///< moment of the overlap about the normal over its normal force: length
     Column<double> offset;     ///< closure besides that of the places of the blocks
     Column<Vec3> offset_tilt;  ///< its slope in space, about the centroid of block1
+    Column<Vec3> offset_normal; ///< unit; its direction, which goes with the blocks and not with the normal
     Column<Vec3> axis;         ///< a direction in the plane that turns with the contact
     Column<double> energy_length; ///< energy of the overlap over its normal force
     Column<double> energy_taken;  ///< what it has taken up and not given back
@@ -92,6 +93,7 @@ public:
         visit("twist", twist);
         visit("offset", offset);
         visit("offset_tilt", offset_tilt);
+        visit("offset_normal", offset_normal);
         visit("axis", axis);
         visit("energy_length", energy_length);
         visit("energy_taken", energy_taken);

@@ -23,7 +23,7 @@ TEST(Info, ASaveFileInWords) {
     extras.scripts = {{"lua", "12345"}};
     save_state(model, folder / "a.sav", extras);
     EXPECT_EQ(describe_save_file(folder / "a.sav"),
-              fmt::format("file            {} (format 8)\n"
+              fmt::format("file            {} (format 9)\n"
                           "written by      kaya 0.1.0\n"
                           "title           Direct shear\n"
                           "cycle           42\n"
