@@ -83,7 +83,7 @@ void RestWatch::look() {
     if (cycles_ % stride_ != 0) return;
     marks_.push_back(mark());
     if (marks_.size() <= most_marks) return;
-    for (std::size_t i = 0; 2 * i < marks_.size(); ++i) marks_[i] = std::move(marks_[2 * i]);
+    for (std::size_t i = 1; 2 * i < marks_.size(); ++i) marks_[i] = std::move(marks_[2 * i]);
     marks_.resize((marks_.size() + 1) / 2);
     stride_ *= 2;
 }

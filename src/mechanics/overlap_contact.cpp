@@ -153,7 +153,7 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
             lost += change_area(subs, s, contacts.area[c] / carriers, patch.lies);
             subs.position.set(s, places[k]);
         } else {
-            subs.position.set(s, Vec3(subs.position[s]) + 0.5 * (motion.one.at(subs.position[s]) + motion.two.at(subs.position[s])));
+            subs.position.set(s, contacts.position[c]);
         }
         const Vec3 way = motion.at(subs.position[s]);
         // The joint model's closure is the depth; it stays at what it was while the blocks are apart.
@@ -174,6 +174,18 @@ void turn_offset(Contacts& contacts, Row c, const RelativeMotion& motion, const 
     const double used = std::clamp(tilted.dot(along), 0.0, size);
     tilt -= used * along;
     contacts.offset[c] += used * along.dot(contacts.position[c] - origin);
+}
+
+/// Where two blocks that are apart are nearest, or nearly so: between the corners that lie farthest along the normal.
+Vec3 place_between(const Model& model, Row block1, Row block2, const Vec3& n) {
+    const auto farthest = [&](Row block, const Vec3& direction) {
+        const Span span = model.blocks.gridpoints[block];
+        Row best = span.first;
+        for (Row g = span.first; g < span.end(); ++g)
+            if (direction.dot(model.gridpoints.position[g] - model.gridpoints.position[best]) > 0) best = g;
+        return Vec3(model.gridpoints.position[best]);
+    };
+    return 0.5 * (farthest(block1, n) + farthest(block2, -n));
 }
 
 /// How far apart two blocks are along a direction, offset included; a bound of their distance.
@@ -298,7 +310,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     const Vec3 turn = 0.5 * (motion.one.turn + motion.two.turn);
     if (contacts.depth[c] == 0) {
         n = (n + turn.cross(n)).normalized();
-        contacts.position[c] += 0.5 * (motion.one.at(contacts.position[c]) + motion.two.at(contacts.position[c]));
+        contacts.position[c] = place_between(model, b1, b2, n);
         const double force = normal_force_of(model, c), stiffness = model.sub_contacts.normal_stiffness[contacts.sub_contacts[c].first];
         if (force > 0 && stiffness > 0) contacts.offset[c] = offset_for_force(model, c, force, stiffness);
         // What overlaps less than it did without force does so from here on.
