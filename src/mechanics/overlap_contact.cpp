@@ -66,8 +66,12 @@ double shear_energy(const SubContacts& subs, Row s) {
     return stiffness > 0 ? 0.5 * Vec3(subs.shear_force[s]).squaredNorm() / stiffness : 0;
 }
 
-/// Turns the shear forces into the plane and with the mean spin of the blocks about its normal.
-void turn_shear(Model& model, Row c, const Vec3& n, const Vec3& turn) {
+/// Turns the shear forces into the plane and with the mean spin of the blocks about its normal. Returns the energy that is
+/// lost, or made, since the blocks move under the force as it was and the springs under the one that has turned.
+double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& motion) {
+    const Vec3 turn = 0.5 * (motion.one.turn + motion.two.turn);
+    const RelativeMotion start = motion.at_start();
+    double lost = 0;
     auto& subs = model.sub_contacts;
     const double twist = turn.dot(n);
     const Span span = model.contacts.sub_contacts[c];
@@ -77,8 +81,11 @@ void turn_shear(Model& model, Row c, const Vec3& n, const Vec3& turn) {
         Vec3 flat = force - force.dot(n) * n;
         const double left = flat.norm();
         if (left > 0) flat *= size / left; // it turns; it does not shrink
-        subs.shear_force.set(s, flat + twist * n.cross(flat));
+        const Vec3 turned = flat + twist * n.cross(flat);
+        lost += 0.5 * (turned - force).dot(start.at(subs.position[s]));
+        subs.shear_force.set(s, turned);
     }
+    return lost;
 }
 
 /// Gives a carrier another area. Its normal traction stays. Its shear force stays where faces lie on each other: if it
@@ -346,8 +353,8 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
         }
     }
     n = patch.normal;
-    turn_shear(model, c, n, turn);
-    const double lost = of_scale + write_rows(model, c, patch, motion);
+    const double of_turn = turn_shear(model, c, n, motion);
+    const double lost = of_scale + of_turn + write_rows(model, c, patch, motion);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     contacts.stiffness_area[c] = rung_above(std::max(area, contacts.area[c]), contacts.least_area[c]);
     return lost;
