@@ -171,12 +171,13 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     auto& subs = model.sub_contacts;
     static thread_local std::vector<double> friction; // before the step, of contacts that have sunk; kept for its memory
     JointWork before;
-    friction.resize(static_cast<std::size_t>(batch.contacts.count));
-    for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
+    friction.resize(batch.contacts.size());
+    for (std::size_t i = 0; i < batch.contacts.size(); ++i) {
+        const Row c = batch.contacts[i];
         if (follows_overlap(model, c)) sums.lost += move_overlap_contact(model, c, before);
         else move_contact(model, c, before);
         if (!batch.model->vectors.empty()) turn_kept_vectors(model, c, batch.model->vectors);
-        if (model.contacts.sunk[c] > 0) friction[c - batch.contacts.first] = frictional_work(model, c);
+        if (model.contacts.sunk[c] > 0) friction[i] = frictional_work(model, c);
     }
     auto columns = columns_of(model, batch, model.clock.time_step, history.data());
     std::optional<BatchDashpots> dashpots;
@@ -186,7 +187,8 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     if (dashpots) sums.damped = dashpots->finish();
     JointWork after;
     double recovered = 0; // of what friction takes
-    for (Row c = batch.contacts.first; c < batch.contacts.end(); ++c) {
+    for (std::size_t i = 0; i < batch.contacts.size(); ++i) {
+        const Row c = batch.contacts[i];
         if (follows_overlap(model, c)) {
             sums.lost += finish_overlap_contact(model, c, after);
             sum_contact(model, c, forces);
@@ -203,7 +205,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
             continue;
         }
         if (model.contacts.sunk[c] > 0) {
-            const Recovered energy = recover(model, c, frictional_work(model, c) - friction[c - batch.contacts.first]);
+            const Recovered energy = recover(model, c, frictional_work(model, c) - friction[i]);
             recovered += energy.of_friction;
             sums.returned += energy.of_account;
             sum_contact(model, c, forces);

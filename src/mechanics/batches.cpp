@@ -2,25 +2,30 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace kaya {
 
 std::vector<Batch> make_batches(Model& model, JointRegistry& joints, Row most) {
+    const auto& spans = model.contacts.sub_contacts;
+    std::vector<Row> order(spans.size());
+    std::iota(order.begin(), order.end(), Row{0});
+    std::stable_sort(order.begin(), order.end(), [&](Row a, Row b) { return spans[a].first < spans[b].first; });
     std::vector<Batch> batches;
-    for (std::size_t c = 0; c < model.contacts.size(); ++c) {
-        const Span span = model.contacts.sub_contacts[c];
+    for (const Row c : order) {
+        const Span span = spans[c];
         const Row properties = model.contacts.properties[c];
         const bool joins = !batches.empty() && batches.back().properties == properties &&
                            batches.back().count + span.count <= most;
         if (joins) {
             batches.back().count += span.count;
-            ++batches.back().contacts.count;
+            batches.back().contacts.push_back(c);
             continue;
         }
         const JointModel& joint = joints.get(model.joint_properties[properties].model);
         model.sub_contacts.keep_history(joint.history.size());
         if (joint.keeps_objects()) model.sub_contacts.keep_objects();
-        batches.push_back({&joint, properties, span.first, span.count, {static_cast<Row>(c), 1}});
+        batches.push_back({&joint, properties, span.first, span.count, {c}});
     }
     return batches;
 }

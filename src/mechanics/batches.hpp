@@ -9,12 +9,12 @@
 
 namespace kaya {
 
-/// Sub-contacts of consecutive contacts that share a property set.
+/// Sub-contacts behind each other that share a property set.
 struct Batch {
     const JointModel* model;
     Row properties;
     Row first, count; ///< rows of sub-contacts
-    Span contacts;
+    std::vector<Row> contacts; ///< in the order of their rows
 };
 
 /// All batches, in row order; what their models keep of each sub-contact gets its columns. One has whole contacts

@@ -15,7 +15,7 @@ double over_mass_of(const Model& model, Row c, Row block) {
     const Rotor to_own = Rotor{q[0], {q[1], q[2], q[3]}}.conjugate();
     const SymmetricInverse inverse(blocks.inertia[block], mass / blocks.volume[block]);
     const Triple n = to_own.turned(Triple(model.contacts.normal[c])), centre(blocks.centroid[block]);
-    const double factor = normal_area_factor(model, c);
+    const NormalAreaFactor factor(model, c);
     const Span span = model.contacts.sub_contacts[c];
     double sum = 0;
     for (Row s = span.first; s < span.end(); ++s) {
@@ -31,7 +31,7 @@ double over_mass_of(const Model& model, Row c, Row block) {
 
 double sum_of_stiffness(const Model& model, Row contact) {
     const Span span = model.contacts.sub_contacts[contact];
-    const double factor = normal_area_factor(model, contact);
+    const NormalAreaFactor factor(model, contact);
     double sum = 0;
     for (Row s = span.first; s < span.end(); ++s) sum += springs_of(model.sub_contacts, s, factor).stiffer();
     return sum;

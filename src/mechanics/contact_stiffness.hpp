@@ -1,9 +1,12 @@
 // What the springs of a contact are to the time step: the one place that says how stiff a sub-contact is.
 #pragma once
 
+#include "mechanics/overlap_patch.hpp"
+#include "mechanics/overlap_patch.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace kaya {
 
@@ -14,15 +17,24 @@ struct Springs {
     double stiffer() const { return std::max(normal, shear); }
 };
 
-/// Times by which the area of a contact that counts for its normal stiffness exceeds those of its sub-contacts.
-inline double normal_area_factor(const Model& model, Row contact) {
-    const double area = model.contacts.area[contact], stiff = model.contacts.stiffness_area[contact];
-    return stiff > 0 && area > 0 ? stiff / area : 1;
-}
+/// Times by which the area that counts for the normal stiffness of a contact exceeds that of its sub-contacts. Of an overlap
+/// those that carry count: they may have next to no area, while the others have that of the joint that was there.
+struct NormalAreaFactor {
+    double of_carriers = 1;
+    Row others = std::numeric_limits<Row>::max(); ///< the first one that carries nothing
 
-/// `factor`: normal_area_factor of its contact.
-inline Springs springs_of(const SubContacts& subs, Row s, double factor) {
-    return {subs.normal_stiffness[s] * subs.area[s] * factor, subs.shear_stiffness[s] * subs.area[s]};
+    NormalAreaFactor(const Model& model, Row contact) {
+        const double area = model.contacts.area[contact], stiff = model.contacts.stiffness_area[contact];
+        if (!(stiff > 0 && area > 0)) return;
+        of_carriers = stiff / area;
+        if (model.contacts.kind[contact] == ContactKind::overlap) others = model.contacts.sub_contacts[contact].first + carriers;
+    }
+    double of(Row s) const { return s < others ? of_carriers : 1; }
+};
+
+/// `factor`: that of its contact.
+inline Springs springs_of(const SubContacts& subs, Row s, const NormalAreaFactor& factor) {
+    return {subs.normal_stiffness[s] * subs.area[s] * factor.of(s), subs.shear_stiffness[s] * subs.area[s]};
 }
 
 /// Sum over the contact's sub-contacts of the larger stiffness, force/length.

@@ -5,6 +5,7 @@
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/contact_search.hpp"
 #include "mechanics/phases.hpp"
+#include "mechanics/sub_contact_order.hpp"
 #include "mechanics/take_over.hpp"
 #include "mechanics/ties.hpp"
 #include "mechanics/time_step.hpp"
@@ -156,6 +157,7 @@ void Cycle::prepare() {
 
 void Cycle::make_lists() {
     Scratch& s = *scratch_;
+    order_sub_contacts(model_);
     s.adjacency = make_adjacency(model_);
     s.batches = make_batches(model_, joints_);
     s.step.take(model_, s.batches);

@@ -39,7 +39,7 @@ Beta beta_of(const Model& model, Row c) {
     if (inverse == 0) return beta;
     // A dashpot of that part of the critical one, 2 sqrt(k m), is as many times k.
     double normal = 0, shear = 0;
-    const double factor = normal_area_factor(model, c);
+    const NormalAreaFactor factor(model, c);
     for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
         const Springs k = springs_of(model.sub_contacts, s, factor);
         normal += k.normal;
@@ -66,7 +66,7 @@ BatchDashpots::BatchDashpots(Model& model, const Batch& batch)
 double BatchDashpots::work() const {
     const auto& s = model_.sub_contacts;
     double sum = 0;
-    for (Row c = batch_.contacts.first; c < batch_.contacts.end(); ++c) {
+    for (const Row c : batch_.contacts) {
         if (follows_overlap(model_, c)) continue; // its rows do not stay in their places
         const Span span = model_.contacts.sub_contacts[c];
         for (Row row = span.first; row < span.end(); ++row)
@@ -79,7 +79,7 @@ double BatchDashpots::work() const {
 double BatchDashpots::finish() {
     auto& s = model_.sub_contacts;
     const double step = model_.clock.time_step;
-    for (Row c = batch_.contacts.first; c < batch_.contacts.end(); ++c) {
+    for (const Row c : batch_.contacts) {
         const Beta beta = beta_of(model_, c);
         const Span span = model_.contacts.sub_contacts[c];
         for (Row row = span.first; row < span.end(); ++row) {

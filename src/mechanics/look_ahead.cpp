@@ -120,7 +120,7 @@ void LookAhead::take(const Model& model, const std::vector<Batch>& batches) {
                                     varies(*batch.model, model.joint_properties[batch.properties].values)).first;
         if (!found->second) continue;
         varying_.push_back(batch);
-        std::fill_n(in_varying_.begin() + batch.contacts.first, batch.contacts.count, char{1});
+        for (const Row c : batch.contacts) in_varying_[c] = 1;
     }
 }
 
@@ -192,7 +192,7 @@ bool LookAhead::look_at(const Model& model, const Batch& batch, Row c, double st
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
     const Span span = contacts.sub_contacts[c];
-    const double factor = normal_area_factor(model, c);
+    const NormalAreaFactor factor(model, c);
     bool grows = false;
     for (Row s = span.first; s < span.end(); ++s) {
         Springs& springs = springs_[s];
@@ -208,7 +208,7 @@ bool LookAhead::look_at(const Model& model, const Batch& batch, Row c, double st
         copy.opening_step = -closure;
         auto columns = copy.batch(*batch.model, model.joint_properties[batch.properties].values, step);
         const bool failed = run_batch(*batch.model, columns).has_value();
-        const double normal = failed ? refused * springs.normal : copy.normal_stiffness * copy.area * factor;
+        const double normal = failed ? refused * springs.normal : copy.normal_stiffness * copy.area * factor.of(s);
         const double shear = failed ? springs.shear : copy.shear_stiffness * copy.area;
         if (normal <= harmless * springs.normal && shear <= harmless * springs.shear) continue;
         springs = {std::max(springs.normal, normal), std::max(springs.shear, shear)};
@@ -223,13 +223,13 @@ bool LookAhead::look(const Model& model, const Adjacency& adjacency, double step
     marks_.assign(model.contacts.size(), 0);
     for_chunks(varying_.size(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
-            for (Row c = varying_[i].contacts.first; c < varying_[i].contacts.end(); ++c)
+            for (const Row c : varying_[i].contacts)
                 marks_[c] = look_at(model, varying_[i], c, step);
     });
     if (std::find(marks_.begin(), marks_.end(), 1) == marks_.end()) return false;
     for (std::size_t c = 0; c < in_varying_.size(); ++c) {
         if (in_varying_[c]) continue;
-        const double factor = normal_area_factor(model, static_cast<Row>(c));
+        const NormalAreaFactor factor(model, static_cast<Row>(c));
         const Span span = model.contacts.sub_contacts[c];
         for (Row s = span.first; s < span.end(); ++s) springs_[s] = springs_of(model.sub_contacts, s, factor);
     }

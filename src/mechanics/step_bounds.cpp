@@ -82,7 +82,7 @@ void StepBounds::update_at(const Model& model, const Adjacency& adjacency, const
     look(model, adjacency);
 }
 
-Springs StepBounds::springs(const Model& model, Row sub_contact, double factor) const {
+Springs StepBounds::springs(const Model& model, Row sub_contact, const NormalAreaFactor& factor) const {
     if (foreseen) return (*foreseen)[static_cast<std::size_t>(sub_contact)];
     return springs_of(model.sub_contacts, sub_contact, factor);
 }
@@ -91,7 +91,7 @@ SpringSums StepBounds::sums_of(const Model& model, Row contact) const {
     SpringSums sums;
     const Span span = model.contacts.sub_contacts[contact];
     const Vec3& origin = model.contacts.position[contact];
-    const double factor = normal_area_factor(model, contact);
+    const NormalAreaFactor factor(model, contact);
     for (Row s = span.first; s < span.end(); ++s) {
         const Springs k = springs(model, s, factor);
         const Vec3 place = model.sub_contacts.position[s] - origin;
@@ -191,7 +191,7 @@ void StepBounds::add_contact(const Model& model, const BodyFrame& frame, const C
     };
     if (between_rigid(model, c)) return add(sums_[c], share(model, c, no_row, entry.side, shares));
     const Span span = model.contacts.sub_contacts[c];
-    const double factor = normal_area_factor(model, c);
+    const NormalAreaFactor factor(model, c);
     SpringSums sums;
     for (Row s = span.first; s < span.end(); ++s) {
         const Springs k = springs(model, s, factor);
@@ -227,7 +227,7 @@ Resistance StepBounds::of_gridpoint(const Model& model, const Adjacency& adjacen
     Resistance sum{zone_part_[row], stiffness_damping(model.settings) * zone_part_[row]};
     for (auto e = adjacency.of_gridpoint.begin(row); e != adjacency.of_gridpoint.end(row); ++e) {
         const Row s = e->sub_contact, c = subs.contact[s];
-        const Springs k = springs(model, s, normal_area_factor(model, c));
+        const Springs k = springs(model, s, NormalAreaFactor(model, c));
         if (k.stiffer() <= 0) continue;
         const double times = share(model, c, s, e->side, shares) * root * e->weight *
                              mobility(model, block_of(model, c, e->side), e->side == 0 ? subs.side1[s] : subs.side2[s]);

@@ -86,7 +86,7 @@ private:
     void find_frames(const Model& model, const Adjacency& adjacency, Masses masses);
     void find_bodies(const Model& model, const Adjacency& adjacency);
     void find_resistances(const Model& model, const Adjacency& adjacency, Masses masses);
-    Springs springs(const Model& model, Row sub_contact, double factor) const;
+    Springs springs(const Model& model, Row sub_contact, const NormalAreaFactor& factor) const;
     SpringSums sums_of(const Model& model, Row contact) const;
     double share(const Model& model, Row contact, Row sub_contact, int side, Shares shares) const;
     double mobility(const Model& model, Row block, const Attachment& attachment) const;

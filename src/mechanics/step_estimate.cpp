@@ -99,7 +99,7 @@ public:
         const auto& subs = model_.sub_contacts;
         for (std::size_t c = 0; c < contacts.size(); ++c) {
             const Row row = static_cast<Row>(c);
-            const double factor = normal_area_factor(model_, row);
+            const NormalAreaFactor factor(model_, row);
             const Beta beta = bounds_.damped_ ? bounds_.beta_[c] : Beta{};
             const Vec3& n = contacts.normal[c];
             for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {

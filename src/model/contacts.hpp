@@ -50,7 +50,7 @@ public:
     Column<Row> properties;        ///< row of Model::joint_properties: model and values
     Column<std::int32_t> joint_set;
     Column<std::int32_t> group; ///< index into Model::group_names, 0 is none
-    Column<Span> sub_contacts; ///< a contact's rows are contiguous and in contact order
+    Column<Span> sub_contacts; ///< a contact's rows are contiguous
     Column<ContactKind> kind;
     Column<double> least_area; ///< a loaded contact is at least as stiff as a joint of this area
     Column<double> stiffness_area; ///< normal tangent stiffness of the contact over that of its joint model; 0: that of the sub-contacts

@@ -159,6 +159,19 @@ void small_models(std::vector<Row>& rows) {
     rows.push_back({"model of one block, per step", median(times) * 1e6, "us", 2, 1});
 }
 
+/// Joint sets of three materials cross everywhere: sub-contacts of one material must stand behind each other all the same.
+void materials(std::vector<Row>& rows) {
+    Run one("jointed-rock.3dd"), three("jointed-rock-mixed.3dd");
+    one.cycles(20);
+    three.cycles(20);
+    std::vector<double> ratios;
+    for (int i = 0; i < 7; ++i) {
+        const double alike = timed([&] { one.cycles(20); });
+        ratios.push_back(timed([&] { three.cycles(20); }) / alike);
+    }
+    rows.push_back({"10,000 blocks with three joint materials over the same with one", median(ratios), "", 1.1, 1.05});
+}
+
 void building(std::vector<Row>& rows) {
     rows.push_back({"10,000 blocks by joint sets, contacts included", timed([] {
                         Run run("jointed-rock.3dd");
@@ -206,7 +219,7 @@ std::string processor() {
 int main(int argc, char** argv) {
     const std::string csv = argc > 1 ? argv[1] : "ratios.csv";
     std::vector<Row> rows;
-    for (const auto part : {packed_cubes, threads, small_models, building, growth, yade}) {
+    for (const auto part : {packed_cubes, threads, small_models, materials, building, growth, yade}) {
         const std::size_t first = rows.size();
         part(rows);
         for (std::size_t i = first; i < rows.size(); ++i)
