@@ -17,13 +17,25 @@ double over_mass_of(const Model& model, Row c, Row block) {
     const Triple n = to_own.turned(Triple(model.contacts.normal[c])), centre(blocks.centroid[block]);
     const NormalAreaFactor factor(model, c);
     const Span span = model.contacts.sub_contacts[c];
-    double sum = 0;
-    for (Row s = span.first; s < span.end(); ++s) {
-        const Springs springs = springs_of(model.sub_contacts, s, factor);
-        const Triple arm = to_own.turned(Triple(Vec3(model.sub_contacts.position[s])) - centre), across = arm.cross(n);
+    const auto over_mass = [&](const Springs& springs, const Vec3& place) {
+        const Triple arm = to_own.turned(Triple(place) - centre), across = arm.cross(n);
         const double along = across.dot(inverse * across);
-        sum += springs.normal * (1 / mass + along) + springs.shear * (2 / mass + inverse.of_arm(arm) - along);
+        return springs.normal * (1 / mass + along) + springs.shear * (2 / mass + inverse.of_arm(arm) - along);
+    };
+    // What carries nothing stands in one place, and of blocks that are apart all does.
+    const auto& contacts = model.contacts;
+    const Row spread = contacts.kind[c] != ContactKind::overlap ? span.end()
+                       : contacts.depth[c] > 0                  ? std::min(span.first + carriers, span.end())
+                                                                : span.first;
+    double sum = 0;
+    for (Row s = span.first; s < spread; ++s) sum += over_mass(springs_of(model.sub_contacts, s, factor), model.sub_contacts.position[s]);
+    Springs others;
+    for (Row s = spread; s < span.end(); ++s) {
+        const Springs springs = springs_of(model.sub_contacts, s, factor);
+        others.normal += springs.normal;
+        others.shear += springs.shear;
     }
+    if (others.stiffer() > 0) sum += over_mass(others, model.sub_contacts.position[spread]);
     return sum;
 }
 

@@ -60,6 +60,19 @@ void add_work_of(const Model& model, Row c, const RelativeMotion& motion, JointW
     work.fluid[0] += fluid;
 }
 
+/// Whether nothing acts in a contact: forces that a script or a command has set count, and so does water.
+bool is_idle(const Model& model, Row c) {
+    if (model.contacts.depth[c] > 0) return false;
+    const auto& subs = model.sub_contacts;
+    const bool damped = joints_are_damped(model.settings);
+    const Span span = model.contacts.sub_contacts[c];
+    for (Row s = span.first; s < span.end(); ++s) {
+        if (subs.normal_force[s] != 0 || subs.pore_pressure[s] != 0 || !subs.shear_force[s].isZero(0)) return false;
+        if (damped && (subs.dashpot_normal[s] != 0 || !subs.dashpot_shear[s].isZero(0))) return false;
+    }
+    return true;
+}
+
 /// Energy in the shear springs of a row.
 double shear_energy(const SubContacts& subs, Row s) {
     const double stiffness = subs.shear_stiffness[s] * subs.area[s];
@@ -309,8 +322,11 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     auto& contacts = model.contacts;
     const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
     const RelativeMotion motion(model, c);
-    add_work_of(model, c, motion.at_start(), work);
-    contacts.energy_taken[c] -= 0.5 * normal_work(model, c, motion.at_start());
+    const bool idle = is_idle(model, c);
+    if (!idle) {
+        add_work_of(model, c, motion.at_start(), work);
+        contacts.energy_taken[c] -= 0.5 * normal_work(model, c, motion.at_start());
+    }
     const double of_scale = take_back_scale(model, c);
 
     Vec3& n = contacts.normal[c];
@@ -342,7 +358,12 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     OverlapPatch patch;
     patch.normal = n;
     ClosureOffset offset = offset_of(contacts, c);
-    const bool near = contacts.depth[c] > 0 || gap_along(model, b1, b2, n, offset) <= closing;
+    const auto comes_near = [&] {
+        constexpr double nothing = 1e-10; // of the margin: blocks side by side that rounding errors move
+        const double gap = gap_along(model, b1, b2, n, offset);
+        return gap < 0 || gap < closing - nothing * std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
+    };
+    const bool near = contacts.depth[c] > 0 || comes_near();
     double area = 0;
     if (near) {
         patch = overlap_patch(model, pair_of(contacts, c), n, offset);
@@ -353,7 +374,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
         }
     }
     n = patch.normal;
-    const double of_turn = turn_shear(model, c, n, motion);
+    const double of_turn = idle ? 0 : turn_shear(model, c, n, motion);
     const double lost = of_scale + of_turn + write_rows(model, c, patch, motion);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     contacts.stiffness_area[c] = rung_above(std::max(area, contacts.area[c]), contacts.least_area[c]);
@@ -379,7 +400,7 @@ double finish_overlap_contact(Model& model, Row c, JointWork& work) {
     } else {
         lost += keep_passive(model, c);
     }
-    add_work_of(model, c, RelativeMotion(model, c), work);
+    if (!is_idle(model, c)) add_work_of(model, c, RelativeMotion(model, c), work);
     for (Row s = span.first; s < span.end(); ++s) {
         subs.normal_displacement[s] += subs.normal_displacement_increment[s];
         subs.shear_displacement.set(s, Vec3(subs.shear_displacement[s]) + Vec3(subs.shear_displacement_increment[s]));
