@@ -160,22 +160,24 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
     }
     contacts.depth[c] = closed ? patch.depth : 0;
     contacts.twist[c] = patch.twist;
+    const Vec3 apart = motion.at(contacts.position[c]);
     for (Row k = 0; k < span.count; ++k) {
         const Row s = span.first + k;
         if (k >= carriers) {
             subs.position.set(s, contacts.position[c]);
-            subs.area[s] = span.count > carriers && subs.area[s] > 0 ? std::max(0.0, whole - contacts.area[c]) / (span.count - carriers) : 0;
+            if (closed) subs.area[s] = span.count > carriers && subs.area[s] > 0 ? std::max(0.0, whole - contacts.area[c]) / (span.count - carriers) : 0;
             subs.normal_displacement_increment[s] = 0;
             subs.shear_displacement_increment.set(s, Vec3::Zero());
             continue;
         }
+        Vec3 way = apart; // of all rows of blocks that are apart: they stand in one place
         if (closed) {
             lost += change_area(subs, s, contacts.area[c] / carriers, patch.lies);
             subs.position.set(s, places[k]);
+            way = motion.at(places[k]);
         } else {
             subs.position.set(s, contacts.position[c]);
         }
-        const Vec3 way = motion.at(subs.position[s]);
         // The joint model's closure is the depth; it stays at what it was while the blocks are apart.
         const double displacement = subs.normal_displacement[s];
         subs.normal_displacement_increment[s] = closed ? -contacts.depth[c] - displacement : std::max(0.0, -displacement);
@@ -196,16 +198,24 @@ void turn_offset(Contacts& contacts, Row c, const RelativeMotion& motion, const 
     contacts.offset[c] += used * along.dot(contacts.position[c] - origin);
 }
 
-/// Where two blocks that are apart are nearest, or nearly so: between the corners that lie farthest along the normal.
-Vec3 place_between(const Model& model, Row block1, Row block2, const Vec3& n) {
+/// Two blocks that are apart: the middle of the corners that lie farthest along the normal, and their distance along it.
+struct Between {
+    Vec3 place = Vec3::Zero();
+    double gap = 0;
+};
+
+Between nearest_corners(const Model& model, Row block1, Row block2, const Vec3& n) {
+    const auto& x = model.gridpoints.position;
+    const Vec3 origin = model.blocks.centroid[block1]; // numbers stay small
     const auto farthest = [&](Row block, const Vec3& direction) {
         const Span span = model.blocks.gridpoints[block];
-        Row best = span.first;
+        std::pair best{-std::numeric_limits<double>::infinity(), span.first};
         for (Row g = span.first; g < span.end(); ++g)
-            if (direction.dot(model.gridpoints.position[g] - model.gridpoints.position[best]) > 0) best = g;
-        return Vec3(model.gridpoints.position[best]);
+            if (const double along = direction.dot(x[g] - origin); along > best.first) best = {along, g};
+        return best;
     };
-    return 0.5 * (farthest(block1, n) + farthest(block2, -n));
+    const auto one = farthest(block1, n), two = farthest(block2, -n);
+    return {0.5 * (x[one.second] + x[two.second]), -two.first - one.first};
 }
 
 /// How far apart two blocks are along a direction, offset included; a bound of their distance.
@@ -331,9 +341,11 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
 
     Vec3& n = contacts.normal[c];
     const Vec3 turn = 0.5 * (motion.one.turn + motion.two.turn);
+    Between between;
     if (contacts.depth[c] == 0) {
         n = (n + turn.cross(n)).normalized();
-        contacts.position[c] = place_between(model, b1, b2, n);
+        between = nearest_corners(model, b1, b2, n);
+        contacts.position[c] = between.place;
         const double force = normal_force_of(model, c), stiffness = model.sub_contacts.normal_stiffness[contacts.sub_contacts[c].first];
         if (force > 0 && stiffness > 0) contacts.offset[c] = offset_for_force(model, c, force, stiffness);
         // What overlaps less than it did without force does so from here on.
@@ -359,9 +371,11 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     patch.normal = n;
     ClosureOffset offset = offset_of(contacts, c);
     const auto comes_near = [&] {
-        constexpr double nothing = 1e-10; // of the margin: blocks side by side that rounding errors move
-        const double gap = gap_along(model, b1, b2, n, offset);
-        return gap < 0 || gap < closing - nothing * std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
+        // In parts of the margin: blocks side by side that rounding errors move.
+        constexpr double no_overlap = 1e-12, no_motion = 1e-10;
+        const double margin = std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
+        const double gap = offset.closure == 0 && offset.tilt.isZero(0) ? between.gap : gap_along(model, b1, b2, n, offset);
+        return gap < -no_overlap * margin || gap < closing - no_motion * margin;
     };
     const bool near = contacts.depth[c] > 0 || comes_near();
     double area = 0;
@@ -377,7 +391,9 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     const double of_turn = idle ? 0 : turn_shear(model, c, n, motion);
     const double lost = of_scale + of_turn + write_rows(model, c, patch, motion);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
-    contacts.stiffness_area[c] = rung_above(std::max(area, contacts.area[c]), contacts.least_area[c]);
+    const double stiff = std::max(area, contacts.area[c]);
+    double& rung = contacts.stiffness_area[c];
+    if (!(rung >= stiff && rung < 1.18 * stiff)) rung = rung_above(stiff, contacts.least_area[c]); // a rung is a factor of 1.189
     return lost;
 }
 
