@@ -99,7 +99,17 @@ bool is_joint_word(const JointRegistry& joints, std::string_view word) {
         .at(item.place);
 }
 
+/// Strengths of zones that yield: nothing takes them yet, and a deck that asks for plastic rock must not get elastic rock.
+void refuse_strength(const BlockProperty& property, const lang::Property::Item& item) {
+    for (const auto strength : {&Material::cohesion, &Material::friction, &Material::tension, &Material::dilation})
+        if (property.value == strength)
+            throw Diagnostic(fmt::format("'{}' belongs to zones that yield, and zones are elastic so far", item.word),
+                             "leave it out for an elastic run")
+                .at(item.place);
+}
+
 void set_block_property(Material& material, const BlockProperty& property, const lang::Property::Item& item) {
+    refuse_strength(property, item);
     if (!(item.value > property.above && item.value < property.below))
         throw Diagnostic(
             fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value), property.limits))
@@ -218,6 +228,10 @@ void run(Session& session, const lang::Property& command) {
 
 void run(Session& session, const lang::Change& command) {
     auto& model = session.model;
+    if (command.constitutive && *command.constitutive != 1)
+        throw Diagnostic(fmt::format("constitutive number {} is that of zones that yield, and zones are elastic so far: 1",
+                                     *command.constitutive),
+                         "leave `cons` out for an elastic run");
     if (command.material || command.constitutive)
         for (const Row block : session.pick(ObjectKind::block, command.range)) {
             if (command.material) model.blocks.material[block] = static_cast<std::int32_t>(*command.material);

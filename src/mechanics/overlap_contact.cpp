@@ -73,6 +73,14 @@ bool is_idle(const Model& model, Row c) {
     return true;
 }
 
+/// What rows of idle contacts have worn so far counts before a step and after it, as that of all others.
+void add_friction_of(const Model& model, Row c, JointWork& work) {
+    const Span span = model.contacts.sub_contacts[c];
+    double friction = 0;
+    for (Row s = span.first; s < span.end(); ++s) friction += model.sub_contacts.frictional_work[s];
+    work.friction[0] += friction;
+}
+
 /// Energy in the shear springs of a row.
 double shear_energy(const SubContacts& subs, Row s) {
     const double stiffness = subs.shear_stiffness[s] * subs.area[s];
@@ -333,7 +341,9 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
     const RelativeMotion motion(model, c);
     const bool idle = is_idle(model, c);
-    if (!idle) {
+    if (idle) {
+        add_friction_of(model, c, work);
+    } else {
         add_work_of(model, c, motion.at_start(), work);
         contacts.energy_taken[c] -= 0.5 * normal_work(model, c, motion.at_start());
     }
@@ -416,7 +426,8 @@ double finish_overlap_contact(Model& model, Row c, JointWork& work) {
     } else {
         lost += keep_passive(model, c);
     }
-    if (!is_idle(model, c)) add_work_of(model, c, RelativeMotion(model, c), work);
+    if (is_idle(model, c)) add_friction_of(model, c, work);
+    else add_work_of(model, c, RelativeMotion(model, c), work);
     for (Row s = span.first; s < span.end(); ++s) {
         subs.normal_displacement[s] += subs.normal_displacement_increment[s];
         subs.shear_displacement.set(s, Vec3(subs.shear_displacement[s]) + Vec3(subs.shear_displacement_increment[s]));
