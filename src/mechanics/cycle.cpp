@@ -22,8 +22,6 @@ namespace kaya {
 
 namespace {
 
-/// Cycles between two looks at whether the time step may grow again; a step that must shrink does at once.
-constexpr std::int64_t growth_interval = 100;
 /// Power of adaptive global damping over the rate at which kinetic energy changes, of a ratio of 1: calibrated on
 /// logs of 3DEC, docs/theory/damping.md.
 constexpr double global_damping_scale = 4.6;
@@ -234,6 +232,7 @@ void Cycle::advance() {
         sums.add(run_ties(model_, s.ties));
         return sums;
     });
+    const bool may_grow = step_may_grow(clock);
     clock.time += clock.time_step;
     ++clock.cycle;
     const ContactChange contacts_changed = s.timed(search, [&] {
@@ -259,7 +258,6 @@ void Cycle::advance() {
     keep_account(driven, motion, joint_sums, zone_sums, inner_power);
     s.step.audit(model_);
     clock.last_step = clock.time_step;
-    const bool may_grow = clock.cycle % growth_interval == 0;
     const bool follows = joint_sums.stiffness_changed || s.step.looks_ahead();
     if (follows || contacts_changed != ContactChange::none || may_grow)
         s.timed(step, [&] {

@@ -140,7 +140,10 @@ namespace {
 /// Energy over stiffness of an overlap: U of the depth, or that of a joint of the least area, whichever is more, by a
 /// norm that is smooth and exact far from where they are equal. Gives minus its gradient.
 OverlapGradient energy_of(const OverlapGradient& volume, const OverlapGradient& depth, double least_area, const Flatness& flatness) {
-    constexpr int power = 8;
+    // The power is 8: it is three squarings, and its root three square roots.
+    const auto eighth_power = [](double x) { return (x *= x, x *= x, x * x); };
+    const auto eighth_root = [](double x) { return std::sqrt(std::sqrt(std::sqrt(x))); };
+    const auto seventh_power = [](double x) { return x * x * x * (x * x) * (x * x); };
     // The mean depth of a sharp corner is a sixth of how deep it is. Under a face that lies nearly flat it is a third or more,
     // and the least area must not hide how that wedge carries.
     constexpr double of_corner = 6, of_flat = 4;
@@ -148,8 +151,8 @@ OverlapGradient energy_of(const OverlapGradient& volume, const OverlapGradient& 
     const double mean = depth.value / volume.value;
     const double joint = 0.5 * least_area * (closure * mean) * (closure * mean);
     const double larger = std::max(joint, depth.value), one = depth.value / larger, other = joint / larger;
-    const double sum = std::pow(std::pow(one, power) + std::pow(other, power), 1.0 / power); // over the larger
-    const double of_depth = std::pow(one / sum, power - 1), of_joint = std::pow(other / sum, power - 1);
+    const double sum = eighth_root(eighth_power(one) + eighth_power(other)); // over the larger
+    const double of_depth = seventh_power(one / sum), of_joint = seventh_power(other / sum);
     OverlapGradient energy;
     energy.value = larger * sum;
     energy.force = (of_depth + of_joint * 2 * joint / depth.value) * depth.force - of_joint * 2 * joint / volume.value * volume.force;
@@ -229,10 +232,11 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     patch.energy = energy.value;
     patch.normal = energy.force / force;
     const Vec3& n = patch.normal;
-    double low = std::numeric_limits<double>::infinity(), high = -low;
+    double low = std::numeric_limits<double>::infinity(), high = -low, extent = 0;
     for (const Vec3& v : work.clip.vertices()) {
         low = std::min(low, n.dot(v));
         high = std::max(high, n.dot(v));
+        extent = std::max(extent, (v - moments.centroid).squaredNorm());
     }
     patch.depth = high - low;
     if (!(patch.depth > 0)) return OverlapPatch{.normal = normal};
@@ -241,11 +245,14 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     double area = 0;
     for (std::size_t f = 0; f < work.clip.face_count(); ++f) area += 0.5 * std::abs(work.clip.area_vector(f).dot(n));
     if (force > most_carried * (area + least_area) * patch.depth) return OverlapPatch{.normal = normal};
+    // The line along which the force acts, at the height of the common part. It passes through that part, or next to it: far
+    // from it is an overlap of rounding errors too.
+    const Vec3 arm = n.cross(energy.moment) / force, aside = arm - moments.centroid;
+    const double twist = energy.moment.dot(n) / force, farthest = std::sqrt(extent) + std::sqrt(least_area);
+    if (std::abs(twist) > farthest || (aside - aside.dot(n) * n).norm() > farthest) return OverlapPatch{.normal = normal};
     patch.area = area;
-    // The line along which the force acts, at the height of the common part.
-    const Vec3 arm = n.cross(energy.moment) / force;
-    patch.centre = origin + arm + (moments.centroid - arm).dot(n) * n;
-    patch.twist = energy.moment.dot(n) / force;
+    patch.centre = origin + arm - aside.dot(n) * n;
+    patch.twist = twist;
     patch.second = moments.second;
     patch.longest_edge = longest_edge_across(work.clip, n);
     return patch;

@@ -12,6 +12,12 @@
 
 namespace kaya {
 
+/// Cycles between two looks at whether the time step may grow again; a step that must shrink does at once.
+constexpr std::int64_t growth_interval = 100;
+
+/// Whether the time step may grow when this cycle ends.
+inline bool step_may_grow(const Clock& clock) { return (clock.cycle + 1) % growth_interval == 0; }
+
 /// Sums over moving bodies that stopping and damping need.
 struct MotionSums {
     double kinetic_before = 0, kinetic = 0; ///< energy before and after the step

@@ -66,19 +66,24 @@ double Resistance::stable_step() const {
 void StepBounds::update(const Model& model, const Adjacency& adjacency) {
     asked_.assign(model.blocks.size(), 1);
     near_ = asked_;
+    alone_ = false;
     look(model, adjacency);
 }
 
-// A body's bound depends on its own resistance and on those of its neighbours.
-void StepBounds::update_at(const Model& model, const Adjacency& adjacency, const std::vector<char>& contacts) {
+// By equation (4) a body's bound depends on its own resistance and on those of its neighbours.
+void StepBounds::update_at(const Model& model, const Adjacency& adjacency, const std::vector<char>& contacts, Of of) {
     near_.assign(model.blocks.size(), 0);
     for (std::size_t c = 0; c < contacts.size(); ++c)
         if (contacts[c]) near_[model.contacts.block1[c]] = near_[model.contacts.block2[c]] = 1;
     mark_whole_bodies(adjacency.bodies, near_);
-    spread(model.contacts, near_, asked_);
-    mark_whole_bodies(adjacency.bodies, asked_);
-    spread(model.contacts, asked_, near_);
-    mark_whole_bodies(adjacency.bodies, near_);
+    asked_ = near_;
+    alone_ = of == Of::bodies;
+    if (!alone_) {
+        spread(model.contacts, near_, asked_);
+        mark_whole_bodies(adjacency.bodies, asked_);
+        spread(model.contacts, asked_, near_);
+        mark_whole_bodies(adjacency.bodies, near_);
+    }
     look(model, adjacency);
 }
 
@@ -106,11 +111,15 @@ void StepBounds::look(const Model& model, const Adjacency& adjacency) {
     body_.assign(blocks.size(), no_row);
     lead_.resize(blocks.size());
     for_rows(blocks.size(), [&](Row b) { lead_[b] = b; });
-    for (std::size_t i = 0; i < adjacency.bodies.size(); ++i)
+    fixed_.assign(blocks.fixed.begin(), blocks.fixed.end());
+    for (std::size_t i = 0; i < adjacency.bodies.size(); ++i) {
+        const Row lead = adjacency.bodies.members(i).front();
         for (const Row b : adjacency.bodies.members(i)) {
             body_[b] = static_cast<Row>(i);
-            lead_[b] = adjacency.bodies.members(i).front();
+            lead_[b] = lead;
+            fixed_[lead] |= blocks.fixed[b];
         }
+    }
     const auto& contacts = model.contacts;
     sums_.resize(contacts.size());
     for_rows(contacts.size(), [&](Row c) {
@@ -128,9 +137,7 @@ void StepBounds::find_frames(const Model& model, const Adjacency& adjacency, Mas
         if (body_[b] != no_row) {
             const auto members = adjacency.bodies.members(static_cast<std::size_t>(body_[b]));
             const BodyMass body = body_mass(model, members);
-            std::uint8_t fixed = 0;
-            for (const Row m : members) fixed |= blocks.fixed[m];
-            frames_[b] = make_frame(body.centroid, blocks.mass[b] > 0 ? factor * body.mass : 0, factor * body.inertia, fixed);
+            frames_[b] = make_frame(body.centroid, blocks.mass[b] > 0 ? factor * body.mass : 0, factor * body.inertia, fixed_[b]);
             return;
         }
         const auto& q = blocks.orientation[b];
@@ -160,10 +167,23 @@ double StepBounds::mobility(const Model& model, Row block, const Attachment& att
     return sum;
 }
 
+/// Whether the body on one side of a sub-contact can move; of rigid blocks whatever the sub-contact.
+bool StepBounds::moves(const Model& model, Row contact, Row sub_contact, int side) const {
+    const Row block = block_of(model, contact, side);
+    const auto& blocks = model.blocks;
+    if (!blocks.deformable[block]) return blocks.mass[block] > 0 && fixed_[lead_[block]] != fix_all;
+    const auto& subs = model.sub_contacts;
+    const Attachment& attachment = side == 0 ? subs.side1[sub_contact] : subs.side2[sub_contact];
+    for (int k = 0; k < 3; ++k)
+        if (attachment.weights[k] != 0 && root_of_gridpoint_[attachment.gridpoints[k]] > 0) return true;
+    return false;
+}
+
 /// How many times its own part of a spring a body is charged with: (a - b)^2 <= p a^2 + q b^2 with 1/p + 1/q = 1. What
 /// cannot move charges nothing.
 double StepBounds::share(const Model& model, Row contact, Row sub_contact, int side, Shares shares) const {
     if (shares == Shares::none) return 1;
+    if (shares == Shares::halves) return moves(model, contact, sub_contact, 1 - side) ? 2 : 1;
     const auto of_side = [&](int i) {
         const Row block = block_of(model, contact, i);
         if (!model.blocks.deformable[block]) return resistance_[lead_[block]];
@@ -176,7 +196,7 @@ double StepBounds::share(const Model& model, Row contact, Row sub_contact, int s
     };
     const double own = of_side(side), other = of_side(1 - side);
     if (own == 0 || other == 0) return 1;
-    return shares == Shares::halves ? 2 : 1 + other / own;
+    return 1 + other / own;
 }
 
 void StepBounds::add_contact(const Model& model, const BodyFrame& frame, const ContactEntry& entry, Shares shares,
@@ -247,6 +267,7 @@ void StepBounds::find_resistances(const Model& model, const Adjacency& adjacency
             if (near_[contacts.block1[c]] || near_[contacts.block2[c]]) beta_[c] = beta_of(model, c);
         });
     }
+    if (alone_) return;
     resistance_.resize(model.blocks.size());
     for_rows(model.blocks.size(), [&](Row b) {
         if (near_[b] && !model.blocks.deformable[b] && lead_[b] == b)
@@ -280,6 +301,7 @@ StepLimit StepBounds::smallest(const Model& model, const Adjacency& adjacency, S
 
 StepLimit StepBounds::limit(const Model& model, const Adjacency& adjacency, Masses masses) {
     find_resistances(model, adjacency, masses);
+    if (alone_) return smallest(model, adjacency, Shares::halves);
     const StepLimit limit = smallest(model, adjacency, Shares::by_resistance);
     if (masses == Masses::real || model.settings.mass_scaling == MassScaling::none) return limit;
     // Bounds that are the same but for rounding count as the one that holds without scaling.
@@ -297,12 +319,12 @@ const BodyStiffness& StepBounds::stiffness(const Model& model, const Adjacency& 
     stiffness_.of_block.assign(blocks.size(), {});
     if (model.zones.size() > 0)
         for_rows(points.size(), [&](Row g) {
-            if (blocks.deformable[points.block[g]])
+            if (asked_[points.block[g]] && blocks.deformable[points.block[g]])
                 stiffness_.of_gridpoint[g] = times(of_gridpoint(model, adjacency, g, Shares::halves), points.inertial_mass[g]);
         });
     // Members share the stiffness of their body by mass, so that one factor scales them all.
     for_rows(blocks.size(), [&](Row b) {
-        if (blocks.deformable[b] || lead_[b] != b) return;
+        if (!asked_[b] || blocks.deformable[b] || lead_[b] != b) return;
         const Resistance whole = of_block(model, adjacency, b, Shares::halves);
         if (body_[b] == no_row) stiffness_.of_block[b] = times(whole, blocks.inertial_mass[b]);
         else

@@ -56,15 +56,18 @@ public:
     /// Bounds are then those of all bodies.
     void update(const Model& model, const Adjacency& adjacency);
 
-    /// The same for the bodies on the marked contacts and their neighbours: the bounds of others are what they were. Not
-    /// while density is scaled.
-    void update_at(const Model& model, const Adjacency& adjacency, const std::vector<char>& contacts);
+    /// Bounds that a change of the marked contacts may have made smaller: by equation (9) those of the bodies on them, by
+    /// equation (4) those of their neighbours too.
+    enum class Of { bodies, bodies_and_neighbours };
+
+    /// The same for these bodies: the bounds of others are what they were. Of bodies alone limit() is by equation (9).
+    void update_at(const Model& model, const Adjacency& adjacency, const std::vector<char>& contacts, Of of);
 
     /// Since the last update only inertial masses may have changed. Where density is scaled it is the smaller one of
     /// the bounds by equations (4) and (9).
     StepLimit limit(const Model& model, const Adjacency& adjacency, Masses masses = Masses::inertial);
 
-    /// Of all bodies, with the dashpots that belong to the inertial masses; after update().
+    /// Of the bodies of the last update, with the dashpots that belong to the inertial masses; of others 0.
     const BodyStiffness& stiffness(const Model& model, const Adjacency& adjacency);
 
     /// About the largest eigenvalue of the stiffness matrix over masses, dashpots being 2/step times stiff: 1/time^2. The
@@ -89,6 +92,7 @@ private:
     Springs springs(const Model& model, Row sub_contact, const NormalAreaFactor& factor) const;
     SpringSums sums_of(const Model& model, Row contact) const;
     double share(const Model& model, Row contact, Row sub_contact, int side, Shares shares) const;
+    bool moves(const Model& model, Row contact, Row sub_contact, int side) const;
     double mobility(const Model& model, Row block, const Attachment& attachment) const;
     void add_contact(const Model& model, const BodyFrame& frame, const ContactEntry& entry, Shares shares,
                      Matrices& matrices) const;
@@ -97,11 +101,13 @@ private:
     StepLimit smallest(const Model& model, const Adjacency& adjacency, Shares shares) const;
 
     bool damped_ = false;
+    bool alone_ = false;       ///< bounds do not ask for those of neighbours
     std::vector<char> asked_;  ///< by block: bounds are of these
     std::vector<char> near_;   ///< by block: asked, or in contact with one that is
     std::vector<Row> body_;    ///< by block: of joined rigid blocks the row in Adjacency::bodies, else no_row
     std::vector<BodyFrame> frames_;        ///< by block; of joined ones at the first
     std::vector<Row> lead_;                ///< by block: itself or the first of those that it is joined to
+    std::vector<std::uint8_t> fixed_;      ///< by block; of joined ones at the first, for all
     std::vector<SpringSums> sums_;         ///< by contact, of contacts between rigid blocks
     std::vector<Beta> beta_;               ///< by contact
     std::vector<double> resistance_;       ///< by block: about its largest eigenvalue without its neighbours

@@ -96,7 +96,7 @@ double TimeStep::without_growth(const Model& model, const Adjacency& adjacency, 
     const double fraction = time_step_fraction(model.settings);
     for (int i = 0; i < 200 && ahead_.look(model, adjacency, step); ++i) {
         bounds_.foreseen = &ahead_.springs();
-        bounds_.update_at(model, adjacency, ahead_.marks());
+        bounds_.update_at(model, adjacency, ahead_.marks(), StepBounds::Of::bodies_and_neighbours);
         const double allowed = fraction * bounds_.limit(model, adjacency).stable;
         bounds_.foreseen = nullptr;
         if (allowed >= (1 - rounding) * step) break;
@@ -109,11 +109,12 @@ void TimeStep::limit(Model& model, const Adjacency& adjacency, std::vector<char>
     Clock& clock = model.clock;
     const Settings& settings = model.settings;
     const bool scaled = settings.mass_scaling != MassScaling::none, may_grow = look == Look::all_and_grow;
-    const bool all = look != Look::marked || scaled;
+    // Dashpots follow the masses, and bounds of neighbours follow dashpots.
+    const bool all = look != Look::marked || clock.time_step == 0 || (scaled && joints_are_damped(settings));
     double stable = std::numeric_limits<double>::infinity();
     if (all || std::find(changed.begin(), changed.end(), 1) != changed.end()) {
         if (all) bounds_.update(model, adjacency);
-        else bounds_.update_at(model, adjacency, changed);
+        else bounds_.update_at(model, adjacency, changed, scaled ? StepBounds::Of::bodies : StepBounds::Of::bodies_and_neighbours);
         std::fill(changed.begin(), changed.end(), 0);
         if (scaled) {
             // The step stays and masses follow, also for the stiffness that is to come.

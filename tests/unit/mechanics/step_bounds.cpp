@@ -178,7 +178,7 @@ TEST(step_bounds, a_block_that_is_far_away_and_stiffer_by_its_smallness_does_not
         std::vector<char> upper(bench.model.contacts.size(), 0);
         for (std::size_t c = 0; c < upper.size(); ++c)
             upper[c] = std::max(bench.model.blocks.number[bench.model.contacts.block1[c]], bench.model.blocks.number[bench.model.contacts.block2[c]]) == 7;
-        bounds.update_at(bench.model, adjacency, upper);
+        bounds.update_at(bench.model, adjacency, upper, StepBounds::Of::bodies_and_neighbours);
         return bounds.limit(bench.model, adjacency).stable;
     };
     EXPECT_EQ(of_all(true), of_all(false));
