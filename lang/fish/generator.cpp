@@ -134,11 +134,11 @@ private:
     }
 
     void array(const Statement& s) {
-        const std::string made =
-            fmt::format("R.array({}, {})", quoted(s.target.text), expressions_.list(s.target.children));
         Node whole = s.target;
         whole.children.clear();
         whole.parentheses = false;
+        const std::string made = fmt::format("R.array({}, {}, {})", quoted(s.target.text), expressions_.value(whole),
+                                             expressions_.list(s.target.children));
         text_ += expressions_.assignment(whole, made) + "; ";
     }
 

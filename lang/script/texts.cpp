@@ -207,8 +207,9 @@ int new_array(lua_State* L) {
     push_anchor(L, machine_of(L).anchors.runtime);
     lua_getfield(L, -1, "array");
     lua_pushstring(L, "get_array");
+    lua_pushnil(L); // nothing to keep
     for (int i = 1; i <= sizes; ++i) lua_pushvalue(L, i);
-    lua_call(L, sizes + 1, 1);
+    lua_call(L, sizes + 2, 1);
     return 1;
 }
 

@@ -20,7 +20,21 @@ function runtime.as_array(values)
     return setmetatable(values, #values.dimensions == 1 and runtime.list_kind or runtime.grid_kind)
 end
 
-function runtime.array(name, ...)
+local function same_sizes(array, sizes)
+    if not runtime.is_array(array) or #array.dimensions ~= #sizes then
+        return false
+    end
+    for i, extent in ipairs(array.dimensions) do
+        if extent ~= sizes[i] then
+            return false
+        end
+    end
+    return true
+end
+
+-- What the statement `array name(...)` makes. `old` is the present value of the variable: an array of the same sizes
+-- stays as it is, because decks say the statement in a loop that fills the array.
+function runtime.array(name, old, ...)
     local values = { dimensions = { ... } }
     local size = 1
     for i, extent in ipairs(values.dimensions) do
@@ -33,6 +47,9 @@ function runtime.array(name, ...)
         if size > most_elements then
             fail.too_large(name)
         end
+    end
+    if same_sizes(old, values.dimensions) then
+        return old
     end
     for i = 1, size do
         values[i] = 0

@@ -173,10 +173,22 @@ TEST(FishLanguage, a_redefinition_replaces_and_its_callers_follow) {
     EXPECT_THAT(message_of([&] { s.value("a"); }), HasSubstr("'b' takes 1 argument, here it is given none"));
 }
 
+TEST(FishLanguage, an_array_of_the_same_sizes_is_kept) {
+    // As output functions have it: the statement stands in the loop that fills the array.
+    EXPECT_EQ(run("loop n (1,3)\narray a(5,1)\na(n,1) = n\nendloop\nf = a(1,1) * 100 + a(2,1) * 10 + a(3,1)"),
+              Value(std::int64_t{123}));
+    EXPECT_EQ(run("array a(6)\na(1) = 4\narray a(2,3)\nf = a(1,1)"), Value(std::int64_t{0}));
+    EXPECT_EQ(run("array a(2)\na(2) = 4\nk = 2.0\narray a(k)\nf = a(2)"), Value(std::int64_t{4}));
+    Stage s;
+    s.fish("def g\n local array v(2)\n v(2) = v(2) + 1\n g = v(2)\nend");
+    EXPECT_EQ(s.value("g"), Value(std::int64_t{1}));
+    EXPECT_EQ(s.value("g"), Value(std::int64_t{1})); // local: another one in each call
+}
+
 TEST(FishLanguage, arrays_have_bounds_and_dimensions) {
     EXPECT_EQ(run("array a(2,3) b(4)\na(2,1) = 5\nb(4) = 6\nf = a(2,1) * 10 + b(4) + a(1,1)"),
               Value(std::int64_t{56}));
-    EXPECT_EQ(run("array a(2,3)\na(1,1) = 1\narray a(2,3)\nf = a(1,1)"), Value(std::int64_t{0}));
+    EXPECT_EQ(run("array a(2,3)\na(1,1) = 1\narray a(3,2)\nf = a(1,1)"), Value(std::int64_t{0}));
     EXPECT_EQ(run("n = 3\narray a(n)\nf = array_size(a, 1) * 10 + array_dim(a)"), Value(std::int64_t{31}));
     EXPECT_EQ(run("array a(2)\na(1.0 + 1) = 8\nf = a(2)"), Value(std::int64_t{8}));
 }
