@@ -21,8 +21,24 @@ std::string generate(const Function& function, const Dictionary& dictionary) {
     return generate_function(*function.tree, dictionary);
 }
 
+namespace {
+
+/// Commands have @ in front of names, and so may their expressions: @f(@x) is f(x). Columns stay as they are.
+std::string without_marks(std::string text) {
+    char quote = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quote) quote = c == quote ? 0 : quote;
+        else if (c == '\'' || c == '"') quote = c;
+        else if (c == '@' && i + 1 < text.size() && text[i + 1] != ' ' && text[i + 1] != '@') text[i] = ' ';
+    }
+    return text;
+}
+
+} // namespace
+
 Expression read_expression(const std::string& text, const Place& place) {
-    ExpressionTree tree = parse_expression_line(text, place);
+    ExpressionTree tree = parse_expression_line(without_marks(text), place);
     Expression expression;
     expression.mentions = outside_names(tree);
     expression.place = place;

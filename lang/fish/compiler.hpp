@@ -29,6 +29,12 @@ struct Meaning {
     bool writable = false; ///< a built-in that may stand left of `=`
 };
 
+/// Throws Diagnostic when a function, or a built-in name, is given another number of arguments than it takes.
+void check_arguments(const std::string& name, int given, const Meaning& meaning, const Place& place);
+
+/// True for the names of values: true, false, on, off, null.
+bool is_constant(std::string_view name);
+
 /// Tells the code generator what a (lower case) name means at this moment.
 using Dictionary = std::function<Meaning(std::string_view name)>;
 

@@ -63,6 +63,20 @@ std::string in_parentheses(const std::string& text, bool wanted) {
 
 } // namespace
 
+bool is_constant(std::string_view name) {
+    return std::ranges::find(constants, name, &ClassicConstant::name) != constants.end();
+}
+
+void check_arguments(const std::string& name, int given, const Meaning& meaning, const Place& place) {
+    if (given >= meaning.least && given <= meaning.most) return;
+    const std::string wanted = meaning.least == meaning.most
+                                   ? fmt::format("{}", meaning.least)
+                                   : fmt::format("{} to {}", meaning.least, meaning.most);
+    throw Diagnostic(fmt::format("'{}' takes {} argument{}, here it is given {}", name, wanted,
+                                 meaning.most == 1 ? "" : "s", given == 0 ? "none" : std::to_string(given)))
+        .at(place);
+}
+
 std::string member(std::string_view name) {
     return is_plain_name(name) ? fmt::format(".{}", name) : fmt::format("[{}]", quoted(name));
 }
@@ -149,14 +163,7 @@ std::string ExpressionGenerator::binary(const Node& node, int strength) const {
 }
 
 void ExpressionGenerator::check_arguments(const Node& node, const Meaning& meaning) const {
-    const int given = static_cast<int>(node.children.size());
-    if (given >= meaning.least && given <= meaning.most) return;
-    const std::string wanted = meaning.least == meaning.most
-                                   ? fmt::format("{}", meaning.least)
-                                   : fmt::format("{} to {}", meaning.least, meaning.most);
-    throw Diagnostic(fmt::format("'{}' takes {} argument{}, here it is given {}", node.text, wanted,
-                                 meaning.most == 1 ? "" : "s", given == 0 ? "none" : std::to_string(given)))
-        .at(node.place);
+    fish::check_arguments(node.text, static_cast<int>(node.children.size()), meaning, node.place);
 }
 
 Meaning ExpressionGenerator::meaning_of(const Node& name) const {

@@ -24,6 +24,7 @@ constexpr Group groups[] = {
     {true, "cx_edge1 cx_edge2", "there are no pointers to edges"},
     {true, "fc_arg", "the function is called without an argument"},
     {true, "water_table_head", "use the command water"},
+    {true, "mech.solve", "write the command: command, then solve, then endcommand"},
     {false, "atol btol ctol dtol etol", "tolerances follow from the size of the blocks"},
     {false, "ftime ftdel flow_head flowrate flowvel fluid_density c_flowplane face_flow gp_fk z_perm z_poros",
      "there is no flow of fluids"},

@@ -7,7 +7,9 @@ namespace kaya::lang {
 namespace fs = std::filesystem;
 
 Ended Interpreter::run_file(const std::string& name) {
-    return run(*bind_deck(language_, name, searched(), &checks, &names_));
+    const auto deck = bind_deck(language_, name, searched(), &checks, &names_);
+    if (deck_read) deck_read(*deck, names_);
+    return run(*deck);
 }
 
 Ended Interpreter::run_text(const std::string& text, const std::string& name, int first_line) {

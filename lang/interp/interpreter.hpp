@@ -25,6 +25,7 @@ public:
 
     // Set by the session that owns the interpreter; each may stay empty.
     ValueSource values;                                      ///< gives the value of @name and [expression]
+    std::function<void(const BoundFile&, const BareNames&)> deck_read; ///< a whole deck, before its first command runs
     std::function<void(const Diagnostic&)> on_warning;       ///< warnings and notes
     std::function<void(const BoundCommand&)> before_command; ///< echo, log
     std::function<void(const BoundCommand&)> after_command;  ///< journal: the command has done its work

@@ -1,12 +1,12 @@
 #include "lang/script/fish_library.hpp"
 
 #include "lang/fish/lexer.hpp"
+#include "lang/fish/nearest.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/machine.hpp"
 #include "lang/script/values.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 
 namespace kaya::script {
@@ -15,13 +15,12 @@ namespace {
 
 /// A Lua function takes what it is given.
 constexpr int most_lua_arguments = 50;
-constexpr std::array<std::string_view, 5> constants{"true", "false", "on", "off", "null"};
 
-bool is_constant(std::string_view name) {
-    return std::find(constants.begin(), constants.end(), name) != constants.end();
-}
+using fish::is_constant;
 
-fish::Dictionary dictionary_of(const Machine& machine, const fish::Function* coming = nullptr) {
+} // namespace
+
+fish::Dictionary dictionary_of(const Machine& machine, const fish::Function* coming) {
     return [&machine, coming](std::string_view name) -> fish::Meaning {
         const FishLibrary& fish = machine.fish;
         const auto function_meaning = [](const fish::Function& function) {
@@ -39,6 +38,8 @@ fish::Dictionary dictionary_of(const Machine& machine, const fish::Function* com
         return {};
     };
 }
+
+namespace {
 
 bool variable_exists(const Machine& machine, const std::string& name) {
     lua_State* L = machine.lua;
@@ -115,7 +116,7 @@ void forget_expressions(Machine& machine) {
     const auto symbols = fish_symbols(machine);
     std::vector<std::string_view> candidates(symbols.begin(), symbols.end());
     for (const auto& [known, built_in] : machine.fish.built_ins) candidates.push_back(known);
-    const auto meant = did_you_mean(name, candidates);
+    const auto meant = fish::nearest_name(name, candidates);
     Diagnostic diagnostic(fmt::format("there is no FISH variable or function '{}'", name),
                           meant.empty() ? std::string() : fmt::format("did you mean '{}'?", meant));
     diagnostic.code = "unknown-fish-name";

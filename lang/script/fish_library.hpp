@@ -38,6 +38,9 @@ struct FishLibrary {
     std::unordered_map<std::string, int> expressions;
 };
 
+/// What names mean now; `coming` is a function that is about to be defined.
+fish::Dictionary dictionary_of(const Machine& machine, const fish::Function* coming = nullptr);
+
 /// Reads and checks the function, then puts it in the place of an older one of its name.
 void define_fish_function(Machine& machine, const std::string& text, const Place& place);
 

@@ -1,5 +1,6 @@
 #include "lang/script/runtime.hpp"
 
+#include "lang/fish/nearest.hpp"
 #include "lang/fish/reserved.hpp"
 #include "lang/script/arithmetic.hpp"
 #include "lang/script/guard.hpp"
@@ -31,7 +32,7 @@ int fail_not_array(lua_State* L) {
     std::vector<std::string_view> candidates;
     for (const auto& [known, built_in] : machine.fish.built_ins) candidates.push_back(known);
     for (const auto& [known, function] : machine.fish.functions) candidates.push_back(known);
-    const auto meant = did_you_mean(name, candidates);
+    const auto meant = fish::nearest_name(name, candidates);
     throw Diagnostic(fmt::format("'{}' is neither a function nor an array", name),
                      meant.empty() ? fmt::format("define it, or make the array with: array {}(n)", name)
                                    : fmt::format("did you mean '{}'?", meant),

@@ -146,6 +146,8 @@ std::vector<std::pair<std::string, bool>> Scripts::built_in_names() const {
     return names;
 }
 
+fish::Meaning Scripts::meaning_of(const std::string& name) const { return dictionary_of(*impl_->machine)(name); }
+
 void Scripts::add_fish_hook(const std::string& function, Moment moment, std::int64_t interval,
                             const Place& place) {
     FishLibrary& fish = impl_->machine->fish;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
+#include "lang/fish/compiler.hpp"
 #include "lang/script/state.hpp"
 #include "lang/script/tables.hpp"
 #include "lang/script/world.hpp"
@@ -26,6 +27,9 @@ struct Options {
 
 /// Where in a cycle a script may look on. A FISH whilestepping function runs at after_cycle.
 enum class Moment { before_cycle, after_forces, after_cycle };
+
+/// Throws Diagnostic at the first mistake in the text of a Lua chunk, of which nothing runs; `place` is where it begins.
+void check_lua_text(const std::string& text, const Place& place);
 
 /// All functions throw Diagnostic: with a place in the deck, and the stack of functions in `context`.
 /// The caller adds the cycle.
@@ -68,6 +72,9 @@ public:
 
     /// Names that FISH knows without a definition, sorted; true for those that can also be set.
     std::vector<std::pair<std::string, bool>> built_in_names() const;
+
+    /// What a name of FISH, in lower case, means at this moment.
+    fish::Meaning meaning_of(const std::string& name) const;
 
     /// Runs a FISH function without arguments in each cycle whose number is a multiple of `interval`.
     void add_fish_hook(const std::string& function, Moment moment, std::int64_t interval, const Place& place);

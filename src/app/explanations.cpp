@@ -28,6 +28,15 @@ constexpr Explanation explanations[] = {
     {"missing-value", "a value or a word is missing",
      "The line ends where a number, a name or a second word of the command must be. A blank behind '@' counts too:\n"
      "write @name."},
+    {"lua-syntax", "Lua cannot read a chunk",
+     "All chunks between 'lua' and 'endlua', and the files of 'lua FILE', are read with the deck, before anything runs.\n"
+     "The line is where Lua could not go on; the mistake may stand in front of it."},
+    {"never-read", "a variable of FISH that is set and that nothing reads",
+     "Another name at one letter from it is read: this one may be a slip of the pen. Whole decks are looked at, with\n"
+     "the files that they call; nothing is said when a restored model or an unknown file may read it."},
+    {"never-set", "a name of FISH that nothing sets",
+     "A variable that nothing sets is 0. Set it, write 'global NAME' in a function, or mend the name. Nothing is said\n"
+     "when a restored model, a file that is not known before the run, or Lua may set it."},
     {"never-ended", "a function or a chunk of Lua without its end",
      "A 'def' needs a line 'end', and 'lua' a line 'endlua', on a line of its own. Inside a function each loop, if,\n"
      "case_of, section and command needs its own closing word."},

@@ -1,36 +1,57 @@
-// Names of FISH in a deck: which of those that its commands use are never made.
+// Names of FISH in a deck: which are used and never made, made and never used, called with too few arguments.
 #pragma once
 
-#include "lang/interp/binder.hpp"
+#include "lang/fish/name_uses.hpp"
+#include "lang/interp/bare_names.hpp"
+#include "lang/script/scripts.hpp"
 
+#include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kaya {
 
-/// Fed with the statements of a deck in any order. A name that commands use with @ must be mentioned by a function,
-/// set by a command, or be built in; otherwise the run would stop there.
+/// Fed with the statements of a deck in any order, before any of it runs.
 class DeckNames {
 public:
+    /// `scripts` knows what is built in and what earlier decks have made.
+    explicit DeckNames(const script::Scripts& scripts) : scripts_(scripts) {}
+
     /// `inside`: the command stands in a FISH function, and its names may be local ones.
     void look_at(const lang::BoundCommand& command, bool inside);
+    /// A text of Lua: any word of it may be a name that it sets or reads.
+    void look_at_lua(std::string_view text);
     /// Files that are not known before the run may make any name.
     void anything_may_be_made() { open_ = true; }
 
-    struct Missing {
-        std::string name;
-        Place place;
-        std::string meant; ///< a name that is made and nearly the same, or empty
-    };
-    /// In the order in which they were used, once for each line.
-    std::vector<Missing> missing() const;
+    /// In the order in which the names were used. Errors are what must fail when its line is reached, warnings what may be
+    /// a slip of the pen.
+    std::vector<Diagnostic> findings() const;
 
 private:
     void use_words(const lang::BoundCommand& command);
+    void learn_function(const std::string& text, const Place& place);
+    void learn_expression(const lang::Word& word);
+    void add(fish::NameUse use, bool of_command);
 
-    std::set<std::string> made_;
-    std::vector<std::pair<std::string, Place>> used_;
+    bool is_made(const std::string& name) const;
+    fish::Meaning meaning_of(const std::string& name) const;
+    std::vector<std::string_view> candidates() const;
+    void find_unknown(std::vector<Diagnostic>& found) const;
+    void find_unread(std::vector<Diagnostic>& found) const;
+
+    struct Used {
+        fish::NameUse use;
+        bool of_command; ///< of a command of the deck: nothing runs with a name that nobody makes
+    };
+    const script::Scripts& scripts_;
+    std::map<std::string, fish::Meaning> functions_; ///< of the deck, with all numbers of arguments that they take
+    std::set<std::string> mentioned_;                ///< exist, with the value 0 if nothing sets them
+    std::set<std::string> made_, read_;
+    std::vector<Used> used_;
+    std::vector<fish::NameUse> set_; ///< each name where it is set first
     bool open_ = false;
 };
 

@@ -12,6 +12,7 @@ namespace kaya {
 enum class Outlook {
     runs,
     ignored,       ///< it, or one of its words, is read and without effect
+    doubtful,      ///< it runs, and may not mean what it says
     not_supported, ///< known, and not supported yet
     unknown,       ///< a word that is in no table
     wrong          ///< any other mistake

@@ -1,6 +1,7 @@
 #include "commands/session.hpp"
 
 #include "base/parallel.hpp"
+#include "commands/deck_review.hpp"
 #include "commands/handlers.hpp"
 #include "commands/lua_joint_models.hpp"
 #include "lang/commands/language.hpp"
@@ -111,6 +112,7 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
         executed(command, {how, std::exchange(stopped_behind_, std::nullopt).value_or(0)});
     };
     interpreter.checks = deck_checks();
+    interpreter.deck_read = [this](const lang::BoundFile& file, const lang::BareNames& names) { review(file, names); };
     make_cycle();
 }
 
@@ -139,6 +141,17 @@ lang::Ended Session::run_deck(const std::string& file) {
     const lang::Ended ended = interpreter.run_file(file);
     output.flush();
     return ended;
+}
+
+void Session::review(const lang::BoundFile& file, const lang::BareNames& names) {
+    DeckReview review(names, *scripts, {fs::path(deck).parent_path(), "."});
+    review.file(file);
+    std::vector<Diagnostic> errors;
+    for (const auto& finding : review.findings()) {
+        if (finding.severity != Severity::error) warn(finding);
+        else if (errors.size() < lang::most_errors_shown) errors.push_back(finding);
+    }
+    if (!errors.empty()) throw lang::DeckErrors(std::move(errors));
 }
 
 void Session::show_command(const lang::BoundCommand& command) {
@@ -266,6 +279,7 @@ lang::Checks deck_checks() {
         fish::generate(fish::read_function(command.text, command.place),
                        [](std::string_view) { return fish::Meaning{}; });
     });
+    checks.on<lang::LuaChunk>([](const lang::LuaChunk& command) { script::check_lua_text(command.text, command.place); });
     return checks;
 }
 

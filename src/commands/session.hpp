@@ -128,6 +128,7 @@ public:
     void make_cycle();
 
 private:
+    void review(const lang::BoundFile& file, const lang::BareNames& names);
     void show_command(const lang::BoundCommand& command);
     std::vector<Row> pick_rows(ObjectKind kind, const lang::RangePhrase& range, bool hidden_too);
 

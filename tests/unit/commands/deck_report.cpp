@@ -82,10 +82,70 @@ TEST_F(DeckReportTest, NamesThatNothingMakesAreUnknown) {
                    "@bulid_wall(2)\nprint @height @load @time @depth\ngravity 0 0 @g\nprint @heigth\n");
     const DeckReport found = report("a.3dd");
     EXPECT_EQ(found.text("a.3dd"),
-              "a.3dd:9:1: unknown: no function or variable 'bulid_wall' is made in this deck; did you mean 'build_wall'?\n"
-              "a.3dd:11:13: unknown: no function or variable 'g' is made in this deck\n"
-              "a.3dd:12:7: unknown: no function or variable 'heigth' is made in this deck; did you mean 'height'?\n"
+              "a.3dd:9:1: unknown: there is no FISH variable or function 'bulid_wall'; did you mean '@build_wall'?\n"
+              "a.3dd:11:13: unknown: there is no FISH variable or function 'g'\n"
+              "a.3dd:12:7: unknown: there is no FISH variable or function 'heigth'; did you mean '@height'?\n"
               "a.3dd: 8 statements: 5 run, 3 unknown");
+}
+
+TEST_F(DeckReportTest, WhatIsReadAndNeverSetOrSetAndNeverReadIsDoubtful) {
+    write("a.3dd", "def f\n  local here = frction\n  friction = 30\n  frictoin = 25\n  f = friction + here + depht(2)\n  intialise\nend\n"
+                   "def initialise\n  status = out('x')\n  global later\nend\nset @loadin = 3\nset @loading = 2\n"
+                   "print @f @loading @later\n");
+    const DeckReport found = report("a.3dd");
+    EXPECT_EQ(found.text("a.3dd"),
+              "a.3dd:2:16: warning: nothing in this deck sets 'frction': it is 0; did you mean 'friction'?\n"
+              "a.3dd:4:3: warning: nothing in this deck reads 'frictoin', which is set here; did you mean 'friction'?\n"
+              "a.3dd:5:25: warning: 'depht' is neither a function nor an array\n"
+              "a.3dd:6:3: warning: 'intialise' is no function: this line does nothing; did you mean 'initialise'?\n"
+              "a.3dd:12:1: warning: nothing in this deck reads 'loadin', which is set here; did you mean 'loading'?\n"
+              "a.3dd: 5 statements: 5 run, 5 warnings");
+    EXPECT_TRUE(found.can_run());
+}
+
+TEST_F(DeckReportTest, CountersTargetsOfLoopsAndArraysAreSet) {
+    write("a.3dd", "def f\n  array store(3)\n  loop row (1, 3)\n    store(row) = count\n    count = count + 1\n  endloop\n"
+                   "  loop foreach block block.list\n    x1 = b_id(block)\n    x2 = 3\n  endloop\n  f = store(2) + x1\nend\n[f]\n");
+    EXPECT_EQ(report("a.3dd").text("a.3dd"), "a.3dd: 2 statements: 2 run");
+}
+
+TEST_F(DeckReportTest, CallsAreCounted) {
+    write("a.3dd", "def f(a, b)\n  f = a + b\nend\ndef g\n  g = f(1) + cos(1, 2)\nend\n@f(1)\n@f(1, 2)\n[f(@g, 2)]\n");
+    EXPECT_EQ(report("a.3dd").text("a.3dd"),
+              "a.3dd:5:7: wrong: 'f' takes 2 arguments, here it is given 1\n"
+              "a.3dd:5:14: wrong: 'cos' takes 1 argument, here it is given 2\n"
+              "a.3dd:7:1: wrong: 'f' takes 2 arguments, here it is given 1\n"
+              "a.3dd: 5 statements: 2 run, 3 wrong");
+}
+
+TEST_F(DeckReportTest, NamesInsideCommandBlocksAreLookedAt) {
+    write("a.3dd", "def f\n  local mine = 1\n  command\n    cycle @mine\n    cycle @sum\n    cycle @smu\n  endcommand\n  sum = 2\nend\n@f\n");
+    EXPECT_EQ(report("a.3dd").text("a.3dd"),
+              "a.3dd:6:11: unknown: there is no FISH variable or function 'smu'; did you mean '@sum'?\n"
+              "a.3dd: 5 statements: 4 run, 1 unknown");
+}
+
+TEST_F(DeckReportTest, LuaIsReadBeforeItRuns) {
+    write("a.3dd", "lua\nlocal a = 1\nlocal b == 2\nendlua\nlua tools.lua\n");
+    write("tools.lua", "function f()\n  return 1 +\nend\n");
+    const DeckReport found = report("a.3dd");
+    ASSERT_EQ(found.lines.size(), 1u) << found.text("a.3dd");
+    EXPECT_EQ(found.lines[0].outlook, Outlook::wrong);
+    EXPECT_EQ(found.lines[0].line, 3);
+    EXPECT_THAT(found.lines[0].text, HasSubstr("Lua cannot read this: "));
+    write("b.3dd", "lua tools.lua\n");
+    EXPECT_THAT(report("b.3dd").text("b.3dd"), HasSubstr("tools.lua:3:1: wrong: Lua cannot read this: "));
+}
+
+TEST_F(DeckReportTest, FilesOfTablesAreLookedFor) {
+    write("a.3dd", "table 1 read wave.tab\n");
+    EXPECT_THAT(report("a.3dd").text("a.3dd"), HasSubstr("a.3dd:1:1: wrong: there is no table file 'wave.tab'"));
+    write("wave.tab", "wave\n2 0.1\n0\n1\n");
+    EXPECT_TRUE(report("a.3dd").can_run());
+    write("b.3dd", "hist time\ncycle 1\nhist write 1 file mine.tab\ntable 2 read mine.tab\n");
+    EXPECT_TRUE(report("b.3dd").can_run()) << report("b.3dd").text("b.3dd");
+    write("c.3dd", "def f\n  a = open('mine.tab', 1, 1)\nend\n@f\ntable 2 read mine.tab\n");
+    EXPECT_TRUE(report("c.3dd").can_run()) << report("c.3dd").text("c.3dd");
 }
 
 TEST_F(DeckReportTest, NamesMayComeFromLuaAndFromSavedModels) {

@@ -1,0 +1,88 @@
+#include "lang/fish/name_uses.hpp"
+
+#include "lang/fish/syntax.hpp"
+
+#include <algorithm>
+
+namespace kaya::fish {
+
+namespace {
+
+class UseCollector {
+public:
+    UseCollector() = default;
+    explicit UseCollector(const FunctionTree& tree) : function_(tree.name), own_(tree.arguments) {
+        own_.insert(own_.end(), tree.locals.begin(), tree.locals.end());
+    }
+
+    void statements(const std::vector<Statement>& body) {
+        for (const auto& s : body) statement(s);
+    }
+
+    void node(const Node& node) {
+        if (node.kind == NodeKind::name) add(node, node.parentheses ? Use::call : Use::read);
+        for (const auto& child : node.children) this->node(child);
+    }
+
+    std::vector<NameUse> uses;
+
+private:
+    void add(const Node& name, Use use) {
+        const bool value_of_function = name.text == function_ && !name.parentheses;
+        if (value_of_function || std::ranges::find(own_, name.text) != own_.end()) return;
+        uses.push_back({name.text, use, static_cast<int>(name.children.size()), name.place});
+    }
+
+    void target(const Node& target, bool makes_array) {
+        add(target, target.parentheses && !makes_array ? Use::element : Use::set);
+        for (const auto& child : target.children) node(child);
+    }
+
+    void statement(const Statement& s) {
+        if (s.kind == StatementKind::evaluate) return line(s);
+        if (!s.target.text.empty() && s.kind != StatementKind::nothing)
+            target(s.target, s.kind == StatementKind::array);
+        node(s.value);
+        for (const auto& expression : s.expressions) node(expression);
+        for (const auto* part : {&s.init, &s.body, &s.step}) statements(*part);
+        for (const auto& branch : s.branches) {
+            for (const auto& condition : branch.condition) node(condition);
+            statements(branch.body);
+        }
+        for (const auto& command : s.commands)
+            for (const auto& piece : command.pieces) this->piece(piece);
+    }
+
+    /// `global a` has the name as its target too.
+    void line(const Statement& s) {
+        if (s.value.kind != NodeKind::name) return node(s.value);
+        add(s.value, s.target.text.empty() ? Use::line : Use::declare);
+        for (const auto& child : s.value.children) node(child);
+    }
+
+    void piece(const CommandPiece& piece) {
+        if (piece.expression.empty()) return;
+        if (piece.text.empty()) node(piece.expression.front());
+        else add(piece.expression.front(), Use::command);
+    }
+
+    std::string function_;
+    std::vector<std::string> own_;
+};
+
+} // namespace
+
+std::vector<NameUse> name_uses(const Function& function) {
+    UseCollector collector(*function.tree);
+    collector.statements(function.tree->body);
+    return std::move(collector.uses);
+}
+
+std::vector<NameUse> name_uses(const Expression& expression) {
+    UseCollector collector;
+    collector.statements(expression.tree->assignment);
+    collector.node(expression.tree->value);
+    return std::move(collector.uses);
+}
+
+} // namespace kaya::fish

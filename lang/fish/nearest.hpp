@@ -1,0 +1,17 @@
+// The name that was meant by one that nothing knows.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace kaya::fish {
+
+/// As did_you_mean of base/diagnostic, but names of the same kind of object come first: for b_xdsf rather b_dsf than
+/// gp_dsf.
+std::string_view nearest_name(std::string_view word, const std::vector<std::string_view>& candidates);
+
+/// True when one letter too many, too few or wrong, or two that have changed places, make one name of the other. Names
+/// that are counted (x1, x2; xmin, ymin) are no slips of each other.
+bool is_one_slip(std::string_view one, std::string_view other);
+
+} // namespace kaya::fish

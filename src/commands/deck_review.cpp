@@ -1,0 +1,123 @@
+#include "commands/deck_review.hpp"
+
+#include "lang/commands/language.hpp"
+#include "lang/fish/inner_commands.hpp"
+
+#include <any>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+
+namespace kaya {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A file of data that a command reads, and what a message calls it.
+struct FileRead {
+    std::string name;
+    const char* kind = "";
+    Place place;
+};
+
+FileRead file_read_by(const lang::BoundCommand& command) {
+    if (const auto* table = std::any_cast<lang::TableCommand>(&command.command)) return {table->file, "table", command.place};
+    if (const auto* lua = std::any_cast<lang::LuaFile>(&command.command)) return {lua->file, "Lua", command.place};
+    return {};
+}
+
+} // namespace
+
+void DeckReview::file(const lang::BoundFile& file) {
+    if (!seen_.insert(&file).second) return;
+    if (on_file) on_file(file);
+    for (const auto& step : file.steps) {
+        statement(step.command, false);
+        if (step.called) this->file(*step.called);
+        else if (step.command.spec->flow == lang::Flow::call) names_.anything_may_be_made();
+    }
+}
+
+void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
+    names_.look_at(command, inside);
+    if (on_statement) on_statement(command);
+    if (!inside) look_for_file(command);
+    if (inside && command.spec->flow == lang::Flow::call) names_.anything_may_be_made();
+    if (const auto* function = std::any_cast<lang::FishDefinition>(&command.command)) this->inside(*function);
+}
+
+/// The function was compiled when the deck was bound; its command blocks are looked at here.
+void DeckReview::inside(const lang::FishDefinition& definition) {
+    const auto function = fish::read_function(definition.text, definition.place);
+    for (const auto& inner : fish::inner_commands(function)) {
+        if (inner.glued) {
+            if (on_inner) on_inner(nullptr);
+            continue;
+        }
+        lang::Lexer lexer(definition.place.source, inner.line);
+        lang::Statement words;
+        if (!lexer.next(words)) continue;
+        try {
+            statement(lang::bind_with_names(lang::classic(), words, bare_), true);
+        } catch (const Diagnostic& mistake) {
+            names_.anything_may_be_made();
+            if (on_inner) on_inner(&mistake);
+        }
+    }
+}
+
+void DeckReview::look_for_file(const lang::BoundCommand& command) {
+    if (!command.spec->body_end.empty()) script_seen_ = true;
+    const FileRead read = command.late ? FileRead{} : file_read_by(command);
+    const bool may_be_written = script_seen_ || earlier_words_.contains(read.name);
+    lang::Lexer lexer(command.place.source, command.place.line);
+    lang::Statement words;
+    if (command.spec->body_end.empty() && lexer.next(words))
+        for (const auto& word : words.words) {
+            earlier_words_.insert(word.text);
+            if (word.late()) script_seen_ = true;
+        }
+    if (read.name.empty()) return;
+    for (const auto& folder : folders_) {
+        std::error_code failed;
+        const fs::path path = folder / read.name;
+        if (!fs::exists(path, failed)) continue;
+        if (command.command.type() == typeid(lang::LuaFile)) check_lua_file(path, read.name, read.place);
+        return;
+    }
+    if (command.command.type() == typeid(lang::LuaFile)) {
+        names_.anything_may_be_made();
+        script_seen_ = true;
+    }
+    if (may_be_written) return;
+    Diagnostic d(fmt::format("there is no {} file '{}'", read.kind, read.name),
+                 "it is looked for beside the deck and in the current folder");
+    d.code = "no-file";
+    other_.push_back(d.at(read.place));
+}
+
+void DeckReview::check_lua_file(const fs::path& path, const std::string& name, const Place& place) {
+    script_seen_ = true;
+    std::error_code failed;
+    std::ifstream stream(path, std::ios::binary);
+    if (!fs::is_regular_file(path, failed) || !stream) return names_.anything_may_be_made(); // the run says why
+    std::ostringstream text;
+    text << stream.rdbuf();
+    names_.look_at_lua(text.str());
+    try {
+        script::check_lua_text(text.str(), {lang::source_from_text(name, text.str()), 1, 1, 1});
+    } catch (Diagnostic& mistake) {
+        mistake.at(place);
+        other_.push_back(mistake);
+    }
+}
+
+std::vector<Diagnostic> DeckReview::findings() const {
+    std::vector<Diagnostic> all = other_;
+    const auto of_names = names_.findings();
+    all.insert(all.end(), of_names.begin(), of_names.end());
+    return all;
+}
+
+} // namespace kaya
