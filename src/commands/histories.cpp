@@ -1,5 +1,6 @@
 // hist: adding, labelling, writing.
 #include "commands/handlers.hpp"
+#include "commands/text_table.hpp"
 
 #include "mechanics/contact_properties.hpp"
 #include "model/field.hpp"
@@ -78,6 +79,17 @@ HistorySource source_of(Session& session, const lang::HistoryItem& item) {
     return source;
 }
 
+void warn_of_far_place(Session& session, const History& history, const Place& word) {
+    const auto object = sampled_object(session.model, history.source);
+    if (!object || !object->far) return;
+    Diagnostic warning(fmt::format("{} is {} away from {}: history {} records what is at {}", object->name,
+                                   number_text(object->distance), place_text(history.source.place), history.number,
+                                   place_text(object->place)),
+                       "look at the place, or take the history out: hist delete");
+    warning.code = "far-away";
+    session.warn(warning.at(word));
+}
+
 History& history_of(Session& session, std::int64_t number, const Place& place) {
     auto& all = session.model.histories.all;
     const auto found = std::ranges::find(all, number, &History::number);
@@ -99,7 +111,8 @@ void run(Session& session, const lang::HistoryAdd& command) {
                          .at(command.place));
     for (const auto& item : command.items) {
         try {
-            add_history(session.model, source_of(session, item), label_of(item));
+            const History& history = add_history(session.model, source_of(session, item), label_of(item));
+            warn_of_far_place(session, history, item.text);
         } catch (Diagnostic& mistake) {
             mistake.at(item.text);
             throw;

@@ -7,6 +7,7 @@
 #include "commands/progress.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "model/measure.hpp"
+#include "model/sampling.hpp"
 
 #include <algorithm>
 #include <array>
@@ -118,19 +119,22 @@ std::string list_joint_models(Session& session, const lang::List&) {
 std::string list_histories(Session& session, const lang::List& command) {
     const auto& histories = session.model.histories;
     if (histories.all.empty()) return "no histories";
-    TextTable table({"hist", "label", "quantity", "samples", "minimum", "maximum", "last"});
+    TextTable table({"hist", "label", "quantity", "of", "at", "distance", "samples", "minimum", "maximum", "last"});
     for (const auto& h : histories.all) {
         if (command.number.value_or(h.number) != h.number) continue;
         const bool none = h.values.empty();
         const auto range = none ? std::pair<double, double>{}
                                 : std::pair{std::ranges::min(h.values), std::ranges::max(h.values)};
         const bool function = h.source.kind == HistorySource::Kind::function;
-        table.add({std::to_string(h.number), h.label, (function ? "@" : "") + h.source.quantity,
+        const auto object = sampled_object(session.model, h.source);
+        table.add({std::to_string(h.number), h.label, (function ? "@" : "") + h.source.quantity, object ? object->name : "-",
+                   object ? place_text(object->place) : "-", object ? number_text(object->distance) : "-",
                    std::to_string(h.values.size()), none ? "-" : number_text(range.first),
                    none ? "-" : number_text(range.second), none ? "-" : number_text(h.values.back())});
     }
     if (table.size() == 0) return fmt::format("no history {}", *command.number);
-    return table.text() + fmt::format("\na sample every {} cycles", histories.interval);
+    return table.text() + (histories.interval == 1 ? std::string("\na sample every cycle")
+                                                   : fmt::format("\na sample every {} cycles", histories.interval));
 }
 
 std::string list_time(Session& session, const lang::List&) {

@@ -1,6 +1,7 @@
 #include "commands/model_world.hpp"
 
 #include "base/diagnostic.hpp"
+#include "model/nearest.hpp"
 
 #include <algorithm>
 #include <array>
@@ -282,15 +283,16 @@ Handle ModelWorld::first_child(Handle parent, std::int32_t child_table) {
 
 Handle ModelWorld::nearest(std::int32_t table, const Vec3& place) {
     const ObjectKind kind = entries[static_cast<std::size_t>(table)].kind;
-    const auto rows = static_cast<Row>(count(table));
-    Row best = no_row;
-    double best_distance = std::numeric_limits<double>::infinity();
-    for (Row row = 0; row < rows; ++row) {
-        const double distance = (reference_point(model_, kind, row) - place).squaredNorm();
-        if (distance < best_distance) {
-            best_distance = distance;
-            best = row;
-        }
+    if (kind == ObjectKind::triangle)
+        throw Diagnostic("corners of faces cannot be looked for", "look for the gridpoint", Fault::run);
+    const Row best = nearest_row(model_, kind, place);
+    if (best != no_row && warn) {
+        const double distance = distance_to(model_, kind, best, place);
+        const double size = block_size(model_, block_of(model_, kind, best));
+        if (distance > size)
+            warn(Diagnostic(fmt::format("the nearest {} is {:.6g} away from ({:.6g}, {:.6g}, {:.6g}), and its block is {:.6g} across",
+                                        name_of(table), distance, place[0], place[1], place[2], size),
+                            "look at the place"));
     }
     return handle(static_cast<ScriptTable>(table), best);
 }

@@ -58,6 +58,7 @@ public:
 
     /// What `command` does; given by the session.
     std::function<void(const std::string& text, const std::string& chunk, int line)> run_command;
+    std::function<void(Diagnostic)> warn; ///< of a place that is far from everything; given by the session
     /// The phrase of a named range and its test; null and nothing when there is none. Given by the session.
     std::function<const lang::RangePhrase*(const std::string& name)> range_phrase;
     std::function<RangeTest(ObjectKind kind, const lang::RangePhrase& range)> range_test_of;

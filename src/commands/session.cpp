@@ -85,6 +85,9 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
         --commands_of_scripts_;
     };
 
+    world.warn = [this](Diagnostic warning) {
+        if (said_once.insert("far:" + here()).second) warn(std::move(warning)); // a loop may ask for many places
+    };
     world.range_phrase = [this](const std::string& name) -> const lang::RangePhrase* {
         const auto found = ranges.find(lang::fold(name));
         return found == ranges.end() ? nullptr : &found->second;

@@ -43,4 +43,8 @@ std::string TextTable::text() const {
 
 std::string number_text(double value) { return fmt::format("{:g}", value == 0 ? 0.0 : value); }
 
+std::string place_text(const Vec3& place) {
+    return fmt::format("({}, {}, {})", number_text(place[0]), number_text(place[1]), number_text(place[2]));
+}
+
 } // namespace kaya

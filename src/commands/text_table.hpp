@@ -1,6 +1,8 @@
 // Rows of words in aligned columns.
 #pragma once
 
+#include "base/vector.hpp"
+
 #include <string>
 #include <vector>
 
@@ -23,5 +25,8 @@ private:
 
 /// Six significant digits, as FISH writes numbers: 9.94099e-06, 322.077, 20. Zero has no sign.
 std::string number_text(double value);
+
+/// "(1, 2.5, 0)"
+std::string place_text(const Vec3& place);
 
 } // namespace kaya

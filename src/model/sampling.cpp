@@ -2,7 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "model/field.hpp"
-#include "model/selection.hpp"
+#include "model/nearest.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -18,6 +18,7 @@ using Kind = HistorySource::Kind;
 struct KindInfo {
     FieldTable table;
     ObjectKind object;
+    const char* singular;
     const char* plural;
     const char* remedy;
 };
@@ -25,17 +26,17 @@ struct KindInfo {
 KindInfo info_of(Kind kind) {
     switch (kind) {
     case Kind::gridpoint:
-        return {FieldTable::gridpoint, ObjectKind::gridpoint, "gridpoints", "make blocks before this history"};
+        return {FieldTable::gridpoint, ObjectKind::gridpoint, "gridpoint", "gridpoints", "make blocks before this history"};
     case Kind::zone:
-        return {FieldTable::zone, ObjectKind::zone, "zones", "make zones (generate edge ...) before this history"};
+        return {FieldTable::zone, ObjectKind::zone, "zone", "zones", "make zones (generate edge ...) before this history"};
     case Kind::sub_contact:
-        return {FieldTable::sub_contact, ObjectKind::sub_contact, "sub-contacts",
+        return {FieldTable::sub_contact, ObjectKind::sub_contact, "sub-contact", "sub-contacts",
                 "make blocks that touch before this history"};
-    case Kind::block: return {FieldTable::block, ObjectKind::block, "blocks", "make blocks before this history"};
+    case Kind::block: return {FieldTable::block, ObjectKind::block, "block", "blocks", "make blocks before this history"};
     case Kind::global:
     case Kind::function: break;
     }
-    return {FieldTable::global, ObjectKind::block, "", ""};
+    return {FieldTable::global, ObjectKind::block, "", "", ""};
 }
 
 bool has_place(Kind kind) { return kind != Kind::global && kind != Kind::function; }
@@ -114,6 +115,20 @@ void locate(const Model& model, HistorySource& source) {
     const Span span = rows_of(model, source.kind, block);
     source.offset = source.row - span.first;
     source.rows_of_block = span.count;
+}
+
+std::optional<SampledObject> sampled_object(const Model& model, const HistorySource& source) {
+    if (!has_place(source.kind)) return std::nullopt;
+    const Row row = present_row(model, source);
+    if (row == no_row) return std::nullopt;
+    const KindInfo info = info_of(source.kind);
+    SampledObject object;
+    const FieldValue number = find_field(info.table, "id")->get(model, row);
+    object.name = fmt::format("{} {}", info.singular, std::get<std::int64_t>(number));
+    object.place = reference_point(model, info.object, row);
+    object.distance = (object.place - source.place).norm();
+    object.far = distance_to(model, info.object, row, source.place) > block_size(model, block_of(model, info.object, row));
+    return object;
 }
 
 History& add_history(Model& model, HistorySource source, std::string label) {

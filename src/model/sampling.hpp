@@ -5,6 +5,7 @@
 #include "model/model.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace kaya {
@@ -23,6 +24,15 @@ void locate(const Model& model, HistorySource& source);
 /// Adds a history, numbered one up, and locates it. Its first sample is the next one taken.
 /// An empty label becomes the name of the quantity.
 History& add_history(Model& model, HistorySource source, std::string label = {});
+
+/// What a history records, for lists and messages; nothing for the whole model, a function, and what is gone.
+struct SampledObject {
+    std::string name; ///< "gridpoint 5"
+    Vec3 place;       ///< where it is now
+    double distance = 0; ///< from there to the place that the history names
+    bool far = false;    ///< the place is outside of its block by more than the size of the block
+};
+std::optional<SampledObject> sampled_object(const Model& model, const HistorySource& source);
 
 /// One sample of every history, and its time and cycle, when the cycle is one of each `interval`; nothing
 /// when there is no history. `script_value` gives the value of a function
