@@ -1,6 +1,7 @@
 #include "geometry/quality.hpp"
 
 #include "geometry/box_pairs.hpp"
+#include "geometry/convex_overlap.hpp"
 #include "geometry/cut.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 
 namespace kaya {
 namespace {
@@ -96,15 +96,82 @@ void measure_faces(const Polyhedron& polyhedron, BlockQuality& quality) {
     if (polyhedron.faces.empty()) quality.shortest_edge = quality.smallest_face = 0;
 }
 
-/// The part of `a` inside `b`; nothing when they only touch.
-std::optional<Polyhedron> common_part(const Polyhedron& a, const Polyhedron& b) {
-    Polyhedron left = a;
-    for (const auto& face : b.faces) {
-        Cut parts = cut(left, {face_normal(b, face), b.vertices[face.vertices[0]]}, 0);
-        if (parts.outcome == CutOutcome::above) return std::nullopt;
-        if (parts.outcome == CutOutcome::cut) left = std::move(parts.below);
+Vec3 centre_of(const Polyhedron& polyhedron, const Polyhedron::Face& face) {
+    Vec3 sum = Vec3::Zero();
+    for (const int v : face.vertices) sum += polyhedron.vertices[v];
+    return sum / static_cast<double>(face.vertices.size());
+}
+
+std::vector<Vec3> edges_of(const Polyhedron& polyhedron) {
+    std::vector<Vec3> edges;
+    for (const auto& face : polyhedron.faces)
+        for (std::size_t i = 0; i < face.vertices.size(); ++i) {
+            const int a = face.vertices[i], b = face.vertices[(i + 1) % face.vertices.size()];
+            if (a < b) edges.push_back((polyhedron.vertices[b] - polyhedron.vertices[a]).normalized());
+        }
+    return edges;
+}
+
+/// How far two convex blocks lie in one another along an axis of unit length; below 0 they are apart.
+double depth_along(const Vec3& axis, const Polyhedron& a, const Polyhedron& b) {
+    const auto span = [&](const Polyhedron& p) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Vec3& v : p.vertices) {
+            low = std::min(low, axis.dot(v));
+            high = std::max(high, axis.dot(v));
+        }
+        return std::pair(low, high);
+    };
+    const auto [a_low, a_high] = span(a);
+    const auto [b_low, b_high] = span(b);
+    return std::min(a_high - b_low, b_high - a_low);
+}
+
+/// The least way that takes two convex blocks out of one another: along the normal of a face or across two edges. As soon
+/// as it is found to be less than `enough` the search ends.
+double depth_of_overlap(const Polyhedron& a, const Polyhedron& b, double enough) {
+    double depth = std::numeric_limits<double>::infinity();
+    for (const auto* p : {&a, &b})
+        for (const auto& face : p->faces) {
+            depth = std::min(depth, depth_along(face_normal(*p, face), a, b));
+            if (depth < enough) return depth;
+        }
+    const auto others = edges_of(b);
+    for (const Vec3& edge : edges_of(a))
+        for (const Vec3& other : others) {
+            const Vec3 axis = edge.cross(other);
+            constexpr double parallel = 1e-6;
+            if (axis.norm() < parallel) continue;
+            depth = std::min(depth, depth_along(axis.normalized(), a, b));
+            if (depth < enough) return depth;
+        }
+    return depth;
+}
+
+/// Volume of the part of `a` inside the convex `b`.
+double common_volume(const Polyhedron& a, const Polyhedron& b) {
+    ConvexClip part;
+    for (const Vec3& v : a.vertices) part.add_vertex(v);
+    for (const auto& face : a.faces) {
+        part.begin_face();
+        for (const int v : face.vertices) part.add_corner(v);
     }
-    return left;
+    for (const auto& face : b.faces) {
+        const Vec3 normal = face_normal(b, face);
+        part.clip({normal, normal.dot(centre_of(b, face))}, FaceOrigin::clipper);
+    }
+    return moments_of(part).volume;
+}
+
+/// What two blocks have in common over the volume of the smaller one. Where they only touch, round-off of the coordinates
+/// makes slivers whose volume has no meaning: the depth bounds it.
+double common_share(const Polyhedron& a, const Polyhedron& b, double smaller_volume) {
+    constexpr double touching = 1e-6; // of the size of the smaller one
+    const double extent = std::min(extent_of(a), extent_of(b));
+    const double depth = depth_of_overlap(a, b, touching * extent);
+    if (depth < touching * extent || !(smaller_volume > 0)) return 0;
+    const double volume = std::min(common_volume(a, b), depth * extent * extent);
+    return std::min(volume / smaller_volume, 1.0);
 }
 
 } // namespace
@@ -158,9 +225,7 @@ std::vector<OverlappingBlocks> overlapping_blocks(const std::vector<Polyhedron>&
     }
     std::vector<OverlappingBlocks> result;
     for (const auto& [later, earlier] : overlapping_boxes(boxes)) {
-        const auto common = common_part(blocks[earlier], blocks[later]);
-        if (!common) continue;
-        const double part = mass_properties(*common).volume / std::min(volumes[earlier], volumes[later]);
+        const double part = common_share(blocks[earlier], blocks[later], std::min(volumes[earlier], volumes[later]));
         if (part > share) result.push_back({earlier, later, part});
     }
     std::sort(result.begin(), result.end(), [](const OverlappingBlocks& a, const OverlappingBlocks& b) {

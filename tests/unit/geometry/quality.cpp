@@ -3,8 +3,10 @@
 #include "geometry/cut.hpp"
 #include "geometry/shapes.hpp"
 
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <random>
 
 using namespace kaya;
 using ::testing::ElementsAre;
@@ -14,6 +16,13 @@ namespace {
 
 std::vector<Ailment> ailments(const Polyhedron& p, double mean_volume = 1) {
     return ailments_of(block_quality(p), mean_volume);
+}
+
+/// Coordinates as files have them.
+Polyhedron rounded(Polyhedron block, double digits) {
+    const double unit = std::pow(10, -digits);
+    for (Vec3& v : block.vertices) v = (v / unit).array().round() * unit;
+    return block;
 }
 
 } // namespace
@@ -87,4 +96,33 @@ TEST(OverlappingBlocks, FindsEqualAndPartlyCommonBlocksAndNotTouchingOnes) {
     EXPECT_EQ(found[1].first, 1);
     EXPECT_EQ(found[1].second, 3);
     EXPECT_NEAR(found[1].share, 0.125, 1e-14);
+}
+
+TEST(OverlappingBlocks, BlocksThatOnlyTouchDoNotOverlapWhateverTheirDigits) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> part(-1, 1);
+    int pairs = 0;
+    for (int i = 0; i < 200; ++i) {
+        Polyhedron block = make_brick({0, 0, 0}, {1, 1, 1});
+        for (int k = 0; k < 6; ++k) { // a cell with faces in any direction
+            const Vec3 normal = Vec3(part(random), part(random), part(random)).normalized();
+            const Cut chip = cut(block, {normal, Vec3(0.5, 0.5, 0.5) + 0.4 * normal}, 0);
+            if (chip.outcome == CutOutcome::cut) block = chip.below;
+        }
+        const Vec3 normal = Vec3(part(random), part(random), part(random)).normalized();
+        const Cut halves = cut(block, {normal, {0.5, 0.5, 0.5}}, 0);
+        if (halves.outcome != CutOutcome::cut) continue;
+        for (const double digits : {7.0, 9.0, 12.0}) {
+            const Polyhedron one = rounded(halves.below, digits), other = rounded(halves.above, digits);
+            EXPECT_TRUE(overlapping_blocks({one, other}).empty()) << i << ", " << digits << " digits";
+            ++pairs;
+        }
+        Polyhedron pushed = halves.above;
+        for (Vec3& v : pushed.vertices) v -= 0.1 * normal;
+        const auto found = overlapping_blocks({halves.below, pushed});
+        ASSERT_EQ(found.size(), 1u) << i;
+        EXPECT_GT(found[0].share, 0.05);
+        EXPECT_LE(found[0].share, 0.5);
+    }
+    EXPECT_GT(pairs, 400);
 }
