@@ -4,7 +4,10 @@
 #include "lang/script/lua_headers.hpp"
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace kaya::script {
 
@@ -31,6 +34,8 @@ void add_files(Machine& machine);       ///< open, close, read, write
 void add_accessors(Machine& machine);   ///< fields and globals of the world, by their classic names
 void add_walkers(Machine& machine);     ///< block_head, b_next, c_cx, gp_near, b_extra, ...
 void add_materials(Machine& machine);   ///< m_density, m_jkn, ...
+/// Each with the classic name that means the same.
+std::vector<std::pair<std::string, std::string>> modern_names();
 void add_modern_names(Machine& machine); ///< math.sin, block.head, ...: the same functions; comes last
 
 } // namespace kaya::script

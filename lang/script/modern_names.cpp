@@ -147,10 +147,12 @@ constexpr Alias aliases[] = {
     {"block.subcontact.model", "cx_model"},
     {"block.subcontact.prop", "cx_prop"},
     {"block.subcontact.disp.norm", "cx_ndis"},
+    {"block.subcontact.disp.shear", "cx_sdis"},
     {"block.subcontact.disp.shear.x", "cx_xsdis"},
     {"block.subcontact.disp.shear.y", "cx_ysdis"},
     {"block.subcontact.disp.shear.z", "cx_zsdis"},
     {"block.subcontact.force.norm", "cx_nforce"},
+    {"block.subcontact.force.shear", "cx_sforce"},
     {"block.subcontact.force.shear.x", "cx_xsforce"},
     {"block.subcontact.force.shear.y", "cx_ysforce"},
     {"block.subcontact.force.shear.z", "cx_zsforce"},
@@ -293,6 +295,12 @@ void add_alias(Machine& machine, const Alias& alias) {
 }
 
 } // namespace
+
+std::vector<std::pair<std::string, std::string>> modern_names() {
+    std::vector<std::pair<std::string, std::string>> names;
+    for (const auto& alias : aliases) names.emplace_back(alias.modern, alias.classic);
+    return names;
+}
 
 void add_modern_names(Machine& machine) {
     for (const auto& alias : aliases) add_alias(machine, alias);

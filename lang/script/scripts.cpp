@@ -1,6 +1,7 @@
 #include "lang/script/scripts.hpp"
 
 #include "lang/fish/lexer.hpp"
+#include "lang/script/built_ins.hpp"
 #include "lang/script/chunks.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/machine.hpp"
@@ -145,6 +146,8 @@ std::vector<std::pair<std::string, bool>> Scripts::built_in_names() const {
     for (const auto& [name, built_in] : impl_->machine->fish.built_ins) names.emplace_back(name, built_in.writable);
     return names;
 }
+
+std::vector<std::pair<std::string, std::string>> Scripts::newer_names() const { return modern_names(); }
 
 fish::Meaning Scripts::meaning_of(const std::string& name) const { return dictionary_of(*impl_->machine)(name); }
 

@@ -73,6 +73,8 @@ public:
     /// Names that FISH knows without a definition, sorted; true for those that can also be set.
     std::vector<std::pair<std::string, bool>> built_in_names() const;
 
+    /// Names of newer versions and the classic ones with the same meaning.
+    std::vector<std::pair<std::string, std::string>> newer_names() const;
     /// What a name of FISH, in lower case, means at this moment.
     fish::Meaning meaning_of(const std::string& name) const;
 

@@ -28,6 +28,13 @@ constexpr Explanation explanations[] = {
     {"missing-value", "a value or a word is missing",
      "The line ends where a number, a name or a second word of the command must be. A blank behind '@' counts too:\n"
      "write @name."},
+    {"implausible", "it can be done, and is hardly meant",
+     "An angle of friction below 1.6 degrees, a Poisson's ratio below 0, local damping of 1, a text compared with a\n"
+     "number, a case that comes twice, a mark that continues the last line, a run without blocks. The run goes on;\n"
+     "--strict stops at it."},
+    {"far-away", "a place outside of the model",
+     "A history takes the nearest object, however far away it is. 'list hist' shows the object, its place and the\n"
+     "distance from the place that was given."},
     {"lua-syntax", "Lua cannot read a chunk",
      "All chunks between 'lua' and 'endlua', and the files of 'lua FILE', are read with the deck, before anything runs.\n"
      "The line is where Lua could not go on; the mistake may stand in front of it."},

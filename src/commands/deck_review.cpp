@@ -1,6 +1,7 @@
 #include "commands/deck_review.hpp"
 
 #include "lang/commands/language.hpp"
+#include "lang/fish/doubts.hpp"
 #include "lang/fish/inner_commands.hpp"
 
 #include <any>
@@ -27,6 +28,13 @@ FileRead file_read_by(const lang::BoundCommand& command) {
     return {};
 }
 
+Diagnostic doubt(std::string message, std::string hint, const Place& place) {
+    Diagnostic d(std::move(message), std::move(hint));
+    d.severity = Severity::warning;
+    d.code = "implausible";
+    return d.at(place);
+}
+
 } // namespace
 
 void DeckReview::file(const lang::BoundFile& file) {
@@ -37,12 +45,14 @@ void DeckReview::file(const lang::BoundFile& file) {
         if (step.called) this->file(*step.called);
         else if (step.command.spec->flow == lang::Flow::call) names_.anything_may_be_made();
     }
+    doubt_last_line(*file.source);
 }
 
 void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
     names_.look_at(command, inside);
     if (on_statement) on_statement(command);
     if (!inside) look_for_file(command);
+    if (const auto* set = std::any_cast<lang::Set>(&command.command)) doubt_values(*set, command);
     if (inside && command.spec->flow == lang::Flow::call) names_.anything_may_be_made();
     if (const auto* function = std::any_cast<lang::FishDefinition>(&command.command)) this->inside(*function);
 }
@@ -50,6 +60,8 @@ void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
 /// The function was compiled when the deck was bound; its command blocks are looked at here.
 void DeckReview::inside(const lang::FishDefinition& definition) {
     const auto function = fish::read_function(definition.text, definition.place);
+    const auto doubts = fish::doubts(function);
+    other_.insert(other_.end(), doubts.begin(), doubts.end());
     for (const auto& inner : fish::inner_commands(function)) {
         if (inner.glued) {
             if (on_inner) on_inner(nullptr);
@@ -64,6 +76,35 @@ void DeckReview::inside(const lang::FishDefinition& definition) {
             names_.anything_may_be_made();
             if (on_inner) on_inner(&mistake);
         }
+    }
+}
+
+/// A mark that asks for a line that is not there.
+void DeckReview::doubt_last_line(const SourceText& source) {
+    const auto text = std::make_shared<SourceText>(source);
+    const lang::Lexer lexer(text);
+    for (auto line = static_cast<int>(source.lines.size()); line > 0; --line) {
+        const std::string& words = source.lines[static_cast<std::size_t>(line - 1)];
+        const auto start = words.find_first_not_of(" \t\r");
+        if (start == std::string::npos || words[start] == ';') continue; // a comment does not end a statement
+        if (!lexer.continued(line)) return;
+        const auto column = static_cast<int>(words.find_last_not_of(" \t\r")) + 1;
+        other_.push_back(doubt("the last line ends with a mark that continues it, and nothing follows", "is a line lost?",
+                               {text, line, column, 1}));
+        return;
+    }
+}
+
+/// `set @w = 1+2`: a word without quotes that looks like arithmetic.
+void DeckReview::doubt_values(const lang::Set& set, const lang::BoundCommand& command) {
+    lang::Lexer lexer(command.place.source, command.place.line);
+    lang::Statement statement;
+    if (set.fish.empty() || !lexer.next(statement)) return;
+    for (const auto& word : statement.words) {
+        const bool begins = !word.text.empty() && std::string_view("0123456789.+-").find(word.text.front()) != std::string_view::npos;
+        if (word.kind != lang::WordKind::word || !begins || word.text.find_first_of("+-*/^", 1) == std::string::npos) continue;
+        other_.push_back(doubt(fmt::format("'{}' is taken as a text", word.text),
+                               fmt::format("brackets make arithmetic of it: [{}]; quotes say that it is a text", word.text), word.place));
     }
 }
 

@@ -1,6 +1,8 @@
 // prop, change, jmodel.
 #include "commands/materials.hpp"
 
+#include "commands/plausible.hpp"
+
 #include "commands/handlers.hpp"
 #include "jointtest/bench.hpp"
 #include "mechanics/contact_properties.hpp"
@@ -196,6 +198,7 @@ void warn_unused(Session& session, std::int32_t number, const Material& material
 void run(Session& session, const lang::Property& command) {
     const auto number = static_cast<std::int32_t>(command.number);
     refuse_wrong_switch(session.joints, command.items);
+    doubt_angles(session, command.items);
     const auto existing = session.model.materials.find(number);
     Material material = existing == session.model.materials.end() ? Material{} : existing->second;
     Items of_joints;
@@ -265,6 +268,7 @@ void run(Session& session, const lang::JointModelCommand& command) {
         if (command.action == Action::load) return;
     }
     refuse_wrong_switch(session.joints, command.items);
+    doubt_angles(session, command.items);
     find_contacts(session.model, session.joints);
     // Where nothing touches yet, a command for all contacts is one for those to come.
     const bool to_come = !command.range.place && select(session.model, ObjectKind::contact, {}, true).empty();
@@ -328,6 +332,7 @@ void check_materials(Session& session) {
         if (in_use.contains(number)) check_elastic_pair(number, material);
         warn_unused(session, number, material);
     }
+    doubt_elasticity(session);
 }
 
 } // namespace kaya

@@ -1,6 +1,7 @@
 // cycle, solve, damp, mscale, fraction.
 #include "commands/factor_of_safety.hpp"
 #include "commands/handlers.hpp"
+#include "commands/plausible.hpp"
 #include "commands/rest_watch.hpp"
 #include "commands/run_cycles.hpp"
 #include "commands/text_table.hpp"
@@ -72,6 +73,7 @@ void set_damping(Settings& settings, const lang::Damp& command) {
 constexpr std::int64_t many_cycles = 1000;
 
 void run(Session& session, const lang::CycleCommand& command) {
+    doubt_empty_model(session, session.interpreter.current_place());
     if (command.cycles.value_or(0) >= many_cycles) note_counted_cycles(session);
     Limits limits;
     limits.cycles = command.cycles;
@@ -80,6 +82,7 @@ void run(Session& session, const lang::CycleCommand& command) {
 }
 
 void run(Session& session, const lang::Solve& command) {
+    doubt_empty_model(session, command.place);
     Limits limits{command.cycles, command.time, command.ratio, command.maximum_ratio, command.local_ratio,
                   command.force,  {},           command.still};
     if (command.clock) limits.clock = *command.clock * 60;
@@ -102,6 +105,7 @@ void run(Session& session, const lang::Solve& command) {
 }
 
 void run(Session& session, const lang::Damp& command) {
+    doubt_damping(session, command);
     auto& model = session.model;
     auto& settings = model.settings;
     const auto stiff_part = [&] {

@@ -166,9 +166,11 @@ TEST(Fields, JointSignsAndSizes) {
     const Model model = hand_made_model();
     EXPECT_EQ(number(model, "cx_nforce", 1), 20);
     EXPECT_EQ(number(model, "cx_ndis", 1), -0.002);
-    EXPECT_DOUBLE_EQ(number(model, "cx_sforce", 0), 5);
+    EXPECT_EQ(std::get<Vec3>(value(model, "cx_sforce", 0)), Vec3(-3, -4, 0)); // vectors, as in 3DEC
+    EXPECT_EQ(std::get<Vec3>(value(model, "cx_sdis", 0)), Vec3(3e-3, 4e-3, 0));
+    EXPECT_DOUBLE_EQ(named(model, FieldTable::sub_contact, "shear_force", 0), 5);
+    EXPECT_DOUBLE_EQ(named(model, FieldTable::sub_contact, "shear_displacement", 0), 5e-3);
     EXPECT_EQ(number(model, "cx_xsforce", 0), -3);
-    EXPECT_DOUBLE_EQ(number(model, "cx_sdis", 0), 5e-3);
     EXPECT_EQ(number(model, "cx_ysdis", 0), 4e-3);
     EXPECT_DOUBLE_EQ(named(model, FieldTable::sub_contact, "normal_stress", 1), 80);
     EXPECT_DOUBLE_EQ(named(model, FieldTable::sub_contact, "shear_stress", 0), 20);

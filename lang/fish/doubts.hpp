@@ -1,0 +1,13 @@
+// What a function may well say and hardly means.
+#pragma once
+
+#include "lang/fish/compiler.hpp"
+
+#include <vector>
+
+namespace kaya::fish {
+
+/// Warnings, in the order of the lines: a case that comes twice, a text compared with a number, a vector of two numbers.
+std::vector<Diagnostic> doubts(const Function& function);
+
+} // namespace kaya::fish

@@ -1,0 +1,76 @@
+#include "commands/plausible.hpp"
+
+#include "commands/session.hpp"
+#include "commands/text_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <set>
+
+namespace kaya {
+
+namespace {
+
+/// Whether a word of `prop` or `jmodel` is an angle of friction: the classic words, and those of loaded joint models.
+bool is_friction_angle(const JointRegistry& joints, const std::string& word) {
+    constexpr std::string_view classic = "jfriction";
+    constexpr std::size_t shortest = 2;
+    if (word.size() >= shortest && classic.starts_with(word)) return true;
+    return std::ranges::any_of(joints.loaded(), [&](const auto& model) {
+        const auto found = model->find_property(word);
+        if (!found) return false;
+        const auto& property = model->properties[*found];
+        return property.unit.starts_with("deg") && property.name.find("friction") != std::string::npos;
+    });
+}
+
+Diagnostic doubt(std::string message, std::string hint) {
+    Diagnostic d(std::move(message), std::move(hint));
+    d.code = "implausible";
+    return d;
+}
+
+} // namespace
+
+void doubt_angles(Session& session, const std::vector<lang::Property::Item>& items) {
+    for (const auto& item : items) {
+        if (!(item.value > 0 && item.value < std::numbers::pi / 2) || !is_friction_angle(session.joints, item.word)) continue;
+        const double degrees = item.value * 180 / std::numbers::pi;
+        session.warn(doubt(fmt::format("{} {}: angles are in degrees, and this one is next to nothing", item.word,
+                                       number_text(item.value)),
+                           fmt::format("as radians it would be {} degrees, as a coefficient {}", number_text(std::round(degrees * 10) / 10),
+                                       number_text(std::round(std::atan(item.value) * 1800 / std::numbers::pi) / 10)))
+                         .at(item.place));
+    }
+}
+
+void doubt_elasticity(Session& session) {
+    const auto& used = session.model.blocks.material;
+    const std::set<std::int32_t> in_use(used.begin(), used.end());
+    for (const std::int32_t number : in_use) {
+        const auto found = session.model.materials.find(number);
+        if (found == session.model.materials.end()) continue;
+        const double bulk = found->second.bulk, shear = found->second.shear;
+        const double poisson = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
+        if (!(poisson < 0)) continue; // also when a modulus is not given
+        const std::string message = fmt::format("material {} has a Poisson's ratio of {:.3g}: bulk {}, shear {}", number, poisson,
+                                                number_text(bulk), number_text(shear));
+        if (session.said_once.insert(message).second)
+            session.warn(doubt(message, "rock has 0.1 to 0.4: a bulk modulus of 0.9 to 4.7 times the shear modulus"));
+    }
+}
+
+void doubt_damping(Session& session, const lang::Damp& command) {
+    const bool local = command.kind == "local" || command.kind == "combined";
+    if (local && command.value.value_or(0) >= 1)
+        session.warn(doubt(fmt::format("a damping factor of {} takes all force away from what moves", number_text(*command.value)),
+                           "0.8 is usual"));
+}
+
+void doubt_empty_model(Session& session, const Place& place) {
+    if (session.model.blocks.empty()) session.warn(doubt("there are no blocks: nothing moves", "make them first: poly brick ...").at(place));
+}
+
+} // namespace kaya
