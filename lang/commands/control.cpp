@@ -105,8 +105,9 @@ CommandSpec title() {
     entry.start([](const Statement& statement, Title& title) {
         const auto& words = statement.words;
         title.text = words.size() == 2 && words[1].kind == WordKind::text ? words[1].text : statement.raw(1);
+        if (words.size() == 1) title.text = statement.body; // on the line below
     });
-    entry.help("names the model; the text is the rest of the line");
+    entry.help("names the model; the text is the rest of the line, or the next line if that is no command");
     entry.right("title Direct shear test")
         .right("title 'A wall, second try'")
         .right("title")

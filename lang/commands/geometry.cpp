@@ -78,7 +78,7 @@ Family geometry() {
                 .right("seek range sphere center 0 0 0 radius 2")
                 .wrong("seek range sphere center 0 0 0", "the sphere needs center and radius")
                 .wrong("seek range sphere center 0 0", "a number is missing after '0'")
-                .wrong("seek range sphere center 0 0 0 radius -1", "radius must be greater than 0, not -1")
+                .wrong("seek range sphere center 0 0 0 radius -1", "radius must be at least 0, not -1")
                 .wrong("seek range cyl end1 0 0 0 radius 1", "the cylinder needs end1, end2 and radius"),
             Entry<Delete>({"delete"})
                 .help("takes blocks out of the model for good")

@@ -91,13 +91,17 @@ void flag(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, 
                   help);
 }
 
-/// Number, or a name that stands for one (a joint set, a region by name).
+/// A number, or several of which one is enough.
 void numbered(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
-    const auto number = integer("n").spec;
+    ArgumentSpec number = integer("n").spec;
+    number.repeated = true;
     table.special(std::move(words), {number},
                   [=](Reader& reader, RangePhrase& phrase) {
                       RangeElement& element = add(reader, phrase, kind);
                       element.low = element.high = static_cast<double>(reader.integer(number));
+                      if (!reader.at_number()) return;
+                      element.numbers.push_back(static_cast<std::int64_t>(element.low));
+                      while (reader.at_number()) element.numbers.push_back(reader.integer(number));
                   },
                   help);
 }
@@ -237,12 +241,12 @@ std::vector<KeywordSpec> all_elements() {
     coordinate(table, {"z", "zr", Spelling{"position-z", 10}}, Kind::z, "z between two limits, or at one value");
     space_elements(table);
     group(table);
-    numbered(table, {"material", "mat"}, Kind::material, "blocks of a material number");
+    numbered(table, {"material", "mat"}, Kind::material, "blocks of a material number, or of one of several");
     numbered(table, {"constitutive", "cons"}, Kind::constitutive, "blocks of a constitutive number");
-    numbered(table, {"jmaterial", "jmat"}, Kind::joint_material, "contacts of a joint material number");
+    numbered(table, {"jmaterial", "jmat"}, Kind::joint_material, "contacts of a joint material number, or of one of several");
     numbered(table, {"jconstitutive", "jcons"}, Kind::joint_model, "contacts of a joint constitutive number");
-    numbered(table, {"region"}, Kind::region, "blocks of a region number");
-    numbered(table, {"jset", "joint-set"}, Kind::joint_set, "contacts of a joint set");
+    numbered(table, {"region"}, Kind::region, "blocks of a region number, or of one of several");
+    numbered(table, {"jset", "joint-set"}, Kind::joint_set, "contacts of a joint set, or of one of several");
     numbers(table, {"id"}, Kind::id, "identity numbers of the objects themselves");
     numbers(table, {"bid"}, Kind::block_id, "identity numbers of the blocks that the objects belong to");
     block_id(table);

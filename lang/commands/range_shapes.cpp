@@ -88,19 +88,22 @@ struct RoundText {
 };
 
 void read_radii(Reader& reader, RoundText& round) {
-    const auto radius = real("radius").unit("length").above(0).spec;
+    const auto radius = real("radius").unit("length").at_least(0).spec;
     round.outer = reader.real(radius);
-    if (!reader.at_number()) return;
-    round.inner = *round.outer;
-    round.outer = reader.real(radius);
-    if (*round.inner > *round.outer) std::swap(round.inner, round.outer);
+    if (reader.at_number()) {
+        round.inner = *round.outer;
+        round.outer = reader.real(radius);
+        if (*round.inner > *round.outer) std::swap(round.inner, round.outer);
+    }
+    if (*round.outer > 0 || reader.wildcards()) return;
+    throw Diagnostic("radius must be greater than 0, not 0", "the inner one of two may be 0").at(reader.previous().place);
 }
 
 std::vector<KeywordSpec> sphere_words() {
     Keywords<RoundText> words;
     words.keyword({"center", "centre", "c"}, vector("x y z").unit("length"), &RoundText::centre,
                   "the centre");
-    words.special({"radius", "r"}, {real("radius").unit("length").above(0).spec,
+    words.special({"radius", "r"}, {real("radius").unit("length").at_least(0).spec,
                                real("outer").unit("length").above(0).optional().spec},
                   read_radii, "the radius; two make a hollow ball");
     return std::move(words).list();
@@ -111,7 +114,7 @@ std::vector<KeywordSpec> cylinder_words() {
     words.keyword({"end1", "end-1"}, vector("x y z").unit("length"), &RoundText::centre,
                   "one end of the axis");
     words.keyword({"end2", "end-2"}, vector("x y z").unit("length"), &RoundText::end, "the other end");
-    words.special({"radius", "r"}, {real("radius").unit("length").above(0).spec,
+    words.special({"radius", "r"}, {real("radius").unit("length").at_least(0).spec,
                                real("outer").unit("length").above(0).optional().spec},
                   read_radii, "the radius; two make a pipe");
     return std::move(words).list();

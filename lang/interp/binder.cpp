@@ -237,10 +237,38 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
     return bound;
 }
 
+namespace {
+
+/// A text that a command takes as it stands may also stand on the line below, `title` alone. A line that is a command, or
+/// may be a misspelt one, is none.
+void take_text_below(const Language& language, Lexer& lexer, Statement& statement) {
+    const auto& commands = commands_called(language, statement.words.front().folded);
+    if (statement.words.size() > 1 || commands.size() != 1 || !commands.front()->raw ||
+        commands.front()->support != Support::runs)
+        return;
+    const int below = statement.last_line + 1;
+    if (below > static_cast<int>(lexer.source()->lines.size())) return;
+    Statement next;
+    next.words = lexer.words_of_line(below);
+    if (next.words.empty()) return;
+    next.first_line = next.last_line = below;
+    try {
+        (void)bind_statement(language, next);
+    } catch (const Diagnostic& problem) {
+        if (problem.code != "unknown-command" || problem.hint.starts_with("did you mean")) return;
+        statement.body = next.raw(0);
+        statement.last_line = below;
+        lexer.go_to(below + 1);
+    }
+}
+
+} // namespace
+
 bool next_statement(const Language& language, Lexer& lexer, Statement& statement) {
     if (!lexer.next(statement)) return false;
     const Word& first = statement.words.front();
     if (first.kind != WordKind::word) return true;
+    take_text_below(language, lexer, statement);
     const CommandSpec* opens = nullptr;
     for (const auto* spec : commands_called(language, first.folded))
         if (!spec->body_end.empty() && !(spec->body_needs_bare_line && statement.words.size() > 1) &&

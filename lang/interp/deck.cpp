@@ -1,8 +1,11 @@
 #include "lang/interp/deck.hpp"
 
+#include "lang/interp/newer_dialect.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 namespace kaya::lang {
 
@@ -38,6 +41,7 @@ public:
         bound->path = path;
         Lexer lexer(source);
         Statement statement;
+        bool newer = false; // said once for a file
         while (problems_.size() < most_problems_) {
             try {
                 if (!next_statement(language_, lexer, statement)) break;
@@ -45,7 +49,9 @@ public:
                 // What stands behind `return` is never read: many a deck keeps notes there.
                 if (bound->steps.back().command.spec->flow == Flow::leave_file) break;
             } catch (const Diagnostic& problem) {
-                problems_.push_back(problem);
+                const auto dialect = problem.code == "unknown-command" ? newer_dialect(statement) : std::nullopt;
+                if (!dialect) problems_.push_back(problem);
+                else if (!std::exchange(newer, true)) problems_.push_back(*dialect);
             }
         }
         return bound;

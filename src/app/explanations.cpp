@@ -38,6 +38,9 @@ constexpr Explanation explanations[] = {
     {"lua-syntax", "Lua cannot read a chunk",
      "All chunks between 'lua' and 'endlua', and the files of 'lua FILE', are read with the deck, before anything runs.\n"
      "The line is where Lua could not go on; the mistake may stand in front of it."},
+    {"newer-dialect", "commands of version 6 and later",
+     "'model new', 'block create brick': the whole file is in another dialect. It is said once for a file, with the classic\n"
+     "spelling of its first such line. 'kaya help' lists the classic commands."},
     {"never-read", "a variable of FISH that is set and that nothing reads",
      "Another name at one letter from it is read: this one may be a slip of the pen. Whole decks are looked at, with\n"
      "the files that they call; nothing is said when a restored model or an unknown file may read it."},

@@ -7,35 +7,16 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
-#include <map>
-#include <set>
 
 namespace kaya {
 
 namespace {
-
-/// Joined blocks get zones together or not at all.
-void take_bodies_whole(const Model& model, const std::vector<Row>& picked) {
-    const auto& blocks = model.blocks;
-    const std::set<Row> rows(picked.begin(), picked.end());
-    std::map<std::int32_t, Row> bodies;
-    for (const Row b : picked)
-        if (blocks.body[b] != 0) bodies.emplace(blocks.body[b], b);
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-        const auto body = bodies.find(blocks.body[b]);
-        if (body == bodies.end() || blocks.deformable[b] || rows.contains(static_cast<Row>(b))) continue;
-        throw Diagnostic(fmt::format("block {} is joined to block {}, which would get no zones",
-                                     blocks.number[body->second], blocks.number[b]),
-                         "take both into the range, or `join off` first");
-    }
-}
 
 template <class Command, class Generate>
 void give_zones_to_blocks(Session& session, const Command& command, const Generate& generate) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
     if (blocks.empty()) return;
     try {
-        take_bodies_whole(session.model, blocks);
         LongWork work(session, "zones");
         const std::size_t zoned = generate(blocks, std::ref(work));
         if (zoned > 0)

@@ -187,7 +187,24 @@ RangeTest by_name(const RangeElement& e, RangeContext& context) {
     return test;
 }
 
+RangeTest element_test(const RangeElement& e, RangeContext& context);
+
+/// One of several numbers: region 1 2 5.
+RangeTest by_any_number(const RangeElement& e, RangeContext& context) {
+    std::vector<RangeTest> tests;
+    for (const std::int64_t number : e.numbers) {
+        RangeElement one = e;
+        one.numbers.clear();
+        one.low = one.high = static_cast<double>(number);
+        tests.push_back(element_test(one, context));
+    }
+    return [tests](const Model& model, ObjectKind kind, Row row) {
+        return std::ranges::any_of(tests, [&](const RangeTest& test) { return test(model, kind, row); });
+    };
+}
+
 RangeTest element_test(const RangeElement& e, RangeContext& context) {
+    if (!e.numbers.empty() && e.kind != Kind::id_list) return by_any_number(e, context);
     switch (e.kind) {
     case Kind::x:
         return along_axis(e, context, 0);

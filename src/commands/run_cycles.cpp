@@ -8,6 +8,7 @@
 #include "commands/time_step.hpp"
 
 #include <fmt/format.h>
+#include <map>
 #include <utility>
 
 namespace kaya {
@@ -55,7 +56,23 @@ void advance(Session& session) {
     }
 }
 
+/// Joined blocks have zones together or not at all; while a model is made they may get them one after the other.
+void refuse_half_zoned(const Model& model) {
+    const auto& blocks = model.blocks;
+    std::map<std::int32_t, Row> bodies;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (blocks.body[b] == 0) continue;
+        const Row first = bodies.try_emplace(blocks.body[b], static_cast<Row>(b)).first->second;
+        if (blocks.deformable[first] == blocks.deformable[b]) continue;
+        const auto [zoned, rigid] = blocks.deformable[b] ? std::pair(static_cast<Row>(b), first) : std::pair(first, static_cast<Row>(b));
+        throw Diagnostic(fmt::format("block {} has zones, and block {}, to which it is joined, has none", blocks.number[zoned],
+                                     blocks.number[rigid]),
+                         "give zones to both (gen edge ...), or `join off` first");
+    }
+}
+
 void make_ready(Session& session) {
+    refuse_half_zoned(session.model);
     check_materials(session);
     check_time_functions(session);
     session.joints.tables().refresh();

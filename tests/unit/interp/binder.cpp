@@ -18,6 +18,19 @@ TEST(Binder, BrickLimitsDefaultToThoseOfX) {
     EXPECT_EQ(flat.options.region, 3);
 }
 
+TEST(Binder, ATitleMayStandOnTheNextLine) {
+    const auto deck = [](const std::string& text) { return bind_text(classic(), source_from_text("deck", text), {}); };
+    const auto title = [](const BoundFile& file) { return std::any_cast<Title>(file.steps.front().command.command).text; };
+    const auto below = deck("title\n  Arch, second try\ncycle 1\n");
+    EXPECT_EQ(title(*below), "Arch, second try");
+    EXPECT_EQ(below->steps.size(), 2u);
+    const auto bare = deck("title\ncycle 1\n");
+    EXPECT_EQ(title(*bare), "");
+    EXPECT_EQ(bare->steps.size(), 2u);
+    EXPECT_THROW(deck("title\ncylce 1\n"), DeckErrors) << "a misspelt command is no title";
+    EXPECT_THROW(deck("title\ncycle many\n"), DeckErrors);
+}
+
 TEST(Binder, OptionsStandBeforeOrAfterTheShape) {
     const auto before = bound_as<PolyBrick>("poly region 3 mat 2 brick 0 1 0 1 0 1 cons 4");
     EXPECT_EQ(before.options.region, 3);
