@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -45,10 +46,13 @@ Polyhedron outline_of(const Model& model, Row block) {
     return shape;
 }
 
-/// A test of one number of each block's shape.
+/// A test of one number of each block's shape, which is looked at once however many parts of the block are tested.
 template <class Number> RangeTest by_shape(const RangeElement& e, Number number) {
-    return on_blocks([low = e.low, high = e.high, number](const Model& model, Row block) {
-        return between(number(block_quality(outline_of(model, block))), low, high);
+    const auto known = std::make_shared<std::map<Row, bool>>();
+    return on_blocks([low = e.low, high = e.high, number, known](const Model& model, Row block) {
+        const auto [found, is_new] = known->try_emplace(block, false);
+        if (is_new) found->second = between(number(block_quality(outline_of(model, block))), low, high);
+        return found->second;
     });
 }
 

@@ -1,6 +1,7 @@
 // Tetrahedra that fill a polyhedron.
 #pragma once
 
+#include "base/watch.hpp"
 #include "geometry/polyhedron.hpp"
 
 #include <array>
@@ -34,8 +35,8 @@ std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, const std::
 /// those are shorter. Bricks and the like are meshed by hexahedron_mesh where that gives good shapes; other
 /// shapes by Delaunay tetrahedra of well spread points, improved by moving points and by exchanging
 /// tetrahedra until no flat one is left. The polyhedron's vertices are points of the mesh, bit for bit.
-/// Throws Diagnostic when the edge is not above 0 or the mesh would be larger than memory.
-TetMesh make_mesh(const Polyhedron& polyhedron, double edge);
+/// Throws Diagnostic when the edge is not above 0 or the mesh would be larger than memory. `watch` is called now and then, with 0.
+TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const Watch& watch = {});
 
 /// Smallest and largest angle between two faces of a tetrahedron, degrees. 70.5 and 70.5 in a regular one.
 struct DihedralAngles {

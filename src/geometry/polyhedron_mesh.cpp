@@ -49,13 +49,13 @@ std::optional<std::vector<TetMesh::BoundaryTriangle>> boundary_of(const MeshPoin
     return boundary;
 }
 
-std::optional<TetMesh> try_points(const Polyhedron& polyhedron, MeshPoints points) {
+std::optional<TetMesh> try_points(const Polyhedron& polyhedron, MeshPoints points, const Watch& watch) {
     std::vector<Tet> tetrahedra = delaunay(points.points);
     // Four points of one face make a flat tetrahedron by rounding alone.
     std::erase_if(tetrahedra, [&](const Tet& t) {
         return !common_faces(points, {t.begin(), t.end()}).empty();
     });
-    improve(polyhedron, points, tetrahedra);
+    improve(polyhedron, points, tetrahedra, watch);
     auto boundary = boundary_of(points, tetrahedra);
     if (!boundary) return std::nullopt;
     TetMesh mesh{std::move(points.points), std::move(tetrahedra), std::move(*boundary)};
@@ -105,7 +105,7 @@ DihedralAngles dihedral_angles(const TetMesh& mesh) {
     return angles;
 }
 
-TetMesh make_mesh(const Polyhedron& polyhedron, double edge) {
+TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const Watch& watch) {
     check_request(polyhedron, edge);
     std::optional<TetMesh> best;
     double best_angle = -1;
@@ -128,7 +128,7 @@ TetMesh make_mesh(const Polyhedron& polyhedron, double edge) {
                                 Trial{0.7, true},  Trial{0.45, true}, Trial{0.8, true}};
     for (const Trial& trial : trials)
         if (best_angle < good_angle)
-            consider(try_points(polyhedron, place_points(polyhedron, edge, trial.clearance, trial.centre)));
+            consider(try_points(polyhedron, place_points(polyhedron, edge, trial.clearance, trial.centre), watch));
     if (!best)
         throw Diagnostic(
             "the block could not be filled with zones",

@@ -342,7 +342,8 @@ std::size_t fill_with_zones(Model& model, const std::vector<Row>& rows, const Me
         if (model.blocks.deformable[block]) continue;
         look(watch, i, rows.size());
         Polyhedron shape = shape_of(model, block);
-        TetMesh zones = mesh(block, shape);
+        const Watch of_block = [&](double done) { look(watch, i, rows.size(), done); };
+        TetMesh zones = mesh(block, shape, of_block);
         meshed.push_back({block, std::move(shape), std::move(zones)});
     }
     for (const auto& m : meshed) give_zones(model, m.block, m.shape, m.mesh);
@@ -359,19 +360,23 @@ std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double ed
     if (!(edge > 0) || !std::isfinite(edge))
         throw Diagnostic("the edge length of zones must be a number above 0");
     double count = 0;
-    return fill_with_zones(model, rows, [&](Row block, const Polyhedron& shape) {
+    return fill_with_zones(model, rows, [&](Row block, const Polyhedron& shape, const Watch& of_block) {
         count += 6 * std::max(1.0, model.blocks.volume[block] / std::pow(edge, 3));
         if (count > most_zones)
             throw Diagnostic(fmt::format("an edge of {} would make more than {:.0e} zones", edge, most_zones),
                              "give a longer edge or a smaller range");
-        return make_mesh(shape, edge);
+        try {
+            return make_mesh(shape, edge, of_block);
+        } catch (Diagnostic& problem) {
+            throw problem.add(fmt::format("in block {}", model.blocks.number[block]));
+        }
     }, watch);
 }
 
 std::size_t generate_zones(Model& model, const std::vector<Row>& rows, const std::array<int, 3>& parts,
                            const std::array<double, 3>& ratio, const Watch& watch) {
     double count = 0;
-    return fill_with_zones(model, rows, [&](Row block, const Polyhedron& shape) {
+    return fill_with_zones(model, rows, [&](Row block, const Polyhedron& shape, const Watch&) {
         count += 6.0 * parts[0] * parts[1] * parts[2];
         if (count > most_zones)
             throw Diagnostic(fmt::format("{} x {} x {} cells would make more than {:.0e} zones", parts[0], parts[1], parts[2],
