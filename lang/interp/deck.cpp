@@ -28,6 +28,7 @@ public:
         for (const auto& [known, bound] : done_)
             if (known == whole) return bound;
         refuse_cycle(whole);
+        if (checks_ && checks_->before_reading) checks_->before_reading(path);
         chain_.push_back({whole, name});
         const SharedFile bound = text(read_source(path, name), path);
         chain_.pop_back();

@@ -6,6 +6,7 @@
 #include "lang/interp/handlers.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,7 +38,9 @@ struct BoundFile {
 
 /// Checks that need more than the table (does this FISH function compile?), by command type.
 /// They run when the deck is bound, before any command of it.
-using Checks = Handlers;
+struct Checks : Handlers {
+    std::function<void(const std::filesystem::path&)> before_reading; ///< may refuse a file; each deck and called file
+};
 
 /// Reads and binds the file `name` and all files that it calls, searched in `folders`.
 /// Throws DeckErrors with every mistake; parsing goes on behind each.

@@ -17,9 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool read_file(const fs::path& file, std::string& text) {
+bool read_file(const Machine& machine, const fs::path& file, std::string& text) {
     std::error_code problem;
-    if (fs::is_directory(file, problem)) return false;
+    if (!fs::exists(file, problem) || fs::is_directory(file, problem)) return false;
+    machine.options.gate->may_read_code(file);
     std::ifstream stream(file, std::ios::binary);
     if (!stream) return false;
     std::ostringstream whole;
@@ -139,7 +140,7 @@ void run_chunk(Machine& machine, const std::string& text, const Place& place) {
 
 void run_chunk_file(Machine& machine, const fs::path& file, const Place& place) {
     std::string text;
-    if (!read_file(file, text))
+    if (!read_file(machine, file, text))
         throw Diagnostic(fmt::format("the Lua file '{}' cannot be read", file.string()),
                          "the path counts from the working folder")
             .at(place);
@@ -160,7 +161,7 @@ void push_module(Machine& machine, const std::string& name, const Place& place) 
                          "a name has letters, digits, '_' and '-'; a point stands for a folder", Fault::run);
     std::string text;
     for (const auto& path : candidates(machine, name))
-        if (read_file(path, text)) return run_module(machine, name, path.string(), text);
+        if (read_file(machine, path, text)) return run_module(machine, name, path.string(), text);
     for (const auto& module : built_in_modules())
         if (module.name == name && module.is_public)
             return run_module(machine, name, name + ".lua", std::string(module.text));

@@ -12,18 +12,14 @@
 
 namespace kaya::script {
 
-std::filesystem::path allowed_path(const Machine& machine, const std::string& name) {
-    namespace fs = std::filesystem;
+std::filesystem::path allowed_path(const Machine& machine, const std::string& name, Access access) {
     if (machine.options.trusted) return name;
-    std::error_code problem;
-    const fs::path folder = fs::weakly_canonical(fs::current_path(problem), problem);
-    const fs::path wanted = fs::weakly_canonical(folder / name, problem);
-    const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), wanted.begin(), wanted.end());
-    if (problem || end != folder.end())
-        throw Diagnostic(fmt::format("the file '{}' lies outside of the working folder", name),
-                         "a script may open files beside and below it; run with --trust to allow more",
-                         Fault::run);
-    return wanted;
+    Gate& gate = *machine.options.gate;
+    if (access == Access::writing)
+        gate.may_write(name);
+    else
+        gate.may_read(name);
+    return resolved(name);
 }
 
 namespace {
@@ -44,7 +40,7 @@ int open(lua_State* L) {
                          "use 1 as third argument: plain text", Fault::run);
     if (machine.file.reading.is_open() || machine.file.writing.is_open())
         throw Diagnostic("a file is open already", "call 'close' before the next 'open'", Fault::run);
-    const auto path = allowed_path(machine, name);
+    const auto path = allowed_path(machine, name, mode == reading ? Access::reading : Access::writing);
     bool done = true;
     if (!machine.restoring) {
         if (mode == reading)

@@ -8,8 +8,10 @@ namespace kaya::script {
 
 struct Machine;
 
-/// The path, when the script may open it: inside of the working folder, or anywhere when trusted. Else
-/// throws.
-std::filesystem::path allowed_path(const Machine& machine, const std::string& name);
+/// What a file is opened for.
+enum class Access { reading, writing };
+
+/// The path with all its links followed, when the script may open it so. Else throws.
+std::filesystem::path allowed_path(const Machine& machine, const std::string& name, Access access);
 
 } // namespace kaya::script

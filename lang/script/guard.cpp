@@ -149,7 +149,7 @@ void call_protected(lua_State* L, int arguments, int results) {
             "a function that runs commands which call it needs a way to end", Fault::run);
     const int outer_levels = machine.levels_before;
     // A wish to stop that came while no script ran was not meant for this one.
-    if (machine.depth == 0) lua_sethook(L, nullptr, 0, 0);
+    if (machine.depth == 0) lua_sethook(L, nullptr, 0, 0), machine.stopping = false;
     if (machine.depth > 0) machine.levels_before = count_levels(L);
     ++machine.depth;
 

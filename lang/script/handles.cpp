@@ -9,6 +9,11 @@
 
 namespace kaya::script {
 
+bool is_handle(const World& world, const Handle& handle) {
+    return handle.table >= 0 && handle.table < static_cast<std::int32_t>(world.tables().size()) &&
+           handle.slot >> slot_bits == 0 && handle.generation >> generation_bits == 0;
+}
+
 void* pack_handle(const Handle& handle) {
     if (handle.table < 0 || handle.table >= 64 || handle.slot >> slot_bits ||
         handle.generation >> generation_bits)

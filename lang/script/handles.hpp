@@ -18,6 +18,9 @@ inline Handle unpack_handle(const void* packed) {
             static_cast<std::uint32_t>(bits >> slot_bits & ((1u << generation_bits) - 1))};
 }
 
+/// Whether there can be such an object: of a table of the model, with numbers that fit.
+bool is_handle(const World& world, const Handle& handle);
+
 /// Throws Diagnostic (own fault) when a number does not fit.
 void* pack_handle(const Handle& handle);
 

@@ -192,9 +192,21 @@ int environment(lua_State* L) {
     return 1;
 }
 
+/// (name, true to write)
 int path(lua_State* L) {
-    const std::string allowed = allowed_path(machine_of(L), text_argument(L, 1, "io.open")).string();
+    const Access access = lua_toboolean(L, 2) ? Access::writing : Access::reading;
+    const std::string allowed = allowed_path(machine_of(L), text_argument(L, 1, "io.open"), access).string();
     lua_pushlstring(L, allowed.data(), allowed.size());
+    return 1;
+}
+
+int restoring(lua_State* L) {
+    lua_pushboolean(L, machine_of(L).restoring);
+    return 1;
+}
+
+int stopping(lua_State* L) {
+    lua_pushboolean(L, machine_of(L).stopping);
     return 1;
 }
 
@@ -281,7 +293,7 @@ int fail(lua_State* L) {
     throw Diagnostic(text_argument(L, 1, "fail"), text_argument(L, 2, "fail"), Fault::run);
 }
 
-constexpr std::array<luaL_Reg, 26> natives{{
+constexpr std::array<luaL_Reg, 28> natives{{
     {"fail", guarded<fail>},
     {"tables", guarded<tables>},
     {"list", guarded<list>},
@@ -302,6 +314,8 @@ constexpr std::array<luaL_Reg, 26> natives{{
     {"seed", guarded<seed>},
     {"environment", guarded<environment>},
     {"allowed_path", guarded<path>},
+    {"restoring", guarded<restoring>},
+    {"stopping", guarded<stopping>},
     {"command", guarded<command>},
     {"add_hook", guarded<add_hook>},
     {"remove_hook", guarded<remove_hook>},
@@ -314,6 +328,11 @@ constexpr std::array<luaL_Reg, 26> natives{{
 
 void open_library(Machine& machine) {
     lua_State* L = machine.lua;
+    // A script that reached the type of files could give it a finalizer of its own.
+    luaL_getmetatable(L, LUA_FILEHANDLE);
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_pop(L, 1);
     load_text(L, std::string(built_in_module("library")), "=library");
     lua_newtable(L);
     luaL_setfuncs(L, natives.data(), 0);

@@ -46,6 +46,12 @@ void* limited_memory(void* memory_of_machine, void* piece, std::size_t old_size,
 
 Machine::Machine(World& the_world, Options the_options)
     : world(the_world), options(std::move(the_options)), random(options.seed) {
+    if (!options.gate) {
+        options.gate = std::make_shared<Gate>();
+        Gate::Policy policy;
+        policy.folders = {"."};
+        options.gate->shut(std::move(policy));
+    }
     lua = luaL_newstate();
     if (!lua) throw std::bad_alloc();
     *static_cast<Machine**>(lua_getextraspace(lua)) = this;

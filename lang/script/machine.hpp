@@ -81,6 +81,7 @@ struct Machine {
 
     /// While a state is restored, Lua chunks run for their definitions only.
     bool restoring = false;
+    bool stopping = false;   ///< the user has asked for it; until the outermost call has ended
     int depth = 0;           ///< calls into Lua that are open
     int levels_before = 0;   ///< stack levels of Lua that belong to outer calls
     bool registered = false; ///< a chunk made a hook or a history: it must be kept

@@ -37,7 +37,10 @@ public:
 namespace {
 
 /// The hook stays until the outermost call has ended, so that no pcall of a script can hold it up.
-int stop(lua_State*) { throw Diagnostic("the script was stopped", {}, Fault::run); }
+int stop(lua_State* L) {
+    machine_of(L).stopping = true;
+    throw Diagnostic("the script was stopped", {}, Fault::run);
+}
 
 /// Runs before the next instruction of Lua.
 void stop_hook(lua_State* L, lua_Debug*) { guarded<stop>(L); }
@@ -217,6 +220,12 @@ void Scripts::run_hooks(Moment moment, std::int64_t cycle) {
 void Scripts::interrupt() noexcept {
     lua_State* L = impl_->lua.load();
     if (L) lua_sethook(L, stop_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT, 1);
+}
+
+bool Scripts::is_deaf() const noexcept {
+    const Machine* machine = impl_->machine.get();
+    // The hook is there when the wish came while the script ran.
+    return machine && machine->depth > 0 && !machine->stopping && lua_gethook(machine->lua) != nullptr;
 }
 
 Tables& Scripts::tables() { return impl_->machine->tables; }

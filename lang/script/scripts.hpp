@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
+#include "base/gate.hpp"
 #include "lang/fish/compiler.hpp"
 #include "lang/script/state.hpp"
 #include "lang/script/tables.hpp"
@@ -19,7 +20,8 @@ namespace kaya::script {
 
 struct Options {
     bool trusted =
-        false; ///< true: os.execute, io.popen, files outside of the working folder, debug, load libraries
+        false; ///< true: os.execute, io.popen, files anywhere, debug, load libraries
+    std::shared_ptr<Gate> gate; ///< says which files may be touched; the working folder alone if there is none
     std::uint64_t seed = 1;                            ///< of urand, grand and Lua's math.random
     std::size_t memory = 0; ///< bytes that scripts may take together; 0: as much as there is
     std::vector<std::filesystem::path> module_folders; ///< searched by `require` after the deck's folder
@@ -89,6 +91,9 @@ public:
 
     /// Stops the running script at its next instruction with a Diagnostic. May be called by a signal handler.
     void interrupt() noexcept;
+
+    /// A wish to stop has not been met, because one call into Lua's own library does not end. For signal handlers.
+    bool is_deaf() const noexcept;
 
     /// Tables by number, shared with the commands.
     Tables& tables();

@@ -2,6 +2,7 @@
 
 #include "lang/script/chunks.hpp"
 #include "lang/script/guard.hpp"
+#include "lang/script/handles.hpp"
 #include "lang/script/machine.hpp"
 #include "lang/script/values.hpp"
 
@@ -191,6 +192,7 @@ public:
     StateReader& operator=(const StateReader&) = delete;
 
     void read() {
+        check();
         machine_.tables = state_.tables;
         rebuild_decks();
         machine_.restoring = true;
@@ -205,11 +207,34 @@ public:
     }
 
 private:
+    /// Numbers of objects and of lines are those that a model can have, before anything is made of them.
+    void check() const {
+        const auto check_value = [&](const StoredValue& value) {
+            if (const auto* reference = std::get_if<ObjectReference>(&value); reference && reference->index >= made_.size())
+                fail_damaged();
+            const auto* handle = std::get_if<Handle>(&value);
+            if (handle && handle->generation != 0 && !is_handle(machine_.world, *handle)) fail_damaged();
+        };
+        for (const auto* values : {&state_.fish_globals, &state_.lua_globals, &state_.extras})
+            for (const auto& [name, value] : *values) check_value(value);
+        for (const auto& object : state_.objects)
+            for (const auto* values : {&object.keys, &object.values})
+                for (const auto& value : *values) check_value(value);
+        std::map<std::string, std::int64_t> last_lines;
+        for (const auto& source : state_.sources) {
+            if (source.line < 1 || source.line > most_lines || source.kind > StoredSource::Kind::lua) fail_damaged();
+            auto& last = last_lines[source.name];
+            last = std::max(last, source.line);
+        }
+        std::int64_t lines = 0;
+        for (const auto& [name, last] : last_lines)
+            if ((lines += last) > most_lines) fail_damaged();
+    }
+
     /// One text for each deck, with the lines that are known; the others are empty, so that numbers are
     /// right.
     void rebuild_decks() {
         for (const auto& stored : state_.sources) {
-            if (stored.line < 1 || stored.line > most_lines) fail_damaged();
             auto& deck = decks_[stored.name];
             if (!deck) {
                 deck = std::make_shared<SourceText>();

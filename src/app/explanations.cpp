@@ -80,6 +80,20 @@ constexpr Explanation explanations[] = {
     {"no-file", "a file that is not there",
      "Decks are looked for beside the deck that calls them, then in the folder where kaya was started. The endings\n"
      ".3dd .dat .3ddat .fis .txt may be left out."},
+    // What a run may do: docs/safety.md.
+    {"file-outside", "a file outside of the folders that a run may use",
+     "Without --trust a run reads and writes below the folder where it was started, below the folders of its decks, and\n"
+     "below those that 'kaya allow FOLDER' has named. The message shows that command. Links count as what they lead to."},
+    {"file-special", "a pipe, a device, a file of the system or with several names",
+     "Such a file could hold the run up, or lies in a second place that nobody sees. Name an ordinary file, or run with\n"
+     "--trust."},
+    {"file-in-use", "a file that a run must not overwrite",
+     "It is the deck, something that the deck has called or loaded, or the list of your permissions."},
+    {"file-hidden", "a name that decks do not write",
+     "Files that begin with a point are settings of programs, files that end in .so are libraries of code. Give another name."},
+    {"library-not-allowed", "a joint model that nobody has allowed",
+     "A library is code that can do whatever you can. Those of the installed folder, of --joints and of KAYA_JOINTS are loaded;\n"
+     "another one is when 'kaya allow FILE' has named it as it is now. 'kaya jmodel build' allows what it makes."},
     // Scripts.
     {"unknown-fish-name", "a name that means nothing to FISH",
      "In a command @name must be a variable that some function mentions, a function, or a built-in name. Inside of a\n"

@@ -2,6 +2,10 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <sys/time.h>
+#include <unistd.h>
 
 namespace kaya {
 
@@ -9,9 +13,24 @@ namespace {
 
 std::atomic<Session*> listening = nullptr;
 
+/// Time that a script has to hear of it.
+constexpr itimerval patience{{0, 0}, {0, 700'000}}, none{};
+
+/// A pattern of Lua can take years to fail, and nothing reaches it but this: the results so far are given out, and that is the
+/// end. What cycles has been kept in its time.
+void end_if_deaf(int) {
+    const Session* session = listening.load();
+    if (session == nullptr || !session->is_deaf()) return;
+    constexpr char message[] = "error: stopped by the user inside of one call into Lua's library that did not come to its end\n";
+    if (::ftrylockfile(stdout) == 0) ::fflush_unlocked(stdout);
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message, sizeof message - 1); // there is nobody to tell if it fails
+    std::_Exit(static_cast<int>(Fault::run));
+}
+
 /// Only what a signal handler may do: lock-free atomics, and giving the signal its old meaning back.
 void stop(int signal) {
     if (Session* session = listening.load(); session != nullptr) session->interrupt();
+    ::setitimer(ITIMER_REAL, &patience, nullptr);
     std::signal(signal, SIG_DFL);
 }
 
@@ -19,6 +38,7 @@ void stop(int signal) {
 
 InterruptGuard::InterruptGuard(Session& session) {
     listening = &session;
+    std::signal(SIGALRM, end_if_deaf);
     std::signal(SIGINT, stop);
     std::signal(SIGTERM, stop);
     // A terminal that is closed stops the run, unless it was started with nohup.

@@ -2,7 +2,9 @@
 #include "app/explanations.hpp"
 #include "app/interrupt.hpp"
 #include "app/joint_bench.hpp"
+#include "app/permissions.hpp"
 #include "app/prompt.hpp"
+#include "app/sandbox.hpp"
 #include "app/tools.hpp"
 #include "commands/deck_report.hpp"
 #include "commands/journal.hpp"
@@ -15,15 +17,23 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <fstream>
 #include <new>
+#include <system_error>
+#include <unistd.h>
 
 namespace kaya {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The status that a shell gives to a program whose reader went away; nothing is said then.
+constexpr int nobody_reads = 141;
 
 struct CommandLine {
     Options options;
@@ -36,6 +46,9 @@ struct CommandLine {
     std::string journal;      ///< of `replay`
     std::string saved;        ///< of `info`
     bool no_journal = false;
+    bool sandbox = false;             ///< `info --sandbox`
+    std::vector<std::string> allowed; ///< of `allow`
+    bool revoke = false;
 };
 
 /// The folder of the program itself: joint models that ship lie beside it.
@@ -45,10 +58,9 @@ fs::path program_folder(const char* called_as) {
     return failed ? fs::absolute(called_as).parent_path() : self.parent_path();
 }
 
-/// Where joint models are looked for, first match wins: folders of the command line, beside the program
-/// or where it is installed,
-/// KAYA_JOINTS (folders with ':' between), beside the deck.
-std::vector<fs::path> joint_folders(const CommandLine& line, const fs::path& program) {
+/// Folders whose libraries are loaded without a question: those of the command line, beside the program or where it is
+/// installed, KAYA_JOINTS (folders with ':' between).
+std::vector<fs::path> trusted_folders(const CommandLine& line, const fs::path& program) {
     std::vector<fs::path> folders = line.options.joint_folders;
     folders.push_back(program / "joints");
     folders.push_back(program.parent_path() / "lib/kaya/joints"); // where it is installed
@@ -60,6 +72,12 @@ std::vector<fs::path> joint_folders(const CommandLine& line, const fs::path& pro
             rest.remove_prefix(std::min(end + 1, rest.size()));
         }
     }
+    return folders;
+}
+
+/// Where joint models are looked for, first match wins; beside the deck last.
+std::vector<fs::path> joint_folders(const CommandLine& line, const fs::path& program) {
+    std::vector<fs::path> folders = trusted_folders(line, program);
     for (const auto& deck : line.decks) {
         const fs::path folder = fs::path(deck).parent_path();
         folders.push_back(folder.empty() ? fs::path(".") : folder);
@@ -86,8 +104,8 @@ int check(const std::vector<std::string>& decks, Output& output) {
 /// The journal of a deck lies in the current folder, as all that it writes.
 std::unique_ptr<Journal> journal_of(Session& session, const CommandLine& line) {
     if (line.no_journal || !line.journal.empty()) return nullptr;
-    const fs::path name = line.decks.empty() ? fs::path("prompt") : fs::path(line.decks.front()).stem();
-    return std::make_unique<Journal>(session, name.string() + ".journal");
+    if (!line.decks.empty()) session.deck = line.decks.front();
+    return std::make_unique<Journal>(session, session.run_name() + ".journal");
 }
 
 int run_decks(Session& session, const CommandLine& line) {
@@ -127,6 +145,7 @@ int run_session(Session& session, const CommandLine& line) {
         for (const auto& error : errors.all) session.output.message(error);
         return static_cast<int>(errors.fault);
     } catch (const Diagnostic& error) {
+        if (error.code == broken_pipe) return nobody_reads;
         session.output.message(error);
         return static_cast<int>(error.fault);
     } catch (const std::bad_alloc&) {
@@ -142,8 +161,33 @@ int run_session(Session& session, const CommandLine& line) {
     }
 }
 
-int run(const CommandLine& line) {
+/// The lock lets in what is there: later no folder can be made for it.
+void prepare_history(const CommandLine& line) {
+    const fs::path file = history_file();
+    if (!line.decks.empty() || !line.journal.empty() || file.empty() || isatty(STDIN_FILENO) == 0) return;
+    std::error_code ignored;
+    fs::create_directories(file.parent_path(), ignored);
+    const std::ofstream touched(file, std::ios::app);
+}
+
+SandboxOrder sandbox_of(const CommandLine& line, const fs::path& program) {
+    SandboxOrder order{line.decks, trusted_folders(line, program), {}};
+    if (!line.journal.empty()) order.inputs.push_back(line.journal);
+    if (line.decks.empty() && line.journal.empty()) order.kept.push_back(history_file());
+    return order;
+}
+
+int run(CommandLine& line, const fs::path& program) {
+    Gate::Policy policy;
+    if (!line.options.trust) {
+        const SandboxOrder order = sandbox_of(line, program);
+        prepare_history(line);
+        policy = policy_of(order);
+        lock(policy, order); // before there are threads: each has its own lock
+    }
+    line.options.joint_folders = joint_folders(line, program);
     Session session(line.options);
+    if (!line.options.trust) session.gate->shut(std::move(policy));
     const int status = run_session(session, line);
     if (status != 0) session.rescue.keep();
     return status;
@@ -166,7 +210,7 @@ int start(int argc, char** argv) {
     app.add_flag("--strict", line.options.strict, "warnings are errors");
     app.add_flag("--batch,--quiet,-q", line.options.quiet, "results, warnings and errors only");
     app.add_flag("--echo", line.options.echo, "show each command before it runs");
-    app.add_flag("--trust", line.options.trust, "scripts of the deck may use files and start programs");
+    app.add_flag("--trust", line.options.trust, "the deck may use files and libraries anywhere and start programs");
     app.add_option("--script-memory", line.options.script_memory,
                    "megabytes that scripts of the deck may take; half of the machine's memory if not given")
         ->check(CLI::Range(0, 1 << 20));
@@ -179,7 +223,11 @@ int start(int argc, char** argv) {
     auto* replaying = app.add_subcommand("replay", "run a journal again and compare the final state");
     replaying->add_option("journal", line.journal, "a file that a run has written")->required();
     auto* describing = app.add_subcommand("info", "say what a saved model holds");
-    describing->add_option("file", line.saved, "a file that 'save' has written")->required();
+    describing->add_option("file", line.saved, "a file that 'save' has written");
+    describing->add_flag("--sandbox", line.sandbox, "say what a run in this folder may do");
+    auto* allowing = app.add_subcommand("allow", "allow runs a folder or a joint model, for good; without one, list what is allowed");
+    allowing->add_option("path", line.allowed, "folders, or libraries as they are now");
+    allowing->add_flag("--revoke", line.revoke, "take it back");
     auto* checking =
         app.add_subcommand("check", "read decks and say what is wrong with them, without running them");
     checking->add_option("deck", line.checked, "command files")->required();
@@ -216,6 +264,17 @@ int start(int argc, char** argv) {
         fmt::print("{}", line.code.empty() ? code_list() : explanation(line.code));
         return 0;
     }
+    if (*allowing) {
+        for (const auto& path : line.allowed) line.revoke ? revoke(path) : allow(path);
+        fmt::print("{}", describe(read_permissions()));
+        return 0;
+    }
+    if (*describing && (line.sandbox || line.saved.empty())) {
+        if (!line.sandbox)
+            throw Diagnostic("info needs the name of a file", "such as: kaya info wall.kaya.h5, or kaya info --sandbox");
+        fmt::print("{}", describe_sandbox(policy_of(sandbox_of(line, program))));
+        return 0;
+    }
     if (*describing) {
         try {
             fmt::print("{}", describe_save_file(line.saved));
@@ -227,15 +286,25 @@ int start(int argc, char** argv) {
         }
     }
     if (about_models) return about_models();
-    line.options.joint_folders = joint_folders(line, program);
-    return run(line);
+    return run(line, program);
 }
 
 } // namespace
 
 } // namespace kaya
 
+namespace {
+
+/// Otherwise the next file that is opened would be taken for the standard output.
+void open_missing_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) < 0) std::_Exit(static_cast<int>(kaya::Fault::run));
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
+    open_missing_streams();
     // A file that grows beyond the limit, or a reader that went away, is an error of the write that met
     // it, not the end of the program.
     std::signal(SIGXFSZ, SIG_IGN);
@@ -243,6 +312,10 @@ int main(int argc, char** argv) {
     kaya::report_crashes();
     try {
         return kaya::start(argc, argv);
+    } catch (const std::system_error& error) {
+        if (error.code() == std::errc::broken_pipe) return kaya::nobody_reads;
+        std::fprintf(stderr, "error: %s\n", error.what());
+        return static_cast<int>(kaya::Fault::run);
     } catch (const kaya::Diagnostic& error) {
         std::fputs((kaya::render(error) + "\n").c_str(), stderr);
         return static_cast<int>(error.fault);

@@ -2,6 +2,7 @@
 
 #include "app/model_builder.hpp"
 #include "app/new_model.hpp"
+#include "app/permissions.hpp"
 #include "base/diagnostic.hpp"
 #include "commands/lua_joint_models.hpp"
 #include "joints/joint_model.hpp"
@@ -42,6 +43,15 @@ void describe(const JointModel& model) {
     line("states", fmt::format("{}", fmt::join(model.states, ", ")));
     line("keeps", fmt::format("{}", fmt::join(kept, ", ")));
     line("objects", model.keeps_objects() ? "one for each sub-contact" : "");
+}
+
+/// Who builds a library has its source before him. Without a home it is allowed by its folder alone: --joints.
+void allow_built(const fs::path& library) {
+    try {
+        allow(library);
+    } catch (const Diagnostic& problem) {
+        fmt::print(stderr, "note: the library is not allowed for good: {}\n", problem.message);
+    }
 }
 
 /// Lists what is asked for, or all that is found; 1 when one of them cannot be loaded.
@@ -86,6 +96,7 @@ void add_model_commands(CLI::App& app, const fs::path& program_folder,
             const fs::path library = build_joint_model(*order, include_folder(program_folder));
             JointRegistry registry;
             describe(registry.get(fs::absolute(library).string()));
+            allow_built(library);
             return 0;
         };
     });

@@ -23,14 +23,6 @@ namespace fs = std::filesystem;
 
 constexpr int kept_lines = 1000;
 
-/// Where typed lines are kept from one session to the next; empty when there is no home.
-fs::path history_file() {
-    if (const char* named = std::getenv("KAYA_HISTORY")) return named;
-    if (const char* state = std::getenv("XDG_STATE_HOME")) return fs::path(state) / "kaya" / "history";
-    if (const char* home = std::getenv("HOME")) return fs::path(home) / ".local" / "state" / "kaya" / "history";
-    return {};
-}
-
 /// The longest beginning that all words share.
 std::string common_beginning(const std::vector<std::string>& words) {
     std::string beginning = words.front();
@@ -227,6 +219,13 @@ int from_pipe(Session& session) {
 }
 
 } // namespace
+
+std::filesystem::path history_file() {
+    if (const char* named = std::getenv("KAYA_HISTORY")) return named;
+    if (const char* state = std::getenv("XDG_STATE_HOME")) return std::filesystem::path(state) / "kaya" / "history";
+    if (const char* home = std::getenv("HOME")) return std::filesystem::path(home) / ".local" / "state" / "kaya" / "history";
+    return {};
+}
 
 int run_prompt(Session& session) {
     session.deck = "prompt";

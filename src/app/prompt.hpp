@@ -11,4 +11,7 @@ namespace kaya {
 /// status.
 int run_prompt(Session& session);
 
+/// Where typed lines are kept from one session to the next; empty when there is no home.
+std::filesystem::path history_file();
+
 } // namespace kaya

@@ -1,4 +1,5 @@
 // fix, free, gravity, bound, apply, reset.
+#include "commands/all_or_nothing.hpp"
 #include "commands/bodies.hpp"
 #include "commands/handlers.hpp"
 #include "commands/tables.hpp"
@@ -225,14 +226,20 @@ void run(Session& session, const lang::Free& command) {
 
 void run(Session& session, const lang::Gravity& command) { session.model.settings.gravity = command.value; }
 
-void run(Session& session, const lang::Boundary& command) {
+namespace {
+
+template <class List> bool any(const List& list) {
+    return std::ranges::any_of(list, [](const auto& value) { return bool(value); });
+}
+
+bool on_faces(const lang::Boundary& command) { return any(command.quiet) || command.normal_velocity; }
+
+void bound(Session& session, const lang::Boundary& command) {
     auto& model = session.model;
     const auto function = time_function(session, command.multiplier);
-    const auto any = [](const auto& list) { return std::ranges::any_of(list, [](const auto& v) { return bool(v); }); };
-    const bool on_faces = any(command.quiet) || command.normal_velocity;
     std::vector<Row> points, triangles;
-    if (any(command.load) || command.stress || on_faces) points = session.pick(ObjectKind::gridpoint, command.range);
-    if (on_faces && !points.empty()) triangles = triangles_in_range(session, command, points);
+    if (any(command.load) || command.stress || on_faces(command)) points = session.pick(ObjectKind::gridpoint, command.range);
+    if (on_faces(command) && !points.empty()) triangles = triangles_in_range(session, command, points);
     if (any(command.reaction)) put_reactions(session, command);
     if (any(command.velocity) || any(command.free)) {
         const Bodies bodies = pick_bodies(session, command.range);
@@ -262,6 +269,14 @@ void run(Session& session, const lang::Boundary& command) {
     for (const Row g : points)
         if (blocks.empty() || blocks.back() != model.gridpoints.block[g]) blocks.push_back(model.gridpoints.block[g]);
     warn_of_held_loads(session, blocks, command.place);
+}
+
+} // namespace
+
+void run(Session& session, const lang::Boundary& command) {
+    // Faces are told by contacts, which are found first.
+    if (command.stress || on_faces(command)) return all_or_nothing(session, [&] { bound(session, command); });
+    bound(session, command);
 }
 
 void run(Session& session, const lang::Apply& command) {

@@ -95,11 +95,11 @@ void run(Session& session, const lang::Set& command) {
     if (command.seed) session.scripts->seed(static_cast<std::uint64_t>(*command.seed));
     if (command.log_file) {
         session.log_file = *command.log_file;
-        if (session.output.logging()) session.output.start_log(session.log_file);
+        if (session.output.logging()) session.output.start_log(session.output_file(session.log_file));
     }
     if (command.log) {
         if (*command.log)
-            session.output.start_log(session.log_file);
+            session.output.start_log(session.output_file(session.log_file));
         else
             session.output.stop_log();
     }

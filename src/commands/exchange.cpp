@@ -115,7 +115,7 @@ void run(Session& session, const lang::Export& command) {
         zoned = zoned || model.blocks.deformable[row] != 0;
     }
     if (zoned) session.note_once("blocks with zones are written as rigid ones", "`save` keeps everything");
-    write_whole_file(command.file, write_grid3d(grid_of(blocks)));
+    write_whole_file(session.output_file(command.file), write_grid3d(grid_of(blocks)));
     session.output.say(fmt::format("{} blocks written to {}", rows.size(), command.file));
 }
 

@@ -55,6 +55,7 @@ const std::string& part(const SaveExtras& extras, std::string_view name) {
 void wake_objects(Session& session, Model& model) {
     if (!model.sub_contacts.keeps_objects) return;
     for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+        if (model.contacts.properties[c] == no_row) continue;
         const auto& set = model.joint_properties[model.contacts.properties[c]];
         const JointModel& joint = session.joints.get(set.model);
         const Span span = model.contacts.sub_contacts[c];
@@ -66,18 +67,24 @@ void wake_objects(Session& session, Model& model) {
 
 /// A saved model runs on with the joint models that it had: they must be here, with the same properties.
 void load_joint_models(Session& session, Model& model) {
-    for (const auto& set : model.joint_properties)
+    for (const auto& set : model.joint_properties) {
+        if (set.model.find('/') != std::string::npos)
+            throw Diagnostic(fmt::format("the save file names the joint model '{}' by a path", set.model),
+                             "kaya saves names of joint models alone; the file was changed", Fault::run);
         if (session.joints.get(set.model).properties.size() != set.values.size())
             throw Diagnostic(
                 fmt::format("joint model '{}' has other properties now than when the model was saved",
                             set.model),
                 "use the library that was used then", Fault::run);
+    }
     wake_objects(session, model);
 }
 
 } // namespace
 
-void save_session(Session& session, const std::string& file) { save_state(session.model, file, extras_of(session)); }
+void save_session(Session& session, const std::string& file) {
+    save_state(session.model, session.output_file(file), extras_of(session));
+}
 
 void run(Session& session, const lang::Save& command) {
     settle_forces(session); // a restored model goes on as this one does
@@ -88,7 +95,9 @@ void run(Session& session, const lang::Save& command) {
 void run(Session& session, const lang::Restore& command) {
     // All that can fail comes first; the session is as it was then.
     Model model;
-    const SaveExtras extras = restore_state(model, saved_file(session, command.file));
+    const std::string file = saved_file(session, command.file);
+    session.gate->may_read(file);
+    const SaveExtras extras = restore_state(model, file);
     load_joint_models(session, model);
     NamedRanges ranges = ranges_from_text(part(extras, part_ranges));
     const script::ScriptState scripts = script::from_bytes(part(extras, part_scripts));
@@ -118,7 +127,7 @@ void run(Session& session, const lang::HistoryWrite& command) {
             throw Diagnostic("there are no histories to write", "hist records one: hist unbal");
         const std::string file =
             command.file.empty() ? fs::path(session.deck).stem().string() + ".csv" : command.file;
-        write_history_csv(histories, file, command.numbers, command.versus);
+        write_history_csv(histories, session.output_file(file), command.numbers, command.versus);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;

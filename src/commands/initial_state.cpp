@@ -1,4 +1,5 @@
 // initialize and insitu: what is there before anything happens.
+#include "commands/all_or_nothing.hpp"
 #include "commands/bodies.hpp"
 #include "commands/handlers.hpp"
 
@@ -69,8 +70,10 @@ void run(Session& session, const lang::Initialize& command) {
 }
 
 void run(Session& session, const lang::InSitu& command) {
-    if (command.stress || command.topography) put_stress(session, command);
-    if (command.pore_pressure) put_pore_pressure(session, command.range, *command.pore_pressure);
+    all_or_nothing(session, [&] {
+        if (command.stress || command.topography) put_stress(session, command);
+        if (command.pore_pressure) put_pore_pressure(session, command.range, *command.pore_pressure);
+    });
 }
 
 } // namespace kaya

@@ -28,6 +28,8 @@ constexpr std::string_view hash_mark = ";hash ";       ///< digest of the final 
 
 /// Digest of a file's contents; empty when it cannot be read.
 std::string digest_of(const fs::path& file) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) return "-"; // a pipe would hold the replay up
     std::ifstream stream(file, std::ios::binary);
     if (!stream) return "-";
     std::ostringstream contents;
@@ -35,6 +37,12 @@ std::string digest_of(const fs::path& file) {
     Hash hash;
     hash.add(contents.str());
     return fmt::format("{:016x}", hash.value());
+}
+
+/// A name on a line of the journal: a file may be called with a line end in it.
+std::string on_one_line(std::string name) {
+    std::ranges::replace_if(name, [](char c) { return c == '\n' || c == '\r'; }, '_');
+    return name;
 }
 
 /// Lines of one source that follow each other, to be run as one text.
@@ -145,7 +153,12 @@ std::string final_hash(Session& session) { return fmt::format("{:016x}", state_h
 } // namespace
 
 Journal::Journal(Session& session, const std::string& file)
-    : session_(session), file_(file), stream_(file, std::ios::binary) {
+    : session_(session), file_(file) {
+    try {
+        stream_.open(session.output_file(file), std::ios::binary);
+    } catch (const Diagnostic& refused) { // a link that leads elsewhere, say
+        stream_.setstate(std::ios::failbit);
+    }
     write(fmt::format("{}\n; kaya {}, seed of scripts {}\n", first_line, program_version(), script::Options{}.seed));
     session_.executed = [this](const lang::BoundCommand& command, const Completion& completion) {
         add(command, completion);
@@ -165,7 +178,7 @@ void Journal::write(const std::string& text) {
     session_.output.message(note);
 }
 
-void Journal::deck(const std::string& name) { write(fmt::format("{}{}\n", deck_mark, name)); }
+void Journal::deck(const std::string& name) { write(fmt::format("{}{}\n", deck_mark, on_one_line(name))); }
 
 void Journal::add(const lang::BoundCommand& command, const Completion& completion) {
     switch (completion.how) {
@@ -176,15 +189,15 @@ void Journal::add(const lang::BoundCommand& command, const Completion& completio
     }
     const auto& source = *command.place.source;
     const int first = command.place.line, last = std::max(command.last_line, first);
-    std::string text = fmt::format("{}{} {} {}\n", lines_mark, first, last - first + 1, source.name);
+    std::string text = fmt::format("{}{} {} {}\n", lines_mark, first, last - first + 1, on_one_line(source.name));
     for (int line = first; line <= last; ++line) text += source.lines[static_cast<std::size_t>(line - 1)] + "\n";
     write(text);
 }
 
 void Journal::finish() {
     for (const auto& model : session_.joints.loaded())
-        write(fmt::format("{}{} {}\n", joint_mark, digest_of(model->file), model->file.string()));
-    for (const auto& file : session_.files_read) write(fmt::format("{}{} {}\n", file_mark, digest_of(file), file));
+        write(fmt::format("{}{} {}\n", joint_mark, digest_of(model->file), on_one_line(model->file.string())));
+    for (const auto& file : session_.files_read) write(fmt::format("{}{} {}\n", file_mark, digest_of(file), on_one_line(file)));
     write(fmt::format("; cycle {}, time {}\n{}{}\n", session_.model.clock.cycle, session_.model.clock.time, hash_mark,
                       final_hash(session_)));
 }

@@ -1,5 +1,6 @@
 // prop, change, jmodel.
 #include "commands/materials.hpp"
+#include "commands/all_or_nothing.hpp"
 
 #include "commands/plausible.hpp"
 
@@ -256,17 +257,11 @@ void run(Session& session, const lang::Change& command) {
                               static_cast<std::int32_t>(*command.joint_material), session.here());
 }
 
-void run(Session& session, const lang::JointModelCommand& command) {
+namespace {
+
+/// Gives joints in range, or those to come, the model and the values of the command.
+void change_joint_model(Session& session, const lang::JointModelCommand& command) {
     using Action = lang::JointModelCommand::Action;
-    if (command.action != Action::properties) {
-        try {
-            session.joints.get(command.model);
-        } catch (Diagnostic& mistake) {
-            mistake.at(command.model_place);
-            throw;
-        }
-        if (command.action == Action::load) return;
-    }
     refuse_wrong_switch(session.joints, command.items);
     doubt_angles(session, command.items);
     find_contacts(session.model, session.joints);
@@ -289,13 +284,31 @@ void run(Session& session, const lang::JointModelCommand& command) {
     });
 }
 
+} // namespace
+
+void run(Session& session, const lang::JointModelCommand& command) {
+    using Action = lang::JointModelCommand::Action;
+    if (command.action != Action::properties) {
+        try {
+            session.joints.get(command.model);
+        } catch (Diagnostic& mistake) {
+            mistake.at(command.model_place);
+            throw;
+        }
+        if (command.action == Action::load) return;
+    }
+    all_or_nothing(session, [&] { change_joint_model(session, command); });
+}
+
 void run(Session& session, const lang::JointModelTest& command) {
     BenchOrder order;
     order.model = command.model;
     order.path = command.path;
+    order.before_writing = [&](const std::filesystem::path& file) { session.gate->may_write(file); };
     order.values = names_and_values(command.items);
     order.settings.steps = static_cast<std::size_t>(command.steps);
     order.settings.area = command.area;
+    session.gate->may_read(order.path);
     try {
         const auto report = run_bench(session.joints, order);
         session.output.print(report.text);

@@ -16,12 +16,21 @@ Output::~Output() {
     if (log_ != nullptr) std::fclose(log_);
 }
 
+namespace {
+
+[[noreturn]] void fail_to_write(const std::string& name) {
+    Diagnostic error(fmt::format("cannot write to {}: {}", name, std::strerror(errno)), "is the disk full?", Fault::run);
+    if (errno == EPIPE) error.code = broken_pipe;
+    throw error;
+}
+
+} // namespace
+
 void Output::write(std::FILE* stream, std::string_view text, const std::string& name) {
     errno = 0;
     const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
     if (written && std::fputc('\n', stream) != EOF) return;
-    throw Diagnostic(fmt::format("cannot write to {}: {}", name, std::strerror(errno)), "is the disk full?",
-                     Fault::run);
+    fail_to_write(name);
 }
 
 void Output::print(std::string_view text) {
@@ -91,8 +100,7 @@ void Output::flush() {
     std::fflush(messages_);
     errno = 0;
     if (std::fflush(results_) != 0 || std::ferror(results_) != 0)
-        throw Diagnostic(fmt::format("cannot write to the standard output: {}", std::strerror(errno)),
-                         "is the disk full?", Fault::run);
+        fail_to_write("the standard output");
     if (log_ != nullptr && std::fflush(log_) != 0)
         throw Diagnostic(fmt::format("cannot write to the log file {}: {}", log_name_, std::strerror(errno)),
                          "is the disk full?", Fault::run);

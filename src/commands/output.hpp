@@ -9,6 +9,9 @@
 
 namespace kaya {
 
+/// The code of the message that nobody reads the results any more.
+inline constexpr const char* broken_pipe = "broken-pipe";
+
 /// Results (`list`, `print`) go to `results`, messages (errors, warnings, progress) to `messages`; the
 /// log file gets both. Writing throws Diagnostic with Fault::run when a disk is full.
 class Output {

@@ -25,9 +25,8 @@ void note(Session& session, const std::string& message, const std::string& hint)
 
 } // namespace
 
-std::string Rescue::file_name() const {
-    const fs::path deck = session_.deck.empty() ? fs::path("prompt") : fs::path(session_.deck).stem();
-    return fmt::format("{}-autosave{}", deck.string(), save_ending);
+std::string Rescue::file_name() {
+    return fmt::format("{}-autosave{}", session_.run_name(), save_ending);
 }
 
 void Rescue::look_for_earlier() {

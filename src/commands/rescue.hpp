@@ -38,7 +38,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    std::string file_name() const;
+    std::string file_name();
     bool write();
 
     Session& session_;

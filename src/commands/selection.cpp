@@ -1,4 +1,5 @@
 // group, mark, excavate, fill, copy.
+#include "commands/all_or_nothing.hpp"
 #include "commands/handlers.hpp"
 
 #include "geometry/plane.hpp"
@@ -40,7 +41,9 @@ void run(Session& session, const lang::Mark& command) {
         session.model.blocks.region[block] = static_cast<std::int32_t>(command.region);
 }
 
-void run(Session& session, const lang::MarkJoint& command) {
+namespace {
+
+void mark_joints(Session& session, const lang::MarkJoint& command) {
     auto& model = session.model;
     find_contacts(model, session.joints);
     const auto faces = session.pick(ObjectKind::face, command.range);
@@ -51,6 +54,12 @@ void run(Session& session, const lang::MarkJoint& command) {
         const Row face = contacts.face1[c] != no_row ? contacts.face1[c] : contacts.face2[c];
         contacts.joint_set[c] = face != no_row ? model.faces.joint_set[face] : 0;
     }
+}
+
+} // namespace
+
+void run(Session& session, const lang::MarkJoint& command) {
+    all_or_nothing(session, [&] { mark_joints(session, command); });
 }
 
 void run(Session& session, const lang::Excavate& command) {

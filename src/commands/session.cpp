@@ -66,10 +66,12 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
                                     : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
     joints.set_path(options.joint_folders);
     understand_lua_models(joints);
+    joints.before_loading = [this](const fs::path& file) { gate->may_load(file); };
     joints.tables().set_source([this](const std::string& name) { return table_points(*scripts, name); });
 
     script::Options script_options;
     script_options.trusted = options.trust;
+    script_options.gate = gate;
     script_options.memory = memory_for_scripts(options.script_memory);
     scripts = std::make_unique<script::Scripts>(world, script_options);
     scripts->on_print([this](const std::string& line) { output.print(line); });
@@ -111,19 +113,26 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
         if (!executed || commands_of_scripts_ > 0 || calls) return;
         // A wish to stop that no cycle has met has met a script.
         using enum Completion::How;
-        const auto how = stopped_behind_ ? stopped : interrupted_ ? cut_off : failed;
+        const bool inside = std::exchange(stopped_inside_, false) || interrupted_;
+        const auto how = stopped_behind_ ? stopped : inside ? cut_off : failed;
         executed(command, {how, std::exchange(stopped_behind_, std::nullopt).value_or(0)});
     };
     interpreter.checks = deck_checks();
     interpreter.deck_read = [this](const lang::BoundFile& file, const lang::BareNames& names) { review(file, names); };
+    interpreter.checks.before_reading = [this](const fs::path& file) { gate->may_read_code(file); };
+    vtk.before_writing = [this](const std::string& file) { output_file(file); };
     make_cycle();
 }
+
+Session::~Session() { scripts.reset(); }
 
 void Session::make_cycle() {
     cycle = std::make_unique<Cycle>(model, joints);
     const auto hook = [this](script::Moment moment) {
         return [this, moment] {
-            if (scripts->has_hooks(moment)) scripts->run_hooks(moment, model.clock.cycle);
+            if (!scripts->has_hooks(moment)) return;
+            world.forget_ranges(); // shapes and places are others than in the cycle before
+            scripts->run_hooks(moment, model.clock.cycle);
         };
     };
     cycle->hooks.before_cycle.push_back(hook(script::Moment::before_cycle));
@@ -159,6 +168,7 @@ void Session::review(const lang::BoundFile& file, const lang::BareNames& names) 
 
 void Session::show_command(const lang::BoundCommand& command) {
     stop_if_interrupted();
+    stopped_inside_ = false;
     last_place = command.place;
     world.forget_ranges();
     const auto& source = command.place.source;
@@ -179,8 +189,11 @@ void Session::interrupt() noexcept {
     scripts->interrupt();
 }
 
+bool Session::is_deaf() const noexcept { return interrupted_ && commands_of_scripts_ == 0 && scripts->is_deaf(); }
+
 void Session::stop_if_interrupted() {
     if (!interrupted_.exchange(false)) return;
+    stopped_inside_ = true;
     throw Diagnostic(fmt::format("stopped by the user after cycle {}", model.clock.cycle), {}, Fault::run);
 }
 
@@ -230,7 +243,16 @@ std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& ra
 RangeTest Session::test_of(ObjectKind kind, const lang::RangePhrase& range) {
     // What lies on the surface is told by contacts.
     if (has_element(ranges, range, lang::RangeElement::Kind::surface)) find_contacts(model, joints);
-    return range_test(model, ranges, range, kind, {&joints, false});
+    RangeTest test = range_test(model, ranges, range, kind, {&joints, false});
+    if (!test) return test;
+    constexpr int rows_between = 256; // two looks whether the user wants to stop
+    return [this, test = std::move(test), left = rows_between](const Model& of, ObjectKind of_kind, Row row) mutable {
+        if (--left == 0) {
+            left = rows_between;
+            stop_if_interrupted();
+        }
+        return test(of, of_kind, row);
+    };
 }
 
 std::vector<Row> Session::pick(ObjectKind kind, const lang::RangePhrase& range) {
@@ -239,6 +261,18 @@ std::vector<Row> Session::pick(ObjectKind kind, const lang::RangePhrase& range) 
 
 std::vector<Row> Session::pick_hidden_too(ObjectKind kind, const lang::RangePhrase& range) {
     return pick_rows(kind, range, true);
+}
+
+std::string Session::run_name() {
+    const std::string stem = stem_of_deck(deck);
+    const auto taken = names_.take(stem);
+    if (taken.is_new && taken.by_other) {
+        Diagnostic note(fmt::format("another run of '{}' is going on in this folder", stem),
+                        fmt::format("the journal and the autosave of this one are called '{}'", taken.name));
+        note.severity = Severity::note;
+        output.message(note);
+    }
+    return taken.name;
 }
 
 std::string Session::here() const {
@@ -254,8 +288,14 @@ fs::path Session::beside_deck(const std::string& name) const {
 
 fs::path Session::input_file(const std::string& name) {
     const fs::path found = beside_deck(name);
+    gate->may_read(found);
     files_read.insert(found.string());
     return found;
+}
+
+const std::string& Session::output_file(const std::string& name) {
+    gate->may_write(name);
+    return name;
 }
 
 std::string Session::symbol_text(const std::string& expression) {

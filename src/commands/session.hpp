@@ -1,11 +1,13 @@
 // One run of the program: the model, what acts on it, and where its words go.
 #pragma once
 
+#include "base/gate.hpp"
 #include "commands/model_world.hpp"
 #include "commands/occupied.hpp"
 #include "commands/output.hpp"
 #include "commands/ranges.hpp"
 #include "commands/rescue.hpp"
+#include "commands/run_name.hpp"
 #include "commands/text_table.hpp"
 #include "io/vtk.hpp"
 #include "joints/joint_model.hpp"
@@ -53,6 +55,9 @@ class Session {
 public:
     explicit Session(const Options& options, std::FILE* results = stdout, std::FILE* messages = stderr);
 
+    /// Scripts go first: what they do at their end may still call the rest.
+    ~Session();
+
     /// Runs a deck from its first line to its last. Throws lang::DeckErrors before the first command
     /// when the deck does not bind, else the Diagnostic of the first command that fails.
     lang::Ended run_deck(const std::string& file);
@@ -68,13 +73,18 @@ public:
     /// The same, hidden blocks and their parts included.
     std::vector<Row> pick_hidden_too(ObjectKind kind, const lang::RangePhrase& range);
 
+    /// What the journal and the autosave of the present deck begin with; says so when another run has the plain name.
+    std::string run_name();
+
     /// "tunnel.3dd:12" of the running command, "" outside a deck.
     std::string here() const;
 
     /// A file of a deck: beside the deck when it is there, else in the current folder.
     std::filesystem::path beside_deck(const std::string& name) const;
-    /// The same, of a file that is going to be read: it is kept in files_read.
+    /// The same, of a file that is going to be read: the gate is asked, and it is kept in files_read.
     std::filesystem::path input_file(const std::string& name);
+    /// The name of a file that is going to be written, when the gate lets it through. Throws Diagnostic.
+    const std::string& output_file(const std::string& name);
 
     /// `print @x`: the value as FISH shows it.
     std::string symbol_text(const std::string& expression);
@@ -86,6 +96,7 @@ public:
     void clear();
 
     Options options;
+    std::shared_ptr<Gate> gate = std::make_shared<Gate>(); ///< open until somebody shuts it
     Output output;
     Model model;
     JointRegistry joints;
@@ -119,6 +130,8 @@ public:
 
     /// Asks the run to stop after the present cycle, and scripts to stop at once. For signal handlers.
     void interrupt() noexcept;
+    /// A script is where nothing reaches it, though somebody asked it to stop. For signal handlers.
+    bool is_deaf() const noexcept;
     /// Throws Diagnostic when somebody asked for it.
     void stop_if_interrupted();
     /// The same behind a cycle, which a journal can tell and a replay do again.
@@ -132,7 +145,9 @@ private:
     void show_command(const lang::BoundCommand& command);
     std::vector<Row> pick_rows(ObjectKind kind, const lang::RangePhrase& range, bool hidden_too);
 
+    RunNames names_;
     std::atomic<bool> interrupted_ = false;
+    bool stopped_inside_ = false; ///< the command that runs was stopped where nobody can stop it again
     std::optional<std::int64_t> stopped_behind_; ///< cycle of the stop that is on its way up
     int commands_of_scripts_ = 0; ///< scripts that are giving commands at this moment, one in the other
 };

@@ -285,6 +285,8 @@ std::vector<std::string> VtkSeries::write(const Model& model, const std::string&
     const std::vector<std::string> paths{fmt::format("{}_blocks_{}.vtu", name, number),
                                          fmt::format("{}_joints_{}.vtu", name, number), name + ".pvd",
                                          name + "_joints.pvd"};
+    if (before_writing)
+        for (const auto& file : paths) before_writing(file);
     write_whole_file(paths[0], vtk_blocks(model));
     write_whole_file(paths[1], vtk_joints(model));
     write_whole_file(paths[2], series_text(stem + "_blocks", times));

@@ -4,6 +4,7 @@
 
 #include "model/model.hpp"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ public:
     /// begun anew: its files are replaced one after the other and its series lists those of this run.
     /// Throws Diagnostic (Fault::run); files that were complete before stay so. Returns the four paths.
     std::vector<std::string> write(const Model& model, const std::string& name);
+
+    std::function<void(const std::string&)> before_writing; ///< may refuse a file; asked before the first is written
 
 private:
     std::map<std::string, std::vector<double>> times_; ///< model time of each write, by name

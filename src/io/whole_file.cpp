@@ -8,6 +8,8 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <set>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -62,6 +64,28 @@ void write_directly(const std::string& path, std::string_view content) {
     if (!file.close()) fail_to_write(path, errno);
 }
 
+// The name of an unfinished file is that of the file with this and six more characters behind it.
+constexpr std::string_view unfinished_mark = ".kaya-", unfinished_end = "XXXXXX";
+
+/// What runs that were killed have left in a folder; a run that still writes holds its file by a lock. Once for each folder: a
+/// run that was killed before this one began.
+void sweep(const std::filesystem::path& folder) {
+    static std::set<std::filesystem::path> swept;
+    if (!swept.insert(folder).second) return;
+    std::error_code problem;
+    for (std::filesystem::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
+        const std::string name = entry->path().filename().string();
+        const std::size_t tail = unfinished_mark.size() + unfinished_end.size();
+        if (name.size() <= tail || name.compare(name.size() - tail, unfinished_mark.size(), unfinished_mark) != 0) continue;
+        const int descriptor = ::open(entry->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+        if (descriptor < 0) continue;
+        struct stat info {};
+        const bool left = ::fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode) && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+        if (left) ::unlink(entry->path().c_str());
+        ::close(descriptor);
+    }
+}
+
 /// A new name in a folder is on the disk only when the folder is.
 void sync_folder_of(const std::string& path) {
     const auto parent = std::filesystem::path(path).parent_path();
@@ -89,10 +113,13 @@ void write_whole_file(const std::string& path, std::string_view content) {
     // Renaming would replace a file that its owner has write-protected.
     if (exists && ::access(target.c_str(), W_OK) != 0) fail_to_write(path, errno);
 
-    std::string unfinished = target + ".XXXXXX";
+    const auto folder = std::filesystem::path(target).parent_path();
+    sweep(folder.empty() ? "." : folder);
+    std::string unfinished = fmt::format("{}{}{}", target, unfinished_mark, unfinished_end);
     const int descriptor = ::mkostemp(unfinished.data(), O_CLOEXEC);
     if (descriptor < 0) fail_to_write(path, errno);
     OpenFile file(descriptor, unfinished);
+    ::flock(descriptor, LOCK_EX); // until it is closed
     const mode_t mask = ::umask(0);
     ::umask(mask);
     ::fchmod(descriptor, exists ? old.st_mode & 07777 : 0666 & ~mask);

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <sstream>
+#include <stdexcept>
 
 namespace kaya {
 
@@ -256,6 +257,7 @@ JointObject JointModel::restore_object(const std::vector<double>& values, std::s
     char message[KAYA_JMODEL_MESSAGE] = "";
     std::string reason;
     try {
+        if (!keeps_objects()) throw std::runtime_error("it keeps no objects");
         JointObject object(descriptor_->restore(values.data(), bytes.data(), bytes.size(), message));
         if (object) return object;
         message[KAYA_JMODEL_MESSAGE - 1] = '\0';

@@ -10,6 +10,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <fstream>
 #include <set>
 #include <utility>
 
@@ -55,10 +56,13 @@ bool same_file(const fs::path& a, const fs::path& b) {
     return fs::equivalent(a, b, ignored);
 }
 
-std::shared_ptr<void> open_library(const fs::path& file) {
+void refuse_other_files(const fs::path& file) {
     if (const auto fault = fault_of_library_file(file); !fault.empty())
         refuse("joint-model-not-a-library", fmt::format("{} {}", file.string(), fault),
                "build it with kaya_add_joint_model in CMake, or with c++ -shared -fPIC");
+}
+
+std::shared_ptr<void> open_library(const fs::path& file) {
     if (const auto fault = fault_of_loading(file, entry_point); !fault.empty())
         refuse("joint-model-crashes", fmt::format("joint model {} {}", file.string(), fault),
                "look at what its source does before anything is asked of it: static objects, the functions that describe it");
@@ -114,7 +118,12 @@ fs::path JointRegistry::file_named(const fs::path& name) const {
 }
 
 std::unique_ptr<JointModel> JointRegistry::open(const fs::path& file) const {
-    if (const auto maker = makers_.find(file.extension().string()); maker != makers_.end()) return maker->second(file);
+    const auto maker = makers_.find(file.extension().string());
+    // A file that is no library is harmless, and that is what its user wants to hear; unless it cannot even be read.
+    if (maker == makers_.end() && std::ifstream(file)) refuse_other_files(file);
+    if (before_loading) before_loading(file);
+    if (maker == makers_.end()) refuse_other_files(file);
+    if (maker != makers_.end()) return maker->second(file);
     const auto library = open_library(file);
     const std::string name = file.filename().string();
     const AtWork at_work(name.c_str(), file.c_str(), "kaya_joint_model()");

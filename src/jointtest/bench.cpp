@@ -105,6 +105,8 @@ BenchReport run_bench(JointRegistry& registry, const BenchOrder& order) {
     std::error_code ignored;
     if (fs::equivalent(report.curve, order.path, ignored))
         throw Diagnostic(fmt::format("{} is the path itself", report.curve.string()), "give another name with --output");
+    if (order.before_writing)
+        for (const auto& file : {report.curve, report.figure}) order.before_writing(file);
     write_csv(curve_table(curve, model), report.curve);
     std::ofstream figure(report.figure);
     figure << curve_figure(curve, fmt::format("{} along {}", model.name, order.path.stem().string()));

@@ -5,6 +5,7 @@
 #include "jointtest/joint_curve.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@ struct BenchOrder {
     std::vector<std::pair<std::string, double>> values; ///< property words and values
     std::vector<std::string> fitted; ///< properties to fit; none: a test
     CurveSettings settings;
+    std::function<void(const std::filesystem::path&)> before_writing; ///< may refuse a file; may be empty
     std::filesystem::path output; ///< files are OUTPUT.csv and OUTPUT.gp; empty: PATH-MODEL in the working folder
 };
 

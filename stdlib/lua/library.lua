@@ -24,6 +24,37 @@ local function copy(from, names)
     return result
 end
 
+-- Nothing interrupts the handler of an error that came out of the wish to stop, so such an error passes it by.
+function library.xpcall(f, handler, ...)
+    return xpcall(f, function(problem)
+        if native.stopping() then
+            return problem
+        end
+        return handler(problem)
+    end, ...)
+end
+
+-- One call into Lua's own library cannot be interrupted, so its work has bounds. Texts find these as their methods, too.
+local most_bytes, most_elements = 2 ^ 30, 2 ^ 25
+local repeated, moved = string.rep, table.move
+
+function string.rep(text, count, separator)
+    local size = #text + #(separator or "")
+    if size == 0 then
+        return ""
+    elseif (math.tointeger(count) or 0) > most_bytes / size then
+        native.fail("string.rep would make a text of more than 1 GB", "write it to a file piece by piece")
+    end
+    return repeated(text, count, separator)
+end
+
+function table.move(from, first, last, ...)
+    if (math.tointeger(last) or 0) - (math.tointeger(first) or 0) >= most_elements then
+        native.fail("table.move is given more elements than a table can have", "look at its second and third number")
+    end
+    return moved(from, first, last, ...)
+end
+
 library.string = copy(string, { "dump" })
 library.table = copy(table, {})
 library.utf8 = copy(utf8, {})
@@ -130,8 +161,41 @@ library.print = function(...)
     native.print(table.concat(words, "\t"))
 end
 
+-- `restore` runs the chunks of a saved model again for their definitions, and nothing outside may change by it: a file
+-- that a chunk opens to write is opened when something is written after that, behind what is there already.
+local function opened_later(open)
+    local file, real = {}, nil
+    local methods = {}
+    for _, name in ipairs { "write", "flush", "setvbuf", "seek", "read", "lines" } do
+        methods[name] = function(_, ...)
+            if native.restoring() then
+                return name == "lines" and function() end or name == "write" and file or nil
+            end
+            real = real or assert(open())
+            local results = table.pack(real[name](real, ...))
+            if results[1] == real then
+                return file
+            end
+            return table.unpack(results, 1, results.n)
+        end
+    end
+    function methods.close()
+        return real == nil or real:close()
+    end
+    return setmetatable(file, { __index = methods, __name = "FILE*", __metatable = false })
+end
+
+local function open_file(name, mode)
+    local writing = mode ~= nil and mode ~= "r" and mode ~= "rb"
+    local path = native.allowed_path(name, writing)
+    if writing and native.restoring() then
+        return opened_later(function() return io.open(path, (mode:gsub("w", "a"))) end)
+    end
+    return io.open(path, mode)
+end
+
 library.io = refusing({
-    open = function(name, mode) return io.open(native.allowed_path(name), mode) end,
+    open = open_file,
     lines = function(name, ...) return io.lines(native.allowed_path(name), ...) end,
     write = function(...) native.write(table.concat { ... }) end,
 }, "io")
@@ -191,8 +255,28 @@ library.history = {
 }
 
 if trusted then
-    for _, name in ipairs { "os", "io", "debug", "package", "dofile", "loadfile" } do
+    for _, name in ipairs { "debug", "package", "dofile", "loadfile" } do
         library[name] = _G[name]
+    end
+    library.io, library.os = copy(io, {}), copy(os, {})
+    library.io.open = open_file
+    function library.io.popen(...)
+        local words = table.pack(...)
+        local function start() return io.popen(table.unpack(words, 1, words.n)) end
+        return native.restoring() and opened_later(start) or start()
+    end
+    for _, name in ipairs { "execute", "exit", "remove", "rename", "tmpname" } do
+        library.os[name] = function(...)
+            if not native.restoring() then
+                return os[name](...)
+            end
+        end
+    end
+    function library.io.output(...)
+        if native.restoring() then
+            return io.output()
+        end
+        return io.output(...)
     end
 end
 

@@ -153,8 +153,7 @@ TEST(ScriptErrors, fish_other) {
     EXPECT_EQ(fish_message("table(4, 1) = 1\nb = xtable(4, 2)"), "table 4 has points 1 to 1, not 2");
     EXPECT_EQ(
         fish_message("b = open('../x', 0, 1)"),
-        "the file '../x' lies outside of the working folder | a script may open files beside and below it; "
-        "run with --trust to allow more");
+        "'../x' lies outside of the folders that this run may use | allow it once for all with: kaya allow ..");
     EXPECT_EQ(fish_message("b = open('x', 0, 0)"),
               "FISH's own binary files cannot be read or written | use 1 as third argument: plain text");
 }
@@ -264,9 +263,9 @@ TEST(ScriptErrors, the_sandbox_holds) {
     EXPECT_EQ(lua_message("io.popen('ls')"), "io.popen cannot be used in a deck" + trust);
     EXPECT_EQ(lua_message("package.loadlib('x', 'y')"), "package.loadlib cannot be used in a deck" + trust);
     EXPECT_EQ(lua_message("debug.getregistry()"), "debug.getregistry cannot be used in a deck" + trust);
-    EXPECT_THAT(lua_message("io.open('/etc/passwd')"), HasSubstr("lies outside of the working folder"));
+    EXPECT_THAT(lua_message("io.open('/etc/passwd')"), HasSubstr("lies outside of the folders"));
     EXPECT_THAT(lua_message("for l in io.lines('../x') do end"),
-                HasSubstr("lies outside of the working folder"));
+                HasSubstr("lies outside of the folders"));
     EXPECT_EQ(lua_message("dofile('x')"), "attempt to call a nil value (global 'dofile')");
     EXPECT_EQ(lua_message("assert(load('\\27Lua') == nil)"), "no error"); // no bytecode
     EXPECT_EQ(lua_message("assert(_G.os == os and _G._G == _G)"), "no error");

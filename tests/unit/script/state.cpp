@@ -170,6 +170,30 @@ TEST(ScriptState, objects_that_cannot_be_are_refused) {
     EXPECT_THAT(refusal({{-1}, {}, {one}}), HasSubstr("damaged"));
 }
 
+TEST(ScriptState, handles_of_tables_that_no_model_has_are_refused) {
+    for (const Handle handle : {Handle{40, 1, 1}, Handle{-1, 1, 1}, Handle{3, 1, 1}, Handle{0, 1u << 28, 1}, Handle{0, 1, 1u << 30}}) {
+        ScriptState state;
+        state.lua_globals = {{"p", handle}};
+        Stage s;
+        EXPECT_THAT(message_of([&] { s.scripts.restore(state); }), HasSubstr("damaged")) << handle.table << " " << handle.slot;
+        state.lua_globals = {{"t", ObjectReference{0}}};
+        state.objects.push_back({{}, {handle}, {std::int64_t{1}}});
+        EXPECT_THAT(message_of([&] { s.scripts.restore(state); }), HasSubstr("damaged")) << "as a key";
+    }
+    ScriptState state;
+    state.lua_globals = {{"p", Handle{2, 1, 1}}};
+    Stage s;
+    EXPECT_EQ(message_of([&] { s.scripts.restore(state); }), "no error");
+}
+
+TEST(ScriptState, lines_that_would_fill_the_memory_are_refused) {
+    ScriptState state;
+    for (int i = 0; i < 3; ++i)
+        state.sources.push_back({StoredSource::Kind::lua, "", "deck" + std::to_string(i), 4'000'000, "x = 1"});
+    Stage s;
+    EXPECT_THAT(message_of([&] { s.scripts.restore(state); }), HasSubstr("damaged"));
+}
+
 TEST(ScriptState, a_chunk_that_fails_when_it_runs_again_says_so) {
     ScriptState state;
     state.sources.push_back({StoredSource::Kind::lua, "", "old.3ddat", 3, "error('gone')"});

@@ -154,7 +154,10 @@ int check(std::uint64_t seed) {
     Chance c(seed + 1000000);
     int looked_at = 0, part_number = 0;
     for (const Part& part : random_deck(seed)) {
-        if (!part.line.empty()) (void)run.run(part.line);
+        const auto before = state_hash(run.session().model);
+        if (!part.line.empty() && !run.run(part.line)) {
+            EXPECT_EQ(state_hash(run.session().model), before) << "seed " << seed << ": refused, and not without a trace: " << part.line;
+        }
         for (int i = 0; i < part.cycles; ++i) {
             if (!run.run("cycle 1")) return looked_at; // nothing to run, or a law that gives up
             ++looked_at;

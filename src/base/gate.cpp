@@ -1,0 +1,208 @@
+#include "base/gate.hpp"
+
+#include "base/diagnostic.hpp"
+#include "base/sha256.hpp"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+#include <sys/stat.h>
+
+namespace kaya {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int most_links = 40; // as the system itself allows
+
+/// What looks like files there are doors into the system and into other programs.
+constexpr std::array<std::string_view, 3> system_folders{"/proc", "/sys", "/dev"};
+
+[[noreturn]] void refuse(const char* code, std::string message, std::string hint) {
+    Diagnostic error(std::move(message), std::move(hint), Fault::run);
+    error.code = code;
+    throw error;
+}
+
+bool lies_below(const fs::path& whole, const fs::path& folder) {
+    const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), whole.begin(), whole.end());
+    return end == folder.end() || (std::next(end) == folder.end() && end->empty()); // "/a/" is "/a"
+}
+
+/// As a shell takes it.
+std::string quoted(const fs::path& path) {
+    const std::string text = path.string();
+    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+,:@%";
+    if (!text.empty() && text.find_first_not_of(plain) == text.npos) return text;
+    std::string result = "'";
+    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return result + "'";
+}
+
+/// The folder of a file as the user would write it, unless a link leads elsewhere.
+fs::path folder_to_name(const fs::path& file, const fs::path& whole) {
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    return resolved(folder) == whole.parent_path() ? folder : whole.parent_path();
+}
+
+std::string digest_of_file(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << stream.rdbuf();
+    return sha256(bytes.str());
+}
+
+bool has_hidden_part(const fs::path& whole, const fs::path& folder) {
+    const fs::path rest = whole.lexically_relative(folder);
+    return std::any_of(rest.begin(), rest.end(), [](const fs::path& part) {
+        const auto& name = part.native();
+        return name.size() > 1 && name.front() == '.' && name != "..";
+    });
+}
+
+} // namespace
+
+fs::path resolved(const fs::path& path) {
+    std::error_code problem;
+    const fs::path from = path.is_absolute() ? path : fs::current_path(problem) / path;
+    std::deque<fs::path> rest(from.begin(), from.end());
+    fs::path whole;
+    for (int links = 0; !rest.empty();) {
+        const fs::path part = rest.front();
+        rest.pop_front();
+        if (part.empty() || part == ".") continue;
+        if (part == "..") {
+            whole = whole.parent_path();
+            continue;
+        }
+        const fs::path next = part.is_absolute() ? part : whole / part;
+        if (!fs::is_symlink(fs::symlink_status(next, problem))) {
+            whole = next;
+            continue;
+        }
+        if (++links > most_links) return {};
+        const fs::path target = fs::read_symlink(next, problem);
+        if (problem) return {};
+        rest.insert(rest.begin(), target.begin(), target.end());
+    }
+    return whole;
+}
+
+bool is_library_name(const fs::path& file) {
+    const std::string name = file.filename().string();
+    const auto at = name.rfind(".so");
+    return at != name.npos && name.find_first_not_of("0123456789.", at + 3) == name.npos;
+}
+
+void Gate::shut(Policy policy) {
+    shut_ = true;
+    policy_ = std::move(policy);
+    for (auto* paths : {&policy_.folders, &policy_.libraries}) {
+        for (auto& path : *paths) path = resolved(path);
+        std::erase_if(*paths, [](const fs::path& path) { return path.empty(); });
+    }
+    if (!policy_.permissions.empty()) policy_.permissions = resolved(policy_.permissions);
+}
+
+bool Gate::is_below(const fs::path& whole, const std::vector<fs::path>& folders) const {
+    return std::any_of(folders.begin(), folders.end(), [&](const fs::path& folder) { return lies_below(whole, folder); });
+}
+
+bool Gate::is_named(const fs::path& file) const {
+    return std::find(policy_.named.begin(), policy_.named.end(), file) != policy_.named.end();
+}
+
+void Gate::refuse_outside(const fs::path& file, const fs::path& whole) const {
+    if (whole.empty())
+        refuse("file-outside", fmt::format("the links of '{}' lead round in circles", file.string()), "name the file itself");
+    for (const auto system : system_folders)
+        if (lies_below(whole, system))
+            refuse("file-special", fmt::format("'{}' belongs to the system, not to a deck", file.string()),
+                   "name an ordinary file; --trust allows it");
+    if (is_below(whole, policy_.folders)) return;
+    refuse("file-outside", fmt::format("'{}' lies outside of the folders that this run may use", file.string()),
+           fmt::format("allow it once for all with: kaya allow {}", quoted(folder_to_name(file, whole))));
+}
+
+/// A pipe could hold the run up for ever, and a file with two names lies in two places, of which one may be anywhere.
+void Gate::refuse_special(const fs::path& file, const fs::path& whole) const {
+    struct stat info {};
+    if (::lstat(whole.c_str(), &info) != 0 || S_ISDIR(info.st_mode)) return; // for its reader to tell
+    if (!S_ISREG(info.st_mode))
+        refuse("file-special", fmt::format("'{}' is not an ordinary file", file.string()),
+               "name an ordinary file; --trust allows pipes and devices");
+    if (info.st_nlink > 1)
+        refuse("file-special", fmt::format("'{}' has {} names (hard links), and the others may lie anywhere", file.string(),
+                                           info.st_nlink),
+               fmt::format("make a copy of it: cp {0} {0}.copy && mv {0}.copy {0}", quoted(file)));
+}
+
+void Gate::refuse_in_use(const fs::path& file, const fs::path& whole) const {
+    const bool used = code_.contains(whole) || std::any_of(code_.begin(), code_.end(), [&](const fs::path& code) {
+                          std::error_code ignored;
+                          return fs::equivalent(code, whole, ignored);
+                      });
+    if (used)
+        refuse("file-in-use", fmt::format("this run takes its commands from '{}', and would overwrite it", file.string()),
+               "give it another name");
+    if (!policy_.permissions.empty() && whole == policy_.permissions)
+        refuse("file-in-use", fmt::format("'{}' says what runs may do, and no run writes it", file.string()),
+               "use the command 'kaya allow'");
+}
+
+void Gate::may_read(const fs::path& file) const {
+    if (!shut_ || is_named(file)) return;
+    const fs::path whole = resolved(file);
+    refuse_outside(file, whole);
+    refuse_special(file, whole);
+}
+
+void Gate::may_read_code(const fs::path& file) {
+    may_read(file);
+    if (const fs::path whole = resolved(file); !whole.empty()) code_.insert(whole);
+}
+
+void Gate::may_write(const fs::path& file) {
+    const fs::path whole = resolved(file);
+    if (!shut_) return refuse_in_use(file, whole);
+    refuse_outside(file, whole);
+    refuse_special(file, whole);
+    refuse_in_use(file, whole);
+    const bool in_sight = std::any_of(policy_.folders.begin(), policy_.folders.end(), [&](const fs::path& folder) {
+        return lies_below(whole, folder) && !has_hidden_part(whole, folder);
+    });
+    if (!in_sight)
+        refuse("file-hidden", fmt::format("'{}' is a hidden file, where programs keep their settings", file.string()),
+               "give it a name without a point in front; --trust allows it");
+    if (is_library_name(whole))
+        refuse("file-hidden", fmt::format("'{}' has the name of a library of code", file.string()),
+               "give it another ending than .so; --trust allows it");
+    written_.insert(whole);
+}
+
+void Gate::may_load(const fs::path& file) {
+    if (!shut_) {
+        code_.insert(resolved(file));
+        return;
+    }
+    const fs::path whole = resolved(file);
+    if (written_.contains(whole))
+        refuse("library-not-allowed", fmt::format("joint model {} was written by this run", file.string()),
+               "load it in a run of its own");
+    // By the name that is given, as the loader decides. A script of a joint model can do nothing but calculate.
+    const bool in_folder = is_below(whole, policy_.libraries), is_script = file.extension() == ".lua";
+    if (is_script && !in_folder) may_read(file);
+    std::error_code ignored;
+    const bool allowed = is_script || (in_folder && is_library_name(whole)) ||
+                         (fs::is_regular_file(whole, ignored) && policy_.digests.contains(digest_of_file(whole)));
+    if (!allowed)
+        refuse("library-not-allowed", fmt::format("joint model {} is code that nobody has allowed", file.string()),
+               fmt::format("if you know where it comes from, allow it once with: kaya allow {}", quoted(file)));
+    code_.insert(whole);
+}
+
+} // namespace kaya

@@ -1,0 +1,54 @@
+// What files a run may touch. Commands, scripts, restore, replay, logs and joint models all ask here before they open
+// one; docs/safety.md says the same in words.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// What a path really names: every link is followed, also where it leads to what does not exist. Empty when it leads
+/// round in circles.
+std::filesystem::path resolved(const std::filesystem::path& path);
+
+/// Whether a file has the name of a shared library: x.so, x.so.1.
+bool is_library_name(const std::filesystem::path& file);
+
+class Gate {
+public:
+    struct Policy {
+        std::vector<std::filesystem::path> folders;   ///< what lies below may be read and written
+        std::vector<std::filesystem::path> named;     ///< files that the user named at the start, of any kind
+        std::vector<std::filesystem::path> libraries; ///< folders with joint models
+        std::set<std::string> digests;                ///< sha256 of joint models that were allowed by themselves
+        std::filesystem::path permissions;            ///< the user's list of these: no run writes there
+    };
+
+    /// Until then everything is let through.
+    void shut(Policy policy);
+    bool is_shut() const { return shut_; }
+    const Policy& policy() const { return policy_; }
+
+    // Each throws Diagnostic, which names the command that allows it, when the answer is no.
+    void may_read(const std::filesystem::path& file) const;
+    /// Commands or functions: such a file is not overwritten by the run.
+    void may_read_code(const std::filesystem::path& file);
+    void may_write(const std::filesystem::path& file);
+    /// A joint model: a library, or a script of one.
+    void may_load(const std::filesystem::path& file);
+
+private:
+    bool is_below(const std::filesystem::path& whole, const std::vector<std::filesystem::path>& folders) const;
+    bool is_named(const std::filesystem::path& file) const;
+    void refuse_outside(const std::filesystem::path& file, const std::filesystem::path& whole) const;
+    void refuse_special(const std::filesystem::path& file, const std::filesystem::path& whole) const;
+    void refuse_in_use(const std::filesystem::path& file, const std::filesystem::path& whole) const;
+
+    bool shut_ = false;
+    Policy policy_;
+    std::set<std::filesystem::path> code_, written_; ///< resolved
+};
+
+} // namespace kaya

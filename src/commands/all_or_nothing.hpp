@@ -1,0 +1,24 @@
+// Commands that look for contacts, or change many things one by one, before they know whether they can be done.
+#pragma once
+
+#include "commands/session.hpp"
+
+namespace kaya {
+
+/// Does the work of a command; when it is refused the model is as it was, bit by bit. Costs a copy of the model, so it is not
+/// for what decks do thousands of times. Inside of a cycle the work is done as it is: rows do not change there.
+template <class Work> void all_or_nothing(Session& session, Work work) {
+    if (session.inside_cycle) return work();
+    Model before = session.model;
+    try {
+        work();
+    } catch (...) {
+        session.model = std::move(before);
+        session.model.lists_changed = true; // what the cycle has derived is of the model that is gone
+        session.world.rows_moved();
+        session.make_cycle();
+        throw;
+    }
+}
+
+} // namespace kaya

@@ -1,0 +1,40 @@
+// Two runs of one deck in one folder keep apart what they write by themselves.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace kaya {
+
+/// Names for the journal and the autosave. Each is held by a lock on a file .NAME.kaya-lock in the current folder, which goes
+/// with the run; of a run that was killed the lock is gone and the file is taken over.
+class RunNames {
+public:
+    RunNames() = default;
+    RunNames(const RunNames&) = delete;
+    RunNames& operator=(const RunNames&) = delete;
+    ~RunNames();
+
+    struct Taken {
+        std::string name;
+        bool is_new;   ///< it was not held before
+        bool by_other; ///< the plain name belongs to a run that is going on
+    };
+    /// `stem`, or stem-2, stem-3, ... where another run has it. Where no lock can be made the plain name.
+    Taken take(const std::string& stem);
+
+private:
+    struct Held {
+        std::string name;
+        int descriptor = -1;
+        std::filesystem::path file;
+    };
+    std::map<std::string, Held> held_; ///< by stem
+};
+
+/// The part of a deck's name that names of files begin with: without folder and ending, without line ends, and short enough for
+/// any file system.
+std::string stem_of_deck(const std::string& deck);
+
+} // namespace kaya
