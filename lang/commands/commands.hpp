@@ -346,6 +346,8 @@ struct FishCallback {
     std::int64_t interval = 1;
     Place place;
 };
+/// param name = value: the first value of a name counts, and kaya --set gives it before the deck does.
+struct Parameter { std::string name; Value value; Place place; };
 struct FishCall { std::string expression; Place place; }; ///< a line @f(1) or [f(1)]: without @ and brackets
 struct LuaChunk {
     std::string text;

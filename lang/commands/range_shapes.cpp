@@ -96,7 +96,7 @@ void read_radii(Reader& reader, RoundText& round) {
         if (*round.inner > *round.outer) std::swap(round.inner, round.outer);
     }
     if (*round.outer > 0 || reader.wildcards()) return;
-    throw Diagnostic("radius must be greater than 0, not 0", "the inner one of two may be 0").at(reader.previous().place);
+    throw Diagnostic("radius must be greater than 0, not 0").at(reader.previous().place);
 }
 
 std::vector<KeywordSpec> sphere_words() {

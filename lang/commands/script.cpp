@@ -96,6 +96,27 @@ CommandSpec fishcall() {
     return entry;
 }
 
+CommandSpec parameter() {
+    Entry<Parameter> entry({Spelling{"parameter", 5}});
+    entry.help("gives a FISH variable a value, unless `kaya --set` or an earlier line has given it one");
+    entry.place(&Parameter::place);
+    const auto value = real("value").help("a number, a word or a text").spec;
+    entry.otherwise({text("name").spec, value}, [value](Reader& reader, Parameter& parameter) {
+        if (!parameter.name.empty()) return false;
+        const auto name = text("name").spec;
+        parameter.name = reader.peek()->kind == WordKind::symbol ? reader.symbol(name) : reader.text(name);
+        parameter.value = reader.any(value);
+        return true;
+    });
+    entry.finish([](const Reader& reader, Parameter& parameter) {
+        if (parameter.name.empty()) incomplete_line(reader, "param needs a name and a value", "write: param friction = 30");
+    });
+    entry.right("param friction = 30").right("param @name = 'left wall'");
+    entry.wrong("param", "param needs a name and a value");
+    entry.wrong("param friction", "a number is missing after 'friction'");
+    return entry;
+}
+
 } // namespace
 
 Family script() {
@@ -113,6 +134,7 @@ Family script() {
                 std::move(modern),
                 callback(),
                 fishcall(),
+                parameter(),
                 Entry<FishCall>({"@"})
                     .help("runs a function or shows a value: @name or @name(arguments) alone on a line")
                     .raw(&FishCall::expression)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 
 namespace kaya::lang {
 
@@ -239,6 +240,15 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
 
 namespace {
 
+std::optional<Diagnostic> mistake_in(const Language& language, const Statement& statement) {
+    try {
+        (void)bind_statement(language, statement);
+        return std::nullopt;
+    } catch (const Diagnostic& problem) {
+        return problem;
+    }
+}
+
 /// A text that a command takes as it stands may also stand on the line below, `title` alone. A line that is a command, or
 /// may be a misspelt one, is none.
 void take_text_below(const Language& language, Lexer& lexer, Statement& statement) {
@@ -252,14 +262,17 @@ void take_text_below(const Language& language, Lexer& lexer, Statement& statemen
     next.words = lexer.words_of_line(below);
     if (next.words.empty()) return;
     next.first_line = next.last_line = below;
-    try {
-        (void)bind_statement(language, next);
-    } catch (const Diagnostic& problem) {
-        if (problem.code != "unknown-command" || problem.hint.starts_with("did you mean")) return;
-        statement.body = next.raw(0);
-        statement.last_line = below;
-        lexer.go_to(below + 1);
+    std::optional<Diagnostic> problem = mistake_in(language, next);
+    if (!problem || problem->code != "unknown-command") return;
+    const std::string text = next.raw(0);
+    const std::string_view hint = problem->hint;
+    if (const auto from = hint.find('\''); from != hint.npos && hint.starts_with("did you mean")) {
+        next.words.front().text = next.words.front().folded = hint.substr(from + 1, hint.find('\'', from + 1) - from - 1);
+        if (!mistake_in(language, next)) return; // cylce 100
     }
+    statement.body = text;
+    statement.last_line = below;
+    lexer.go_to(below + 1);
 }
 
 } // namespace

@@ -90,6 +90,57 @@ int nearest(lua_State* L) {
     return 1;
 }
 
+Handle object_argument(lua_State* L, const char* function) {
+    if (lua_type(L, 1) == LUA_TLIGHTUSERDATA) return unpack_handle(lua_touserdata(L, 1));
+    throw Diagnostic(fmt::format("'{}' needs a contact, a sub-contact or a zone, here it is given {}", function,
+                                 describe_value(L, 1)),
+                     {}, Fault::run);
+}
+
+/// (object, name)
+int property(lua_State* L) {
+    const Handle object = object_argument(L, "property");
+    push_lua_value(L, machine_of(L).world.property(object, text_argument(L, 2, "property")));
+    return 1;
+}
+
+/// (object, name, value)
+int set_property(lua_State* L) {
+    const Handle object = object_argument(L, "set_property");
+    const std::string name = text_argument(L, 2, "set_property");
+    const double value = number_argument(L, 3, "set_property");
+    if (!machine_of(L).restoring) machine_of(L).world.set_property(object, name, value);
+    return 0;
+}
+
+void push_numbers(lua_State* L, const std::vector<double>& numbers) {
+    lua_createtable(L, static_cast<int>(numbers.size()), 0);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        lua_pushnumber(L, numbers[i]);
+        lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+    }
+}
+
+/// (label or number): its samples, their times, and the least, greatest and last of them
+int history(lua_State* L) {
+    const std::string name = lua_isinteger(L, 1) ? std::to_string(lua_tointeger(L, 1)) : text_argument(L, 1, "history");
+    const auto samples = machine_of(L).world.history(name);
+    if (!samples)
+        throw Diagnostic(fmt::format("there is no history '{}'", name), "name it by its number or its label: list hist", Fault::run);
+    lua_newtable(L);
+    push_numbers(L, samples->values);
+    lua_setfield(L, -2, "values");
+    push_numbers(L, samples->times);
+    lua_setfield(L, -2, "times");
+    if (samples->values.empty()) return 1;
+    const auto [least, greatest] = std::ranges::minmax(samples->values);
+    for (const auto& [key, value] : {std::pair{"minimum", least}, std::pair{"maximum", greatest}, std::pair{"last", samples->values.back()}}) {
+        lua_pushnumber(L, value);
+        lua_setfield(L, -2, key);
+    }
+    return 1;
+}
+
 /// (x, y, z)
 int vector(lua_State* L) {
     Vec3 v = Vec3::Zero();
@@ -293,13 +344,16 @@ int fail(lua_State* L) {
     throw Diagnostic(text_argument(L, 1, "fail"), text_argument(L, 2, "fail"), Fault::run);
 }
 
-constexpr std::array<luaL_Reg, 28> natives{{
+constexpr std::array<luaL_Reg, 30> natives{{
     {"fail", guarded<fail>},
     {"tables", guarded<tables>},
     {"list", guarded<list>},
     {"count", guarded<count>},
     {"reduce", guarded<reduce>},
     {"nearest", guarded<nearest>},
+    {"property", guarded<property>},
+    {"set_property", guarded<set_property>},
+    {"history", guarded<history>},
     {"vector", guarded<vector>},
     {"read_model", guarded<read_model>},
     {"write_model", guarded<write_model>},

@@ -151,6 +151,14 @@ int property(lua_State* L) {
     return 1;
 }
 
+/// (object, name, value)
+int write_property(lua_State* L) {
+    const Handle owner = pointer_argument(L);
+    const std::string name = text_argument(L, 2, walker_of(L).name);
+    if (!machine_of(L).restoring) machine_of(L).world.set_property(owner, name, number_argument(L, 3, walker_of(L).name));
+    return 0;
+}
+
 /// (contact or sub-contact) and (contact or sub-contact, name): the name of its joint model, a property of it.
 int joint(lua_State* L) {
     Machine& machine = machine_of(L);
@@ -262,8 +270,9 @@ void add_walkers(Machine& machine) {
         const Kind kind = kind_of(walker.walk);
         push(kind.read);
         add_reader(machine, walker.name, kind.least, kind.most);
-        if (walker.walk != Walk::extra) continue;
-        push(guarded<write_extra>);
+        const bool history = walker.walk == Walk::property && walker.table == std::string_view("sub_contact");
+        if (walker.walk != Walk::extra && !history) continue;
+        push(history ? guarded<write_property> : guarded<write_extra>);
         add_writer(machine, walker.name);
     }
 }

@@ -72,7 +72,10 @@ public:
     virtual bool in_range(const std::string& name, const Vec3& place) = 0;
 
     /// A property by its name: of the joint model of a contact or sub-contact, of the material of a zone.
+    /// Of a sub-contact also what its joint model remembers (history variables).
     virtual Value property(Handle object, const std::string& name) = 0;
+    /// A history variable of a sub-contact. Throws Diagnostic for anything else.
+    virtual void set_property(Handle object, const std::string& name, double value) = 0;
     /// What the command `prop` has given to the material of that number, by the word of `prop`; 0 when nothing.
     virtual double material_value(std::int64_t number, const std::string& word) = 0;
     virtual void set_material_value(std::int64_t number, const std::string& word, double value) = 0;
@@ -84,6 +87,12 @@ public:
 
     /// Sum, minimum, maximum, mean of one numeric field over all rows, without a script loop.
     virtual double reduce(std::int32_t table, std::size_t field, std::string_view how) = 0;
+
+    /// Samples of a history, by its label or number; nothing when there is none.
+    struct Samples {
+        std::vector<double> values, times;
+    };
+    virtual std::optional<Samples> history(const std::string& name) = 0;
 
     /// Runs command lines (`command ... endcommand`, Lua's command[[...]]).
     virtual void command(const std::string& text, const std::string& chunk, int line) = 0;

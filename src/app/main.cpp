@@ -38,6 +38,7 @@ constexpr int nobody_reads = 141;
 struct CommandLine {
     Options options;
     std::vector<std::string> decks;
+    std::vector<std::string> parameters; ///< NAME=VALUE
     std::vector<std::string> checked;
     std::vector<std::string> help_words;
     std::vector<std::string> formatted;
@@ -108,6 +109,20 @@ std::unique_ptr<Journal> journal_of(Session& session, const CommandLine& line) {
     return std::make_unique<Journal>(session, session.run_name() + ".journal");
 }
 
+/// `--set angle=30` as the command that a journal tells: param angle = 30.
+std::string parameter_line(const std::string& given) {
+    const auto equals = given.find('=');
+    const std::string name = given.substr(0, equals);
+    if (equals == std::string::npos || name.empty() || equals + 1 == given.size())
+        throw Diagnostic("--set takes NAME=VALUE, not '" + given + "'", "write for example: --set friction=30");
+    std::string value = given.substr(equals + 1);
+    if (value.find_first_of(" \t,()'\"@[") != std::string::npos) {
+        if (value.find('\'') != std::string::npos) throw Diagnostic("a value of --set cannot hold a quote: " + given);
+        value = "'" + value + "'";
+    }
+    return "param " + name + " = " + value;
+}
+
 int run_decks(Session& session, const CommandLine& line) {
     const auto journal = journal_of(session, line);
     int status = 0;
@@ -120,6 +135,8 @@ int run_decks(Session& session, const CommandLine& line) {
         status = run_prompt(session);
     } else {
         const InterruptGuard guard(session);
+        if (journal && !line.parameters.empty()) journal->deck(line.decks.front());
+        for (const auto& given : line.parameters) session.interpreter.run_text(parameter_line(given), "command line");
         for (const auto& deck : line.decks) {
             if (journal) journal->deck(deck);
             if (session.run_deck(deck) == lang::Ended::quit) break;
@@ -209,6 +226,8 @@ int start(int argc, char** argv) {
         ->allow_extra_args(false);
     app.add_flag("--strict", line.options.strict, "warnings are errors");
     app.add_flag("--batch,--quiet,-q", line.options.quiet, "results, warnings and errors only");
+    app.add_option("--set", line.parameters, "NAME=VALUE: a value for `param` of the decks; may be given several times")
+        ->allow_extra_args(false);
     app.add_flag("--echo", line.options.echo, "show each command before it runs");
     app.add_flag("--trust", line.options.trust, "the deck may use files and libraries anywhere and start programs");
     app.add_option("--script-memory", line.options.script_memory,

@@ -49,6 +49,10 @@ void DeckNames::look_at(const lang::BoundCommand& command, bool inside) {
             given.push_back(lang::fold(name));
             add({given.back(), fish::Use::set, 0, command.place}, true);
         }
+    if (const auto* parameter = std::any_cast<lang::Parameter>(&command.command)) {
+        given.push_back(lang::fold(parameter->name));
+        add({given.back(), fish::Use::set, 0, command.place}, true);
+    }
     if (!command.spec->raw)
         for_each_word(command.text(), [&](const std::string& word) {
             const auto as_target = std::ranges::find(given, word);
@@ -110,7 +114,9 @@ void DeckNames::use_words(const lang::BoundCommand& command) {
     if (!lexer.next(statement)) return;
     for (const auto& bare : command.bare) lang::read_as_name(statement, bare);
     const auto* set = std::any_cast<lang::Set>(&command.command);
+    const auto* parameter = std::any_cast<lang::Parameter>(&command.command);
     for (const auto& word : statement.words) {
+        if (parameter != nullptr && lang::fold(parameter->name) == lang::fold(word.text)) continue;
         const bool target = set != nullptr && std::ranges::any_of(set->fish, [&](const auto& given) {
             return lang::fold(given.first) == lang::fold(word.text);
         });

@@ -134,7 +134,12 @@ void run(Session& session, const lang::HistoryWrite& command) {
     }
 }
 
-void run(Session& session, const lang::VtkWrite& command) { session.vtk.write(session.model, command.file); }
+void run(Session& session, const lang::VtkWrite& command) {
+    HistoryNames history;
+    for (const auto& joint : session.joints.loaded())
+        for (const auto& variable : joint->history) history[joint->name].push_back(variable.name);
+    session.vtk.write(session.model, command.file, history);
+}
 
 void run(Session& session, const lang::Ignored& command) {
     session.note_once(fmt::format("'{}' is read and left out", command.word),

@@ -36,6 +36,7 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::Restore>(session, handlers, InCycle::refused);
     add<lang::Pause>(session, handlers, InCycle::runs);
     add<lang::Set>(session, handlers, InCycle::waits);
+    add<lang::Parameter>(session, handlers, InCycle::waits);
     add<lang::NameRange>(session, handlers, InCycle::runs);
 
     add<lang::PolyBrick>(session, handlers, InCycle::waits);

@@ -14,6 +14,7 @@ void run(Session&, const lang::Config&);
 void run(Session&, const lang::Title&);
 void run(Session&, const lang::Pause&);
 void run(Session&, const lang::Set&);
+void run(Session&, const lang::Parameter&);
 void run(Session&, const lang::NameRange&);
 
 // shapes.cpp

@@ -208,11 +208,26 @@ std::string list_contacts(Session& session, const lang::List& command) {
         });
 }
 
+/// What the joint model of one sub-contact remembers: `list subcontacts 7`.
+std::string history_text(Session& session, std::int64_t number) {
+    const auto& points = session.model.sub_contacts;
+    const auto found = std::ranges::find(points.number, static_cast<std::int32_t>(number));
+    if (found == points.number.end()) return {};
+    const auto row = static_cast<std::size_t>(found - points.number.begin());
+    const JointProperties* properties = properties_of(session.model, points.contact[row]);
+    const JointModel* joint = properties == nullptr ? nullptr : session.joints.find(properties->model);
+    if (joint == nullptr) return {};
+    TextTable table({"history variable", "value", "unit", "meaning"});
+    for (std::size_t k = 0; k < joint->history.size() && static_cast<std::int32_t>(k) < points.history_columns; ++k)
+        table.add({joint->history[k].name, number_text(points.history[k][row]), joint->history[k].unit, joint->history[k].help});
+    return table.size() == 0 ? std::string() : fmt::format("\n{}", table.text());
+}
+
 std::string list_sub_contacts(Session& session, const lang::List& command) {
     find_contacts(session.model, session.joints);
     const auto& model = session.model;
     const auto& points = model.sub_contacts;
-    return rows_text(
+    const std::string rows = rows_text(
         session, command, ObjectKind::sub_contact,
         {"sub-contact", "contact", "position", "area", "nforce", "sforce", "ndis", "sdis", "state"},
         [&](Row row) -> std::vector<std::string> {
@@ -226,6 +241,7 @@ std::string list_sub_contacts(Session& session, const lang::List& command) {
                     number_text(points.shear_displacement[row].norm()),
                     state_text(session, points.contact[row], points.state[row])};
         });
+    return command.number ? rows + history_text(session, *command.number) : rows;
 }
 
 std::string list_states(Session& session, const lang::List& command) {

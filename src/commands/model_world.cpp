@@ -333,6 +333,17 @@ double ModelWorld::reduce(std::int32_t table, std::size_t field, std::string_vie
                      "use sum, mean, minimum or maximum", Fault::run);
 }
 
+std::optional<script::World::Samples> ModelWorld::history(const std::string& name) {
+    const auto& all = model_.histories;
+    const auto found = std::ranges::find_if(all.all, [&](const History& history) {
+        return history.label == name || std::to_string(history.number) == name;
+    });
+    if (found == all.all.end()) return std::nullopt;
+    Samples samples{found->values, {}};
+    for (std::size_t i = found->first_sample; i < all.time.size(); ++i) samples.times.push_back(all.time[i]);
+    return samples;
+}
+
 void ModelWorld::command(const std::string& text, const std::string& chunk, int line) {
     run_command(text, chunk, line);
 }

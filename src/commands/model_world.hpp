@@ -40,11 +40,13 @@ public:
     bool in_range(const std::string& name, script::Handle object) override;
     bool in_range(const std::string& name, const Vec3& place) override;
     script::Value property(script::Handle object, const std::string& name) override;
+    void set_property(script::Handle object, const std::string& name, double value) override;
     double material_value(std::int64_t number, const std::string& word) override;
     void set_material_value(std::int64_t number, const std::string& word, double value) override;
     script::Value get_global(std::size_t index) override;
     void set_global(std::size_t index, const script::Value& value) override;
     double reduce(std::int32_t table, std::size_t field, std::string_view how) override;
+    std::optional<Samples> history(const std::string& name) override;
     void command(const std::string& text, const std::string& chunk, int line) override;
 
     /// Blocks have come, gone or moved in their table.
@@ -58,6 +60,7 @@ public:
 
     /// What `command` does; given by the session.
     std::function<void(const std::string& text, const std::string& chunk, int line)> run_command;
+    std::function<void(const std::string&)> note; ///< said once; given by the session
     std::function<void(Diagnostic)> warn; ///< of a place that is far from everything; given by the session
     /// The phrase of a named range and its test; null and nothing when there is none. Given by the session.
     std::function<const lang::RangePhrase*(const std::string& name)> range_phrase;
@@ -65,6 +68,8 @@ public:
     std::function<bool(const lang::RangePhrase& range)> asks_for_objects; ///< for more than a place
 
 private:
+    /// The history variable of that name, of the joint model of a sub-contact; null when there is none.
+    double* history_value(Row sub_contact, const std::string& name);
     Row row_of(script::Handle object) const; ///< no_row when it is gone
     /// What belongs to a block is known by the number of the block's shape and its place in the shape: it outlives whatever
     /// happens to other blocks.

@@ -68,30 +68,71 @@ bool ModelWorld::in_range(const std::string& name, const Vec3& place) {
     return test(only, ObjectKind::gridpoint, 0);
 }
 
+namespace {
+
+/// The joint model of a contact. Throws Diagnostic when it has none yet.
+const JointProperties& set_of(const Model& model, Row contact) {
+    const Row row = model.contacts.properties[contact];
+    if (row == no_row)
+        throw Diagnostic(fmt::format("contact {} has no joint model yet", model.contacts.number[contact]),
+                         "assign one: jmodel model NAME", Fault::run);
+    return model.joint_properties[static_cast<std::size_t>(row)];
+}
+
+[[noreturn]] void fail_property(const JointModel& joint, const std::string& name) {
+    std::vector<std::string_view> names;
+    std::string list;
+    const auto add = [&](const std::string& known) {
+        names.push_back(known);
+        list += (list.empty() ? "" : ", ") + known;
+    };
+    for (const auto& property : joint.properties) add(property.name);
+    for (const auto& variable : joint.history) add(variable.name);
+    const auto meant = did_you_mean(name, names);
+    throw Diagnostic(fmt::format("joint model '{}' has no property or history variable '{}'", joint.name, name),
+                     meant.empty() ? "it has: " + list : fmt::format("did you mean '{}'?", meant), Fault::run);
+}
+
+} // namespace
+
+double* ModelWorld::history_value(Row sub_contact, const std::string& name) {
+    const JointModel& joint = joints_.get(set_of(model_, model_.sub_contacts.contact[sub_contact]).model);
+    for (std::size_t k = 0; k < joint.history.size() && static_cast<std::int32_t>(k) < model_.sub_contacts.history_columns; ++k)
+        if (joint.history[k].name == name) return &model_.sub_contacts.history[k][static_cast<std::size_t>(sub_contact)];
+    return nullptr;
+}
+
+void ModelWorld::set_property(script::Handle object, const std::string& name, double value) {
+    const Row row = living_row(object);
+    if (static_cast<ScriptTable>(object.table) == ScriptTable::sub_contact) {
+        if (double* variable = history_value(row, name)) {
+            *variable = value;
+            return;
+        }
+        const JointModel& joint = joints_.get(set_of(model_, model_.sub_contacts.contact[row]).model);
+        if (!joint.find_property(name)) fail_property(joint, name);
+    }
+    throw Diagnostic(fmt::format("'{}' belongs to all that has this material", name),
+                     "set it by a command: jmodel, prop jmat or prop mat", Fault::run);
+}
+
 script::Value ModelWorld::property(script::Handle object, const std::string& name) {
     const Row row = living_row(object);
     const auto table = static_cast<ScriptTable>(object.table);
     if (table == ScriptTable::zone)
         return kaya::material_value(model_, joints_, model_.blocks.material[model_.zones.block[row]], name);
     const Row contact = table == ScriptTable::contact ? row : model_.sub_contacts.contact[row];
-    const Row set_row = model_.contacts.properties[contact];
-    if (set_row == no_row)
-        throw Diagnostic(fmt::format("contact {} has no joint model yet", model_.contacts.number[contact]),
-                         "assign one: jmodel model NAME", Fault::run);
-    const JointProperties& set = model_.joint_properties[static_cast<std::size_t>(set_row)];
+    const JointProperties& set = set_of(model_, contact);
     const JointModel& joint = joints_.get(set.model);
     const auto found = joint.find_property(name);
     if (!found) {
-        std::vector<std::string_view> names;
-        std::string list;
-        for (const auto& property : joint.properties) {
-            names.push_back(property.name);
-            list += (list.empty() ? "" : ", ") + property.name;
-        }
-        const auto meant = did_you_mean(name, names);
-        throw Diagnostic(fmt::format("joint model '{}' has no property '{}'", set.model, name),
-                         meant.empty() ? "it has: " + list : fmt::format("did you mean '{}'?", meant), Fault::run);
+        const double* variable = table == ScriptTable::sub_contact ? history_value(row, name) : nullptr;
+        if (variable == nullptr) fail_property(joint, name);
+        return *variable;
     }
+    if (joint.keeps_objects() && note)
+        note(fmt::format("'{}' of joint model '{}' is what the deck gave: the model keeps its own for each sub-contact", name,
+                         joint.name));
     const double value = set.values[*found];
     return std::isnan(value) ? 0.0 : value;
 }

@@ -9,6 +9,8 @@ namespace kaya {
 
 Output::Output(std::FILE* results, std::FILE* messages)
     : results_(results), messages_(messages), terminal_(isatty(fileno(messages)) == 1) {
+    // What a long run prints can be read while it runs.
+    std::setvbuf(results_, nullptr, _IOLBF, BUFSIZ);
     colour_ = terminal_ && std::getenv("NO_COLOR") == nullptr;
 }
 

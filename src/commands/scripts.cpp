@@ -1,14 +1,26 @@
 // def ... end, @function, lua.
 #include "commands/handlers.hpp"
 
+#include "lang/script/value_text.hpp"
+
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
 #include <utility>
 
 namespace kaya {
 
 void run(Session& session, const lang::FishDefinition& command) {
     session.scripts->define_fish(command.text, command.place);
+}
+
+void run(Session& session, const lang::Parameter& command) {
+    const auto value = std::visit([](const auto& v) { return script::Value(v); }, command.value);
+    const auto [known, is_new] = session.parameters.try_emplace(lang::fold(command.name), value);
+    if (!is_new && known->second != value)
+        session.output.say(fmt::format("{} = {}, which was given before", command.name,
+                                       script::to_text(known->second, &session.world)));
+    session.scripts->set(command.name, known->second, command.place);
 }
 
 void run(Session& session, const lang::FishCall& command) {

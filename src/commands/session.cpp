@@ -87,6 +87,7 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
         --commands_of_scripts_;
     };
 
+    world.note = [this](const std::string& message) { note_once(message); };
     world.warn = [this](Diagnostic warning) {
         if (said_once.insert("far:" + here()).second) warn(std::move(warning)); // a loop may ask for many places
     };

@@ -107,6 +107,7 @@ public:
     lang::Handlers handlers;
     lang::Interpreter interpreter;
 
+    std::map<std::string, script::Value> parameters; ///< of `param` and `kaya --set`, by folded name; `new` keeps them
     std::string title;
     std::string log_file = "kaya.log"; ///< of the next `set log on`
     std::string deck;                  ///< file name of the deck that runs, for default names of output files

@@ -25,6 +25,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <limits>
 #include <optional>
 
 namespace kaya {
@@ -215,7 +217,29 @@ std::string vtk_blocks(const Model& model) {
     return bytes_of(grid);
 }
 
-std::string vtk_joints(const Model& model) {
+namespace {
+
+/// What joint models remember of each sub-contact, by the names of the variables.
+void add_history(vtkCellData* data, const Model& model, const HistoryNames& history) {
+    const auto& sub = model.sub_contacts;
+    std::set<std::string> names;
+    for (const auto& properties : model.joint_properties)
+        if (const auto found = history.find(properties.model); found != history.end())
+            names.insert(found->second.begin(), found->second.end());
+    for (const auto& name : names)
+        add_numbers<vtkDoubleArray>(data, ("jmodel_" + name).c_str(), sub.size(), [&](std::size_t i) {
+            const Row set = model.contacts.properties[static_cast<std::size_t>(sub.contact[i])];
+            const auto found = set == no_row ? history.end() : history.find(model.joint_properties[static_cast<std::size_t>(set)].model);
+            if (found == history.end()) return std::numeric_limits<double>::quiet_NaN();
+            const auto column = std::find(found->second.begin(), found->second.end(), name) - found->second.begin();
+            const bool kept = column < static_cast<std::ptrdiff_t>(found->second.size()) && column < sub.history_columns;
+            return kept ? sub.history[static_cast<std::size_t>(column)][i] : std::numeric_limits<double>::quiet_NaN();
+        });
+}
+
+} // namespace
+
+std::string vtk_joints(const Model& model, const HistoryNames& history) {
     const auto& sub = model.sub_contacts;
     const auto& contacts = model.contacts;
     const std::size_t rows = sub.size();
@@ -265,12 +289,14 @@ std::string vtk_joints(const Model& model) {
     add_whole("block1", [&](std::size_t i) { return model.blocks.number[contacts.block1[contact(i)]]; });
     add_whole("block2", [&](std::size_t i) { return model.blocks.number[contacts.block2[contact(i)]]; });
     add_whole("jmodel", [&](std::size_t i) { return model_index(contacts.properties[contact(i)]); });
+    add_history(data, model, history);
     add_time(grid, model.clock);
     add_names(grid->GetFieldData(), "jmodel_names", model_names);
     return bytes_of(grid);
 }
 
-std::vector<std::string> VtkSeries::write(const Model& model, const std::string& given_name) {
+std::vector<std::string> VtkSeries::write(const Model& model, const std::string& given_name,
+                                          const HistoryNames& history) {
     std::filesystem::path path(given_name);
     if (path.extension() == ".vtu" || path.extension() == ".pvd") path.replace_extension();
     const std::string name = path.string(), stem = path.filename().string();
@@ -288,7 +314,7 @@ std::vector<std::string> VtkSeries::write(const Model& model, const std::string&
     if (before_writing)
         for (const auto& file : paths) before_writing(file);
     write_whole_file(paths[0], vtk_blocks(model));
-    write_whole_file(paths[1], vtk_joints(model));
+    write_whole_file(paths[1], vtk_joints(model, history));
     write_whole_file(paths[2], series_text(stem + "_blocks", times));
     write_whole_file(paths[3], series_text(stem + "_joints", times));
     times_[name] = std::move(times);

@@ -20,7 +20,9 @@ std::string vtk_blocks(const Model& model);
 /// block2), stress_normal, stress_shear (its size), disp_normal, disp_shear (vector), normal (from block1 to
 /// block2), area, state, joint_set, contact_id, subcontact_id, block1, block2, jmodel (index into the field
 /// data jmodel_names, -1 for none). Field data: time, cycle, jmodel_names.
-std::string vtk_joints(const Model& model);
+/// `history` names what each joint model remembers: an array jmodel_NAME for each variable, NaN where a model has none.
+using HistoryNames = std::map<std::string, std::vector<std::string>>;
+std::string vtk_joints(const Model& model, const HistoryNames& history = {});
 
 /// The series of one run: each name counts its writes from 0.
 class VtkSeries {
@@ -29,7 +31,7 @@ public:
     /// NAME_joints.pvd. An ending .vtu or .pvd in the name is left out. A name that an earlier run used is
     /// begun anew: its files are replaced one after the other and its series lists those of this run.
     /// Throws Diagnostic (Fault::run); files that were complete before stay so. Returns the four paths.
-    std::vector<std::string> write(const Model& model, const std::string& name);
+    std::vector<std::string> write(const Model& model, const std::string& name, const HistoryNames& history = {});
 
     std::function<void(const std::string&)> before_writing; ///< may refuse a file; asked before the first is written
 

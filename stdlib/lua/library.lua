@@ -205,6 +205,8 @@ library.vector = native.vector
 library.command = native.command
 library.nearest = native.nearest
 library.count = native.count
+library.property = native.property
+library.set_property = native.set_property
 
 -- contacts(), blocks(), ...: one function for each table of the model.
 for _, name in ipairs(native.tables()) do
@@ -241,7 +243,7 @@ library.hook = {
 }
 
 -- A function becomes a global function with a name of its own, which the command `history` can name.
-library.history = {
+library.history = setmetatable({
     add = function(what)
         if type(what) == "function" then
             local name = native.name_history()
@@ -252,7 +254,11 @@ library.history = {
         end
         native.command("history @" .. what)
     end,
-}
+}, {
+    __index = function(_, name) return native.history(name) end,
+    __newindex = function() native.fail("histories can be read, not set", "history.add makes one") end,
+    __metatable = false,
+})
 
 if trusted then
     for _, name in ipairs { "debug", "package", "dofile", "loadfile" } do

@@ -125,6 +125,12 @@ public:
     bool has_range(const std::string& name) override { return name == "box"; }
     bool in_range(const std::string&, Handle object) override { return object.slot == 0; }
     bool in_range(const std::string&, const Vec3& place) override { return place[0] < 1; }
+    void set_property(Handle, const std::string& name, double value) override { properties_set.emplace_back(name, value); }
+    std::vector<std::pair<std::string, double>> properties_set;
+    std::optional<Samples> history(const std::string& name) override {
+        if (name != "tau") return std::nullopt;
+        return Samples{{1, 5, 3}, {0.1, 0.2, 0.3}};
+    }
     Value property(Handle object, const std::string& name) override {
         check(object);
         return name + " of it";

@@ -45,6 +45,14 @@ TEST(LuaLibrary, lists_walk_over_the_model) {
     EXPECT_THAT(s.printed, ElementsAre("6\t6\t3\t1"));
 }
 
+TEST(LuaLibrary, histories_are_read_by_their_labels) {
+    Stage s;
+    s.lua("local h = history['tau']\nprint(#h.values, h.minimum, h.maximum, h.last, h.times[3])\n"
+          "print((select(2, pcall(function() return history.sigma end))))\n"
+          "print((select(2, pcall(function() history.tau = 3 end))))");
+    EXPECT_THAT(s.printed, ElementsAre("3\t1.0\t5.0\t3.0\t0.3", "there is no history 'sigma'", "histories can be read, not set"));
+}
+
 TEST(LuaLibrary, fields_are_read_and_written_by_name) {
     Stage s;
     s.lua("for p in sub_contacts() do p.normal_force = 3 end\nmodel.damping = 0.25\n"
