@@ -11,6 +11,7 @@
 #include "app/model_commands.hpp"
 #include "commands/progress.hpp"
 #include "commands/session.hpp"
+#include "io/difference.hpp"
 #include "io/info.hpp"
 #include "joints/crash_report.hpp"
 
@@ -19,6 +20,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
@@ -46,6 +48,7 @@ struct CommandLine {
     std::string code;         ///< of `explain`
     std::string journal;      ///< of `replay`
     std::string saved;        ///< of `info`
+    std::vector<std::string> compared; ///< of `diff`
     bool no_journal = false;
     bool sandbox = false;             ///< `info --sandbox`
     std::vector<std::string> allowed; ///< of `allow`
@@ -244,6 +247,8 @@ int start(int argc, char** argv) {
     auto* describing = app.add_subcommand("info", "say what a saved model holds");
     describing->add_option("file", line.saved, "a file that 'save' has written");
     describing->add_flag("--sandbox", line.sandbox, "say what a run in this folder may do");
+    auto* comparing = app.add_subcommand("diff", "say in what two saved models differ");
+    comparing->add_option("file", line.compared, "two files that 'save' has written")->required()->expected(2);
     auto* allowing = app.add_subcommand("allow", "allow runs a folder or a joint model, for good; without one, list what is allowed");
     allowing->add_option("path", line.allowed, "folders, or libraries as they are now");
     allowing->add_flag("--revoke", line.revoke, "take it back");
@@ -283,6 +288,11 @@ int start(int argc, char** argv) {
         fmt::print("{}", line.code.empty() ? code_list() : explanation(line.code));
         return 0;
     }
+    if (*comparing) {
+        const std::string difference = save_file_difference(line.compared[0], line.compared[1]);
+        fmt::print("{}", difference.empty() ? "the same\n" : difference);
+        return difference.empty() ? 0 : 1;
+    }
     if (*allowing) {
         for (const auto& path : line.allowed) line.revoke ? revoke(path) : allow(path);
         fmt::print("{}", describe(read_permissions()));
@@ -320,10 +330,26 @@ void open_missing_streams() {
         if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) < 0) std::_Exit(static_cast<int>(kaya::Fault::run));
 }
 
+/// TBB throws where nobody can catch it when the system gives it no thread, which is for want of memory as a rule.
+[[noreturn]] void end_without_threads() {
+    try {
+        if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
+    } catch (const std::exception& error) {
+        if (std::string_view(error.what()).find("pthread_create") != std::string_view::npos) {
+            std::fflush(stdout);
+            std::fprintf(stderr, "error: the system gives no more threads (%s); there is not enough memory, or too many run\n", error.what());
+            std::_Exit(static_cast<int>(kaya::Fault::run));
+        }
+    } catch (...) { // what it is, the report of the crash says
+    }
+    std::abort();
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     open_missing_streams();
+    std::set_terminate(end_without_threads);
     // A file that grows beyond the limit, or a reader that went away, is an error of the write that met
     // it, not the end of the program.
     std::signal(SIGXFSZ, SIG_IGN);
@@ -331,6 +357,9 @@ int main(int argc, char** argv) {
     kaya::report_crashes();
     try {
         return kaya::start(argc, argv);
+    } catch (const std::bad_alloc&) {
+        std::fputs("error: there is not enough memory to begin\n", stderr);
+        return static_cast<int>(kaya::Fault::run);
     } catch (const std::system_error& error) {
         if (error.code() == std::errc::broken_pipe) return kaya::nobody_reads;
         std::fprintf(stderr, "error: %s\n", error.what());

@@ -64,7 +64,7 @@ std::string describe_sandbox(const Gate::Policy& policy) {
     const auto add = [&](std::string_view what, const fs::path& path) {
         text += fmt::format("{:<12} {}\n", what, path.string());
     };
-    for (const auto& folder : policy.folders) add("files", folder);
+    for (const auto& folder : policy.folders) add("files", resolved(folder));
     for (const auto& folder : policy.libraries) {
         std::error_code ignored;
         if (fs::is_directory(folder, ignored)) add("libraries", folder);

@@ -55,7 +55,6 @@ const std::string& part(const SaveExtras& extras, std::string_view name) {
 void wake_objects(Session& session, Model& model) {
     if (!model.sub_contacts.keeps_objects) return;
     for (std::size_t c = 0; c < model.contacts.size(); ++c) {
-        if (model.contacts.properties[c] == no_row) continue;
         const auto& set = model.joint_properties[model.contacts.properties[c]];
         const JointModel& joint = session.joints.get(set.model);
         const Span span = model.contacts.sub_contacts[c];
@@ -77,6 +76,8 @@ void load_joint_models(Session& session, Model& model) {
                             set.model),
                 "use the library that was used then", Fault::run);
     }
+    if (std::ranges::find(model.contacts.properties, no_row) != model.contacts.properties.end())
+        throw Diagnostic("a contact of the save file has no joint properties", "the file was changed", Fault::run);
     wake_objects(session, model);
 }
 

@@ -80,6 +80,15 @@ Diagnostic unusable(const std::string& name, const std::string& why) {
                       "the model is as it was; restore another save file", Fault::run);
 }
 
+/// The name is at this place in every format so far.
+std::string writer_of(TreeReader& tree) {
+    try {
+        return " of kaya " + tree.text("program_version");
+    } catch (const TreeError&) {
+        return {};
+    }
+}
+
 } // namespace
 
 SaveExtras restore_image(Model& model, std::string_view image, const std::string& name) {
@@ -93,7 +102,7 @@ SaveExtras restore_image(Model& model, std::string_view image, const std::string
         std::uint64_t hash = 0;
         archive.value("format_version", version);
         if (version != save_format_version)
-            throw unusable(name, fmt::format("it has format {}, and this program reads format {}", version,
+            throw unusable(name, fmt::format("it has format {}{}, and this program reads format {}", version, writer_of(tree),
                                              save_format_version));
         archive.value("state_hash", hash);
         visit_extras(archive, extras);

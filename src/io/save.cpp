@@ -62,7 +62,8 @@ std::string save_image(Model& model, const SaveExtras& extras) {
         archive.section("model", [&] { visit_state(archive, model); });
         return with_trailer(tree.image());
     } catch (const TreeError& error) {
-        throw Diagnostic(fmt::format("the model cannot be saved: {}", error.what()), {}, Fault::own);
+        throw Diagnostic(fmt::format("the model cannot be saved: {}", error.what()),
+                         "is there enough memory? the file is made there first, and written as a whole", Fault::run);
     }
 }
 

@@ -155,11 +155,23 @@ void check_contacts(Findings& findings, const Model& model) {
     }
 }
 
-void check_attachments(Findings& findings, const Column<Attachment>& side, std::size_t gridpoints) {
-    for (std::size_t i = 0; i < side.size() && findings.clean(); ++i)
-        for (const Row row : side[i].gridpoints)
-            findings.require(inside_or_none(row, gridpoints), "sub_contacts", i,
-                             fmt::format("gridpoint {} of {}", row, gridpoints));
+/// A side is attached to corners of its block, or to nothing; a corner that is left out has no weight.
+void check_attachments(Findings& findings, const Model& model, const Column<Attachment>& side, const Column<Row>& blocks) {
+    const auto& points = model.gridpoints;
+    for (std::size_t i = 0; i < side.size() && findings.clean(); ++i) {
+        const Row block = blocks[static_cast<std::size_t>(model.sub_contacts.contact[i])];
+        for (std::size_t k = 0; k < side[i].gridpoints.size() && findings.clean(); ++k) {
+            const Row row = side[i].gridpoints[k];
+            findings.require(inside_or_none(row, points.size()), "sub_contacts", i,
+                             fmt::format("gridpoint {} of {}", row, points.size()));
+            if (row == no_row)
+                findings.require(!side[i].attached() ? side[i] == Attachment{} : side[i].weights[k] == 0, "sub_contacts", i,
+                                 "a corner that it hangs on is missing");
+            else if (findings.clean())
+                findings.require(points.block[static_cast<std::size_t>(row)] == block, "sub_contacts", i,
+                                 fmt::format("gridpoint {} is not one of its block", row));
+        }
+    }
 }
 
 void check_sub_contacts(Findings& findings, const Model& model) {
@@ -167,8 +179,8 @@ void check_sub_contacts(Findings& findings, const Model& model) {
     check_ids(findings, "sub_contacts", sub.ids, sub.id);
     findings.require(sub.history_columns >= 0 && sub.history_columns <= KAYA_JMODEL_MAX_HISTORY,
                      "the history columns of sub-contacts are not counted right");
-    check_attachments(findings, sub.side1, model.gridpoints.size());
-    check_attachments(findings, sub.side2, model.gridpoints.size());
+    check_attachments(findings, model, sub.side1, model.contacts.block1);
+    check_attachments(findings, model, sub.side2, model.contacts.block2);
     for (std::size_t i = 0; i < sub.size() && findings.clean(); ++i) {
         findings.require(between(sub.meeting[i], Meeting::vertex_face, Meeting::face_face), "sub_contacts", i,
                          "its kind of meeting is unknown");

@@ -25,6 +25,7 @@ TEST(Info, ASaveFileInWords) {
     EXPECT_EQ(describe_save_file(folder / "a.sav"),
               fmt::format("file            {} (format 9)\n"
                           "written by      kaya 0.1.0\n"
+                          "read by         programs of format 9, such as this one\n"
                           "title           Direct shear\n"
                           "cycle           42\n"
                           "time            0.1, step 0\n"
