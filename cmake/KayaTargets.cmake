@@ -48,5 +48,14 @@ function(kaya_ship_joint_model name)
   install(TARGETS joint_${name} LIBRARY DESTINATION lib/kaya/joints)
 endfunction()
 
+# The zone models that ship, in the folder beside.
+function(kaya_ship_zone_model name)
+  kaya_add_zone_model(${name} ${ARGN})
+  target_link_libraries(zone_${name} PRIVATE kaya_flags)
+  set_target_properties(zone_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/zones)
+  add_dependencies(program zone_${name})
+  install(TARGETS zone_${name} LIBRARY DESTINATION lib/kaya/zones)
+endfunction()
+
 # The headers that joint models compile against lie beside the program, as they do when it is installed.
 file(CREATE_LINK ${CMAKE_SOURCE_DIR}/include ${CMAKE_BINARY_DIR}/include SYMBOLIC)

@@ -28,6 +28,7 @@ struct Pause {};
 /// One `set` line may hold several settings; those not given stay as they are.
 struct Set {
     std::optional<bool> dynamic;             ///< dyn on|off
+    std::optional<bool> small;               ///< small on|off
     std::optional<bool> log;                 ///< log on|off
     std::optional<std::string> log_file;     ///< logfile f
     std::optional<std::int64_t> default_joint_constitutive; ///< jcondf
@@ -206,6 +207,17 @@ struct JointModelCommand {
     std::vector<Property::Item> items;
     RangePhrase range;
 };
+
+/// zone load NAME | zone model NAME [word value ...] [range] | zone property word value ... [range]
+struct ZoneModelCommand {
+    enum class Action { load, assign, properties } action = Action::properties;
+    std::string model;
+    Place model_place;
+    std::vector<Property::Item> items;
+    RangePhrase range;
+};
+/// zone nmd on|off: mixed discretisation.
+struct ZoneAveraging { bool on = true; };
 
 // --- boundary and initial conditions --------------------------------------------------------------
 /// Components x, y, z of translation and of rotation; none: all.

@@ -11,6 +11,7 @@ CommandSpec set() {
     Entry<Set> entry({"set"});
     entry.help("changes settings; several may stand on one line");
     entry.keyword({"dynamic"}, on_off(), &Set::dynamic, "on: no damping unless damp asks for it; off: static, local damping of 0.8");
+    entry.keyword({"small"}, on_off(), &Set::small, "on: small strain, all geometry stays as it was made; off: large strain, the default");
     entry.keyword({"log"}, on_off(), &Set::log, "writes what is shown into the log file as well");
     entry.keyword({"logfile"}, text("file"), &Set::log_file, "name of the log file");
     entry.keyword({"jcondf"}, integer("n").at_least(1), &Set::default_joint_constitutive,

@@ -213,12 +213,65 @@ CommandSpec jmodel_properties() {
     return entry;
 }
 
+CommandSpec zone_load() {
+    return Entry<ZoneModelCommand>({Spelling{"zone", 4}}, {Spelling{"load", 4}})
+        .help("loads a zone model from a shared library")
+        .argument(text("name").help("name of the zone model or path of its library"),
+                  [](ZoneModelCommand& c, std::string name) {
+                      c.action = ZoneModelCommand::Action::load;
+                      c.model = std::move(name);
+                  })
+        .finish([](const Reader& reader, ZoneModelCommand& c) { c.model_place = reader.previous().place; })
+        .right("zone load hoek-brown")
+        .wrong("zone load", "a word is missing after 'load'");
+}
+
+CommandSpec zone_model() {
+    Entry<ZoneModelCommand> entry({Spelling{"zone", 4}}, {Spelling{"model", 3}, Spelling{"cmodel", 4}});
+    entry.help("says what the zones of blocks do with strain, with properties if wanted");
+    entry.start([](const Statement& statement, ZoneModelCommand& c) {
+        c.action = ZoneModelCommand::Action::assign;
+        if (statement.words.size() > 2) c.model_place = statement.words[2].place;
+    });
+    entry.argument(text("name").help("name of the zone model"), &ZoneModelCommand::model);
+    model_properties(entry, &ZoneModelCommand::items);
+    entry.range(&ZoneModelCommand::range, true);
+    entry.right("zone model mohr-coulomb").right("zone model mohr-coulomb cohesion 1e6 friction 35 range z 0 10");
+    entry.right("zone model elastic range region 2");
+    entry.wrong("zone model", "a word is missing after 'model'");
+    entry.wrong("zone model mohr-coulomb cohesion", "a number is missing after 'cohesion'");
+    return entry;
+}
+
+CommandSpec zone_properties() {
+    Entry<ZoneModelCommand> entry({Spelling{"zone", 4}}, {Spelling{"property", 4}});
+    entry.help("sets properties of the zone model that blocks have");
+    model_properties(entry, &ZoneModelCommand::items);
+    entry.range(&ZoneModelCommand::range, true);
+    entry.finish([](const Reader& reader, ZoneModelCommand& c) {
+        if (c.items.empty()) incomplete_line(reader, "no property is given", "write for example: zone property cohesion 1e6");
+    });
+    entry.right("zone property bulk 5e9 shear 3e9 range region 2");
+    entry.wrong("zone property", "no property is given");
+    entry.wrong("zone property cohesion", "a number is missing after 'cohesion'");
+    return entry;
+}
+
+CommandSpec zone_nmd() {
+    return Entry<ZoneAveraging>({Spelling{"zone", 4}}, {"nmd"})
+        .help("whether zones that flow average volume strain over neighbours, so that they do not lock")
+        .argument(on_off(), &ZoneAveraging::on)
+        .right("zone nmd off")
+        .wrong("zone nmd maybe", "'maybe' stands where on or off must be");
+}
+
 } // namespace
 
 Family materials() {
     return {"materials",
-            "properties of blocks and joints",
-            {prop(), change(), jmodel_load(), jmodel_test(), jmodel_assign(), jmodel_properties()}};
+            "properties of blocks, zones and joints",
+            {prop(), change(), jmodel_load(), jmodel_test(), jmodel_assign(), jmodel_properties(), zone_load(), zone_model(),
+             zone_properties(), zone_nmd()}};
 }
 
 } // namespace kaya::lang

@@ -30,7 +30,6 @@ const std::vector<Known>& known() {
         {{"creep"}, {}, "creep"},
         {{"dfn", "fracture"}, {}, "networks of fractures"},
         {{"geometry"}, {}, "surfaces as objects of their own"},
-        {{Spelling{"zone", 4}}, {}, "zone models with a name; the zones of now are elastic"},
         {{"topography"}, {}, "stresses below a hilly surface: see insitu topography"},
         {{"factor", "fos"}, {}, "factors of safety: see solve fos"},
         {{"pstress", "prestress"}, {}, "prestress"},

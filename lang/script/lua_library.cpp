@@ -344,7 +344,7 @@ int fail(lua_State* L) {
     throw Diagnostic(text_argument(L, 1, "fail"), text_argument(L, 2, "fail"), Fault::run);
 }
 
-constexpr std::array<luaL_Reg, 30> natives{{
+constexpr std::array<luaL_Reg, 31> natives{{
     {"fail", guarded<fail>},
     {"tables", guarded<tables>},
     {"list", guarded<list>},

@@ -116,6 +116,27 @@ constexpr Explanation explanations[] = {
     {"joint-model-failed", "a joint model failed while it ran",
      "It threw an exception, or left a number that is not finite. The message says at which contact, in which cycle.\n"
      "Large overlaps from too long a step, or properties that do not fit together, are the usual reasons."},
+    {"zone-model-unknown", "a zone model that is not there",
+     "Zone models are found by name in the folder 'zones' beside that of the joint models, or by the path of a library. The\n"
+     "message lists those that are there. Constitutive number 1 is elastic, 2 is mohr-coulomb."},
+    {"zone-model-version", "a zone model for another version of the interface",
+     "The library was compiled against another include/kaya/zmodel.h. Compile it again."},
+    {"zone-model-table", "the table of a zone model is wrong",
+     "The library was found, and what it says about itself cannot be right; the message names the entry. This is a\n"
+     "mistake in the zone model, not in the deck."},
+    {"zone-model-not-a-library", "a file that is no zone model",
+     "It must be a shared library that was built for this machine: c++ -shared -fPIC, or kaya_add_zone_model in CMake."},
+    {"zone-model-crashes", "a zone model that crashes when it is loaded",
+     "It was tried in a process of its own first, so that nothing is lost. Look at its static objects and its descriptor."},
+    {"zone-model-no-entry", "a library without a zone model",
+     "It has no function kaya_zone_model. Include kaya/zmodel.h and define it with C linkage."},
+    {"zone-model-name-taken", "two zone models with one name",
+     "A name belongs to the first folder that has it. Give the other model another name in its descriptor."},
+    {"zone-model-moduli", "a zone model that gives no moduli",
+     "The time step needs bulk and shear moduli that are finite and above 0. Look at the values that the deck gives first."},
+    {"zone-model-failed", "a zone model failed while it ran",
+     "It threw an exception, or left a number that is not finite. The message says in which zone. Steps that are too long, or\n"
+     "properties that do not fit together, are the usual reasons."},
     {"joint-model-restore", "a saved model needs a joint model that has changed",
      "The saved state belongs to the library that was used then: same name, same properties. Use that one."},
     {"property-missing", "a property that must be given",

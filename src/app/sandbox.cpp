@@ -2,6 +2,7 @@
 
 #include "app/landlock.hpp"
 #include "app/permissions.hpp"
+#include "joints/zone_model.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>
@@ -41,7 +42,7 @@ Gate::Policy policy_of(const SandboxOrder& order) {
     const Permissions permissions = read_permissions();
     policy.folders.insert(policy.folders.end(), permissions.folders.begin(), permissions.folders.end());
     for (const auto& [digest, library] : permissions.libraries) policy.digests.insert(digest);
-    policy.libraries = order.joint_folders;
+    policy.libraries = with_zone_folders(order.joint_folders);
     policy.permissions = permissions_file();
     return policy;
 }

@@ -83,6 +83,10 @@ void run(Session& session, const lang::Set& command) {
     if (command.default_joint_material)
         settings.default_joint_material = static_cast<std::int32_t>(*command.default_joint_material);
     if (command.dynamic) set_dynamic(session, *command.dynamic);
+    if (command.small) {
+        settings.large_strain = !*command.small;
+        session.model.properties_changed = true;
+    }
     if (command.time_step_fraction) {
         settings.time_step_fraction = *command.time_step_fraction;
         session.model.properties_changed = true;

@@ -4,6 +4,7 @@
 #include "commands/materials.hpp"
 
 #include "mechanics/contact_table.hpp"
+#include "mechanics/zone_laws.hpp"
 
 #include <algorithm>
 #include <array>
@@ -90,6 +91,7 @@ public:
                 if (const Strength* strength = strength_of(joint.properties[i]))
                     set.values[i] = strength->divided(set.values[i], factor);
         }
+        session_.model.settings.strength_factor = factor;
         session_.model.properties_changed = true;
         bool at_rest = false;
         std::optional<MovingBody> moving;
@@ -126,6 +128,14 @@ private:
             any = any || strong;
             if (!strong) without = joint.name;
         }
+        for (const auto& name : zone_models_in_use(session_.model)) {
+            const ZoneModel& zones = session_.joints.zones.get(name);
+            any = any || can_be_reduced(zones);
+            if (zones.flows() && !can_be_reduced(zones))
+                session_.warn(Diagnostic(fmt::format("zone model '{}' has no strength that could be divided", name),
+                                         "its strength stays as it is in all trials")
+                                  .at(place));
+        }
         if (!any)
             throw Diagnostic(without.empty() ? "there is no joint whose strength could be divided"
                                              : fmt::format("joint model '{}' has no strength that could be divided", without),
@@ -142,6 +152,7 @@ private:
     std::int64_t characteristic_span(const Place& place) {
         Model& model = session_.model;
         const ElasticJoints strong(session_);
+        model.settings.strength_factor = 0.01; // zones a hundred times as strong do not yield
         for (double& force : model.sub_contacts.normal_force) force *= 0.5;
         for (auto& column : model.sub_contacts.shear_force.component)
             for (double& force : column) force *= 0.5;

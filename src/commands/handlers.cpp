@@ -70,6 +70,8 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::Change>(session, handlers, InCycle::waits);
     add<lang::JointModelCommand>(session, handlers, InCycle::waits);
     add<lang::JointModelTest>(session, handlers, InCycle::waits);
+    add<lang::ZoneModelCommand>(session, handlers, InCycle::waits);
+    add<lang::ZoneAveraging>(session, handlers, InCycle::waits);
 
     add<lang::Fix>(session, handlers, InCycle::waits);
     add<lang::Free>(session, handlers, InCycle::waits);

@@ -59,6 +59,10 @@ void run(Session&, const lang::Copy&);
 void run(Session&, const lang::Property&);
 void run(Session&, const lang::Change&);
 void run(Session&, const lang::JointModelCommand&);
+
+// zone_models.cpp
+void run(Session&, const lang::ZoneModelCommand&);
+void run(Session&, const lang::ZoneAveraging&);
 void run(Session&, const lang::JointModelTest&);
 
 // boundary.cpp

@@ -7,6 +7,7 @@
 #include "commands/handlers.hpp"
 #include "jointtest/bench.hpp"
 #include "mechanics/contact_properties.hpp"
+#include "mechanics/zone_laws.hpp"
 
 #include <algorithm>
 #include <array>
@@ -79,6 +80,18 @@ void forget_other_spellings(std::map<std::string, double>& values, const std::st
     });
 }
 
+/// The property of a zone model, whatever zone model it is; those that ship are loaded to know their words.
+const LawTable::Property* find_zone_property(ZoneModels& models, const std::string& word) {
+    const auto among = [&](const auto& list) -> const LawTable::Property* {
+        for (const auto& model : list)
+            if (const auto found = model->find_property(word)) return &model->properties[*found];
+        return nullptr;
+    };
+    if (const auto* found = among(models.loaded())) return found;
+    for (const auto& name : models.available()) models.get(name);
+    return among(models.loaded());
+}
+
 bool is_joint_word(const JointRegistry& joints, std::string_view word) {
     return std::ranges::any_of(joint_words, [&](auto known) { return known.starts_with(word); }) ||
            std::ranges::any_of(joints.loaded(),
@@ -102,17 +115,14 @@ bool is_joint_word(const JointRegistry& joints, std::string_view word) {
         .at(item.place);
 }
 
-/// Strengths of zones that yield: nothing takes them yet, and a deck that asks for plastic rock must not get elastic rock.
-void refuse_strength(const BlockProperty& property, const lang::Property::Item& item) {
-    for (const auto strength : {&Material::cohesion, &Material::friction, &Material::tension, &Material::dilation})
-        if (property.value == strength)
-            throw Diagnostic(fmt::format("'{}' belongs to zones that yield, and zones are elastic so far", item.word),
-                             "leave it out for an elastic run")
-                .at(item.place);
+double checked(const LawTable::Property& property, const lang::Property::Item& item) {
+    if (item.value >= property.minimum && item.value <= property.maximum) return item.value;
+    throw Diagnostic(fmt::format("'{}' is {}, but must be from {} to {}", item.word, number_text(item.value),
+                                 number_text(property.minimum), number_text(property.maximum)))
+        .at(item.place);
 }
 
 void set_block_property(Material& material, const BlockProperty& property, const lang::Property::Item& item) {
-    refuse_strength(property, item);
     if (!(item.value > property.above && item.value < property.below))
         throw Diagnostic(
             fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value), property.limits))
@@ -194,6 +204,27 @@ void warn_unused(Session& session, std::int32_t number, const Material& material
     }
 }
 
+/// Words of zones that no zone model in use has: a deck that asks for rock that yields must not get elastic rock without a word.
+void warn_unused_by_zones(Session& session, std::int32_t number, const Material& material) {
+    const auto models = zone_models_in_use(session.model, number);
+    if (models.empty()) return;
+    std::map<std::string, double> words = material.zone;
+    for (const auto& property : block_properties)
+        if (property.word.starts_with("b") && property.word != "bulk" && material.*property.value != 0)
+            words.emplace(property.word, material.*property.value);
+    for (const auto& [word, value] : words) {
+        const bool known = std::ranges::any_of(models, [&, &name = word](const std::string& model) {
+            return session.joints.zones.get(model).find_property(name).has_value();
+        });
+        if (known || !session.said_once.insert(fmt::format("zone prop {} {} {}", number, word, *models.begin())).second) continue;
+        const auto place = session.property_places.find({number, word});
+        Diagnostic warning(fmt::format("'{}' of material {} has no effect: its zones are {}", word, number, fmt::join(models, ", ")),
+                           "zones that yield need a zone model that has it: `change cons 2` or `zone model mohr-coulomb`");
+        if (place != session.property_places.end()) warning.at(place->second);
+        session.warn(std::move(warning));
+    }
+}
+
 } // namespace
 
 void run(Session& session, const lang::Property& command) {
@@ -205,13 +236,19 @@ void run(Session& session, const lang::Property& command) {
     Items of_joints;
     for (const auto& item : command.items) {
         const BlockProperty* property = command.joint ? nullptr : find_block_property(item.word);
-        if (property != nullptr)
+        if (property != nullptr) {
             set_block_property(material, *property, item);
+            session.property_places[{number, std::string(property->word)}] = item.place;
+        }
         else if (is_joint_word(session.joints, item.word))
             of_joints.push_back(item);
         else if (const auto early = std::ranges::find(early_words, std::string_view(item.word), &EarlyWord::first);
                  early != early_words.end())
             of_joints.push_back({std::string(early->second), item.value, item.place});
+        else if (const auto* of_zones = command.joint ? nullptr : find_zone_property(session.joints.zones, item.word)) {
+            material.zone[of_zones->name] = checked(*of_zones, item);
+            session.property_places[{number, of_zones->name}] = item.place;
+        }
         else
             refuse_word(session, item, command.joint);
     }
@@ -232,15 +269,19 @@ void run(Session& session, const lang::Property& command) {
 
 void run(Session& session, const lang::Change& command) {
     auto& model = session.model;
-    if (command.constitutive && *command.constitutive != 1)
-        throw Diagnostic(fmt::format("constitutive number {} is that of zones that yield, and zones are elastic so far: 1",
-                                     *command.constitutive),
-                         "leave `cons` out for an elastic run");
+    if (command.constitutive && *command.constitutive > 2)
+        throw Diagnostic(fmt::format("constitutive number {} means no zone model", *command.constitutive),
+                         "1 is elastic, 2 is mohr-coulomb; others have names: `zone model NAME`");
     if (command.material || command.constitutive)
         for (const Row block : session.pick(ObjectKind::block, command.range)) {
             if (command.material) model.blocks.material[block] = static_cast<std::int32_t>(*command.material);
-            if (command.constitutive)
-                model.blocks.constitutive[block] = static_cast<std::int32_t>(*command.constitutive);
+            if (command.constitutive) {
+                const auto number = static_cast<std::int32_t>(*command.constitutive);
+                auto& given = model.blocks.zone_properties[block];
+                if (given != 0 || model.blocks.constitutive[block] != number) forget_zones(model, block);
+                given = 0;
+                model.blocks.constitutive[block] = number;
+            }
             model.properties_changed = true;
         }
     if (!command.joint_material && !command.joint_constitutive) return;
@@ -333,6 +374,14 @@ double material_value(const Model& model, const JointRegistry& joints, std::int6
     return 0;
 }
 
+std::set<std::string> zone_models_in_use(const Model& model, std::optional<std::int32_t> material) {
+    std::set<std::string> names;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b)
+        if (model.blocks.deformable[b] && (!material || model.blocks.material[b] == *material))
+            names.insert(zone_model_of(model, static_cast<Row>(b)));
+    return names;
+}
+
 std::set<Row> property_sets_in_use(const Model& model) {
     std::set<Row> rows(model.contacts.properties.begin(), model.contacts.properties.end());
     rows.erase(no_row);
@@ -344,6 +393,7 @@ void check_materials(Session& session) {
     for (const auto& [number, material] : session.model.materials) {
         if (in_use.contains(number)) check_elastic_pair(number, material);
         warn_unused(session, number, material);
+        warn_unused_by_zones(session, number, material);
     }
     doubt_elasticity(session);
 }

@@ -66,7 +66,7 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
                                     : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
     joints.set_path(options.joint_folders);
     understand_lua_models(joints);
-    joints.before_loading = [this](const fs::path& file) { gate->may_load(file); };
+    joints.before_loading = joints.zones.before_loading = [this](const fs::path& file) { gate->may_load(file); };
     joints.tables().set_source([this](const std::string& name) { return table_points(*scripts, name); });
 
     script::Options script_options;

@@ -110,6 +110,7 @@ TetMesh grid_mesh(const Polyhedron& polyhedron, const std::array<int, 8>& corner
     // Kuhn: one tetrahedron for each order in which the three axes can be walked from corner to corner.
     static constexpr std::array<std::array<int, 3>, 6> walks{
         {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+    mesh.per_cell = static_cast<int>(walks.size());
     for (int k = 0; k < n[2]; ++k)
         for (int j = 0; j < n[1]; ++j)
             for (int i = 0; i < n[0]; ++i)

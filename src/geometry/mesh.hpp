@@ -18,6 +18,7 @@ struct TetMesh {
         int face;                  ///< index into Polyhedron::faces
     };
     std::vector<BoundaryTriangle> boundary;
+    int per_cell = 0; ///< tetrahedra of a cell, which stand behind each other; 0: there are no cells
 };
 
 /// A six-faced block with eight vertices and four-cornered faces, cut into n1 x n2 x n3 cells of six

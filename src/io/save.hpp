@@ -11,7 +11,7 @@
 namespace kaya {
 
 /// Raised whenever a save file of today could not be read by the program of yesterday.
-inline constexpr std::int32_t save_format_version = 9;
+inline constexpr std::int32_t save_format_version = 10;
 
 /// What stands beside the model in a save file; the model does not depend on it.
 struct SaveExtras {

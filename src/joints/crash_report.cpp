@@ -96,7 +96,7 @@ void report(int signal) {
     std::signal(signal, SIG_DFL);
     if (const CrashReport::Call* call = at_work) {
         Sentence sentence;
-        sentence << "\nerror: joint model '" << call->model << "' crashed in " << call->what;
+        sentence << "\nerror: " << call->noun << " '" << call->model << "' crashed in " << call->what;
         if (call->batch) add_place(sentence, *call->batch, call->numbers);
         sentence << ": " << name_of(signal) << "\n  its library: " << call->file
                  << "\n  the program ends here; files that were saved before are whole\n";
@@ -119,8 +119,8 @@ void report_crashes() {
 }
 
 AtWork::AtWork(const char* model, const char* file, const char* what, const kaya_jbatch* batch,
-               const std::int32_t* numbers)
-    : call_{model, file, what, batch, numbers}, before_(at_work) {
+               const std::int32_t* numbers, const char* noun)
+    : call_{model, file, what, batch, numbers, noun}, before_(at_work) {
     if (reporting.load(std::memory_order_relaxed)) {
         thread_local SpareStack spare;
         static_cast<void>(spare);

@@ -1,4 +1,4 @@
-// Says which joint model was at work when the program crashes.
+// Says which joint model or zone model was at work when the program crashes.
 #pragma once
 
 #include "kaya/jmodel.h"
@@ -18,7 +18,7 @@ public:
     /// `what` is "run", "initialise", ...; all texts must outlive this. `batch` may be NULL; `numbers` are those of its
     /// rows that users see, NULL: the report gives rows.
     AtWork(const char* model, const char* file, const char* what, const kaya_jbatch* batch = nullptr,
-           const std::int32_t* numbers = nullptr);
+           const std::int32_t* numbers = nullptr, const char* noun = "joint model");
     ~AtWork();
     AtWork(const AtWork&) = delete;
     AtWork& operator=(const AtWork&) = delete;
@@ -29,6 +29,7 @@ private:
         const char *model, *file, *what;
         const kaya_jbatch* batch;
         const std::int32_t* numbers;
+        const char* noun;
     } call_;
     const Call* before_;
 };

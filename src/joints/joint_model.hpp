@@ -3,8 +3,8 @@
 
 #include "joints/joint_object.hpp"
 #include "joints/joint_tables.hpp"
-
-#include "kaya/jmodel.h"
+#include "joints/law_table.hpp"
+#include "joints/zone_model.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -31,19 +31,8 @@ struct JointFunctions {
 };
 
 /// A joint model after loading: the descriptor, checked once, with its texts copied.
-class JointModel {
+class JointModel : public LawTable {
 public:
-    struct Property {
-        std::string name;
-        std::vector<std::string> aliases;
-        std::string unit, help;
-        double initial, minimum, maximum; ///< initial is NaN when there is none
-        bool optional;                    ///< with an initial NaN: the model gets NaN
-    };
-    struct HistoryVariable {
-        std::string name, unit, help;
-    };
-
     /// The table of a loaded library, checked and copied; `library` keeps it loaded. Throws Diagnostic
     /// that says which entry of the table is wrong.
     JointModel(const kaya_jmodel* descriptor, std::filesystem::path file, std::shared_ptr<void> library);
@@ -52,21 +41,10 @@ public:
     JointModel(const kaya_jmodel* descriptor, std::filesystem::path file, std::shared_ptr<void> owner,
                JointFunctions functions);
 
-    std::string name, title, version;
-    std::filesystem::path file;
-    std::vector<Property> properties;
-    std::vector<HistoryVariable> history;
     std::vector<std::size_t> vectors; ///< first of three history variables that are a vector in the plane
-    std::vector<std::string> states;
-
-    /// Index of the property with that name or alias (case folded, any unambiguous leading part), or none.
-    std::optional<std::size_t> find_property(std::string_view word) const;
 
     /// A sentence that says what is wrong with the values, or empty.
     std::string check(const std::vector<double>& values) const;
-
-    /// Properties that must be given and are not.
-    std::vector<std::string> missing(const std::vector<double>& values) const;
 
     /// Throws Diagnostic (Fault::run) when the model throws, or gives a number that is not finite, a
     /// negative one, a normal stiffness of 0, or one that is
@@ -86,7 +64,7 @@ public:
     const JointFunctions& functions() const { return functions_; }
 
 private:
-    void read_table();
+    void find_vectors();
 
     const kaya_jmodel* descriptor_;
     std::shared_ptr<void> library_; ///< keeps it loaded
@@ -97,7 +75,14 @@ private:
 class JointRegistry {
 public:
     /// Folders in which `NAME.so` is looked for, first match wins.
-    void set_path(std::vector<std::filesystem::path> folders) { path_ = std::move(folders); }
+    void set_path(std::vector<std::filesystem::path> folders) {
+        path_ = std::move(folders);
+        zones.set_path(path_);
+        zones.set_tables(tables_->interface());
+    }
+
+    /// Zone models, from the same folders and those beside them.
+    ZoneModels zones;
 
     /// Makes the model of a file that is no library. Throws Diagnostic.
     using Maker = std::function<std::unique_ptr<JointModel>(const std::filesystem::path&)>;

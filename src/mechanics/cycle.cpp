@@ -9,6 +9,7 @@
 #include "mechanics/take_over.hpp"
 #include "mechanics/ties.hpp"
 #include "mechanics/time_step.hpp"
+#include "mechanics/zone_laws.hpp"
 #include "model/sampling.hpp"
 
 #include <algorithm>
@@ -88,6 +89,8 @@ struct Cycle::Scratch {
     ContactSearch search;
     Adjacency adjacency;
     std::vector<Batch> batches;
+    ZoneLaws laws;
+    ZoneScratch zones;
     std::vector<ElasticConstants> elastic;
     DriveLists drives;
     QuietPoints quiet;
@@ -124,12 +127,13 @@ void Cycle::prepare() {
     if (model_.properties_changed) {
         check_properties(model_, joints_);
         compute_masses(model_);
-        s.elastic = elastic_constants(model_);
+        take_zone_laws();
         s.ties = TieLists(model_, s.elastic);
         zone_frequencies(model_, s.elastic);
         add_tie_frequencies(model_, s.ties);
     }
     if (model_.lists_changed || model_.properties_changed) {
+        if (!model_.properties_changed) take_zone_laws();
         s.step.forget(); // properties may be others now
         make_lists();
         if (!model_.properties_changed) s.joints.stiffness_changed.assign(model_.contacts.size(), 0); // restored: all is known
@@ -153,13 +157,19 @@ void Cycle::prepare() {
     }
 }
 
+void Cycle::take_zone_laws() {
+    Scratch& s = *scratch_;
+    s.laws = ZoneLaws(model_, joints_.zones);
+    s.elastic = s.laws.elastic_constants();
+    s.step.take(s.elastic);
+}
+
 void Cycle::make_lists() {
     Scratch& s = *scratch_;
     order_sub_contacts(model_);
     s.adjacency = make_adjacency(model_);
     s.batches = make_batches(model_, joints_);
     s.step.take(model_, s.batches);
-    s.elastic = elastic_constants(model_);
     s.ties = TieLists(model_, s.elastic);
     s.drives = list_drives(model_);
     put_water(model_);
@@ -228,7 +238,7 @@ void Cycle::advance() {
         return advance_joints(model_, s.batches, s.joints);
     });
     const ZoneSums zone_sums = s.timed(zone, [&] {
-        ZoneSums sums = run_zone_models(model_, s.elastic, s.corner_forces);
+        ZoneSums sums = run_zone_models(model_, s.laws, s.adjacency, s.zones, s.corner_forces);
         sums.add(run_ties(model_, s.ties));
         return sums;
     });

@@ -58,6 +58,7 @@ private:
     struct Scratch;
 
     void make_lists();
+    void take_zone_laws();
     void adapt_viscosity(const MotionSums& motion);
     void keep_account(const DriveSums& driven, const MotionSums& motion, const JointSums& joint_sums,
                       const ZoneSums& zone_sums, double inner_power);

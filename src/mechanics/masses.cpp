@@ -55,19 +55,4 @@ void compute_masses(Model& model) {
     }
 }
 
-std::vector<ElasticConstants> elastic_constants(const Model& model) {
-    std::vector<ElasticConstants> constants(model.blocks.size());
-    for (std::size_t b = 0; b < constants.size(); ++b) {
-        if (!model.blocks.deformable[b]) continue;
-        const Row row = static_cast<Row>(b);
-        const Material& material = material_of(model, row);
-        const double bulk = material.bulk, shear = material.shear;
-        if (!(std::isfinite(bulk) && std::isfinite(shear))) missing(model, row, "elastic moduli", "bulk 4e9 shear 3e9");
-        if (!(bulk > 0 && shear > 0))
-            missing(model, row, "stiffness: its bulk and shear moduli must be above 0", "bulk 4e9 shear 3e9");
-        constants[b] = {bulk - 2.0 / 3.0 * shear, 2 * shear};
-    }
-    return constants;
-}
-
 } // namespace kaya

@@ -44,6 +44,7 @@ inline void MotionSums::add(const MotionSums& part) {
 struct Hooks;
 struct BodyStiffness;
 class TieLists;
+class ZoneLaws;
 
 /// The drives by what they do, and room for the values of their functions; derived.
 struct DriveLists {
@@ -154,10 +155,6 @@ struct ElasticConstants {
     double lambda = 0, two_shear = 0;
 };
 
-/// One entry per block, zero for rigid ones. Throws Diagnostic when a deformable block's material has
-/// no moduli.
-std::vector<ElasticConstants> elastic_constants(const Model& model);
-
 /// What a step has done to the zones.
 struct ZoneSums {
     double work = 0;   ///< put into them
@@ -169,8 +166,16 @@ struct ZoneSums {
     }
 };
 
-/// Reads gridpoint motion; writes zone stresses and the four corner forces of every zone.
-ZoneSums run_zone_models(Model& model, const std::vector<ElasticConstants>& elastic, std::vector<Vec3>& corner_forces);
+/// Room for what zones that average have to keep within a step; its memory stays.
+struct ZoneScratch {
+    std::vector<double> volume, strain, mean_strain, flow; ///< by zone: volume strain, its mean, plastic change of the mean stress
+    std::vector<double> at_gridpoint;
+};
+
+/// Reads gridpoint motion; writes zone stresses, states and histories, and the four corner forces of every zone. Throws
+/// Diagnostic when a zone model fails.
+ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, const Adjacency& adjacency, ZoneScratch& scratch,
+                         std::vector<Vec3>& corner_forces);
 
 /// Corner forces of the stresses that are there, without a step.
 void zone_forces(const Model& model, std::vector<Vec3>& corner_forces);

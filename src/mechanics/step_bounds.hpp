@@ -29,6 +29,8 @@ struct Resistance {
     Resistance over(double mass) const { return {elastic / mass, viscous / mass}; }
 };
 
+struct ElasticConstants;
+
 /// The body that limits the time step.
 struct StepLimit {
     double stable = std::numeric_limits<double>::infinity(); ///< the largest stable step
@@ -76,6 +78,8 @@ public:
 
     /// Stiffness to go by instead of that which the columns have, by sub-contact; none: the columns.
     const std::vector<Springs>* foreseen = nullptr;
+    /// Lame's constants by block; estimate() needs them where there are zones.
+    const std::vector<ElasticConstants>* of_zones = nullptr;
 
 private:
     /// A rigid body's matrices, each contact's part multiplied with what its side bears.

@@ -88,7 +88,7 @@ public:
             size_ += 3;
         }
         if (model.zones.size() == 0) return;
-        elastic_ = elastic_constants(model);
+        elastic_ = *bounds.of_zones;
         ties_ = TieLists(model, elastic_);
     }
     std::size_t size() const { return size_; }

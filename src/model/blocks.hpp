@@ -5,6 +5,8 @@
 #include "geometry/overlay.hpp"
 #include "model/column.hpp"
 
+#include "kaya/jmodel.h"
+
 #include <cstdint>
 
 namespace kaya {
@@ -34,6 +36,7 @@ public:
     Column<std::int32_t> number;       ///< counts from 1 in order of creation; what users see
     Column<std::int32_t> material;     ///< number of `prop mat`
     Column<std::int32_t> constitutive; ///< number of `change cons`
+    Column<Row> zone_properties;       ///< row of Model::zone_properties; 0: by `constitutive`
     Column<std::int32_t> region;
     Column<std::int32_t> group; ///< index into Model::group_names, 0 is none
     Column<std::int32_t> body;  ///< blocks of equal body move as one (joined.hpp); 0: on its own
@@ -48,6 +51,7 @@ public:
     Column<Span> faces;
     Column<Span> triangles;
     Column<Span> zones;
+    Column<std::int32_t> cell_zones; ///< zones of a cell of `gen quad`, which stand behind each other; 0: there are no cells
     Column<double> volume;        ///< length^3
     Column<double> margin;        ///< how near another surface counts as touching: a small part of its size
     Column<double> travelled;     ///< longest way of one of its points since its contacts were looked at
@@ -74,6 +78,7 @@ public:
         visit("number", number);
         visit("material", material);
         visit("constitutive", constitutive);
+        visit("zone_properties", zone_properties);
         visit("region", region);
         visit("group", group);
         visit("body", body);
@@ -88,6 +93,7 @@ public:
         visit("faces", faces);
         visit("triangles", triangles);
         visit("zones", zones);
+        visit("cell_zones", cell_zones);
         visit("volume", volume);
         visit("margin", margin);
         visit("travelled", travelled);
@@ -190,6 +196,20 @@ public:
     Column<Stress> stress;
     Column<Stress> dashpot; ///< viscous stress besides, where damping asks for it
     Column<double> volume; ///< when the zones were made
+    Column<std::uint32_t> state; ///< bits of the zone model
+    std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY> history; ///< of the zone model; those behind `history_columns` are empty
+    std::int32_t history_columns = 0; ///< as many as the zone model has that keeps most
+
+    /// Makes room for a zone model that keeps that many; it stays.
+    void keep_history(std::size_t columns) {
+        while (static_cast<std::size_t>(history_columns) < columns) history[history_columns++].assign(size(), 0.0);
+    }
+
+    /// What the zone model has kept of a zone.
+    void forget(Row zone) {
+        state[zone] = 0;
+        for (std::int32_t k = 0; k < history_columns; ++k) history[k][zone] = 0;
+    }
 
     template <class Visit> void columns(Visit&& visit) {
         visit("block", block);
@@ -198,6 +218,9 @@ public:
         visit("stress", stress);
         visit("dashpot", dashpot);
         visit("volume", volume);
+        visit("state", state);
+        for (std::size_t k = 0; k < history.size() && static_cast<std::int32_t>(k) < history_columns; ++k)
+            visit("history_" + std::to_string(k), history[k]);
     }
 };
 

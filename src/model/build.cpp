@@ -78,6 +78,7 @@ void give_zones(Model& model, Row block, const Polyhedron& shape, const TetMesh&
         model.zones.block[z0 + i] = block;
     }
     blocks.zones[block] = {z0, static_cast<Row>(mesh.tetrahedra.size())};
+    blocks.cell_zones[block] = mesh.per_cell;
     blocks.deformable[block] = 1;
     blocks.face_triangles[block] = FaceTriangles::fan; // its zones cut its faces
     blocks.face_edge[block] = 0;
@@ -218,6 +219,7 @@ Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& option
     blocks.constitutive[b] = options.constitutive;
     blocks.region[b] = options.region;
     blocks.group[b] = options.group;
+    blocks.zone_properties[b] = options.zone_properties;
     give_shape(model, b, polyhedron, mass);
     return b;
 }

@@ -8,7 +8,7 @@
 namespace kaya {
 
 struct NewBlock {
-    std::int32_t material = 1, constitutive = 1, region = 0, group = 0;
+    std::int32_t material = 1, constitutive = 1, region = 0, group = 0, zone_properties = 0;
 };
 
 /// Adds a rigid block; its number is the next one. Returns its row. Throws Diagnostic, model unchanged, when the

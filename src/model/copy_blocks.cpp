@@ -33,6 +33,7 @@ TetMesh placed_mesh(const Model& model, Row block, const Placement& placement) {
     const auto local = [&](Row g) { return static_cast<int>(g - points.first); };
     for (Row z = model.blocks.zones[block].first; z < model.blocks.zones[block].end(); ++z) {
         const auto& g = model.zones.gridpoints[z];
+        mesh.per_cell = model.blocks.cell_zones[block];
         mesh.tetrahedra.push_back({local(g[0]), local(g[1]), local(g[2]), local(g[3])});
         if (turned) std::swap(mesh.tetrahedra.back()[2], mesh.tetrahedra.back()[3]);
     }
@@ -48,7 +49,7 @@ TetMesh placed_mesh(const Model& model, Row block, const Placement& placement) {
 Row copy_block(Model& model, Row block, const Placement& placement) {
     const auto& blocks = model.blocks;
     const NewBlock options{blocks.material[block], blocks.constitutive[block], blocks.region[block],
-                           blocks.group[block]};
+                           blocks.group[block], blocks.zone_properties[block]};
     const Polyhedron shape = placed_shape(model, block, placement);
     const Row copy = add_block(model, shape, options);
     if (blocks.deformable[block]) {

@@ -36,7 +36,7 @@ struct Parent {
                 sides.push_back({face_area_vector(model, f).normalized(), face_centroid(model, f), model.faces.group[f]});
     }
     Parent(const Blocks& blocks, Row b)
-        : options{blocks.material[b], blocks.constitutive[b], blocks.region[b], blocks.group[b]},
+        : options{blocks.material[b], blocks.constitutive[b], blocks.region[b], blocks.group[b], blocks.zone_properties[b]},
           hidden(blocks.hidden[b]), fixed(blocks.fixed[b]),
           face_triangles(blocks.face_triangles[b]), face_edge(blocks.face_edge[b]), volume(blocks.volume[b]),
           density(blocks.mass[b] / blocks.volume[b]), centroid(blocks.centroid[b]), velocity(blocks.velocity[b]),
@@ -53,6 +53,7 @@ struct Parent {
         blocks.constitutive[b] = options.constitutive;
         blocks.region[b] = options.region;
         blocks.group[b] = options.group;
+        blocks.zone_properties[b] = options.zone_properties;
         blocks.hidden[b] = hidden;
         blocks.fixed[b] = fixed;
         blocks.face_triangles[b] = face_triangles;

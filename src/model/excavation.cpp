@@ -24,6 +24,9 @@ template <class From, class To> Row append_blocks(From& from, const std::vector<
     Row gridpoint = to.gridpoints.append(from.gridpoints, rows_in(from.blocks.gridpoints, blocks));
     Row face = to.faces.append(from.faces, rows_in(from.blocks.faces, blocks));
     Row triangle = to.triangles.append(from.triangles, rows_in(from.blocks.triangles, blocks));
+    const auto histories = static_cast<std::size_t>(std::max(from.zones.history_columns, to.zones.history_columns));
+    from.zones.keep_history(histories);
+    to.zones.keep_history(histories);
     Row zone = to.zones.append(from.zones, rows_in(from.blocks.zones, blocks));
     for (Row b = first; b < static_cast<Row>(to.blocks.size()); ++b) {
         // Rows of a block move together, so that one difference serves all links to them.
@@ -72,8 +75,10 @@ void put_to_rest(Model& model, Row b) {
         for (auto* column :
              {&points.velocity, &points.displacement, &points.force, &points.load, &points.last_force})
             (*column)[g] = Vec3::Zero();
-    for (Row z = blocks.zones[b].first; z < blocks.zones[b].end(); ++z)
+    for (Row z = blocks.zones[b].first; z < blocks.zones[b].end(); ++z) {
         model.zones.stress[z] = model.zones.dashpot[z] = Stress::Zero();
+        model.zones.forget(z);
+    }
 }
 
 /// Rows of blocks follow their numbers, whatever order they were made in.

@@ -48,8 +48,16 @@ double volumetric_strain(const Model& model, Row zone) { return strain_of(model,
 double volumetric_strain_rate(const Model& model, Row zone) { return strain_of(model, zone, model.gridpoints.velocity).trace(); }
 double shear_strain(const Model& model, Row zone) { return greatest_shear(strain_of(model, zone, model.gridpoints.displacement)); }
 double shear_strain_rate(const Model& model, Row zone) { return greatest_shear(strain_of(model, zone, model.gridpoints.velocity)); }
-FieldValue model_name(const Model&, Row) { return std::string("elastic"); }
-FieldValue state(const Model&, Row) { return std::int64_t{0}; }
+FieldValue model_name(const Model& model, Row zone) {
+    const Row block = model.zones.block[zone];
+    const auto& given = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])];
+    if (!given.model.empty()) return given.model;
+    return std::string(model.blocks.constitutive[block] == 2 ? "mohr-coulomb" : "elastic");
+}
+FieldValue state(const Model& model, Row zone) { return static_cast<std::int64_t>(model.zones.state[zone]); }
+/// The first two history variables of models that flow.
+double plastic_shear(const Model& model, Row zone) { return model.zones.history_columns > 0 ? model.zones.history[0][zone] : 0; }
+double plastic_tension(const Model& model, Row zone) { return model.zones.history_columns > 1 ? model.zones.history[1][zone] : 0; }
 double shear(const Model& model, Row zone) { return material_of(model, zone).shear; }
 
 } // namespace
@@ -69,8 +77,11 @@ const Fields& zone_fields() {
          call<mass>, nullptr},
         {table, "group", "z_group", "", "-", "group that it is in itself, else that of its block",
          read_group<ObjectKind::zone>, write_group<ObjectKind::zone>},
-        {table, "model", "z_model", "", "-", "name of its model: all zones are elastic", model_name, nullptr},
-        {table, "state", "z_state", "", "-", "bits of its state: elastic zones have none", state, nullptr},
+        {table, "model", "z_model", "", "-", "name of its zone model", model_name, nullptr},
+        {table, "state", "z_state", "", "-", "bits of its state, which its zone model names; elastic zones have none", state, nullptr},
+        {table, "plastic_shear_strain", "z_psh", "", "-", "first history variable of its zone model: plastic shear strain of those that ship", call<plastic_shear>, nullptr},
+        {table, "plastic_tensile_strain", "z_pte", "", "-", "second history variable of its zone model: plastic strain by the tension cut-off of those that ship",
+         call<plastic_tension>, nullptr},
         {table, "material", "z_mat", "", "-", "number of its material", call<material>, nullptr},
         {table, "bulk", "z_bulk", "", "stress", "bulk modulus, NaN when not given", call<bulk>, nullptr},
         {table, "shear", "z_shear", "", "stress", "shear modulus, NaN when not given", call<shear>, nullptr},

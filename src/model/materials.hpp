@@ -24,6 +24,16 @@ struct Material {
     /// Joint properties given by material number (`prop jmat`), by the name the user typed.
     /// They are handed to a contact's joint model when it is assigned.
     std::map<std::string, double> joint;
+    /// Properties of zone models given by material number (`prop mat`), by the name the user typed.
+    std::map<std::string, double> zone;
+};
+
+/// What zones of blocks do: a zone model, and values besides those of the material.
+struct ZoneProperties {
+    std::string model;                    ///< keyword of the zone model
+    std::map<std::string, double> values; ///< by the name of the property
+    std::string place;                    ///< "deck.3dd:23", where it was last given; for messages
+    bool operator==(const ZoneProperties&) const = default;
 };
 
 /// Values for one joint model; contacts that share a row are one batch.

@@ -54,6 +54,7 @@ struct Model {
 
     std::map<std::int32_t, Material> materials;
     std::vector<JointProperties> joint_properties;
+    std::vector<ZoneProperties> zone_properties{ZoneProperties{}}; ///< of blocks; the first says nothing
     std::map<std::int32_t, std::string> joint_constitutive; ///< model name of each `jcons` number
     std::vector<std::string> group_names{""};
     std::vector<TimeFunction> time_functions; ///< of drives

@@ -23,7 +23,7 @@ namespace kaya {
 
 template <class Archive> void visit_state(Archive& archive, Settings& settings) {
     auto& [gravity, damping, local_factor, global_ratio, rayleigh_fraction, rayleigh_frequency, rayleigh_mass, rayleigh_stiffness,
-           contact_damping, time_step_fraction, given_time_step, mass_scaling, scaled_time_step, water, water_value, water_origin, water_direction, dynamic, large_strain, energy,
+           strength_factor, mixed_discretisation, contact_damping, time_step_fraction, given_time_step, mass_scaling, scaled_time_step, water, water_value, water_origin, water_direction, dynamic, large_strain, energy,
            default_joint_material, default_joint_constitutive, default_properties] = settings;
     archive.value("gravity", gravity);
     archive.value("damping", damping);
@@ -33,6 +33,8 @@ template <class Archive> void visit_state(Archive& archive, Settings& settings) 
     archive.value("rayleigh_frequency", rayleigh_frequency);
     archive.value("rayleigh_mass", rayleigh_mass);
     archive.value("rayleigh_stiffness", rayleigh_stiffness);
+    archive.value("strength_factor", strength_factor);
+    archive.value("mixed_discretisation", mixed_discretisation);
     archive.value("contact_damping", contact_damping);
     archive.value("time_step_fraction", time_step_fraction);
     archive.value("given_time_step", given_time_step);
@@ -90,7 +92,7 @@ void visit_map(Archive& archive, const char* name, std::map<Key, Value>& map, Vi
 }
 
 template <class Archive> void visit_state(Archive& archive, Material& material) {
-    auto& [density, bulk, shear, young, poisson, cohesion, friction, tension, dilation, joint] = material;
+    auto& [density, bulk, shear, young, poisson, cohesion, friction, tension, dilation, joint, zone] = material;
     archive.value("density", density);
     archive.value("bulk", bulk);
     archive.value("shear", shear);
@@ -104,6 +106,20 @@ template <class Archive> void visit_state(Archive& archive, Material& material) 
         archive.text("word", word);
         archive.value("value", number);
     });
+    visit_map(archive, "zone", zone, [&](std::string& word, double& number) {
+        archive.text("word", word);
+        archive.value("value", number);
+    });
+}
+
+template <class Archive> void visit_state(Archive& archive, ZoneProperties& properties) {
+    auto& [model, values, place] = properties;
+    archive.text("model", model);
+    visit_map(archive, "values", values, [&](std::string& word, double& number) {
+        archive.text("word", word);
+        archive.value("value", number);
+    });
+    archive.aside([&] { archive.text("place", place); });
 }
 
 template <class Archive> void visit_state(Archive& archive, JointProperties& properties) {
@@ -226,8 +242,8 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
     archive.section(name, [&] {
         if constexpr (requires { table.history_columns; }) {
             archive.value("history_columns", table.history_columns);
-            archive.value("keeps_objects", table.keeps_objects);
         }
+        if constexpr (requires { table.keeps_objects; }) archive.value("keeps_objects", table.keeps_objects);
         archive.rows(table);
         table.columns([&](const std::string& column_name, auto& column) {
             visit_column(archive, column_name, column);
@@ -240,7 +256,7 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
 
 template <class Archive> void visit_state(Archive& archive, Model& model) {
     auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, tied_pairs, ties, drives, excavated, materials, joint_properties,
-           joint_constitutive, group_names, time_functions, rollers, settings, clock, energy, histories, next_block_number, next_shape_number, next_contact_number,
+           zone_properties, joint_constitutive, group_names, time_functions, rollers, settings, clock, energy, histories, next_block_number, next_shape_number, next_contact_number,
            next_sub_contact_number, structure_changed, properties_changed, lists_changed, forces_set, taken_over] = model;
     // The tables named above stand here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
@@ -251,6 +267,7 @@ template <class Archive> void visit_state(Archive& archive, Model& model) {
     });
     archive.records("joint_properties", joint_properties,
                     [&](JointProperties& properties) { visit_state(archive, properties); });
+    archive.records("zone_properties", zone_properties, [&](ZoneProperties& properties) { visit_state(archive, properties); });
     visit_map(archive, "joint_constitutive", joint_constitutive, [&](std::int32_t& number, std::string& name) {
         archive.value("number", number);
         archive.text("model", name);

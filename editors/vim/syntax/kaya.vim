@@ -65,6 +65,7 @@ syntax keyword kayaCommand ma[rk]
 syntax keyword kayaCommand mo[vie]
 syntax keyword kayaCommand ms[cale]
 syntax keyword kayaCommand ne[w]
+syntax keyword kayaCommand param[eter]
 syntax keyword kayaCommand pa[use]
 syntax keyword kayaCommand pf[ix]
 syntax keyword kayaCommand pf[ree]
@@ -134,6 +135,7 @@ syntax keyword kayaKeyword center2
 syntax keyword kayaKeyword centre
 syntax keyword kayaKeyword clear
 syntax keyword kayaKeyword clock
+syntax keyword kayaKeyword cmodel
 syntax keyword kayaKeyword combined
 syntax keyword kayaKeyword cons
 syntax keyword kayaKeyword constitutive
@@ -283,6 +285,7 @@ syntax keyword kayaKeyword ndivisions
 syntax keyword kayaKeyword nfor
 syntax keyword kayaKeyword nforce
 syntax keyword kayaKeyword nload
+syntax keyword kayaKeyword nmd
 syntax keyword kayaKeyword nmech
 syntax keyword kayaKeyword nodisplacements
 syntax keyword kayaKeyword none
@@ -360,6 +363,7 @@ syntax keyword kayaKeyword sig2
 syntax keyword kayaKeyword sig3
 syntax keyword kayaKeyword sine
 syntax keyword kayaKeyword sload
+syntax keyword kayaKeyword small
 syntax keyword kayaKeyword spacing
 syntax keyword kayaKeyword sstr
 syntax keyword kayaKeyword sstress

@@ -1,5 +1,5 @@
-// joint_pages JOINTS PAGES [--check]: puts the tables of properties and of history of every joint model in the folder
-// JOINTS into its page in the folder PAGES. The rest of a page is written by people and kept. With --check nothing is
+// joint_pages MODELS PAGES [--check]: puts the tables of properties and of history of every joint model in the folder
+// MODELS, or of every zone model where that is called `zones`, into its page in the folder PAGES. The rest of a page is written by people and kept. With --check nothing is
 // written, and the status is 1 when a page does not agree with its model.
 #include "base/diagnostic.hpp"
 #include "joints/joint_model.hpp"
@@ -16,24 +16,24 @@
 namespace {
 
 namespace fs = std::filesystem;
-using kaya::JointModel;
+using kaya::LawTable;
 using Lines = std::vector<std::string>;
 
-std::string limits_of(const JointModel::Property& p) {
+std::string limits_of(const LawTable::Property& p) {
     if (std::isinf(p.minimum) && std::isinf(p.maximum)) return "any";
     if (std::isinf(p.maximum)) return fmt::format("from {:g}", p.minimum);
     if (std::isinf(p.minimum)) return fmt::format("to {:g}", p.maximum);
     return fmt::format("{:g} to {:g}", p.minimum, p.maximum);
 }
 
-std::string initial_of(const JointModel::Property& p) {
+std::string initial_of(const LawTable::Property& p) {
     if (!std::isnan(p.initial)) return fmt::format("{:g}", p.initial);
     return p.optional ? "not given" : "must be given";
 }
 
 std::string in_code(const std::string& words) { return words.empty() ? "" : fmt::format("`{}`", words); }
 
-Lines property_table(const JointModel& model) {
+Lines property_table(const LawTable& model) {
     Lines rows = {"| name | other words | unit | limits | initial | meaning |", "|---|---|---|---|---|---|"};
     for (const auto& p : model.properties)
         rows.push_back(fmt::format("| `{}` | {} | {} | {} | {} | {} |", p.name, in_code(fmt::format("{}", fmt::join(p.aliases, " "))),
@@ -41,7 +41,7 @@ Lines property_table(const JointModel& model) {
     return rows;
 }
 
-Lines history_table(const JointModel& model) {
+Lines history_table(const LawTable& model) {
     if (model.history.empty()) return {};
     Lines rows = {"| history | unit | meaning |", "|---|---|---|"};
     for (const auto& h : model.history) rows.push_back(fmt::format("| `{}` | {} | {} |", h.name, h.unit, h.help));
@@ -83,16 +83,26 @@ std::string read(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-int write_pages(const fs::path& joints, const fs::path& pages, bool check) {
+/// The models of a folder. `registry` keeps them.
+std::vector<const LawTable*> models_in(const fs::path& folder, kaya::JointRegistry& registry) {
+    registry.set_path({folder});
+    std::vector<const LawTable*> models;
+    const auto take = [&](auto& list) {
+        for (const auto& name : list.available()) models.push_back(&list.get(name));
+    };
+    if (folder.filename() == "zones") take(registry.zones);
+    else take(registry);
+    return models;
+}
+
+int write_pages(const fs::path& folder, const fs::path& pages, bool check) {
     kaya::JointRegistry registry;
-    registry.set_path({joints});
     int status = 0;
-    for (const auto& name : registry.available()) {
-        const JointModel& model = registry.get(name);
-        const fs::path file = pages / (name + ".md");
+    for (const LawTable* model : models_in(folder, registry)) {
+        const fs::path file = pages / (model->name + ".md");
         const std::string before = read(file);
-        Lines page = with_table(lines_of(before), "## Properties", property_table(model), file);
-        page = with_table(page, "## States and history", history_table(model), file);
+        Lines page = with_table(lines_of(before), "## Properties", property_table(*model), file);
+        page = with_table(page, "## States and history", history_table(*model), file);
         const std::string after = fmt::format("{}\n", fmt::join(page, "\n"));
         if (after == before) continue;
         if (check) {
@@ -111,7 +121,7 @@ int write_pages(const fs::path& joints, const fs::path& pages, bool check) {
 int main(int argc, char** argv) {
     const bool check = argc == 4 && std::string(argv[3]) == "--check";
     if (argc != 3 && !check) {
-        std::cerr << "usage: joint_pages JOINTS PAGES [--check]\n";
+        std::cerr << "usage: joint_pages MODELS PAGES [--check]\n";
         return 2;
     }
     try {

@@ -1,0 +1,90 @@
+// zone model, zone property, zone load, zone nmd.
+#include "commands/handlers.hpp"
+#include "mechanics/zone_laws.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+namespace kaya {
+
+namespace {
+
+const ZoneModel& model_named(Session& session, const lang::ZoneModelCommand& command) {
+    try {
+        return session.joints.zones.get(command.model);
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.model_place);
+        throw;
+    }
+}
+
+/// The values of a line by the names of the properties. Throws Diagnostic at the word that is wrong.
+std::map<std::string, double> values_of(const ZoneModel& model, const std::vector<lang::Property::Item>& items) {
+    std::map<std::string, double> values;
+    for (const auto& item : items) {
+        const auto found = model.find_property(item.word);
+        if (!found) {
+            std::vector<std::string_view> known;
+            for (const auto& property : model.properties) {
+                known.push_back(property.name);
+                known.insert(known.end(), property.aliases.begin(), property.aliases.end());
+            }
+            const auto near = did_you_mean(item.word, known);
+            throw Diagnostic(fmt::format("zone model '{}' has no property '{}'", model.name, item.word),
+                             near.empty() ? "" : fmt::format("did you mean '{}'?", near))
+                .at(item.place);
+        }
+        const auto& property = model.properties[*found];
+        if (!(item.value >= property.minimum && item.value <= property.maximum))
+            throw Diagnostic(fmt::format("'{}' is {}, but must be from {} to {}", item.word, number_text(item.value),
+                                         number_text(property.minimum), number_text(property.maximum)))
+                .at(item.place);
+        values[property.name] = item.value;
+    }
+    return values;
+}
+
+/// A row of Model::zone_properties with this content; an equal one is used again.
+Row row_of(Model& model, const ZoneProperties& wanted) {
+    auto& rows = model.zone_properties;
+    const auto found = std::ranges::find_if(rows, [&](const ZoneProperties& row) {
+        return row.model == wanted.model && row.values == wanted.values && row.place == wanted.place;
+    });
+    if (found != rows.end()) return static_cast<Row>(found - rows.begin());
+    rows.push_back(wanted);
+    return static_cast<Row>(rows.size() - 1);
+}
+
+} // namespace
+
+void run(Session& session, const lang::ZoneModelCommand& command) {
+    using Action = lang::ZoneModelCommand::Action;
+    auto& model = session.model;
+    if (command.action == Action::load) {
+        model_named(session, command);
+        return;
+    }
+    const auto blocks = session.pick(ObjectKind::block, command.range);
+    std::vector<ZoneProperties> wanted; // first all that may be wrong, then the model
+    for (const Row block : blocks) {
+        const auto& before = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])];
+        const bool assign = command.action == Action::assign;
+        const ZoneModel& zone_model = assign ? model_named(session, command) : session.joints.zones.get(zone_model_of(model, block));
+        ZoneProperties properties{zone_model.name, assign ? std::map<std::string, double>{} : before.values, session.here()};
+        for (const auto& [name, value] : values_of(zone_model, command.items)) properties.values[name] = value;
+        wanted.push_back(std::move(properties));
+    }
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        if (zone_model_of(model, blocks[i]) != wanted[i].model) forget_zones(model, blocks[i]);
+        model.blocks.zone_properties[blocks[i]] = row_of(model, wanted[i]);
+        model.properties_changed = true;
+    }
+}
+
+void run(Session& session, const lang::ZoneAveraging& command) {
+    session.model.settings.mixed_discretisation = command.on;
+    session.model.properties_changed = true;
+}
+
+} // namespace kaya

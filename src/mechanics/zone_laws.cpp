@@ -1,0 +1,169 @@
+#include "mechanics/zone_laws.hpp"
+
+#include "base/diagnostic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <tuple>
+
+namespace kaya {
+
+namespace {
+
+/// Constitutive numbers of `change cons`.
+constexpr std::array<const char*, 2> models_of_numbers{"elastic", "mohr-coulomb"};
+
+/// Words of materials that every deck may use for blocks.
+struct MaterialWord {
+    std::string_view word;
+    double Material::*value;
+};
+constexpr std::array<MaterialWord, 6> material_words{{{"bulk", &Material::bulk},
+                                                      {"shear", &Material::shear},
+                                                      {"bcohesion", &Material::cohesion},
+                                                      {"bfriction", &Material::friction},
+                                                      {"btension", &Material::tension},
+                                                      {"bdilation", &Material::dilation}}};
+
+bool stands_for(const LawTable::Property& property, std::string_view word) {
+    return property.name == word || std::ranges::find(property.aliases, word) != property.aliases.end();
+}
+
+const Material& material_of(const Model& model, std::int32_t number) {
+    static const Material none;
+    const auto found = model.materials.find(number);
+    return found == model.materials.end() ? none : found->second;
+}
+
+/// Values by block material, `zone model` and its own values.
+std::vector<double> values_of(const ZoneModel& zone_model, const Material& material, const ZoneProperties& given) {
+    std::vector<double> values;
+    for (const auto& property : zone_model.properties) {
+        const auto own = std::ranges::find_if(given.values, [&](const auto& entry) { return stands_for(property, entry.first); });
+        values.push_back(own != given.values.end() ? own->second : value_for_material(property, material));
+    }
+    return values;
+}
+
+Diagnostic about_block(const Model& model, Row block, std::string message, std::string hint, const ZoneProperties& given) {
+    Diagnostic d(fmt::format("block {} (material {}) {}", model.blocks.number[block], model.blocks.material[block], message),
+                 std::move(hint));
+    d.code = "property-missing";
+    if (!given.place.empty()) d.add("its zone model was given at " + given.place);
+    return d;
+}
+
+void check_values(const Model& model, Row block, const ZoneModel& zone_model, const std::vector<double>& values,
+                  const ZoneProperties& given) {
+    const auto material = model.blocks.material[block];
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto& property = zone_model.properties[i];
+        if (std::isnan(values[i])) {
+            if (property.optional) continue;
+            throw property.name == "bulk" || property.name == "shear"
+                ? about_block(model, block, "has no elastic moduli", fmt::format("give it, e.g. `prop mat {} bulk 4e9 shear 3e9`", material), given)
+                : about_block(model, block, fmt::format("has no {}, which zone model {} needs", property.name, zone_model.name),
+                              fmt::format("give it, e.g. `prop mat {} {} value`", material, property.name), given);
+        }
+        if (values[i] >= property.minimum && values[i] <= property.maximum) continue;
+        throw about_block(model, block,
+                          fmt::format("has {} {}, but zone model {} takes {:g} to {:g}", property.name, values[i], zone_model.name,
+                                      property.minimum, property.maximum),
+                          fmt::format("give another one with `prop mat {} {} value`", material, property.name), given);
+    }
+    for (const auto i : {zone_model.find_property("bulk"), zone_model.find_property("shear")})
+        if (i && !(values[*i] > 0))
+            throw about_block(model, block, "has no stiffness: its bulk and shear moduli must be above 0",
+                              fmt::format("give it, e.g. `prop mat {} bulk 4e9 shear 3e9`", material), given);
+    if (const std::string complaint = zone_model.check(values); !complaint.empty())
+        throw about_block(model, block, fmt::format("cannot have these properties of zone model {}: {}", zone_model.name, complaint), {},
+                          given);
+}
+
+/// The value of a property with the strength divided by a factor.
+double reduced(const LawTable::Property& property, double value, double factor) {
+    constexpr double radian = 0.017453292519943295;
+    if (factor == 1) return value;
+    if (property.reduction == KAYA_ZREDUCE_DIVIDE) return value / factor;
+    if (property.reduction == KAYA_ZREDUCE_TANGENT) return std::atan(std::tan(value * radian) / factor) / radian;
+    return value;
+}
+
+} // namespace
+
+std::string zone_model_of(const Model& model, Row block) {
+    const auto& given = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])];
+    if (!given.model.empty()) return given.model;
+    const auto number = model.blocks.constitutive[block];
+    if (number >= 1 && static_cast<std::size_t>(number) <= models_of_numbers.size()) return models_of_numbers[number - 1];
+    Diagnostic d(fmt::format("constitutive number {} of block {} means no zone model", number, model.blocks.number[block]),
+                 "1 is elastic, 2 is mohr-coulomb; others have names: `zone model NAME`");
+    d.code = "zone-model-unknown";
+    throw d;
+}
+
+double value_for_material(const LawTable::Property& property, const Material& material) {
+    for (const auto& [word, value] : material_words)
+        if (stands_for(property, word)) return material.*value;
+    for (const auto* words : {&material.zone, &material.joint})
+        for (const auto& [word, value] : *words)
+            if (stands_for(property, word)) return value;
+    return property.initial;
+}
+
+void forget_zones(Model& model, Row block) {
+    const Span span = model.blocks.zones[block];
+    for (Row z = span.first; z < span.end(); ++z) model.zones.forget(z);
+}
+
+ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size(), no_row) {
+    using Key = std::tuple<std::string, std::int32_t, Row>; // equal keys have equal values
+    std::map<Key, Row> known;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        if (!model.blocks.deformable[b]) continue;
+        const Row block = static_cast<Row>(b), row = model.blocks.zone_properties[b];
+        const std::string name = zone_model_of(model, block);
+        const auto [found, is_new] = known.try_emplace(Key{name, model.blocks.material[b], row}, static_cast<Row>(laws.size()));
+        if (is_new) {
+            const ZoneModel& zone_model = models.get(name);
+            const auto& given = model.zone_properties[static_cast<std::size_t>(row)];
+            auto values = values_of(zone_model, material_of(model, model.blocks.material[b]), given);
+            check_values(model, block, zone_model, values, given);
+            const auto [bulk, shear] = zone_model.moduli(values);
+            for (std::size_t i = 0; i < values.size(); ++i)
+                values[i] = reduced(zone_model.properties[i], values[i], model.settings.strength_factor);
+            const bool averages = zone_model.flows() && model.settings.mixed_discretisation;
+            laws.push_back({&zone_model, std::move(values), {bulk - 2.0 / 3.0 * shear, 2 * shear}, averages});
+            model.zones.keep_history(zone_model.history.size());
+        }
+        law_of_[b] = found->second;
+    }
+    const Row zones = static_cast<Row>(model.zones.size());
+    for (Row z = 0; z < zones;) {
+        const Row law = law_of_[model.zones.block[z]];
+        Row last = z;
+        while (last < zones && last - z < most_zones_in_batch && law_of_[model.zones.block[last]] == law) ++last;
+        batches.push_back({z, last, static_cast<std::size_t>(law)});
+        z = last;
+    }
+}
+
+std::vector<ElasticConstants> ZoneLaws::elastic_constants() const {
+    std::vector<ElasticConstants> constants(law_of_.size());
+    for (std::size_t b = 0; b < constants.size(); ++b)
+        if (law_of_[b] != no_row) constants[b] = laws[static_cast<std::size_t>(law_of_[b])].elastic;
+    return constants;
+}
+
+bool can_be_reduced(const ZoneModel& model) {
+    return std::ranges::any_of(model.properties, [](const auto& p) { return p.reduction != KAYA_ZREDUCE_NONE; });
+}
+
+bool ZoneLaws::any_averages() const {
+    return std::ranges::any_of(laws, [](const ZoneLaw& law) { return law.averages; });
+}
+
+} // namespace kaya

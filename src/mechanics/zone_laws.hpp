@@ -1,0 +1,60 @@
+// The zone models of the blocks with the values that hold for them, and the zones in batches of one law each; derived.
+#pragma once
+
+#include "joints/zone_model.hpp"
+#include "mechanics/phases.hpp"
+#include "model/model.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+/// Zones in a batch, at most: what a law sees of them stays near the processor.
+constexpr Row most_zones_in_batch = 256;
+
+/// A zone model with values.
+struct ZoneLaw {
+    const ZoneModel* model;
+    std::vector<double> values; ///< in the order of the model's property table
+    ElasticConstants elastic;
+    bool averages; ///< volume strain and plastic change of the mean stress, over neighbours
+};
+
+/// Rows [first, last) of the zones.
+struct ZoneBatch {
+    Row first, last;
+    std::size_t law;
+};
+
+class ZoneLaws {
+public:
+    ZoneLaws() = default;
+    /// Makes room for what the laws keep. Throws Diagnostic where a block's zone model is not there, its values are missing,
+    /// beyond their limits, or do not go together.
+    ZoneLaws(Model& model, ZoneModels& models);
+
+    const ZoneLaw& of_block(Row block) const { return laws[static_cast<std::size_t>(law_of_[block])]; }
+    std::vector<ElasticConstants> elastic_constants() const; ///< by block, zero for rigid ones
+    bool any_averages() const;
+
+    std::vector<ZoneLaw> laws;
+    std::vector<ZoneBatch> batches;
+
+private:
+    std::vector<Row> law_of_; ///< by block, no_row for rigid ones
+};
+
+/// The zone model of a block: that of `zone model`, else that of its constitutive number. Throws Diagnostic for a number
+/// that means none.
+std::string zone_model_of(const Model& model, Row block);
+
+/// What a property of a zone model is for a material: as `prop mat` gave it, else its initial value.
+double value_for_material(const LawTable::Property& property, const Material& material);
+
+/// Whether Settings::strength_factor changes anything about it.
+bool can_be_reduced(const ZoneModel& model);
+
+/// A block's zones have another model: what the old one has kept goes.
+void forget_zones(Model& model, Row block);
+
+} // namespace kaya

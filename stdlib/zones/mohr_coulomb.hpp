@@ -1,0 +1,159 @@
+// The surface of Mohr and Coulomb with a tension cut-off in principal stresses, and the way back to it. The surface is made
+// of planes and elasticity is linear, so that the return is exact: Koiter (1953) for edges and corners where several planes
+// flow at once; docs/zone-models/mohr-coulomb.md has the equations, (n) below are their numbers.
+#pragma once
+
+#include "stdlib/zones/zone.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace kaya::zones {
+
+using Vector3 = std::array<double, 3>;
+
+inline double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// k s1 - s3 = q, flow m s1 - s3, and s1 <= tension: stresses are tension positive, s1 is the greatest.
+struct Strength {
+    double slope;   ///< k = (1 + sin phi)/(1 - sin phi)
+    double uniaxial; ///< q = 2 c sqrt(k)
+    double flow;    ///< m, of the dilation angle
+    double tension;
+
+    static double slope_of(double degrees) {
+        const double sine = std::sin(degrees * radians);
+        return (1 + sine) / (1 - sine);
+    }
+    /// The cut-off lies below the apex.
+    static Strength of(double cohesion, double friction, double dilation, double tension) {
+        Strength s{slope_of(friction), 0, slope_of(dilation), tension};
+        s.uniaxial = 2 * cohesion * std::sqrt(s.slope);
+        if (s.slope > 1) s.tension = std::min(tension, s.uniaxial / (s.slope - 1));
+        return s;
+    }
+    bool holds(const Vector3& s) const { return slope * s[0] - s[2] <= uniaxial && s[0] <= tension; }
+};
+
+/// What a step of flow has done.
+struct Flow {
+    Vector3 strain{};          ///< plastic, in principal axes
+    bool shear = false, tension = false;
+    double along_tension = 0;  ///< plastic strain by the cut-off
+};
+
+/// A plane of the surface: (a . s) <= r, flow along b.
+struct Plane {
+    Vector3 a, b;
+    double r;
+    bool of_tension;
+};
+
+/// The planes that meet where s1 >= s2 >= s3.
+inline std::array<Plane, 6> planes_of(const Strength& s) {
+    const double k = s.slope, m = s.flow, q = s.uniaxial, t = s.tension;
+    return {Plane{{k, 0, -1}, {m, 0, -1}, q, false}, Plane{{k, -1, 0}, {m, -1, 0}, q, false}, Plane{{0, k, -1}, {0, m, -1}, q, false},
+            Plane{{1, 0, 0}, {1, 0, 0}, t, true},    Plane{{0, 1, 0}, {0, 1, 0}, t, true},    Plane{{0, 0, 1}, {0, 0, 1}, t, true}};
+}
+
+/// Which planes flow at once: faces, edges, corners, in the order in which they are tried. Numbers are those of planes_of.
+struct ActiveSet {
+    int count;
+    int plane[3];
+};
+inline constexpr ActiveSet active_sets[] = {{1, {0}},       {1, {3}},       {2, {0, 2}},    {2, {0, 1}},    {2, {0, 3}},    {2, {3, 4}},
+                                            {3, {0, 1, 3}}, {3, {0, 3, 4}}, {3, {0, 2, 3}}, {3, {0, 2, 4}}, {3, {2, 3, 4}}, {3, {3, 4, 5}},
+                                            {3, {0, 1, 2}}};
+
+/// Solves n equations (n <= 3) by elimination with pivots; false where they are not independent.
+inline bool solve(int n, double (&m)[3][3], double (&x)[3]) {
+    for (int c = 0; c < n; ++c) {
+        int pivot = c;
+        for (int r = c + 1; r < n; ++r)
+            if (std::abs(m[r][c]) > std::abs(m[pivot][c])) pivot = r;
+        if (std::abs(m[pivot][c]) < 1e-12 * std::abs(m[0][0]) || m[pivot][c] == 0) return false;
+        for (int k = 0; k < n; ++k) std::swap(m[c][k], m[pivot][k]);
+        std::swap(x[c], x[pivot]);
+        for (int r = c + 1; r < n; ++r) {
+            const double f = m[r][c] / m[c][c];
+            for (int k = c; k < n; ++k) m[r][k] -= f * m[c][k];
+            x[r] -= f * x[c];
+        }
+    }
+    for (int c = n - 1; c >= 0; --c) {
+        for (int k = c + 1; k < n; ++k) x[c] -= m[c][k] * x[k];
+        x[c] /= m[c][c];
+    }
+    return true;
+}
+
+/// Brings principal stresses (the greatest first) back to the surface (3).
+inline Flow return_to(const Strength& strength, const Moduli& moduli, Vector3& s) {
+    Flow flow;
+    if (strength.holds(s)) return flow;
+    const auto planes = planes_of(strength);
+    const auto stress_of = [&](const Vector3& strain) {
+        const double volume = moduli.lame() * (strain[0] + strain[1] + strain[2]);
+        return Vector3{volume + 2 * moduli.shear * strain[0], volume + 2 * moduli.shear * strain[1], volume + 2 * moduli.shear * strain[2]};
+    };
+    const double size = std::max({std::abs(s[0]), std::abs(s[2]), strength.uniaxial});
+    const double outside = 1e-10 * size; // room for rounding
+    for (const auto& [count, active] : active_sets) {
+        double matrix[3][3] = {}, amount[3] = {};
+        for (int i = 0; i < count; ++i) {
+            const Plane& plane = planes[active[i]];
+            for (int j = 0; j < count; ++j) matrix[i][j] = dot(plane.a, stress_of(planes[active[j]].b));
+            amount[i] = dot(plane.a, s) - plane.r;
+        }
+        if (!solve(count, matrix, amount)) continue;
+        const double least = -1e-10 * size / moduli.shear;
+        if (std::any_of(amount, amount + count, [&](double x) { return x < least; })) continue;
+        Vector3 strain{};
+        for (int i = 0; i < count; ++i)
+            for (int k = 0; k < 3; ++k) strain[k] += std::max(amount[i], 0.0) * planes[active[i]].b[k];
+        const Vector3 back = stress_of(strain), tried{s[0] - back[0], s[1] - back[1], s[2] - back[2]};
+        if (std::any_of(planes.begin(), planes.end(), [&](const Plane& p) { return dot(p.a, tried) - p.r > outside * (1 + strength.slope); }))
+            continue;
+        s = tried;
+        flow.strain = strain;
+        for (int i = 0; i < count; ++i) {
+            const bool of_tension = planes[active[i]].of_tension;
+            (of_tension ? flow.tension : flow.shear) = true;
+            if (of_tension) flow.along_tension += std::max(amount[i], 0.0);
+        }
+        return flow;
+    }
+    // Beyond every corner: the tip.
+    const double tip = std::isfinite(strength.tension) ? strength.tension : 0;
+    const double young = 9 * moduli.bulk * moduli.shear / (3 * moduli.bulk + moduli.shear), poisson = 0.5 - young / (6 * moduli.bulk);
+    Vector3 lost{s[0] - tip, s[1] - tip, s[2] - tip};
+    const double sum = lost[0] + lost[1] + lost[2];
+    for (int k = 0; k < 3; ++k) flow.strain[k] = ((1 + poisson) * lost[k] - poisson * sum) / young;
+    flow.along_tension = std::max(0.0, flow.strain[0]);
+    flow.tension = true;
+    s = {tip, tip, tip};
+    return flow;
+}
+
+/// Bits of the state, as state_names has them: what flows now and what has flowed before.
+inline constexpr const char* states_of_flow = "shear-now tension-now shear-past tension-past";
+enum State : std::uint32_t { shear_now = 1, tension_now = 2, shear_past = 4, tension_past = 8 };
+
+inline std::uint32_t state_behind(std::uint32_t before, bool shear, bool tension) {
+    std::uint32_t state = before & (shear_past | tension_past);
+    if (before & shear_now) state |= shear_past;
+    if (before & tension_now) state |= tension_past;
+    return state | (shear ? shear_now : 0u) | (tension ? tension_now : 0u);
+}
+
+/// The measure of plastic shear strain (5): the root of the second invariant of its deviator.
+inline double shear_measure(const Vector3& strain) {
+    const double mean = (strain[0] + strain[1] + strain[2]) / 3;
+    double sum = 0;
+    for (const double e : strain) sum += (e - mean) * (e - mean);
+    return std::sqrt(0.5 * sum);
+}
+
+} // namespace kaya::zones

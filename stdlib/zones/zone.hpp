@@ -1,0 +1,64 @@
+// What the zone models that ship have in common: moduli, the elastic step, and rows of a batch.
+#pragma once
+
+#include "kaya/zmodel.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace kaya::zones {
+
+using Tensor = std::array<double, 6>;
+
+constexpr double radians = 0.017453292519943295; ///< of a degree
+
+/// Isotropic elasticity.
+struct Moduli {
+    double bulk, shear;
+
+    double lame() const { return bulk - 2.0 / 3.0 * shear; }
+    /// stress += lambda trace(strain) 1 + 2 G strain
+    void add(Tensor& stress, const Tensor& strain) const {
+        const double two_shear = 2 * shear, volume = lame() * (strain[0] + strain[1] + strain[2]);
+        for (int k = 0; k < 6; ++k) stress[k] += two_shear * strain[k];
+        for (int k = 0; k < 3; ++k) stress[k] += volume;
+    }
+};
+
+/// The first properties of every isotropic zone model.
+inline constexpr std::size_t moduli_count = 2;
+inline constexpr kaya_zproperty bulk_property{"bulk", "k", "stress", "bulk modulus", NAN, 0, INFINITY, 0, KAYA_ZREDUCE_NONE};
+inline constexpr kaya_zproperty shear_property{"shear", "g", "stress", "shear modulus", NAN, 0, INFINITY, 0, KAYA_ZREDUCE_NONE};
+
+inline void give_moduli(const double* properties, double* bulk, double* shear) {
+    *bulk = properties[0];
+    *shear = properties[1];
+}
+
+inline Tensor stress_of(const kaya_zbatch& batch, std::size_t i) {
+    Tensor t;
+    for (int k = 0; k < 6; ++k) t[k] = batch.stress[k][i];
+    return t;
+}
+
+inline Tensor strain_of(const kaya_zbatch& batch, std::size_t i) {
+    Tensor t;
+    for (int k = 0; k < 6; ++k) t[k] = batch.strain_inc[k][i];
+    return t;
+}
+
+inline void put_stress(const kaya_zbatch& batch, std::size_t i, const Tensor& t) {
+    for (int k = 0; k < 6; ++k) batch.stress[k][i] = t[k];
+}
+
+/// The descriptor of a model from its tables.
+template <std::size_t Properties, std::size_t History>
+constexpr kaya_zmodel model(const char* name, const char* title, const std::array<kaya_zproperty, Properties>& properties,
+                            const std::array<kaya_jhistory, History>& history, const char* states, bool flows,
+                            ptrdiff_t (*run)(kaya_zbatch*), const char* (*check)(const double*) = nullptr) {
+    return {KAYA_ZMODEL_INTERFACE, sizeof(kaya_zmodel), name, title, "1.0", properties.data(), Properties, history.data(),
+            History, states, flows ? 1u : 0u, run, check, give_moduli};
+}
+
+} // namespace kaya::zones

@@ -1,0 +1,11 @@
+// A zone model that was built for another interface.
+#include "stdlib/zones/zone.hpp"
+
+namespace {
+kaya_zmodel descriptor{};
+}
+
+const kaya_zmodel* kaya_zone_model(void) {
+    descriptor.interface_version = 99;
+    return &descriptor;
+}
