@@ -1,6 +1,6 @@
 #include "mechanics/overlap_patch.hpp"
 
-#include "geometry/convex_overlap.hpp"
+#include "geometry/flat_overlap.hpp"
 #include "mechanics/surfaces.hpp"
 #include "model/measure.hpp"
 
@@ -35,6 +35,8 @@ struct Workspace {
     ConvexClip clip, piece;
     std::vector<HalfSpace> of_subject, of_other;         ///< faces of the block that is clipped, and of the other one
     std::vector<HalfSpace> face_of_subject, face_of_other; ///< those that lie on each other
+    ConvexFace face1, face2;
+    FlatOverlap flat;
 };
 
 /// What closes the joint moves block 1 along the offset's direction, or block 2 against it.
@@ -137,9 +139,18 @@ double part_of_first(const Model& model, Row block1, Row block2) {
 
 namespace {
 
+/// What two blocks have in common, in coordinates about an origin of its own.
+struct CommonPart {
+    OverlapGradient volume, depth;
+    OverlapMoments moments;
+    double flatness = 0;           ///< see Flatness
+    Vec3 turned = Vec3::Zero();
+};
+
 /// Energy over stiffness of an overlap: U of the depth, or that of a joint of the least area, whichever is more, by a
 /// norm that is smooth and exact far from where they are equal. Gives minus its gradient.
-OverlapGradient energy_of(const OverlapGradient& volume, const OverlapGradient& depth, double least_area, const Flatness& flatness) {
+OverlapGradient energy_of(const CommonPart& common, double least_area) {
+    const OverlapGradient &volume = common.volume, &depth = common.depth;
     // The power is 8: it is three squarings, and its root three square roots.
     const auto eighth_power = [](double x) { return (x *= x, x *= x, x * x); };
     const auto eighth_root = [](double x) { return std::sqrt(std::sqrt(std::sqrt(x))); };
@@ -147,7 +158,7 @@ OverlapGradient energy_of(const OverlapGradient& volume, const OverlapGradient& 
     // The mean depth of a sharp corner is a sixth of how deep it is. Under a face that lies nearly flat it is a third or more,
     // and the least area must not hide how that wedge carries.
     constexpr double of_corner = 6, of_flat = 4;
-    const double closure = of_corner + flatness.value * (of_flat - of_corner);
+    const double closure = of_corner + common.flatness * (of_flat - of_corner);
     const double mean = depth.value / volume.value;
     const double joint = 0.5 * least_area * (closure * mean) * (closure * mean);
     const double larger = std::max(joint, depth.value), one = depth.value / larger, other = joint / larger;
@@ -157,7 +168,7 @@ OverlapGradient energy_of(const OverlapGradient& volume, const OverlapGradient& 
     energy.value = larger * sum;
     energy.force = (of_depth + of_joint * 2 * joint / depth.value) * depth.force - of_joint * 2 * joint / volume.value * volume.force;
     energy.moment = (of_depth + of_joint * 2 * joint / depth.value) * depth.moment - of_joint * 2 * joint / volume.value * volume.moment +
-                    of_joint * 2 * joint / closure * (of_flat - of_corner) * flatness.turned;
+                    of_joint * 2 * joint / closure * (of_flat - of_corner) * common.turned;
     return energy;
 }
 
@@ -182,49 +193,101 @@ bool between_rigid(const Model& model, Row c) {
     return !model.blocks.deformable[model.contacts.block1[c]] && !model.blocks.deformable[model.contacts.block2[c]];
 }
 
-OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset) {
-    const auto& [block1, block2, face1, face2, least_area] = pair;
-    static thread_local Workspace work; // kept for its memory
+namespace {
+
+/// Which of the two blocks is moved by the offset, and clipped.
+bool second_is_subject(const Blocks& blocks, const OverlapPair& pair) { return blocks.volume[pair.block2] < blocks.volume[pair.block1]; }
+
+void take_corners(const Model& model, const Side& side, Row face, const Vec3& origin, const ClosureOffset* offset,
+                  const Vec3& offset_origin, ConvexFace& taken) {
+    taken.corners.clear();
+    for_corners(model, face, [&](Row g) {
+        const Vec3& x = model.gridpoints.position[g];
+        taken.corners.push_back(offset ? Vec3(x + shift(side, x, *offset, offset_origin) - origin) : Vec3(x - origin));
+    });
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 1; i + 1 < taken.corners.size(); ++i)
+        sum += (taken.corners[i] - taken.corners[0]).cross(taken.corners[i + 1] - taken.corners[0]);
+    const double length = sum.norm();
+    taken.outward = length > 0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
+}
+
+/// What is known of two faces that lie flat on each other without a look at the rest of the blocks.
+enum class Flat { apart, found, not_known };
+
+/// Joints that are open in part are nearly all of them so flat that the wedge between their faces says all.
+Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, const ClosureOffset& offset, Workspace& work) {
+    constexpr double flat_enough = 5e-7; // 1 - cosine of an angle of 1e-3
+    constexpr double thin_enough = 1e-3; // closure over the size of the polygon
+    if (pair.face1 == no_row || pair.face2 == no_row) return Flat::not_known;
+    const bool shifted = offset.closure != 0 || !offset.tilt.isZero(0), second = second_is_subject(model.blocks, pair);
+    if (shifted && Flatness(model, pair).value < 1) return Flat::not_known;
+    const Vec3& offset_origin = model.blocks.centroid[pair.block1];
+    take_corners(model, {pair.block1, 1}, pair.face1, origin, shifted && !second ? &offset : nullptr, offset_origin, work.face1);
+    take_corners(model, {pair.block2, -1}, pair.face2, origin, shifted && second ? &offset : nullptr, offset_origin, work.face2);
+    if (!(1 + work.face1.outward.dot(work.face2.outward) < flat_enough)) return Flat::not_known;
+    if (!work.flat.find(work.face1, work.face2)) return work.flat.any_closed() ? Flat::not_known : Flat::apart;
+    return work.flat.deepest() <= thin_enough * std::sqrt(work.flat.area()) ? Flat::found : Flat::not_known;
+}
+
+/// Clips one block with the faces of the other. False where nothing is left, or carries.
+bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& normal, const Vec3& origin, const ClosureOffset& offset,
+                  Workspace& work, CommonPart& common) {
     work.clip.clear();
     work.of_subject.clear();
     work.of_other.clear();
-    const auto& blocks = model.blocks;
-    const Side one{block1, 1}, two{block2, -1};
-    const bool second_is_subject = blocks.volume[block2] < blocks.volume[block1];
-    const Side &subject = second_is_subject ? two : one, &other = second_is_subject ? one : two;
-    const Vec3 origin = blocks.centroid[subject.block];
-    ClosureOffset moved = offset;
-    if (moved.along.isZero(0)) moved.along = normal;
-    add_subject(model, subject, origin, moved, blocks.centroid[block1], work);
-    clip_by(model, other, origin, normal, work);
-
-    OverlapPatch patch;
-    patch.normal = normal;
-    if (work.clip.empty()) return patch;
-    const OverlapMoments moments = moments_of(work.clip);
-    if (!(moments.volume > 0)) return patch;
+    const bool second = second_is_subject(model.blocks, pair);
+    const Side one{pair.block1, 1}, two{pair.block2, -1};
+    add_subject(model, second ? two : one, origin, offset, model.blocks.centroid[pair.block1], work);
+    clip_by(model, second ? one : two, origin, normal, work);
+    if (work.clip.empty()) return false;
+    common.moments = moments_of(work.clip);
+    if (!(common.moments.volume > 0)) return false;
     const Flatness flatness(model, pair);
-    patch.lies = flatness.value > 0.5;
-    const OverlapGradient volume = volume_gradient(work.clip, moments.volume, second_is_subject);
-    const double first = part_of_first(model, block1, block2), of_subject = second_is_subject ? 1 - first : first;
+    common.flatness = flatness.value;
+    common.volume = volume_gradient(work.clip, common.moments.volume, second);
+    const double first = part_of_first(model, pair.block1, pair.block2), of_subject = second ? 1 - first : first;
     const auto depth_below = [&](const std::vector<HalfSpace>& faces_of_subject, const std::vector<HalfSpace>& faces_of_other) {
         OverlapGradient depth;
-        if (of_subject > 0) depth.add(depth_gradient(work.clip, faces_of_subject, true, second_is_subject, work.piece), of_subject);
-        if (of_subject < 1) depth.add(depth_gradient(work.clip, faces_of_other, false, second_is_subject, work.piece), 1 - of_subject);
+        if (of_subject > 0) depth.add(depth_gradient(work.clip, faces_of_subject, true, second, work.piece), of_subject);
+        if (of_subject < 1) depth.add(depth_gradient(work.clip, faces_of_other, false, second, work.piece), 1 - of_subject);
         return depth;
     };
-    OverlapGradient depth;
-    if (flatness.value < 1) depth.add(depth_below(work.of_subject, work.of_other), 1 - flatness.value);
+    if (flatness.value < 1) common.depth.add(depth_below(work.of_subject, work.of_other), 1 - flatness.value);
     if (flatness.value > 0) {
-        const double of_all = flatness.value < 1 ? depth.value / (1 - flatness.value) : 0;
-        take_face(model, second_is_subject ? face2 : face1, work.of_subject, work.face_of_subject);
-        take_face(model, second_is_subject ? face1 : face2, work.of_other, work.face_of_other);
+        const double of_all = flatness.value < 1 ? common.depth.value / (1 - flatness.value) : 0;
+        take_face(model, second ? pair.face2 : pair.face1, work.of_subject, work.face_of_subject);
+        take_face(model, second ? pair.face1 : pair.face2, work.of_other, work.face_of_other);
         const OverlapGradient of_faces = depth_below(work.face_of_subject, work.face_of_other);
-        depth.add(of_faces, flatness.value);
-        depth.moment += (of_faces.value - of_all) * flatness.turned;
+        common.depth.add(of_faces, flatness.value);
+        common.depth.moment += (of_faces.value - of_all) * flatness.turned;
     }
-    if (!(depth.value > 0)) return patch;
-    const OverlapGradient energy = energy_of(volume, depth, least_area, flatness);
+    common.turned = flatness.turned;
+    return common.depth.value > 0;
+}
+
+double area_along(const ConvexClip& clip, const Vec3& n) {
+    double area = 0;
+    for (std::size_t f = 0; f < clip.face_count(); ++f) area += 0.5 * std::abs(clip.area_vector(f).dot(n));
+    return area;
+}
+
+} // namespace
+
+OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset) {
+    static thread_local Workspace work; // kept for its memory
+    const Vec3 origin = model.blocks.centroid[second_is_subject(model.blocks, pair) ? pair.block2 : pair.block1];
+    ClosureOffset moved = offset;
+    if (moved.along.isZero(0)) moved.along = normal;
+    OverlapPatch patch;
+    patch.normal = normal;
+    CommonPart common;
+    const Flat flat = find_flat(model, pair, origin, moved, work);
+    if (flat == Flat::apart) return patch;
+    if (flat == Flat::found) common = {work.flat.volume(), work.flat.depth(), work.flat.moments(), 1, Vec3::Zero()};
+    else if (!find_by_clip(model, pair, normal, origin, moved, work, common)) return patch;
+    patch.lies = common.flatness > 0.5;
+    const OverlapGradient energy = energy_of(common, pair.least_area);
     const double force = energy.force.norm();
     if (!(force > 0)) return patch;
 
@@ -233,28 +296,27 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     patch.normal = energy.force / force;
     const Vec3& n = patch.normal;
     double low = std::numeric_limits<double>::infinity(), high = -low, extent = 0;
-    for (const Vec3& v : work.clip.vertices()) {
+    for (const Vec3& v : flat == Flat::found ? work.flat.vertices() : work.clip.vertices()) {
         low = std::min(low, n.dot(v));
         high = std::max(high, n.dot(v));
-        extent = std::max(extent, (v - moments.centroid).squaredNorm());
+        extent = std::max(extent, (v - common.moments.centroid).squaredNorm());
     }
     patch.depth = high - low;
     if (!(patch.depth > 0)) return OverlapPatch{.normal = normal};
     // Corners carry up to four joints of the least area, thin slivers some ten: far more is an overlap of rounding errors.
     constexpr double most_carried = 100;
-    double area = 0;
-    for (std::size_t f = 0; f < work.clip.face_count(); ++f) area += 0.5 * std::abs(work.clip.area_vector(f).dot(n));
-    if (force > most_carried * (area + least_area) * patch.depth) return OverlapPatch{.normal = normal};
+    const double area = flat == Flat::found ? work.flat.area() : area_along(work.clip, n);
+    if (force > most_carried * (area + pair.least_area) * patch.depth) return OverlapPatch{.normal = normal};
     // The line along which the force acts, at the height of the common part. It passes through that part, or next to it: far
     // from it is an overlap of rounding errors too.
-    const Vec3 arm = n.cross(energy.moment) / force, aside = arm - moments.centroid;
-    const double twist = energy.moment.dot(n) / force, farthest = std::sqrt(extent) + std::sqrt(least_area);
+    const Vec3 arm = n.cross(energy.moment) / force, aside = arm - common.moments.centroid;
+    const double twist = energy.moment.dot(n) / force, farthest = std::sqrt(extent) + std::sqrt(pair.least_area);
     if (std::abs(twist) > farthest || (aside - aside.dot(n) * n).norm() > farthest) return OverlapPatch{.normal = normal};
     patch.area = area;
     patch.centre = origin + arm - aside.dot(n) * n;
     patch.twist = twist;
-    patch.second = moments.second;
-    patch.longest_edge = longest_edge_across(work.clip, n);
+    patch.second = common.moments.second;
+    patch.longest_edge = flat == Flat::found ? work.flat.longest_edge() : longest_edge_across(work.clip, n);
     return patch;
 }
 
