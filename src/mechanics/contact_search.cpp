@@ -12,7 +12,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 
 namespace kaya {
 
@@ -27,6 +26,9 @@ constexpr double far_slide = 2; ///< in parts of the margin
 /// looked at depends on itself and the cycle only: an unrelated block far away does not change a bit of its motion.
 constexpr double moved_part = 0.35;
 constexpr std::int64_t look_interval = 16;
+/// A fast block is looked at with the others too: its contacts are sought as far ahead as it comes until then, but not
+/// farther than so many margins.
+constexpr double farthest_ahead = 20;
 constexpr std::size_t grain = 32;
 
 /// How far a block can come in the time until the next search at the soonest, which is a step.
@@ -37,10 +39,24 @@ double way_of_a_step(const Model& model, Row b) {
     return std::sqrt(fastest) * model.clock.time_step;
 }
 
-/// How far apart two blocks may be and still touch: a fast block's contact must be there before it arrives.
-double reach(const Model& model, const std::vector<double>& way, Row b1, Row b2) {
+/// Whether a block goes the rest of its half margin before the next look at all, with its way of a step.
+bool is_fast(const Model& model, Row b, double way) {
+    return look_interval * way > (0.5 - moved_part) * model.blocks.margin[b];
+}
+
+/// How far a block may go beyond half its margin before it is looked at again.
+double way_ahead(const Model& model, Row b, double way) {
+    return is_fast(model, b, way) ? std::min(look_interval * way, farthest_ahead * model.blocks.margin[b]) : 0;
+}
+
+/// How far a block may come beyond half its margin until it is looked at again: what was allowed for at the last look, and
+/// the step that takes it there.
+double way_beyond(const Model& model, Row b) { return 2 * way_of_a_step(model, b) - std::min(0.0, model.blocks.travelled[b]); }
+
+/// How far apart two blocks may be and still touch: a contact must be there before either arrives.
+double reach(const Model& model, const std::vector<double>& beyond, Row b1, Row b2) {
     const auto& margin = model.blocks.margin;
-    return std::min(margin[b1], margin[b2]) + 2 * (way[b1] + way[b2]);
+    return 0.5 * (margin[b1] + margin[b2]) + beyond[b1] + beyond[b2];
 }
 
 /// The widest gap across which a contact carries force, as a joint does that has dilated.
@@ -92,8 +108,11 @@ Box box_of(const Model& model, Row b, double margin) {
 
 /// Two blocks that have each gone half the margin may have met.
 bool to_be_looked_at(const Model& model, std::size_t b) {
-    const double part = model.clock.cycle % look_interval == 0 ? moved_part : 0.5;
-    return model.blocks.travelled[b] > part * model.blocks.margin[b];
+    const double margin = model.blocks.margin[b], travelled = model.blocks.travelled[b];
+    if (model.clock.cycle % look_interval != 0) return travelled > 0.5 * margin;
+    if (travelled > moved_part * margin) return true;
+    const double way = way_of_a_step(model, static_cast<Row>(b));
+    return is_fast(model, static_cast<Row>(b), way) && travelled + look_interval * way > 0.5 * margin;
 }
 
 bool apart(const Box& a, const Box& b) {
@@ -121,14 +140,14 @@ bool cornerwise(const Box& a, const Box& b, double part_a, double part_b, double
 
 /// Pairs that must be looked at and contacts that stay as they are; sorted like the contacts and the near pairs.
 std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int, 2>>& near,
-                           const std::vector<Box>& boxes, const std::vector<double>& ways, const std::vector<char>& moved) {
+                           const std::vector<Box>& boxes, const std::vector<double>& beyond, const std::vector<char>& moved) {
     const auto& contacts = model.contacts;
     const auto& margin = model.blocks.margin;
     const TiedBlocks tied(model);
     // What moves may be wider together before the next look.
     const auto beside = [&](int a, int b) {
-        const double sliver = narrowest_touch(model, a, b) - 2 * (ways[a] + ways[b]);
-        return cornerwise(boxes[a], boxes[b], margin[a] + 2 * ways[a], margin[b] + 2 * ways[b], sliver);
+        const double sliver = narrowest_touch(model, a, b) - (beyond[a] + beyond[b]);
+        return cornerwise(boxes[a], boxes[b], margin[a] + beyond[a], margin[b] + beyond[b], sliver);
     };
     std::vector<Pair> pairs;
     pairs.reserve(near.size() + contacts.size());
@@ -236,7 +255,7 @@ DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving
 }
 
 /// The drafts of those pairs that touch; their points are in `found`.
-std::vector<ContactDraft> find_touches(const Model& model, const Surfaces& surfaces, const std::vector<double>& ways,
+std::vector<ContactDraft> find_touches(const Model& model, const Surfaces& surfaces, const std::vector<double>& beyond,
                                        const std::vector<Pair>& pairs, bool moving, std::vector<FoundTouches>& found) {
     found.resize(std::max(found.size(), (pairs.size() + grain - 1) / grain)); // those that are there keep their memory
     for (auto& part : found) part.clear();
@@ -249,7 +268,7 @@ std::vector<ContactDraft> find_touches(const Model& model, const Surfaces& surfa
                 continue;
             }
             TouchGeometry touch{{}, TouchPoints(part.points)};
-            if (!find_kept_touch(model, surfaces, block1, block2, old, reach(model, ways, block1, block2), touch)) {
+            if (!find_kept_touch(model, surfaces, block1, block2, old, reach(model, beyond, block1, block2), touch)) {
                 touch.points.clear();
                 continue;
             }
@@ -266,6 +285,16 @@ std::vector<ContactDraft> find_touches(const Model& model, const Surfaces& surfa
     drafts.reserve(count);
     for (const auto& part : found) drafts.insert(drafts.end(), part.drafts.begin(), part.drafts.end());
     return drafts;
+}
+
+/// The blocks of the pairs that are looked at, each once and in order.
+std::vector<Row> looked_at(const std::vector<Pair>& pairs) {
+    std::vector<Row> blocks;
+    for (const auto& pair : pairs)
+        if (pair.to_be_looked_at) blocks.insert(blocks.end(), {pair.block1, pair.block2});
+    std::sort(blocks.begin(), blocks.end());
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    return blocks;
 }
 
 /// The contacts that have not slid join those that have, which are as in `drafts` or have parted.
@@ -305,22 +334,21 @@ bool ContactSearch::due(const Model& model) {
 
 ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool moving) {
     auto& blocks = model.blocks;
-    ways_.resize(blocks.size());
+    beyond_.resize(blocks.size());
     boxes_.resize(blocks.size());
     moved_.resize(blocks.size());
     for_chunks(blocks.size(), 8 * grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t b = first; b < last; ++b) {
-            ways_[b] = way_of_a_step(model, static_cast<Row>(b));
-            boxes_[b] = box_of(model, static_cast<Row>(b), blocks.margin[b] + 2 * ways_[b]);
+            const Row row = static_cast<Row>(b);
             moved_[b] = !moving || to_be_looked_at(model, b);
-            if (moved_[b]) blocks.travelled[b] = 0;
+            if (moved_[b]) blocks.travelled[b] = moving ? -way_ahead(model, row, way_of_a_step(model, row)) : 0;
+            beyond_[b] = way_beyond(model, row);
+            boxes_[b] = box_of(model, row, blocks.margin[b] + beyond_[b]);
         }
     });
-    const std::vector<Pair> pairs = pairs_of(model, near_.of(boxes_), boxes_, ways_, moved_);
-    wanted_.resize(blocks.size());
-    std::iota(wanted_.begin(), wanted_.end(), Row{0});
-    surfaces_.update(model, wanted_);
-    return replace_contacts(model, joints, find_touches(model, surfaces_, ways_, pairs, moving, found_), moving);
+    const std::vector<Pair> pairs = pairs_of(model, near_.of(boxes_), boxes_, beyond_, moved_);
+    surfaces_.update(model, looked_at(pairs));
+    return replace_contacts(model, joints, find_touches(model, surfaces_, beyond_, pairs, moving, found_), moving);
 }
 
 ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
@@ -339,19 +367,14 @@ ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
             if (contacts.kind[c] == ContactKind::joint && slid(c)) contacts.slid[c] = way_slid(model, static_cast<Row>(c));
     });
     std::vector<Pair> pairs;
-    wanted_.clear();
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        if (!slid(c)) continue;
-        pairs.push_back({contacts.block1[c], contacts.block2[c], static_cast<Row>(c)});
-        wanted_.insert(wanted_.end(), {contacts.block1[c], contacts.block2[c]});
-    }
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+        if (slid(c)) pairs.push_back({contacts.block1[c], contacts.block2[c], static_cast<Row>(c)});
     if (pairs.empty()) return ContactChange::none;
-    std::sort(wanted_.begin(), wanted_.end());
-    wanted_.erase(std::unique(wanted_.begin(), wanted_.end()), wanted_.end());
-    ways_.resize(model.blocks.size());
-    for (const Row b : wanted_) ways_[b] = way_of_a_step(model, b);
-    surfaces_.update(model, wanted_);
-    std::vector<ContactDraft> drafts = find_touches(model, surfaces_, ways_, pairs, true, found_);
+    const std::vector<Row> wanted = looked_at(pairs);
+    beyond_.resize(model.blocks.size());
+    for (const Row b : wanted) beyond_[b] = way_beyond(model, b);
+    surfaces_.update(model, wanted);
+    std::vector<ContactDraft> drafts = find_touches(model, surfaces_, beyond_, pairs, true, found_);
     if (drafts.size() == pairs.size() && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
     return replace_contacts(model, joints, with_the_others(model, std::move(drafts), slid), true);
 }

@@ -37,10 +37,9 @@ private:
     NearPairs near_;
     Surfaces surfaces_;
     std::vector<Box> boxes_;
-    std::vector<double> ways_;
+    std::vector<double> beyond_; ///< how far each block may come beyond half its margin, see way_beyond
     std::vector<char> moved_;
     std::vector<FoundTouches> found_;
-    std::vector<Row> wanted_; ///< blocks whose surfaces are looked at
 };
 
 } // namespace kaya
