@@ -9,22 +9,70 @@ namespace kaya {
 
 namespace {
 
-/// Calls visit(mass, inertial mass, resistance, row) for every rigid block and then for every gridpoint of a deformable
-/// one that has mass; the row is that of a rigid block, or no_row.
+/// A rigid block or a gridpoint of a deformable one.
+struct Body {
+    double mass; ///< the true one
+    double& inertial;
+    unsigned fixed;
+    const Vec3& force; ///< of joints and zones
+    Vec3& velocity;
+    const Vec3* moment; ///< of a rigid block, as the next two
+    Vec3* spin;
+    Vec3* momentum; ///< angular
+};
+
+/// Calls visit(body, resistance) for every rigid block and then for every gridpoint of a deformable one that has mass.
 template <class Visit> void each_body(Model& model, const BodyStiffness& stiffness, Visit&& visit) {
     auto& blocks = model.blocks;
     for (std::size_t b = 0; b < blocks.size(); ++b)
         if (!blocks.deformable[b] && blocks.mass[b] > 0)
-            visit(blocks.mass[b], blocks.inertial_mass[b], stiffness.of_block[b], static_cast<Row>(b));
+            visit(Body{blocks.mass[b], blocks.inertial_mass[b], blocks.fixed[b], blocks.force[b], blocks.velocity[b], &blocks.moment[b],
+                       &blocks.rotational_velocity[b], &blocks.angular_momentum[b]},
+                  stiffness.of_block[b]);
     auto& points = model.gridpoints;
     for (std::size_t g = 0; g < points.size(); ++g)
-        if (points.mass[g] > 0) visit(points.mass[g], points.inertial_mass[g], stiffness.of_gridpoint[g], no_row);
+        if (points.mass[g] > 0)
+            visit(Body{points.mass[g], points.inertial_mass[g], points.fixed[g], points.force[g], points.velocity[g], nullptr, nullptr, nullptr},
+                  stiffness.of_gridpoint[g]);
 }
 
-/// The velocity of a body stays, so that its angular momentum follows its inertia.
-void give(Model& model, double& inertial, double value, Row block) {
-    if (block != no_row) model.blocks.angular_momentum[block] *= value / inertial;
-    inertial = value;
+/// What other masses change: kinetic energy, and the power of the forces of joints and zones.
+struct Change {
+    double kinetic = 0, power = 0;
+};
+
+/// Another mass makes no kinetic energy: a body that gets heavier keeps its momentum, and one that gets lighter its velocity.
+/// Otherwise a block that rattles would gain each time: it gets lighter while springs push it, and heavier while it flies.
+/// Velocities that are held stay.
+void give(const Body& body, double value, Change& change) {
+    const double before = body.inertial, ratio = value / before, slower = std::min(1.0, 1 / ratio);
+    body.inertial = value;
+    for (int k = 0; k < 3; ++k) {
+        if (body.fixed & (fix_x << k)) continue;
+        double& v = body.velocity[k];
+        const double old = v;
+        v *= slower;
+        change.kinetic += 0.5 * (value * v * v - before * old * old);
+        change.power += body.force[k] * (v - old);
+    }
+    if (!body.spin) return;
+    if (body.fixed & (fix_rx | fix_ry | fix_rz)) {
+        *body.momentum *= ratio;
+        return;
+    }
+    const Vec3 spin = *body.spin, momentum = *body.momentum;
+    *body.spin *= slower;
+    *body.momentum *= ratio * slower;
+    change.kinetic += 0.5 * (body.spin->dot(*body.momentum) - spin.dot(momentum));
+    change.power += body.moment->dot(*body.spin - spin);
+}
+
+/// The account calls it damped.
+void book(Model& model, const Change& change) {
+    Energy& energy = model.energy;
+    energy.kinetic += change.kinetic;
+    energy.inner_power += change.power;
+    if (model.settings.energy) energy.damped -= change.kinetic + change.power * energy.behind;
 }
 
 /// A deformable block has the inertial mass of its gridpoints.
@@ -42,7 +90,7 @@ void sum_up(Model& model) {
 constexpr double above = 1 + 1e-9;
 /// A stiffness that grows gives a little more mass than it must, so that it does not have to in the next cycle.
 constexpr double ahead = 1.1;
-/// Masses stay while they are no more than this part too large: changing them changes the kinetic energy.
+/// Masses stay while they are no more than this part too large: changing them costs kinetic energy.
 constexpr double enough = 0.8;
 
 } // namespace
@@ -65,33 +113,37 @@ void scale_masses(Model& model, const BodyStiffness& stiffness, double stable_st
         return body.acts() ? std::max(least * mass, body.needed_for(stable_step)) : mass;
     };
     bool apart = false;
-    each_body(model, stiffness, [&](double mass, double inertial, const Resistance& body, Row) {
-        const double right = wanted(mass, body);
-        apart = apart || right > above * inertial || right < enough * inertial;
+    each_body(model, stiffness, [&](const Body& body, const Resistance& resistance) {
+        const double right = wanted(body.mass, resistance);
+        apart = apart || right > above * body.inertial || right < enough * body.inertial;
     });
     if (!apart) return;
-    each_body(model, stiffness, [&](double mass, double& inertial, const Resistance& body, Row block) {
-        give(model, inertial, wanted(mass, body), block);
-    });
+    Change change;
+    each_body(model, stiffness, [&](const Body& body, const Resistance& resistance) { give(body, wanted(body.mass, resistance), change); });
+    book(model, change);
     sum_up(model);
 }
 
 void raise_masses(Model& model, const BodyStiffness& stiffness, double stable_step) {
     bool raised = false;
-    each_body(model, stiffness, [&](double, double& inertial, const Resistance& body, Row block) {
-        const double needed = body.needed_for(stable_step);
-        if (needed <= above * inertial) return;
-        give(model, inertial, ahead * needed, block);
+    Change change;
+    each_body(model, stiffness, [&](const Body& body, const Resistance& resistance) {
+        const double needed = resistance.needed_for(stable_step);
+        if (needed <= above * body.inertial) return;
+        give(body, ahead * needed, change);
         raised = true;
     });
+    book(model, change);
     if (raised) sum_up(model);
 }
 
 void restore_masses(Model& model) {
     const BodyStiffness none{std::vector<Resistance>(model.gridpoints.size()), std::vector<Resistance>(model.blocks.size())};
-    each_body(model, none, [&](double mass, double& inertial, const Resistance&, Row block) {
-        if (inertial != mass) give(model, inertial, mass, block);
+    Change change;
+    each_body(model, none, [&](const Body& body, const Resistance&) {
+        if (body.inertial != body.mass) give(body, body.mass, change);
     });
+    book(model, change);
     for (std::size_t b = 0; b < model.blocks.size(); ++b) model.blocks.inertial_mass[b] = model.blocks.mass[b];
 }
 
