@@ -25,11 +25,11 @@ Heights heights_of(const ConvexFace& face, const Vec3& origin, const Vec3& norma
 bool FlatOverlap::find(const ConvexFace& face1, const ConvexFace& face2) {
     polygon_.clear();
     vertices_.clear();
-    any_closed_ = false;
+    deepest_below_ = 0;
     if (face1.corners.size() < 3 || face2.corners.size() < 3) return false;
     project(face1, face2);
     keep_closed();
-    any_closed_ = !polygon_.empty();
+    for (const Corner& c : polygon_) deepest_below_ = std::max(deepest_below_, c.closure);
     clip_by_second();
     if (polygon_.size() < 3) return false;
     integrate();
@@ -95,12 +95,11 @@ void FlatOverlap::clip_by_second() {
 
 /// Exact integrals over the triangles of a fan, the closure being linear.
 void FlatOverlap::integrate() {
-    area_ = deepest_ = 0;
+    area_ = 0;
     double volume = 0, energy = 0;
     Eigen::Vector2d of_area = Eigen::Vector2d::Zero(), first = of_area; // integrals of x, and of closure x
     Eigen::Matrix2d second = Eigen::Matrix2d::Zero();                   // of closure x x'
     const Corner& a = polygon_[0];
-    for (const Corner& c : polygon_) deepest_ = std::max(deepest_, c.closure);
     for (std::size_t i = 1; i + 1 < polygon_.size(); ++i) {
         const Corner &b = polygon_[i], &c = polygon_[i + 1];
         const Eigen::Vector2d xb(b.u - a.u, b.v - a.v), xc(c.u - a.u, c.v - a.v), sum = xb + xc;

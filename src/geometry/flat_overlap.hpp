@@ -22,14 +22,13 @@ public:
     /// Looks at two faces that face each other. False if they have nothing in common.
     bool find(const ConvexFace& face1, const ConvexFace& face2);
 
-    /// Whether the closure is positive anywhere on the first face; that of the last find.
-    bool any_closed() const { return any_closed_; }
+    /// Greatest closure over the first face, also beyond the second; of the last find, whatever it gave.
+    double deepest_below() const { return deepest_below_; }
     /// The integrals of the closure (volume), and of half its square (the depth below one face).
     const OverlapGradient& volume() const { return volume_; }
     const OverlapGradient& depth() const { return depth_; }
     const OverlapMoments& moments() const { return moments_; }
-    double area() const { return area_; }       ///< on which the closure is positive
-    double deepest() const { return deepest_; } ///< greatest closure
+    double area() const { return area_; } ///< on which the closure is positive
     /// Corners of the wedge, those of both faces.
     const std::vector<Vec3>& vertices() const { return vertices_; }
     Vec3 longest_edge() const;
@@ -57,8 +56,7 @@ private:
     std::vector<double> above_;
     OverlapGradient volume_, depth_;
     OverlapMoments moments_;
-    double area_ = 0, deepest_ = 0;
-    bool any_closed_ = false;
+    double area_ = 0, deepest_below_ = 0;
     std::vector<Vec3> vertices_;
 };
 

@@ -218,7 +218,7 @@ enum class Flat { apart, found, not_known };
 /// Joints that are open in part are nearly all of them so flat that the wedge between their faces says all.
 Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, const ClosureOffset& offset, Workspace& work) {
     constexpr double flat_enough = 5e-7; // 1 - cosine of an angle of 1e-3
-    constexpr double thin_enough = 1e-3; // closure over the size of the polygon
+    constexpr double thin_enough = 1e-2; // greatest closure over the root of the least area: a thousandth of a face's size
     if (pair.face1 == no_row || pair.face2 == no_row) return Flat::not_known;
     const bool shifted = offset.closure != 0 || !offset.tilt.isZero(0), second = second_is_subject(model.blocks, pair);
     if (shifted && Flatness(model, pair).value < 1) return Flat::not_known;
@@ -226,8 +226,9 @@ Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, 
     take_corners(model, {pair.block1, 1}, pair.face1, origin, shifted && !second ? &offset : nullptr, offset_origin, work.face1);
     take_corners(model, {pair.block2, -1}, pair.face2, origin, shifted && second ? &offset : nullptr, offset_origin, work.face2);
     if (!(1 + work.face1.outward.dot(work.face2.outward) < flat_enough)) return Flat::not_known;
-    if (!work.flat.find(work.face1, work.face2)) return work.flat.any_closed() ? Flat::not_known : Flat::apart;
-    return work.flat.deepest() <= thin_enough * std::sqrt(work.flat.area()) ? Flat::found : Flat::not_known;
+    const bool found = work.flat.find(work.face1, work.face2);
+    if (work.flat.deepest_below() > thin_enough * std::sqrt(pair.least_area)) return Flat::not_known; // sides count too
+    return found ? Flat::found : Flat::apart;
 }
 
 /// Clips one block with the faces of the other. False where nothing is left, or carries.

@@ -99,7 +99,7 @@ TEST_P(FlatOverlaps, push_as_their_energy_changes) {
     FlatOverlap flat;
     if (!flat.find(c.one, c.two)) return;
     const OverlapGradient volume = flat.volume(), depth = flat.depth();
-    const double deepest = flat.deepest();
+    const double deepest = flat.deepest_below();
     constexpr double step = 1e-7;
     for (int k = 0; k < 6; ++k) {
         double volumes[2], depths[2];
