@@ -206,7 +206,9 @@ void turn_offset(Contacts& contacts, Row c, const RelativeMotion& motion, const 
     contacts.offset[c] += used * along.dot(contacts.position[c] - origin);
 }
 
-/// Two blocks that are apart: the middle of the corners that lie farthest along the normal, and their distance along it.
+/// Two blocks that are apart: where they will meet, and their distance along the normal. The place is a corner of the smaller
+/// block, or of blocks that are alike the one nearer to the other block's centre: a corner of a large floor that lies as high as
+/// all others may be far from what falls on it, and would give its contact an arm as long.
 struct Between {
     Vec3 place = Vec3::Zero();
     double gap = 0;
@@ -223,7 +225,15 @@ Between nearest_corners(const Model& model, Row block1, Row block2, const Vec3& 
         return best;
     };
     const auto one = farthest(block1, n), two = farthest(block2, -n);
-    return {0.5 * (x[one.second] + x[two.second]), -two.first - one.first};
+    const Vec3 &x1 = x[one.second], &x2 = x[two.second];
+    const double larger = part_of_first(model, block1, block2);
+    double first = 1 - larger; // part of the place that is x1
+    if (larger == 0.5) {
+        const double of_one = (x1 - model.blocks.centroid[block2]).squaredNorm(), of_two = (x2 - origin).squaredNorm();
+        constexpr double same = 1e-9;
+        first = of_one < (1 - same) * of_two ? 1 : of_two < (1 - same) * of_one ? 0 : 0.5;
+    }
+    return {first * x1 + (1 - first) * x2, -two.first - one.first};
 }
 
 /// How far apart two blocks are along a direction, offset included; a bound of their distance.
