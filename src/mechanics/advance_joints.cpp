@@ -130,12 +130,20 @@ void finish_contact(Model& model, Row c, JointForces& forces, JointWork& after) 
     after.add(own);
 }
 
+/// 1 over the masses of both blocks. With it the stiffness of a joint can be compared with that of the overlap that it becomes.
+double inverse_masses(const Model& model, Row c) {
+    double sum = 0;
+    for (const Row b : {model.contacts.block1[c], model.contacts.block2[c]})
+        if (model.blocks.fixed[b] != fix_all && model.blocks.inertial_mass[b] > 0) sum += 1 / model.blocks.inertial_mass[b];
+    return sum;
+}
+
 /// A stiffness that grows by no more than this part in a cycle waits for the next look at all bodies.
 constexpr double slow_growth = 0.02;
 
 /// Marks a contact that is much stiffer than it was, or whose places have moved away from the centres of its blocks.
 void note_stiffness(const Model& model, Row c, JointForces& forces) {
-    const double sum = follows_overlap(model, c) ? stiffness_over_mass(model, c) : sum_of_stiffness(model, c);
+    const double sum = follows_overlap(model, c) ? stiffness_over_mass(model, c) : sum_of_stiffness(model, c) * inverse_masses(model, c);
     if (sum > (1 + slow_growth) * forces.stiffness[c]) forces.stiffness_changed[c] = 1;
     forces.stiffness[c] = sum;
 }
