@@ -95,7 +95,8 @@ void FlatOverlap::clip_by_second() {
 
 /// Exact integrals over the triangles of a fan, the closure being linear.
 void FlatOverlap::integrate() {
-    area_ = 0;
+    area_ = deepest_ = 0;
+    for (const Corner& c : polygon_) deepest_ = std::max(deepest_, c.closure);
     double volume = 0, energy = 0;
     Eigen::Vector2d of_area = Eigen::Vector2d::Zero(), first = of_area; // integrals of x, and of closure x
     Eigen::Matrix2d second = Eigen::Matrix2d::Zero();                   // of closure x x'

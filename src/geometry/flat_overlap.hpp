@@ -28,7 +28,8 @@ public:
     const OverlapGradient& volume() const { return volume_; }
     const OverlapGradient& depth() const { return depth_; }
     const OverlapMoments& moments() const { return moments_; }
-    double area() const { return area_; } ///< on which the closure is positive
+    double area() const { return area_; }       ///< on which the closure is positive
+    double deepest() const { return deepest_; } ///< greatest closure there
     /// Corners of the wedge, those of both faces.
     const std::vector<Vec3>& vertices() const { return vertices_; }
     Vec3 longest_edge() const;
@@ -56,7 +57,7 @@ private:
     std::vector<double> above_;
     OverlapGradient volume_, depth_;
     OverlapMoments moments_;
-    double area_ = 0, deepest_below_ = 0;
+    double area_ = 0, deepest_ = 0, deepest_below_ = 0;
     std::vector<Vec3> vertices_;
 };
 

@@ -12,12 +12,19 @@
 namespace kaya {
 
 bool is_partly_open(const Model& model, Row c) {
+    // Closures in margins: below the first a force has the sign of rounding errors, below the second they would say how a
+    // joint is closed.
+    constexpr double none = 1e-9, some = 1e-6;
     const auto& subs = model.sub_contacts;
-    const Span span = model.contacts.sub_contacts[c];
+    const auto& contacts = model.contacts;
+    const double margin = std::min(model.blocks.margin[contacts.block1[c]], model.blocks.margin[contacts.block2[c]]);
+    const Span span = contacts.sub_contacts[c];
     bool open = false, closed = false;
     for (Row s = span.first; s < span.end(); ++s) {
-        if (subs.normal_force[s] < 0) return false;
-        (subs.normal_force[s] > 0 ? closed : open) = true;
+        const double force = subs.normal_force[s], of_margin = subs.normal_stiffness[s] * subs.area[s] * margin;
+        if (force < -none * of_margin) return false;
+        open = open || force <= none * of_margin;
+        closed = closed || force > some * of_margin;
     }
     return open && closed;
 }
@@ -209,6 +216,12 @@ double follow_overlap(Model& model, Row c) {
         contacts.position[c] = patch.centre;
     }
     const Vec3 n = contacts.normal[c], shear = closures.shear - closures.shear.dot(n) * n;
+    double dashpots = 0; // those that the joint had act on the carriers, which stand in other places than its rows
+    Vec3 shear_dashpots = Vec3::Zero();
+    for (Row s = span.first; s < span.end(); ++s) {
+        dashpots += subs.dashpot_normal[s];
+        shear_dashpots += Vec3(subs.dashpot_shear[s]);
+    }
     // The rows that carry nothing have the area of the open part, and a history that says that they are open.
     const double open_area = std::max(0.0, closures.area - contacts.area[c]) / std::max<Row>(1, span.count - carriers);
     const Row source_open = closures.open == no_row ? closures.most : closures.open;
@@ -222,6 +235,8 @@ double follow_overlap(Model& model, Row c) {
         subs.shear_force.set(s, carries && closed ? Vec3(shear / carriers) : Vec3(Vec3::Zero()));
         if (carries) subs.normal_displacement[s] = closed ? -patch.depth : std::max(0.0, of_carrier.displacement);
         subs.position.set(s, carries ? places[k] : contacts.position[c]);
+        subs.dashpot_normal[s] = carries ? dashpots / carriers : 0;
+        subs.dashpot_shear.set(s, carries ? Vec3(shear_dashpots / carriers) : Vec3(Vec3::Zero()));
     }
     return stored - ContactLoad(model, c).stored();
 }

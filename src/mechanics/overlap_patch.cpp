@@ -302,7 +302,8 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
         high = std::max(high, n.dot(v));
         extent = std::max(extent, (v - common.moments.centroid).squaredNorm());
     }
-    patch.depth = high - low;
+    // Between flat faces the direction of the force may lean by the closure over their size, and their wedge is as thin.
+    patch.depth = flat == Flat::found ? work.flat.deepest() : high - low;
     if (!(patch.depth > 0)) return OverlapPatch{.normal = normal};
     // Corners carry up to four joints of the least area, thin slivers some ten: far more is an overlap of rounding errors.
     constexpr double most_carried = 100;
@@ -326,9 +327,9 @@ OverlapPair pair_of(const Contacts& contacts, Row c) {
 }
 
 double rung_above(double area, double least) {
-    constexpr double per_octave = 4;
-    if (!(area > least)) return least;
-    return least * std::exp2(std::ceil(per_octave * std::log2(area / least)) / per_octave);
+    constexpr double per_octave = 4, same = 1e-9; // an area that is a rung but for rounding is that rung
+    if (!(area > (1 + same) * least)) return least;
+    return least * std::exp2(std::ceil(per_octave * std::log2(area / least) - same) / per_octave);
 }
 
 Vec3 axis_in_plane(const Vec3& axis, const Vec3& wanted, const Vec3& normal) {
