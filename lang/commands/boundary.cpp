@@ -238,7 +238,7 @@ CommandSpec table() {
 
 CommandSpec water() {
     Entry<WaterCommand> entry({"water"});
-    entry.help("water pressure in the joints: below a table, or linear in space");
+    entry.help("water pressure in joints and zones: below a table, or linear in space");
     entry.place(&WaterCommand::place);
     const auto origin = vector("x y z").unit("length");
     entry.special({"table"}, {origin.spec},

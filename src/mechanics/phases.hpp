@@ -138,15 +138,6 @@ void move_contact(Model& model, Row contact, JointWork& work);
 /// of the three history variables of each. Only where strain is large; call it after move_contact.
 void turn_kept_vectors(Model& model, Row contact, const std::vector<std::size_t>& vectors);
 
-/// A pressure that is linear in space.
-struct LinearPressure {
-    double at_origin = 0;
-    Vec3 gradient = Vec3::Zero();
-};
-
-/// What the settings say, below the water table; above it the formula goes negative.
-LinearPressure water_pressure(const Settings& settings);
-
 /// Writes SubContacts::pore_pressure where water acts, at the places where the sub-contacts are now.
 void put_water(Model& model);
 

@@ -3,6 +3,7 @@
 #include "mechanics/phases.hpp"
 #include "mechanics/zone_laws.hpp"
 #include "model/measure.hpp"
+#include "model/water.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -103,12 +104,6 @@ Deformation deformation_of(const Model& model, std::size_t z) {
     return d;
 }
 
-double pore_pressure_of(const Model& model, std::size_t z) {
-    double sum = 0;
-    for (const Row g : model.zones.gridpoints[z]) sum += model.gridpoints.pore_pressure[g];
-    return 0.25 * sum;
-}
-
 /// Means of a quantity over neighbours, by volume: over the cell of a zone where its block has cells, else over the zones at
 /// each gridpoint and back. Zones of other blocks and of other materials do not count.
 template <class Put> void average(const Model& model, const Adjacency& adjacency, ZoneScratch& scratch, const ZoneLaws& laws,
@@ -169,13 +164,14 @@ ZoneSums run_batch(Model& model, const ZoneBatch& rows, const ZoneLaw& law, Zone
     auto& zones = model.zones;
     const double damping = stiffness_damping(model.settings) / model.clock.time_step;
     Columns columns(model, rows, law);
+    const WaterPressure water(model);
     const std::size_t n = columns.batch.n;
     constexpr int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t z = static_cast<std::size_t>(rows.first) + i;
         const Deformation d = deformation_of(model, z);
         columns.volume[i] = d.volume;
-        columns.pressure[i] = pore_pressure_of(model, z);
+        columns.pressure[i] = water.of_zone(static_cast<Row>(z));
         columns.volume_strain[i] = d.strain.trace();
         const double more = law.averages ? (scratch.mean_strain[z] - columns.volume_strain[i]) / 3 : 0;
         for (int k = 0; k < 6; ++k) {

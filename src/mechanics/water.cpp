@@ -1,21 +1,11 @@
 // Water pressure in joints: docs/theory/loads.md.
 #include "base/reduce.hpp"
 #include "mechanics/phases.hpp"
+#include "model/water.hpp"
 
 #include <algorithm>
 
 namespace kaya {
-
-LinearPressure water_pressure(const Settings& settings) {
-    if (settings.water == Water::field) return {settings.water_value, settings.water_direction};
-    const double g = settings.gravity.norm();
-    const Vec3& normal = settings.water_direction;
-    // The depth is measured along gravity, from the plane of the table down.
-    const double slope = g > 0 ? -normal.dot(settings.gravity) / g : 0;
-    if (slope <= 0) return {};
-    const Vec3 gradient = -settings.water_value * g / slope * normal;
-    return {-gradient.dot(settings.water_origin), gradient};
-}
 
 namespace {
 
@@ -40,11 +30,11 @@ void put_water(Model& model) {
         });
         return;
     }
-    const LinearPressure pressure = water_pressure(model.settings);
+    const WaterPressure water(model);
     auto& s = model.sub_contacts;
     for_chunks(s.size(), 4096, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
-            s.pore_pressure[i] = std::max(0.0, pressure.at_origin + pressure.gradient.dot(s.position[i]));
+            s.pore_pressure[i] = water.at(s.position[i]);
     });
 }
 

@@ -1,6 +1,7 @@
 // Quantities of zones. Stress: compression negative.
 #include "model/field_rows.hpp"
 #include "model/measure.hpp"
+#include "model/water.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -22,11 +23,7 @@ const Material& material_of(const Model& model, Row zone) {
 std::int64_t material(const Model& model, Row zone) { return model.blocks.material[model.zones.block[zone]]; }
 double mass(const Model& model, Row zone) { return material_of(model, zone).density * model.zones.volume[zone]; }
 double bulk(const Model& model, Row zone) { return material_of(model, zone).bulk; }
-double pore_pressure(const Model& model, Row zone) {
-    double sum = 0;
-    for (const Row g : model.zones.gridpoints[zone]) sum += model.gridpoints.pore_pressure[g];
-    return 0.25 * sum;
-}
+double pore_pressure(const Model& model, Row zone) { return WaterPressure(model).of_zone(zone); }
 /// The symmetric part of the gradient of displacements or velocities, with the corners where they were when the zones were
 /// made.
 Mat3 strain_of(const Model& model, Row zone, const Column<Vec3>& motion) {
@@ -97,7 +94,7 @@ const Fields& zone_fields() {
          write<rows_of, &Zones::stress, 4>},
         {table, "yz_stress", "z_syz", "syz", "stress", "yz stress", read<rows_of, &Zones::stress, 5>,
          write<rows_of, &Zones::stress, 5>},
-        {table, "pore_pressure", "z_pp", "pp", "stress", "mean pore pressure of its gridpoints", call<pore_pressure>,
+        {table, "pore_pressure", "z_pp", "pp", "stress", "mean water pressure at its gridpoints", call<pore_pressure>,
          nullptr},
         {table, "volumetric_strain", "z_vsi", "", "-", "volumetric strain by the displacements of its gridpoints",
          call<volumetric_strain>, nullptr},

@@ -1,0 +1,25 @@
+// Water pressure in joints and zones: docs/theory/loads.md, "Water".
+#pragma once
+
+#include "model/model.hpp"
+
+namespace kaya {
+
+/// Where the settings say that water is, and how it presses; compression positive, never below 0.
+class WaterPressure {
+public:
+    explicit WaterPressure(const Model& model);
+
+    /// Below a table, or of a field; not where gridpoints have it.
+    double at(const Vec3& place) const;
+    double at_gridpoint(Row gridpoint) const;
+    /// Mean of the zone's gridpoints.
+    double of_zone(Row zone) const;
+
+private:
+    const Model& model_;
+    double at_origin_ = 0; ///< linear in space, but for what would be negative
+    Vec3 gradient_ = Vec3::Zero();
+};
+
+} // namespace kaya
