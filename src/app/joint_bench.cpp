@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 struct Order {
     BenchOrder bench;
     std::vector<std::string> settings; ///< word=value
-    std::string fitted;                ///< words with commas between
+    std::string fitted, offsets = "opening"; ///< words with commas between
     bool strict = false, no_picture = false;
 };
 
@@ -57,12 +57,13 @@ std::string draw(const fs::path& script) {
 int carry_out(Order& order, const std::vector<fs::path>& folders) {
     for (const auto& text : order.settings) order.bench.values.push_back(setting_of(text));
     order.bench.fitted = words_of(order.fitted);
+    order.bench.offsets = words_of(order.offsets);
     JointRegistry registry;
     registry.set_path(folders);
     understand_lua_models(registry);
     const auto report = run_bench(registry, order.bench);
     fmt::print("{}{}\n", report.text, order.no_picture ? "" : draw(report.figure));
-    return order.strict && report.odd ? static_cast<int>(Fault::run) : 0;
+    return report.doubtful || (order.strict && report.odd) ? static_cast<int>(Fault::run) : 0;
 }
 
 } // namespace
@@ -89,6 +90,9 @@ void add_joint_bench(CLI::App& app, const std::function<std::vector<fs::path>()>
     testing->add_flag("--strict", test->strict, "exit with 2 when something odd was found");
     const auto [fitting, fit] = add("jfit", "fit properties of a joint model to a curve that was measured");
     fitting->add_option("--fit", fit->fitted, "the properties, with commas between")->required();
+    fitting->add_option("--offset", fit->offsets, "measured columns whose zero is not known, with commas between; none: \"\"")
+        ->default_str("opening");
+    fit->bench.settings.steps = 0; // as many as the result needs
 }
 
 } // namespace kaya

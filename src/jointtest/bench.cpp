@@ -72,15 +72,6 @@ std::string report_of(const JointCurve& curve) {
     return text;
 }
 
-std::string fit_text(const CurveFit& fit) {
-    std::string text = fmt::format("  {:<18}{:.3g} before, {:.3g} after (root of the mean square, part of the largest value)\n",
-                                   "misfit", fit.misfit_before, fit.misfit);
-    for (const auto& p : fit.properties)
-        text += fmt::format("  {:<18}{:.6g}{}\n", p.name, p.value,
-                            std::isnan(p.deviation) ? ", which the curve does not tell" : fmt::format(" ± {:.2g}", p.deviation));
-    return text;
-}
-
 } // namespace
 
 BenchReport run_bench(JointRegistry& registry, const BenchOrder& order) {
@@ -94,8 +85,9 @@ BenchReport run_bench(JointRegistry& registry, const BenchOrder& order) {
     if (order.fitted.empty()) {
         curve = follow_path(model, values, path, order.settings);
     } else {
-        CurveFit fit = fit_curve(model, values, order.fitted, path, order.settings);
+        CurveFit fit = fit_curve(model, values, order.fitted, path, {order.settings, order.offsets});
         heading += fit_text(fit);
+        report.doubtful = !fit.search.doubt.empty();
         curve = std::move(fit.curve);
     }
     fs::path stem = order.output;

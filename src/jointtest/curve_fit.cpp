@@ -1,6 +1,7 @@
 #include "jointtest/curve_fit.hpp"
 
 #include "base/diagnostic.hpp"
+#include "jointtest/fit_residuals.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -9,186 +10,293 @@
 #include <fmt/ranges.h>
 #include <limits>
 #include <unsupported/Eigen/NonLinearOptimization>
-#include <unsupported/Eigen/NumericalDiff>
 
 namespace kaya {
 
 namespace {
 
-/// A property between its limits as a free number, after MINUIT: a sine between two limits, a hyperbola beside one.
-class FreeNumber {
-public:
-    FreeNumber(const JointModel::Property& p, double start)
-        : low_(p.minimum), high_(p.maximum), scale_(std::abs(start) > 0 ? std::abs(start) : 1) {}
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-    double value(double t) const {
-        if (std::isfinite(low_) && std::isfinite(high_)) return low_ + 0.5 * (high_ - low_) * (std::sin(t) + 1);
-        if (std::isfinite(low_)) return low_ + scale_ * (std::sqrt(t * t + 1) - 1);
-        if (std::isfinite(high_)) return high_ - scale_ * (std::sqrt(t * t + 1) - 1);
-        return scale_ * t;
-    }
-
-    double number(double value) const {
-        if (std::isfinite(low_) && std::isfinite(high_)) return std::asin(2 * (value - low_) / (high_ - low_) - 1);
-        const auto root = [&](double above) { return std::sqrt(std::max(0.0, (above + 1) * (above + 1) - 1)); };
-        if (std::isfinite(low_)) return root((value - low_) / scale_);
-        if (std::isfinite(high_)) return root((high_ - value) / scale_);
-        return value / scale_;
-    }
-
-private:
-    double low_, high_, scale_;
+struct Minimum {
+    Eigen::VectorXd t;
+    double squares;
+    bool converged;
 };
 
-/// One measured column: its values at the points of the path.
-struct Measured {
-    std::vector<double> values;
-    double (*of)(const CurvePoint&);
-    bool from_start; ///< counted from the first point, as a laboratory does
-    double scale;
-};
-
-std::vector<Measured> measured_of(const LoadPath& path) {
-    struct Known {
-        const char* name;
-        double (*of)(const CurvePoint&);
-        bool given_by_path, from_start;
-    };
-    const bool by_stress = path.points.front().stress.has_value();
-    const Known known[] = {
-        {"shear_stress", [](const CurvePoint& p) { return p.resistance[0]; }, false, false},
-        {"shear_stress_y", [](const CurvePoint& p) { return p.resistance[1]; }, false, false},
-        {"opening", [](const CurvePoint& p) { return p.opening; }, !by_stress, true},
-        {"measured_normal_stress", [](const CurvePoint& p) { return p.normal_stress; }, false, false},
-    };
-    std::vector<Measured> all;
-    for (const auto& k : known) {
-        const auto column = path.table.find(k.name);
-        if (!column || k.given_by_path) continue;
-        auto values = path.table.columns[*column];
-        const double start = k.from_start ? values.front() : 0;
-        double largest = 0;
-        for (double& v : values) largest = std::max(largest, std::abs(v -= start));
-        if (largest > 0) all.push_back({std::move(values), k.of, k.from_start, largest});
-    }
-    if (all.empty())
-        throw Diagnostic("the file has no measured column",
-                         "add shear_stress, opening (for a path of normal_stress) or measured_normal_stress");
-    return all;
+Minimum go_down(Residuals& residuals, Eigen::VectorXd t, double tolerance) {
+    Eigen::LevenbergMarquardt<Residuals> minimiser(residuals);
+    minimiser.parameters.maxfev = 600;
+    minimiser.parameters.ftol = minimiser.parameters.xtol = tolerance;
+    const auto status = minimiser.minimize(t);
+    using namespace Eigen::LevenbergMarquardtSpace;
+    return {t, residuals.sum_of_squares(t),
+            status != TooManyFunctionEvaluation && status != ImproperInputParameters};
 }
 
-/// Residuals over free numbers, in the form that Eigen's minimiser asks for.
-struct Residuals {
-    using Scalar = double;
-    using InputType = Eigen::VectorXd;
-    using ValueType = Eigen::VectorXd;
-    using JacobianType = Eigen::MatrixXd;
-    enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+/// Evenly spread numbers between 0 and 1, the same in every run (Halton).
+double halton(std::size_t index, std::size_t dimension) {
+    constexpr std::size_t primes[] = {2, 3, 5, 7, 11, 13, 17, 19};
+    const std::size_t prime = primes[dimension % std::size(primes)];
+    double part = 1, sum = 0;
+    for (; index > 0; index /= prime)
+        sum += (part /= static_cast<double>(prime)) * static_cast<double>(index % prime);
+    return sum;
+}
 
-    const JointModel& model;
-    const LoadPath& path;
-    CurveSettings settings;
-    std::vector<Measured> measured;
-    std::vector<double> base;
-    std::vector<std::size_t> which;
-    std::vector<FreeNumber> free;
-
-    int inputs() const { return static_cast<int>(which.size()); }
-    int values() const { return static_cast<int>(measured.size() * path.points.size()); }
-
-    std::vector<double> values_at(const Eigen::VectorXd& t) const {
-        auto values = base;
-        for (std::size_t k = 0; k < which.size(); ++k) values[which[k]] = free[k].value(t[static_cast<Eigen::Index>(k)]);
-        return values;
-    }
-
-    int operator()(const Eigen::VectorXd& t, Eigen::VectorXd& residuals) const {
-        const auto values_here = values_at(t);
-        if (!model.check(values_here).empty()) {
-            residuals.setConstant(1e3); // values that cannot work together are far from any curve
-            return 0;
-        }
-        const JointCurve curve = follow_path(model, values_here, path, settings);
-        Eigen::Index row = 0;
-        for (const auto& m : measured) {
-            const double start = m.from_start ? m.of(curve.points.front()) : 0;
-            for (std::size_t i = 0; i < curve.at_path.size(); ++i)
-                residuals[row++] = (m.of(curve.points[curve.at_path[i]]) - start - m.values[i]) / m.scale;
-        }
-        return 0;
-    }
-};
-
-double misfit_of(const Residuals& residuals, const Eigen::VectorXd& t) {
+/// Places to go down from: that of the values given, and the best of many others.
+std::vector<Eigen::VectorXd> places_to_start(const Residuals& residuals, const Eigen::VectorXd& given,
+                                             std::size_t most) {
+    constexpr std::size_t candidates = 40;
+    std::vector<std::pair<double, Eigen::VectorXd>> tried;
     Eigen::VectorXd r(residuals.values());
-    residuals(t, r);
-    return std::sqrt(r.squaredNorm() / static_cast<double>(r.size()));
+    for (std::size_t c = 1; most > 1 && c <= candidates; ++c) {
+        Eigen::VectorXd t = given;
+        for (std::size_t k = 0; k < residuals.free.size(); ++k)
+            t[static_cast<Eigen::Index>(k)] =
+                residuals.free[k].number(residuals.free[k].spread(halton(c, k)));
+        if (residuals.evaluate(t, r)) tried.emplace_back(r.squaredNorm(), t);
+    }
+    std::stable_sort(tried.begin(), tried.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Eigen::VectorXd> places{given};
+    for (std::size_t k = 0; k < tried.size() && places.size() < most; ++k) places.push_back(tried[k].second);
+    return places;
+}
+
+/// From all places to the lowest minimum; says how many came there.
+Minimum search(Residuals& residuals, const Eigen::VectorXd& given, std::size_t most, FitSearch& said) {
+    std::vector<Minimum> found;
+    for (const auto& t : places_to_start(residuals, given, most))
+        found.push_back(go_down(residuals, t, 1e-6));
+    const auto best = *std::min_element(
+        found.begin(), found.end(), [](const Minimum& a, const Minimum& b) { return a.squares < b.squares; });
+    // A thousandth of the sum is below what noise tells apart; 1e-4 of the largest value is an exact fit.
+    const double same = 1.001 * best.squares + 1e-8 * residuals.values();
+    double next = std::numeric_limits<double>::infinity();
+    said.starts = found.size();
+    for (const auto& minimum : found)
+        minimum.squares <= same ? void(++said.agreed) : void(next = std::min(next, minimum.squares));
+    if (std::isfinite(next)) said.next_misfit = std::sqrt(next / residuals.values());
+    said.first_was_false = found.front().squares > same;
+    return best;
+}
+
+/// What is left of each column decides on its weight; a column without noise must not take all of it.
+bool weigh_by_noise(Residuals& residuals, const Minimum& at) {
+    const JointCurve curve =
+        follow_path(residuals.model, residuals.values_at(at.t), residuals.path, residuals.settings);
+    const double share = residuals.freedom() / static_cast<double>(residuals.values());
+    bool changed = false;
+    for (auto& m : residuals.measured) {
+        double squares = 0;
+        for (const double v : residuals.left_of(m, curve).values) squares += v * v;
+        const double count = std::max(1.0, share * static_cast<double>(m.values.size()));
+        const double scale = std::max(std::sqrt(squares / count), 1e-6 * m.largest);
+        changed |= std::abs(scale / m.scale - 1) > 0.01;
+        m.scale = scale;
+    }
+    return changed;
+}
+
+void settle_weights(Residuals& residuals, Minimum& minimum) {
+    constexpr int most_rounds = 10;
+    for (int round = 0; round < most_rounds && residuals.freedom() > 0 && weigh_by_noise(residuals, minimum);
+         ++round)
+        if (residuals.measured.size() > 1) minimum = go_down(residuals, minimum.t, 1e-10);
+}
+
+/// The search takes few steps of the path. What many would change is a correction that hardly depends on the
+/// values: it is found again until it moves by less than a tenth of a standard error.
+void correct_for_steps(Residuals& residuals, Minimum& minimum, const CurveSettings& many) {
+    constexpr int most_rounds = 8;
+    for (int round = 0; round < most_rounds && residuals.correct_steps(minimum.t, many) > 0.1; ++round) {
+        minimum = go_down(residuals, minimum.t, 1e-10);
+        settle_weights(residuals, minimum);
+    }
+}
+
+/// Student's t for 95 %: the expansion in the degrees of freedom (Abramowitz and Stegun 26.7.5).
+double student(int freedom) {
+    const double z = 1.959964, n = freedom, z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
+    return z + (z3 + z) / (4 * n) + (5 * z5 + 16 * z3 + 3 * z) / (96 * n * n) +
+           (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * n * n * n);
+}
+
+/// Covariance of the free numbers: the inverse of J^T J with residuals in units of their noise. What the
+/// curve does not depend on has NaN: directions whose singular value is a millionth of the largest tell
+/// nothing.
+Eigen::MatrixXd covariance_of(const Residuals& residuals, const Eigen::VectorXd& t) {
+    const Eigen::Index n = t.size();
+    Eigen::MatrixXd jacobian(residuals.values(), n);
+    residuals.df(t, jacobian);
+    Eigen::VectorXd norms = jacobian.colwise().norm();
+    const double largest = norms.maxCoeff();
+    for (Eigen::Index k = 0; k < n; ++k)
+        norms[k] = norms[k] > 1e-9 * largest ? norms[k] : largest > 0 ? largest : 1;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian * norms.cwiseInverse().asDiagonal(),
+                                                Eigen::ComputeThinU | Eigen::ComputeThinV);
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
+    Eigen::VectorXd untold = Eigen::VectorXd::Zero(n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const double singular = svd.singularValues()[k];
+        const Eigen::VectorXd direction = svd.matrixV().col(k);
+        if (singular > 1e-6 * svd.singularValues()[0])
+            covariance += direction * direction.transpose() / (singular * singular);
+        else
+            untold += direction.cwiseAbs2();
+    }
+    covariance = norms.cwiseInverse().asDiagonal() * covariance * norms.cwiseInverse().asDiagonal();
+    for (Eigen::Index k = 0; k < n; ++k)
+        if (untold[k] > 1e-4 || residuals.freedom() <= 0)
+            covariance.row(k).setConstant(nothing), covariance.col(k).setConstant(nothing);
+    return covariance;
+}
+
+void fill_properties(CurveFit& fit, const Residuals& residuals, const Minimum& minimum) {
+    const Eigen::MatrixXd covariance = covariance_of(residuals, minimum.t);
+    const double factor = residuals.freedom() > 0 ? student(residuals.freedom()) : nothing;
+    std::vector<double> slopes;
+    for (std::size_t k = 0; k < residuals.which.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        const double value = fit.values[residuals.which[k]];
+        slopes.push_back(residuals.free[k].slope(minimum.t[i]));
+        const double deviation = std::abs(slopes[k]) * std::sqrt(covariance(i, i));
+        fit.properties.push_back({residuals.model.properties[residuals.which[k]].name, value, deviation,
+                                  factor * deviation, residuals.free[k].at_limit(value)});
+    }
+    for (std::size_t a = 0; a < slopes.size(); ++a) {
+        auto& row = fit.correlation.emplace_back();
+        for (std::size_t b = 0; b < slopes.size(); ++b) {
+            const auto i = static_cast<Eigen::Index>(a), j = static_cast<Eigen::Index>(b);
+            const double sign = slopes[a] * slopes[b] < 0 ? -1 : 1;
+            row.push_back(sign * covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j)));
+        }
+    }
+}
+
+/// Whether values keep their sign longer than noise does: the runs test, at three and a third deviations.
+bool in_waves(const std::vector<double>& values, double negligible) {
+    double above = 0, runs = 1, largest = 0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        largest = std::max(largest, std::abs(values[k]));
+        above += values[k] > 0;
+        runs += k > 0 && (values[k] > 0) != (values[k - 1] > 0);
+    }
+    const double n = static_cast<double>(values.size()), pairs = 2 * above * (n - above);
+    if (n < 10 || pairs == 0 || largest < negligible) return false;
+    const double expected = pairs / n + 1, variance = pairs * (pairs - n) / (n * n * (n - 1));
+    return runs < expected - 3.3 * std::sqrt(variance);
+}
+
+void fill_columns(CurveFit& fit, const Residuals& residuals) {
+    double squares = 0;
+    for (const auto& m : residuals.measured) {
+        const auto left = residuals.left_of(m, fit.curve);
+        double sum = 0;
+        for (const double v : left.values) sum += v * v;
+        squares += sum / (m.largest * m.largest);
+        fit.columns.push_back({m.name, m.scale, m.largest,
+                               m.free_offset ? std::optional(left.offset) : std::nullopt,
+                               in_waves(left.values, 1e-4 * m.largest)});
+    }
+    fit.misfit = std::sqrt(squares / residuals.values());
+}
+
+void judge(CurveFit& fit) {
+    auto& search = fit.search;
+    for (const auto& column : fit.columns)
+        if (column.waves && column.noise > 0.1 * column.largest)
+            search.doubt = fmt::format("{} is missed by {:.0f} % of its largest value, and not by noise: a "
+                                       "false minimum, or a curve "
+                                       "that this model cannot follow",
+                                       column.name, 100 * column.noise / column.largest);
+    if (search.starts >= 4 && search.agreed == 1)
+        search.doubt = fmt::format(
+            "only one of {} starts leads here: there may be a better minimum; start nearer, or fit fewer "
+            "properties",
+            search.starts);
+    if (!search.converged)
+        search.doubt = "the search has not come to its end: fit fewer properties, or start nearer";
 }
 
 std::size_t property_of(const JointModel& model, const std::string& name) {
     if (const auto index = model.find_property(name)) return *index;
-    std::vector<std::string> names;
-    for (const auto& p : model.properties) names.push_back(p.name);
+    std::vector<std::string_view> names;
+    for (const auto& p : model.properties) {
+        names.push_back(p.name);
+        names.insert(names.end(), p.aliases.begin(), p.aliases.end());
+    }
+    const auto near = did_you_mean(name, names);
     throw Diagnostic(fmt::format("joint model {} has no property '{}'", model.name, name),
-                     fmt::format("its properties: {}", fmt::join(names, ", ")));
+                     near.empty() ? fmt::format("its properties: {}", fmt::join(names, ", "))
+                                  : fmt::format("did you mean '{}'?", near));
 }
 
-} // namespace
-
-CurveFit fit_curve(const JointModel& model, const std::vector<double>& values, const std::vector<std::string>& names,
-                   const LoadPath& path, const CurveSettings& settings) {
-    Residuals residuals{model, path, settings, measured_of(path), values, {}, {}};
-    residuals.settings.tangents = false;
-    if (names.empty()) throw Diagnostic("there is nothing to fit", "name the properties: --fit friction,cohesion");
+/// Where the search begins; fills in what is looked for.
+Eigen::VectorXd begin(Residuals& residuals, const std::vector<std::string>& names) {
+    if (names.empty())
+        throw Diagnostic("there is nothing to fit", "name the properties: --fit friction,cohesion");
     Eigen::VectorXd t(static_cast<Eigen::Index>(names.size()));
     for (std::size_t k = 0; k < names.size(); ++k) {
-        const std::size_t index = property_of(model, names[k]);
-        const auto& p = model.properties[index];
-        const double start = values[index];
+        const std::size_t index = property_of(residuals.model, names[k]);
+        const auto& p = residuals.model.properties[index];
+        const double start = residuals.base[index];
         if (std::isnan(start))
-            throw Diagnostic(fmt::format("'{}' has no value to start from", p.name), fmt::format("give a guess: {}=1", p.name));
+            throw Diagnostic(fmt::format("'{}' has no value to start from", p.name),
+                             fmt::format("give a guess: {}=1", p.name));
+        if (std::find(residuals.which.begin(), residuals.which.end(), index) != residuals.which.end())
+            throw Diagnostic(fmt::format("'{}' stands twice behind --fit", p.name),
+                             "name each property once");
         // On a limit the free number would have no slope.
-        const double width = std::isfinite(p.maximum - p.minimum) ? p.maximum - p.minimum : std::max(std::abs(start), 1.0);
+        const double width =
+            std::isfinite(p.maximum - p.minimum) ? p.maximum - p.minimum : std::max(std::abs(start), 1.0);
         const double inside = std::clamp(start, p.minimum + 1e-3 * width, p.maximum - 1e-3 * width);
         residuals.which.push_back(index);
         residuals.free.emplace_back(p, inside);
         t[static_cast<Eigen::Index>(k)] = residuals.free.back().number(inside);
     }
     if (residuals.values() < residuals.inputs())
-        throw Diagnostic(fmt::format("{} properties cannot be found from {} measured values", residuals.inputs(),
-                                     residuals.values()),
+        throw Diagnostic(fmt::format("{} properties cannot be found from {} measured values",
+                                     residuals.inputs(), residuals.values()),
                          "fit fewer properties");
-    CurveFit fit;
-    fit.misfit_before = misfit_of(residuals, t);
+    return t;
+}
 
-    // Joints have kinks: the derivative is taken over a ten-thousandth of each number.
-    constexpr double step = 1e-8; // its square root is used
-    Eigen::NumericalDiff<Residuals, Eigen::Central> derivative(residuals, step);
-    Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Residuals, Eigen::Central>> minimiser(derivative);
-    minimiser.parameters.maxfev = 400;
-    minimiser.parameters.ftol = minimiser.parameters.xtol = 1e-10;
-    minimiser.minimize(t);
+} // namespace
 
-    fit.values = residuals.values_at(t);
-    fit.misfit = misfit_of(residuals, t);
-    fit.curve = follow_path(model, fit.values, path, settings);
-
-    // Standard errors: variance of the residuals times the inverse of J^T J, taken over to the properties.
-    Eigen::MatrixXd jacobian(residuals.values(), residuals.inputs());
-    derivative.df(t, jacobian);
-    const Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
-    const Eigen::FullPivLU<Eigen::MatrixXd> lu(normal);
-    const int freedom = residuals.values() - residuals.inputs();
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        const auto i = static_cast<Eigen::Index>(k);
-        double deviation = std::numeric_limits<double>::quiet_NaN();
-        if (lu.isInvertible() && freedom > 0) {
-            const double variance = fit.misfit * fit.misfit * residuals.values() / freedom * lu.inverse()(i, i);
-            const double slope = (residuals.free[k].value(t[i] + 1e-6) - residuals.free[k].value(t[i] - 1e-6)) / 2e-6;
-            deviation = std::abs(slope) * std::sqrt(std::max(0.0, variance));
-        }
-        fit.properties.push_back({model.properties[residuals.which[k]].name, fit.values[residuals.which[k]], deviation});
+CurveFit fit_curve(const JointModel& model, const std::vector<double>& values,
+                   const std::vector<std::string>& names, const LoadPath& path, const FitSettings& settings) {
+    Residuals residuals{model, path, settings.curve, measured_of(path, settings.offsets), values, {}, {}};
+    residuals.settings.tangents = false;
+    const std::size_t pieces = path.points.size() - 1;
+    CurveSettings many = settings.curve;
+    many.tangents = false;
+    if (many.steps == 0) {
+        constexpr std::size_t few_along_path = 200, many_along_path = 4000;
+        residuals.settings.steps = (few_along_path + pieces - 1) / pieces;
+        many.steps = std::min<std::size_t>(1000, 2 * residuals.settings.steps + many_along_path / pieces);
+        residuals.settings.steps_to_start = 20;
+        many.steps_to_start = 200;
     }
+    const Eigen::VectorXd given = begin(residuals, names);
+    (void)SingleJoint(model, residuals.values_at(given),
+                      settings.curve.area); // values that cannot be end here, with the reason
+    CurveFit fit;
+    fit.misfit_before = std::sqrt(residuals.sum_of_squares(given) / residuals.values());
+    Minimum minimum = search(residuals, given, settings.starts, fit.search);
+    if (residuals.measured.size() == 1 || residuals.freedom() <= 0)
+        minimum = go_down(residuals, minimum.t, 1e-10);
+    settle_weights(residuals, minimum);
+    if (settings.curve.steps == 0) correct_for_steps(residuals, minimum, many);
+    fit.search.converged = minimum.converged;
+    fit.steps = many.steps;
+    fit.values = residuals.values_at(minimum.t);
+    fill_properties(fit, residuals, minimum);
+    for (auto& m : residuals.measured) m.correction.clear(); // the last curve has all steps
+    many.tangents = settings.curve.tangents;
+    fit.curve = follow_path(model, fit.values, path, many);
+    fill_columns(fit, residuals);
+    judge(fit);
     return fit;
 }
 

@@ -3,6 +3,7 @@
 
 #include "jointtest/joint_curve.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,20 +14,56 @@ struct FittedProperty {
     std::string name;
     double value;
     double deviation; ///< standard error from the curvature at the minimum; NaN when the data do not tell
+    double margin;    ///< half of the 95 % interval, with the t of the degrees of freedom
+    bool at_limit;    ///< of the model's table
+};
+
+/// What is left of one measured column.
+struct FittedColumn {
+    std::string name;
+    double noise;   ///< standard deviation of what is left; columns are weighed by it
+    double largest; ///< largest measured value, counted from the middle where the offset is free
+    std::optional<double> offset; ///< of the measured zero, where it was free
+    bool waves;                   ///< what is left is not noise: it keeps its sign for long
+};
+
+/// How far the search can be trusted.
+struct FitSearch {
+    std::size_t starts = 0;       ///< places that it went down from
+    std::size_t agreed = 0;       ///< of them came to the minimum that is reported
+    double next_misfit = 0;       ///< of the next best minimum; 0: there is none
+    bool first_was_false = false; ///< the values given lead to a worse minimum
+    bool converged = true;
+    std::string doubt; ///< why this may not be the minimum, a sentence; empty: nothing speaks against it
 };
 
 struct CurveFit {
     std::vector<FittedProperty> properties;
-    std::vector<double> values; ///< of all properties, in the order of the model's table
+    std::vector<std::vector<double>> correlation; ///< of the properties; NaN where one of them is not told
+    std::vector<FittedColumn> columns;
+    FitSearch search;
+    std::vector<double> values;   ///< of all properties, in the order of the model's table
     double misfit_before, misfit; ///< root of the mean square, part of the largest value measured
+    std::size_t steps;            ///< of each piece of the path that were enough
     JointCurve curve;             ///< with the fitted values
 };
 
-/// Fits the named properties, from the values given, within the limits of the model's table. The path has, besides its
-/// own columns, one or more that were measured: shear_stress; normal_displacement when it gives normal_stress;
-/// normal_stress is not for a path that gives it. Each is weighed by its largest value. Throws Diagnostic when nothing was
-/// measured, a name is unknown, or there are more properties than points.
-CurveFit fit_curve(const JointModel& model, const std::vector<double>& values, const std::vector<std::string>& names,
-                   const LoadPath& path, const CurveSettings& settings);
+struct FitSettings {
+    CurveSettings curve;                            ///< steps 0: as many as the result needs
+    std::vector<std::string> offsets = {"opening"}; ///< columns whose zero is not known
+    std::size_t starts = 8;                         ///< at most
+};
+
+/// Fits the named properties, from the values given and from others, within the limits of the model's table.
+/// The path has, besides its own columns, one or more that were measured: shear_stress, shear_stress_y;
+/// opening for a path of normal_stress; measured_normal_stress for one that does not give it. Each is weighed
+/// by its noise. Throws Diagnostic when nothing was measured, a name is unknown, or there are more properties
+/// than points.
+CurveFit fit_curve(const JointModel& model, const std::vector<double>& values,
+                   const std::vector<std::string>& names, const LoadPath& path, const FitSettings& settings);
+
+/// Lines for people: values with their 95 % interval, correlation, columns, and how far the search can be
+/// trusted.
+std::string fit_text(const CurveFit& fit);
 
 } // namespace kaya

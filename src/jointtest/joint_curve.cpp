@@ -182,8 +182,9 @@ JointCurve follow_path(const JointModel& model, const std::vector<double>& value
     PathPoint first = path.points.front();
     first.boundary_stiffness = 0;
     nothing.boundary_stiffness = 0;
-    for (std::size_t k = 1; k <= settings.steps; ++k)
-        bench.go(between(nothing, first, static_cast<double>(k) / static_cast<double>(settings.steps)));
+    const std::size_t steps_to_start = settings.steps_to_start > 0 ? settings.steps_to_start : settings.steps;
+    for (std::size_t k = 1; k <= steps_to_start; ++k)
+        bench.go(between(nothing, first, static_cast<double>(k) / static_cast<double>(steps_to_start)));
     bench.begin_test();
     note(path.points.front());
     curve.at_path.push_back(0);

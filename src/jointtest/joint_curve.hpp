@@ -13,6 +13,7 @@ namespace kaya {
 struct CurveSettings {
     double area = 1;
     std::size_t steps = 1000; ///< of each piece of the path
+    std::size_t steps_to_start = 0; ///< from nothing to the first point; 0: as many
     bool tangents = true;     ///< try each step a little further; costs two more calls of the model
 };
 

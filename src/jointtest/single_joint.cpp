@@ -75,9 +75,11 @@ void SingleJoint::step_to_stress(double stress, JointStep step) {
 
 bool find_opening(const std::function<double(double)>& over, double start, double unit, double stress_scale, double& opening) {
     constexpr int most_doublings = 200;
-    const double exact = 1e-15 * stress_scale;
+    const double exact = 1e-14 * stress_scale;
     double closed = start, open = start, at_closed = over(start), at_open = at_closed;
-    double width = std::max(1e-6 * unit, 1e-15);
+    // A little beyond where the stiffness says that it is.
+    const double by_stiffness = stress_scale > 0 ? 1.1 * unit * std::abs(at_closed) / stress_scale : 0;
+    double width = std::max({by_stiffness, 1e-12 * unit, 1e-15});
     for (int k = 0; at_closed < 0; ++k, width *= 2) {
         if (k == most_doublings) return false;
         open = closed, at_open = at_closed;

@@ -208,7 +208,7 @@ TEST_F(JointBench, FindsPropertiesFromTheirOwnCurve) {
     std::vector<double> values;
     for (const auto& p : model.properties) values.push_back(p.initial);
     for (const auto& [word, value] : o.values) values[*model.find_property(word)] = value;
-    const auto fit = fit_curve(model, values, o.fitted, read_load_path(o.path), o.settings);
+    const auto fit = fit_curve(model, values, o.fitted, read_load_path(o.path), {o.settings});
     EXPECT_GT(fit.misfit_before, 0.05);
     EXPECT_LT(fit.misfit, 1e-6);
     EXPECT_NEAR(fit.properties[0].value, 20, 1e-3);

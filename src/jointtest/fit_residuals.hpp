@@ -1,0 +1,91 @@
+// What a curve leaves of measured columns, as a function of the properties that are looked for.
+#pragma once
+
+#include "jointtest/joint_curve.hpp"
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// A property between its limits as a free number, after MINUIT: a sine between two limits, a hyperbola
+/// beside one.
+class FreeNumber {
+public:
+    FreeNumber(const JointModel::Property& p, double start);
+    double value(double t) const;
+    double number(double value) const;
+    double slope(double t) const { return (value(t + 1e-6) - value(t - 1e-6)) / 2e-6; }
+    /// A value for `part` from 0 to 1: between the limits, or from a quarter of the start to four times it.
+    double spread(double part) const;
+    /// In the thousandth of the range, or of the start, beside a limit.
+    bool at_limit(double value) const;
+
+private:
+    double low_, high_, scale_;
+};
+
+/// One measured column: its values at the points of the path.
+struct Measured {
+    std::string name;
+    std::vector<double> values;
+    double (*of)(const CurvePoint&);
+    bool free_offset; ///< its zero is not known: the mean of what is left is taken away
+    double largest;
+    double scale; ///< what is left is divided by it
+    std::vector<double>
+        correction; ///< what many steps of the path add to the answer with few; empty: nothing
+};
+
+/// Throws Diagnostic when nothing was measured, or an offset is wanted of what was not.
+std::vector<Measured> measured_of(const LoadPath& path, const std::vector<std::string>& offsets);
+
+/// Residuals over free numbers, in the form that Eigen's minimiser asks for.
+struct Residuals {
+    using Scalar = double;
+    using InputType = Eigen::VectorXd;
+    using ValueType = Eigen::VectorXd;
+    using JacobianType = Eigen::MatrixXd;
+    enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+
+    const JointModel& model;
+    const LoadPath& path;
+    CurveSettings settings;
+    std::vector<Measured> measured;
+    std::vector<double> base;       ///< values of all properties
+    std::vector<std::size_t> which; ///< of them are looked for
+    std::vector<FreeNumber> free;
+
+    int inputs() const { return static_cast<int>(which.size()); }
+    int values() const { return static_cast<int>(measured.size() * path.points.size()); }
+    int freedom() const; ///< values less what was taken from them: properties and offsets
+    std::vector<double> values_at(const Eigen::VectorXd& t) const;
+
+    /// What is left of a column, in its own unit, and the offset that was taken away.
+    struct Left {
+        std::vector<double> values;
+        double offset;
+    };
+    Left left_of(const Measured& column, const JointCurve& curve) const;
+
+    /// Fills in what is left; false where the model refuses the values or cannot follow the path.
+    bool evaluate(const Eigen::VectorXd& t, Eigen::VectorXd& residuals) const;
+
+    int operator()(const Eigen::VectorXd& t, Eigen::VectorXd& residuals) const {
+        if (!evaluate(t, residuals)) residuals.setConstant(1e6); // far from any curve
+        return 0;
+    }
+
+    /// Derivatives by central differences. Joints have kinks: over a ten-thousandth of each number.
+    int df(const Eigen::VectorXd& t, Eigen::MatrixXd& jacobian) const;
+
+    double sum_of_squares(const Eigen::VectorXd& t) const;
+
+    /// Takes over what many steps change at `t`; gives the size of the change since the last time in units of
+    /// the noise.
+    double correct_steps(const Eigen::VectorXd& t, const CurveSettings& many);
+};
+
+} // namespace kaya
