@@ -24,7 +24,9 @@ public:
 
     SharedFile file(const std::string& name) {
         const fs::path path = find_deck(name, searched());
-        const fs::path whole = fs::weakly_canonical(path);
+        std::error_code ignored; // of a pipe, which has no place
+        fs::path whole = fs::weakly_canonical(path, ignored);
+        if (ignored) whole = path;
         for (const auto& [known, bound] : done_)
             if (known == whole) return bound;
         refuse_cycle(whole);

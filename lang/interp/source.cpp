@@ -128,7 +128,7 @@ fs::path find_deck(const std::string& name, const std::vector<fs::path>& folders
         }
         const fs::path beside = whole.has_parent_path() ? whole.parent_path() : fs::path(".");
         for (fs::directory_iterator entry(beside, error), end; !error && entry != end; entry.increment(error))
-            neighbours.insert(entry->path().filename().string());
+            if (entry->path().extension() != ".journal") neighbours.insert(entry->path().filename().string());
     }
     const std::vector<std::string_view> candidates(neighbours.begin(), neighbours.end());
     const auto near = did_you_mean(fs::path(name).filename().string(), candidates);

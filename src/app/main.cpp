@@ -1,5 +1,7 @@
 // kaya: runs command files. Exit status 0 done, 1 the deck is wrong, 2 the run failed, 3 our own fault.
 #include "app/explanations.hpp"
+#include "base/counted.hpp"
+#include "app/command_line.hpp"
 #include "app/interrupt.hpp"
 #include "app/joint_bench.hpp"
 #include "app/permissions.hpp"
@@ -39,6 +41,8 @@ constexpr int nobody_reads = 141;
 
 struct CommandLine {
     Options options;
+    fs::path started_in; ///< folders of the command line and of the environment are counted from there
+    std::string into;    ///< folder of the files that the run writes
     std::vector<std::string> decks;
     std::vector<std::string> parameters; ///< NAME=VALUE
     std::vector<std::string> checked;
@@ -76,6 +80,7 @@ std::vector<fs::path> trusted_folders(const CommandLine& line, const fs::path& p
             rest.remove_prefix(std::min(end + 1, rest.size()));
         }
     }
+    for (auto& folder : folders) folder = line.started_in / folder;
     return folders;
 }
 
@@ -84,7 +89,7 @@ std::vector<fs::path> joint_folders(const CommandLine& line, const fs::path& pro
     std::vector<fs::path> folders = trusted_folders(line, program);
     for (const auto& deck : line.decks) {
         const fs::path folder = fs::path(deck).parent_path();
-        folders.push_back(folder.empty() ? fs::path(".") : folder);
+        if (folder != "/dev") folders.push_back(folder.empty() ? fs::path(".") : folder);
     }
     return folders;
 }
@@ -150,9 +155,9 @@ int run_decks(Session& session, const CommandLine& line) {
     const auto& clock = session.model.clock;
     if (clock.cycle > 0)
         session.output.say(
-            fmt::format("done: {} cycles, time {}, hash {:016x}{}", clock.cycle, time_text(session.model),
+            fmt::format("done: {}, time {}, hash {:016x}{}", counted(clock.cycle, "cycle"), time_text(session.model),
                         state_hash(session.model),
-                        session.warnings == 0 ? "" : fmt::format(", {} warnings", session.warnings)));
+                        session.warnings == 0 ? "" : ", " + counted(session.warnings, "warning")));
     session.output.stop_log();
     session.output.flush();
     return status;
@@ -197,6 +202,14 @@ SandboxOrder sandbox_of(const CommandLine& line, const fs::path& program) {
     return order;
 }
 
+/// Decks are there before anything is written: a misspelt command leaves no journal. Then the run goes to its folder.
+void prepare_run(CommandLine& line, const CLI::App& app) {
+    for (auto& deck : line.decks)
+        if (deck == "-") deck = "/dev/stdin";
+    if (!line.decks.empty()) require_deck(app, line.decks.front());
+    if (!line.into.empty()) go_into(line.into, line.decks, line.journal);
+}
+
 int run(CommandLine& line, const fs::path& program) {
     Gate::Policy policy;
     if (!line.options.trust) {
@@ -215,18 +228,20 @@ int run(CommandLine& line, const fs::path& program) {
 
 int start(int argc, char** argv) {
     CommandLine line;
+    line.started_in = fs::current_path();
     CLI::App app{"kaya runs command files of the distinct element method in three dimensions.\n"
                  "Files that a deck writes are put into the current folder. Without a deck it reads commands from the "
                  "keyboard.",
                  "kaya"};
     app.set_version_flag("--version", std::string("kaya ") + program_version());
-    app.add_option("deck", line.decks, "command files, run one after the other in one session");
+    app.add_option("deck", line.decks, "command files, run one after the other in one session; - is the standard input");
     app.add_option("--threads", line.options.threads,
                    "threads to use; 0 is one for each core; results do not depend on it")
         ->check(CLI::Range(0, 4096));
     app.add_option("--joints", line.options.joint_folders,
                    "a folder with joint models; may be given several times")
         ->allow_extra_args(false);
+    app.add_option("--into", line.into, "the folder for files that the run writes; it is made if it is not there");
     app.add_flag("--strict", line.options.strict, "warnings are errors");
     app.add_flag("--batch,--quiet,-q", line.options.quiet, "results, warnings and errors only");
     app.add_option("--set", line.parameters, "NAME=VALUE: a value for `param` of the decks; may be given several times")
@@ -244,6 +259,7 @@ int start(int argc, char** argv) {
     explaining->add_option("code", line.code, "as shown in brackets behind a message on a terminal");
     auto* replaying = app.add_subcommand("replay", "run a journal again and compare the final state");
     replaying->add_option("journal", line.journal, "a file that a run has written")->required();
+    replaying->add_option("--into", line.into, "the folder for files that the run writes; it is made if it is not there");
     auto* describing = app.add_subcommand("info", "say what a saved model holds");
     describing->add_option("file", line.saved, "a file that 'save' has written");
     describing->add_flag("--sandbox", line.sandbox, "say what a run in this folder may do");
@@ -265,7 +281,10 @@ int start(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : static_cast<int>(Fault::deck);
+        if (error.get_exit_code() == 0) return app.exit(error);
+        // A misspelt command with an option of it.
+        const auto misspelt = line.decks.empty() ? std::nullopt : misspelt_command(app, line.decks.front());
+        throw misspelt ? *misspelt : mistake_of(app, error);
     }
     if (*checking) {
         Output output(stdout, stderr);
@@ -289,7 +308,7 @@ int start(int argc, char** argv) {
         return 0;
     }
     if (*comparing) {
-        const std::string difference = save_file_difference(line.compared[0], line.compared[1]);
+        const std::string difference = difference_of(line.compared);
         fmt::print("{}", difference.empty() ? "the same\n" : difference);
         return difference.empty() ? 0 : 1;
     }
@@ -306,7 +325,7 @@ int start(int argc, char** argv) {
     }
     if (*describing) {
         try {
-            fmt::print("{}", describe_save_file(line.saved));
+            fmt::print("{}", describe_save_file(find_saved(line.saved)));
             return 0;
         } catch (Diagnostic& problem) {
             problem.hint = "info reads a file that 'save' has written";
@@ -315,6 +334,7 @@ int start(int argc, char** argv) {
         }
     }
     if (about_models) return about_models();
+    prepare_run(line, app);
     return run(line, program);
 }
 

@@ -37,7 +37,7 @@ Gate::Policy policy_of(const SandboxOrder& order) {
     for (const auto& input : order.inputs) {
         policy.named.emplace_back(input);
         const fs::path folder = fs::path(input).parent_path();
-        if (!folder.empty()) policy.folders.push_back(folder);
+        if (!folder.empty() && folder != "/dev") policy.folders.push_back(folder); // the standard input has no folder
     }
     const Permissions permissions = read_permissions();
     policy.folders.insert(policy.folders.end(), permissions.folders.begin(), permissions.folders.end());

@@ -117,11 +117,12 @@ std::string readable(const std::string& message) {
 
 } // namespace
 
-std::string render(const Diagnostic& d, bool colour) {
+std::string render(const Diagnostic& d, bool colour, bool with_code) {
     const std::string kind = colour ? fmt::format("{}{}\033[0m", colour_of(d.severity), name_of(d.severity))
                                     : name_of(d.severity);
-    // What `kaya explain` knows it by: for a reader at the screen, not in the lines of a log.
-    const std::string code = colour && !d.code.empty() ? fmt::format(" \033[2m[{}]\033[0m", d.code) : std::string();
+    // What `kaya explain` knows it by: for a reader at the screen or of a log, not for programs that read what is piped to them.
+    std::string code = with_code && !d.code.empty() ? fmt::format(" [{}]", d.code) : std::string();
+    if (colour && !code.empty()) code = fmt::format(" \033[2m[{}]\033[0m", d.code);
     std::string text;
     if (d.place) {
         text = fmt::format("{}:{}:{}: {}: {}{}", d.place.source->name, d.place.line, d.place.column, kind,

@@ -63,8 +63,8 @@ public:
     Fault fault = Fault::deck;
 };
 
-/// The text shown to the user, with the line and an underline; colours when asked for.
-std::string render(const Diagnostic& diagnostic, bool colour = false);
+/// The text shown to the user, with the line and an underline; colours and the code for `kaya explain` when asked for.
+std::string render(const Diagnostic& diagnostic, bool colour = false, bool with_code = false);
 
 /// The nearest of `candidates` to `word`, or empty when none is near enough to be meant.
 std::string_view did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);

@@ -1,5 +1,6 @@
 // fix, free, gravity, bound, apply, reset.
 #include "commands/all_or_nothing.hpp"
+#include "base/counted.hpp"
 #include "commands/bodies.hpp"
 #include "commands/handlers.hpp"
 #include "commands/tables.hpp"
@@ -256,8 +257,8 @@ void bound(Session& session, const lang::Boundary& command) {
         if (!command.load[axis]) continue;
         add_load(model, points, axis, *command.load[axis], function);
         // Repeated loads add up, at every gridpoint: the number shows what the total became.
-        session.output.say(fmt::format("{}load {} added at {} gridpoints", axis_names[axis],
-                                       number_text(*command.load[axis]), points.size()));
+        session.output.say(fmt::format("{}load {} added at {}", axis_names[axis],
+                                       number_text(*command.load[axis]), counted(points.size(), "gridpoint")));
     }
     if (command.stress) {
         find_contacts(model, session.joints); // they tell which faces are exterior

@@ -1,5 +1,7 @@
 #include "commands/deck_report.hpp"
 
+#include "base/counted.hpp"
+
 #include "commands/deck_review.hpp"
 #include "commands/session.hpp"
 #include "lang/commands/language.hpp"
@@ -90,10 +92,10 @@ std::string DeckReport::text(const std::string& deck) const {
         text += fmt::format("{}:{}:{}: {}: {}", line.file, line.line, line.column, word_of(line.outlook), line.text);
         text += line.hint.empty() ? "\n" : fmt::format("; {}\n", line.hint);
     }
-    text += fmt::format("{}: {} statements: {} run", deck, statements, statements - (lines.size() - count(Outlook::doubtful)));
+    text += fmt::format("{}: {}: {} run", deck, counted(statements, "statement"), statements - (lines.size() - count(Outlook::doubtful)));
     for (const auto outlook : {Outlook::ignored, Outlook::not_supported, Outlook::unknown, Outlook::wrong})
         if (count(outlook) > 0) text += fmt::format(", {} {}", count(outlook), word_of(outlook));
-    if (const auto n = count(Outlook::doubtful); n > 0) text += fmt::format(", {} warning{}", n, n == 1 ? "" : "s");
+    if (const auto n = count(Outlook::doubtful); n > 0) text += ", " + counted(n, "warning");
     return text;
 }
 

@@ -1,5 +1,6 @@
 // import, export: blocks in files of other programs.
 #include "commands/handlers.hpp"
+#include "base/counted.hpp"
 #include "geometry/grid3d.hpp"
 #include "geometry/surface_files.hpp"
 #include "io/whole_file.hpp"
@@ -116,7 +117,7 @@ void run(Session& session, const lang::Export& command) {
     }
     if (zoned) session.note_once("blocks with zones are written as rigid ones", "`save` keeps everything");
     write_whole_file(session.output_file(command.file), write_grid3d(grid_of(blocks)));
-    session.output.say(fmt::format("{} blocks written to {}", rows.size(), command.file));
+    session.output.say(fmt::format("{} written to {}", counted(rows.size(), "block"), command.file));
 }
 
 } // namespace kaya

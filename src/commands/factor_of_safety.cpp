@@ -1,5 +1,7 @@
 #include "commands/factor_of_safety.hpp"
 
+#include "base/counted.hpp"
+
 #include "commands/handlers.hpp"
 #include "commands/materials.hpp"
 
@@ -106,8 +108,8 @@ public:
             without_gain = span.mean_ratio > (1 - gain) * least ? without_gain + 1 : 0;
             least = std::min(least, span.mean_ratio);
         }
-        session_.output.say(fmt::format("strength divided by {:.6g}: {} after {} cycles, ratio {:.3e}{}", factor,
-                                        at_rest ? "stands" : "fails", cycles, session_.model.clock.average_ratio,
+        session_.output.say(fmt::format("strength divided by {:.6g}: {} after {}, ratio {:.3e}{}", factor,
+                                        at_rest ? "stands" : "fails", counted(cycles, "cycle"), session_.model.clock.average_ratio,
                                         moving ? "; " + body_text(session_.model, *moving) + " moves on" : ""));
         if (!at_rest && !file_.empty()) run(session_, lang::Save{file_});
         return at_rest;

@@ -46,9 +46,9 @@ void Output::message(const Diagnostic& diagnostic) {
     end_refresh();
     // What was printed before the message must stand before it when both go to one terminal or file.
     std::fflush(results_);
-    fmt::print(messages_, "{}\n", render(diagnostic, colour_));
+    fmt::print(messages_, "{}\n", render(diagnostic, colour_, terminal_));
     std::fflush(messages_);
-    if (log_ != nullptr) fmt::print(log_, "{}\n", render(diagnostic));
+    if (log_ != nullptr) fmt::print(log_, "{}\n", render(diagnostic, false, true));
 }
 
 void Output::say(std::string_view text) {

@@ -1,5 +1,7 @@
 #include "commands/progress.hpp"
 
+#include "base/counted.hpp"
+
 #include "commands/text_table.hpp"
 
 #include "mechanics/phases.hpp"
@@ -89,8 +91,8 @@ void Progress::finish() {
     output_.end_refresh();
     const auto& clock = model_.clock;
     const std::int64_t cycles = clock.cycle - first_cycle_;
-    output_.say(fmt::format("cycle {}  time {}  ratio {:.2e}  ({} cycles in {:.2f} s, {:.0f} cycles/s)",
-                            clock.cycle, time_text(model_), clock.average_ratio, cycles, seconds_,
+    output_.say(fmt::format("cycle {}  time {}  ratio {:.2e}  ({} in {:.2f} s, {:.0f} cycles/s)",
+                            clock.cycle, time_text(model_), clock.average_ratio, counted(cycles, "cycle"), seconds_,
                             static_cast<double>(cycles) / std::max(seconds_, 1e-9)));
     if (const std::string scaling = scaling_text(model_); !scaling.empty()) output_.say(scaling);
 }

@@ -1,5 +1,7 @@
 #include "commands/run_cycles.hpp"
 
+#include "base/counted.hpp"
+
 #include "commands/handlers.hpp"
 #include "commands/materials.hpp"
 #include "commands/progress.hpp"
@@ -147,7 +149,7 @@ std::string equilibrium(const Limits& limits, const Clock& start, const Clock& n
 std::string reached(const Limits& limits, const Clock& start, const Model& model, double seconds) {
     const Clock& now = model.clock;
     if (limits.cycles && now.cycle - start.cycle >= *limits.cycles)
-        return fmt::format("{} cycles", *limits.cycles);
+        return counted(*limits.cycles, "cycle");
     // Half a step of slack: a sum of steps misses the limit by rounding.
     if (limits.time && now.time - start.time >= *limits.time - 0.5 * now.time_step && now.cycle > start.cycle)
         return fmt::format("time {}", time_text(model));

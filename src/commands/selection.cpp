@@ -1,5 +1,6 @@
 // group, mark, excavate, fill, copy.
 #include "commands/all_or_nothing.hpp"
+#include "base/counted.hpp"
 #include "commands/handlers.hpp"
 
 #include "geometry/plane.hpp"
@@ -101,7 +102,7 @@ void run(Session& session, const lang::Copy& command) {
         if (group != 0) model.blocks.group[b] = group;
     }
     session.world.rows_moved();
-    session.output.say(fmt::format("{} copies of {} blocks", command.number, blocks.size()));
+    session.output.say(fmt::format("{} of {}", counted(command.number, "copy"), counted(blocks.size(), "block")));
     look_for_overlaps(session, first, command.place);
 }
 

@@ -1,5 +1,7 @@
 #include "io/info.hpp"
 
+#include "base/counted.hpp"
+
 #include "io/history_csv.hpp"
 #include "io/save.hpp"
 
@@ -31,7 +33,7 @@ std::string describe_joint_models(const Model& model) {
         ++contacts_of[row == no_row ? "none" : model.joint_properties[static_cast<std::size_t>(row)].model];
     std::string text;
     for (const auto& [name, count] : contacts_of)
-        text += fmt::format("{}{} ({} contacts)", text.empty() ? "" : ", ", name, count);
+        text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", name, counted(count, "contact"));
     return text.empty() ? "none" : text;
 }
 
@@ -59,10 +61,11 @@ std::string describe_save_file(const std::string& path) {
     add_line(text, "blocks", describe_blocks(model));
     add_line(text, "contacts", fmt::format("{}, {} sub-contacts", model.contacts.size(), model.sub_contacts.size()));
     add_line(text, "joint models", describe_joint_models(model));
-    add_line(text, "histories", fmt::format("{}, {} samples, every {} cycles", model.histories.all.size(),
-                                            model.histories.time.size(), model.histories.interval));
+    add_line(text, "histories", fmt::format("{}, {}, every {}", model.histories.all.size(),
+                                            counted(model.histories.time.size(), "sample"),
+                                            model.histories.interval == 1 ? "cycle" : counted(model.histories.interval, "cycle")));
     for (const auto& history : model.histories.all) add_line(text, "", column_title(history));
-    for (const auto& deck : extras.decks) add_line(text, "deck", fmt::format("{}, {} lines", deck.name, lines_in(deck.content)));
+    for (const auto& deck : extras.decks) add_line(text, "deck", fmt::format("{}, {}", deck.name, counted(lines_in(deck.content), "line")));
     for (const auto& script : extras.scripts)
         add_line(text, "script", fmt::format("{}, {} bytes", script.name, script.content.size()));
     add_line(text, "state hash", fmt::format("{:016x}", state_hash(model)));
