@@ -3,6 +3,7 @@
 #include "lang/script/arithmetic.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/machine.hpp"
+#include "lang/script/value_text.hpp"
 #include "lang/script/values.hpp"
 
 #include <fmt/format.h>
@@ -22,12 +23,6 @@ void* pack_handle(const Handle& handle) {
     const std::uintptr_t bits = static_cast<std::uintptr_t>(handle.table) << (slot_bits + generation_bits) |
                                 static_cast<std::uintptr_t>(handle.generation) << slot_bits | handle.slot;
     return reinterpret_cast<void*>(bits);
-}
-
-std::string handle_text(const World& world, const Handle& handle) {
-    const auto& tables = world.tables();
-    const bool known = handle.table >= 0 && handle.table < static_cast<std::int32_t>(tables.size());
-    return fmt::format("{} #{}", known ? tables[handle.table].name : "object", handle.slot);
 }
 
 namespace {

@@ -27,7 +27,5 @@ void* pack_handle(const Handle& handle);
 /// The type of all handles: fields, methods, text, and errors for arithmetic.
 void open_handles(lua_State* L);
 
-/// "sub_contact #12"
-std::string handle_text(const World& world, const Handle& handle);
 
 } // namespace kaya::script

@@ -3,6 +3,8 @@
 #include "lang/script/built_ins.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/machine.hpp"
+#include "lang/script/handles.hpp"
+#include "lang/script/value_text.hpp"
 #include "lang/script/values.hpp"
 
 #include <algorithm>
@@ -22,7 +24,10 @@ constexpr int most_values = 50; ///< of buildstr
 
 /// string(value [, width [, fill [, digits]]])
 int string(lua_State* L) {
-    std::string text = text_at(L, 1);
+    // A pointer shows as its number, as in 3DEC.
+    std::string text = lua_type(L, 1) == LUA_TLIGHTUSERDATA
+                           ? fmt::format("{}", handle_number(machine_of(L).world, unpack_handle(lua_touserdata(L, 1))))
+                           : text_at(L, 1);
     if (lua_gettop(L) == 4 && lua_type(L, 1) == LUA_TNUMBER && !lua_isinteger(L, 1)) {
         const std::int64_t digits = std::clamp<std::int64_t>(integer_argument(L, 4, "string"), 1, 40);
         text = fmt::format("{:.{}g}", lua_tonumber(L, 1), static_cast<int>(digits));

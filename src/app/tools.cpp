@@ -1,5 +1,7 @@
 #include "app/tools.hpp"
 
+#include "app/fish_help.hpp"
+
 #include "commands/model_world.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/fish/reserved.hpp"
@@ -23,12 +25,48 @@ std::string about_field(const script::FieldInfo& field, std::string_view table) 
                        field.writable ? "; can be set" : "");
 }
 
-/// A quantity of the model by its name in FISH or Lua, or a name of FISH that is not supported; empty when neither.
+/// All names of fields, for proposals: "volume", "block.volume", "b_vol".
+std::vector<std::string> field_names(const ModelWorld& world) {
+    std::vector<std::string> names;
+    const auto add = [&](const std::vector<script::FieldInfo>& fields, const std::string& table) {
+        for (const auto& field : fields) {
+            names.emplace_back(field.name);
+            names.push_back(fmt::format("{}.{}", table, field.name));
+            if (!field.classic.empty()) names.emplace_back(field.classic);
+        }
+    };
+    add(world.globals(), "model");
+    for (const auto& table : world.tables()) add(table.fields, std::string(table.name));
+    return names;
+}
+
+/// A field by its name in Lua with its object: block.volume, model.time.
+std::string about_lua_field(const ModelWorld& world, std::string_view name) {
+    const auto point = name.find('.');
+    if (point == name.npos) return {};
+    const std::string_view object = name.substr(0, point), wanted = name.substr(point + 1);
+    const auto in = [&](const std::vector<script::FieldInfo>& fields, std::string_view table) -> std::string {
+        for (const auto& field : fields)
+            if (field.name == wanted) return about_field(field, table);
+        return {};
+    };
+    if (object == "model") return in(world.globals(), "");
+    for (const auto& table : world.tables())
+        if (table.name == object) return in(table.fields, table.name);
+    return {};
+}
+
+/// A quantity of the model by its name in FISH or Lua, a statement or function of FISH, or a name of FISH that is not
+/// supported; empty when none of these.
 std::string about_name(std::string_view name) {
-    Model model;
-    JointRegistry joints;
-    const ModelWorld world(model, joints);
-    std::string text;
+    Session session{Options{}};
+    const ModelWorld& world = session.world;
+    std::string text = about_lua_field(world, name);
+    if (text.empty()) text = about_fish(name);
+    for (const auto& [modern, classic] : session.scripts->newer_names())
+        if (text.empty() && modern == name && modern != classic)
+            text = fmt::format("{} is the newer name of {}\n{}", modern, classic, about_name(classic));
+    if (!text.empty()) return text;
     const auto add = [&](const std::vector<script::FieldInfo>& fields, std::string_view table) {
         for (const auto& field : fields)
             if (field.classic == name || field.name == name) text += about_field(field, table);
@@ -68,10 +106,18 @@ std::string help_text(const std::string& words) {
     if (words.empty()) return lang::help_list(lang::classic());
     try {
         return lang::help_on(lang::classic(), words);
-    } catch (const Diagnostic&) {
-        const std::string text = about_name(lang::fold(words));
-        if (text.empty()) throw;
-        return text;
+    } catch (Diagnostic& problem) {
+        const std::string name = lang::fold(words), text = about_name(name);
+        if (!text.empty()) return text;
+        // What is nearest to a field or function is meant, if the commands have nothing near.
+        if (!problem.hint.starts_with("did you mean")) {
+            const Session session{Options{}};
+            auto names = field_names(session.world);
+            for (const auto& [built_in, writable] : session.scripts->built_in_names()) names.push_back(built_in);
+            const auto near = did_you_mean(name, {names.begin(), names.end()});
+            if (!near.empty()) problem.hint = fmt::format("did you mean '{}'?", near);
+        }
+        throw;
     }
 }
 

@@ -69,13 +69,13 @@ TEST(ScriptErrors, fish_arithmetic) {
     EXPECT_EQ(fish_message("b = 'a' - 'b'"), "the text 'a' and the text 'b' cannot be subtracted");
     EXPECT_EQ(fish_message("b = -'a'"), "the text 'a' has no negative");
     EXPECT_EQ(fish_message("b = contact_head + 1"),
-              "a pointer to contact #0 and the integer 1 cannot be added");
+              "a pointer to contact 1 and the integer 1 cannot be added");
     EXPECT_EQ(fish_message("b = vector(1,2,3) * 'a'"),
               "the vector (1,2,3) and the text 'a' cannot be multiplied");
     EXPECT_EQ(fish_message("array a(3)\nb = a + 1"), "an array and the integer 1 cannot be added");
     EXPECT_EQ(fish_message("if 'a' > 1\nendif"), "the integer 1 and the text 'a' cannot be compared by size");
     EXPECT_EQ(fish_message("if contact_head > 1\nendif"),
-              "the integer 1 and a pointer to contact #0 cannot be compared by size");
+              "the integer 1 and a pointer to contact 1 cannot be compared by size");
     EXPECT_EQ(fish_message("b = (-8) ^ 0.5"), "the negative number -8 has no power 0.5");
     EXPECT_EQ(fish_message("b = sqrt(-1)"), "'sqrt' is given -1; it takes no negative number");
     EXPECT_EQ(fish_message("b = ln(0)"), "'ln' is given 0; it takes numbers above 0");
@@ -94,7 +94,7 @@ TEST(ScriptErrors, fish_pointers) {
     EXPECT_EQ(fish_message("b = c_next(0)"),
               "'c_next' is given a null pointer | test the pointer against 0 before it is used");
     EXPECT_EQ(fish_message("b = c_id(block_head)"),
-              "'c_id' needs a pointer to a contact, here it is given a pointer to block #0");
+              "'c_id' needs a pointer to a contact, here it is given a pointer to block 1");
     EXPECT_EQ(fish_message("b = c_cx(3.5)"),
               "'c_cx' needs a pointer to a contact, here it is given the number 3.5");
     EXPECT_EQ(fish_message("b = cx_nforc(contact_head)"),
