@@ -1,6 +1,9 @@
 #include "base/memory.hpp"
 
 #include <cstdint>
+#include <fstream>
+#include <limits>
+#include <string>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -14,6 +17,14 @@ void give_back_memory() {
 #ifdef __GLIBC__
     malloc_trim(0);
 #endif
+}
+
+std::size_t memory_available() {
+    std::ifstream table("/proc/meminfo");
+    std::string word;
+    while (table >> word)
+        if (std::size_t kilobytes = 0; word == "MemAvailable:" && table >> kilobytes) return kilobytes << 10;
+    return std::numeric_limits<std::size_t>::max();
 }
 
 void use_large_pages([[maybe_unused]] const void* first, [[maybe_unused]] std::size_t bytes) {

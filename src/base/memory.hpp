@@ -8,6 +8,9 @@ namespace kaya {
 /// Gives memory that is free back to the system.
 void give_back_memory();
 
+/// Bytes that programs can still take without driving others out; the largest number where the system does not tell.
+std::size_t memory_available();
+
 /// Puts a long array, such as a column of a large table, on large pages where the system has them: a cycle goes through
 /// all columns, and with pages of 4 kB spends a tenth of its time on finding them. Nothing happens where it cannot be.
 void use_large_pages(const void* first, std::size_t bytes);

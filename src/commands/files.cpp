@@ -32,17 +32,6 @@ std::string saved_file(const Session& session, const std::string& name) {
     return save_name(name);
 }
 
-SaveExtras extras_of(Session& session) {
-    SaveExtras extras;
-    extras.program_version = program_version();
-    extras.title = session.title;
-    extras.scripts.push_back({std::string(part_scripts), script::to_bytes(session.scripts->state())});
-    extras.scripts.push_back({std::string(part_ranges), ranges_text(session.ranges)});
-    for (const auto& source : session.sources)
-        extras.decks.push_back({source->name, fmt::format("{}\n", fmt::join(source->lines, "\n"))});
-    return extras;
-}
-
 const std::string& part(const SaveExtras& extras, std::string_view name) {
     const auto found = std::ranges::find(extras.scripts, name, &SaveExtras::Item::name);
     if (found == extras.scripts.end())
@@ -83,8 +72,19 @@ void load_joint_models(Session& session, Model& model) {
 
 } // namespace
 
+SaveExtras session_extras(Session& session) {
+    SaveExtras extras;
+    extras.program_version = program_version();
+    extras.title = session.title;
+    extras.scripts.push_back({std::string(part_scripts), script::to_bytes(session.scripts->state())});
+    extras.scripts.push_back({std::string(part_ranges), ranges_text(session.ranges)});
+    for (const auto& source : session.sources)
+        extras.decks.push_back({source->name, fmt::format("{}\n", fmt::join(source->lines, "\n"))});
+    return extras;
+}
+
 void save_session(Session& session, const std::string& file) {
-    save_state(session.model, session.output_file(file), extras_of(session));
+    save_state(session.model, session.output_file(file), session_extras(session));
 }
 
 void run(Session& session, const lang::Save& command) {

@@ -1,8 +1,11 @@
 // What is kept of a run that does not come to its end.
 #pragma once
 
+#include "commands/last_good.hpp"
+
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -22,14 +25,22 @@ public:
 
     /// Says so when an earlier run of the deck has left a file.
     void look_for_earlier();
+    /// To be called before the first cycle of a command, when the model is ready for it.
+    void begins();
     /// To be called behind cycles, several times a second.
     void advanced();
     /// The model is in a file, or nobody wants it any more.
-    void saved() { since_.reset(); }
+    void saved() {
+        since_.reset();
+        last_good_.drop();
+    }
     /// What the model is for a while is not to be kept: joints are stronger than they are, say.
     void hold(bool on) { held_ += on ? 1 : -1; }
-    /// A cycle has failed half way: the model is no state to go on from.
-    void step_failed() { half_way_ = true; }
+    /// A cycle has failed half way: the model is no state to go on from, and that before the cycle is kept instead.
+    void step_failed(std::int64_t cycle, const std::string& why) {
+        failed_cycle_ = cycle;
+        why_ = why;
+    }
     /// The run ends here, and not by itself: keeps the model if it took long, and says where.
     void keep();
     /// The run has come to its end.
@@ -39,15 +50,25 @@ private:
     using Clock = std::chrono::steady_clock;
 
     std::string file_name();
+    /// Seconds of cycles that are in no file.
+    double unsaved() const;
+    /// Whether more than a minute would be lost.
+    bool is_long() const;
     bool write();
+    void write_before_failure();
+    bool into_file(const std::function<void(const std::string&)>& save, std::int64_t cycle);
+    void offer_copy();
 
     Session& session_;
     std::optional<double> interval_ = 15 * 60;
     std::optional<Clock::time_point> since_; ///< of the first cycle that is in no file
     std::string written_;                    ///< the file of this run
     std::int64_t cycle_ = 0;                 ///< that it holds
+    LastGood last_good_;
+    std::int64_t failed_cycle_ = 0; ///< 0: none has failed
+    std::string why_;               ///< it failed
     int held_ = 0;
-    bool half_way_ = false, complained_ = false;
+    bool complained_ = false;
 };
 
 } // namespace kaya

@@ -48,7 +48,7 @@ void advance(Session& session) {
         }
         run_deferred(session);
     } catch (Diagnostic& failure) {
-        session.rescue.step_failed();
+        session.rescue.step_failed(number, failure.message);
         session.deferred.clear();
         const std::string here = session.here();
         failure.add(fmt::format("in cycle {}, at time {}{}", number, time_text(session.model),
@@ -172,6 +172,7 @@ bool settle_forces(Session& session) {
 
 RestSpan advance_span(Session& session, std::int64_t cycles, double ratio) {
     make_ready(session);
+    session.rescue.begins();
     RestSpan span;
     const Clock& now = session.model.clock;
     double sum = 0;
@@ -195,6 +196,7 @@ RestSpan advance_span(Session& session, std::int64_t cycles, double ratio) {
 
 std::string advance_until(Session& session, const Limits& limits, RestWatch* watch) {
     make_ready(session);
+    session.rescue.begins();
     warn_of_long_step(session);
     const Clock start = session.model.clock;
     Target target;

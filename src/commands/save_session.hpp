@@ -1,6 +1,8 @@
 // The whole session as a file: the model, scripts, named ranges and the texts of its decks.
 #pragma once
 
+#include "io/save.hpp"
+
 #include <string>
 #include <string_view>
 
@@ -10,6 +12,12 @@ class Session;
 
 /// What `save` adds to a name without an ending.
 inline constexpr std::string_view save_ending = ".kaya.h5";
+
+/// The part of a save file, beside those of the session, that says in words what it is; `kaya info` shows it.
+inline constexpr std::string_view part_remark = remark_item;
+
+/// What stands beside the model.
+SaveExtras session_extras(Session& session);
 
 /// Writes it whole or not at all. Throws Diagnostic (Fault::run).
 void save_session(Session& session, const std::string& file);

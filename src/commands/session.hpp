@@ -133,6 +133,8 @@ public:
     void interrupt() noexcept;
     /// A script is where nothing reaches it, though somebody asked it to stop. For signal handlers.
     bool is_deaf() const noexcept;
+    /// Somebody has asked the run to stop, and it has not yet.
+    bool is_to_stop() const noexcept { return interrupted_; }
     /// Throws Diagnostic when somebody asked for it.
     void stop_if_interrupted();
     /// The same behind a cycle, which a journal can tell and a replay do again.

@@ -67,7 +67,8 @@ std::string describe_save_file(const std::string& path) {
     for (const auto& history : model.histories.all) add_line(text, "", column_title(history));
     for (const auto& deck : extras.decks) add_line(text, "deck", fmt::format("{}, {}", deck.name, counted(lines_in(deck.content), "line")));
     for (const auto& script : extras.scripts)
-        add_line(text, "script", fmt::format("{}, {} bytes", script.name, script.content.size()));
+        if (script.name == remark_item) add_line(text, "remark", script.content);
+        else add_line(text, "script", fmt::format("{}, {} bytes", script.name, script.content.size()));
     add_line(text, "state hash", fmt::format("{:016x}", state_hash(model)));
     return text;
 }

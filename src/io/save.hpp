@@ -13,6 +13,9 @@ namespace kaya {
 /// Raised whenever a save file of today could not be read by the program of yesterday.
 inline constexpr std::int32_t save_format_version = 10;
 
+/// Name of an item of SaveExtras::scripts that is no state but a sentence about the file.
+inline constexpr std::string_view remark_item = "remark";
+
 /// What stands beside the model in a save file; the model does not depend on it.
 struct SaveExtras {
     struct Item {

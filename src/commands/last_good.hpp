@@ -1,0 +1,50 @@
+// A state in memory from which that before a failed cycle is made again.
+#pragma once
+
+#include "io/save.hpp"
+#include "model/model.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace kaya {
+
+class Session;
+
+/// A cycle that fails half way leaves a model from which nobody can go on. So the session is copied now and then while it
+/// cycles, and the copy runs up to the cycle before: with the same bits, since cycles depend on nothing but the model. Copies
+/// take no more than a hundredth of the time; what they leave out is repeated once, when a cycle has failed.
+class LastGood {
+public:
+    /// The session stands behind a whole cycle, or before the first: it is copied if it is time for that.
+    void offer(Session& session);
+    /// It is copied now.
+    void take(Session& session);
+    /// Something else than cycles happens to the session: the copy no longer leads to it.
+    void lose_track() { leads_here_ = false; }
+    /// The model is in a file, or nobody wants it any more.
+    void drop();
+
+    bool empty() const { return !taken_; }
+    std::int64_t cycle() const { return model_.clock.cycle; }
+
+    /// Cycles the copy up to `cycle`, unless commands or scripts of the session have acted since it was taken.
+    /// Stops early when the user asks for it. Throws Diagnostic when a cycle fails, and the copy is of no use then.
+    void run_on(Session& session, std::int64_t cycle);
+    /// Throws Diagnostic (Fault::run). `remark` is shown by `kaya info`.
+    void write(const std::string& file, const std::string& remark);
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    Model model_;
+    SaveExtras extras_;
+    bool taken_ = false;
+    bool leads_here_ = false; ///< cycles alone lead from the copy to the session
+    bool no_memory_ = false;
+    Clock::time_point when_{};
+    Clock::duration cost_{}; ///< of the last copy
+};
+
+} // namespace kaya
