@@ -89,6 +89,18 @@ std::string writer_of(TreeReader& tree) {
     }
 }
 
+/// What can be done about a file that this program does not read.
+Diagnostic other_format(const std::string& name, std::int32_t version, const std::string& writer) {
+    Diagnostic refusal = unusable(name, fmt::format("it has format {}{}, and this program reads format {}", version, writer,
+                                                    save_format_version));
+    refusal.hint = version > save_format_version
+                       ? "the model is as it was; restore it with the program that wrote it, or a later one"
+                       : fmt::format("the model is as it was; formats before {} are older than the first release: run the deck again, "
+                                     "or go on with the program that wrote the file",
+                                     first_kept_format);
+    return refusal;
+}
+
 } // namespace
 
 SaveExtras restore_image(Model& model, std::string_view image, const std::string& name) {
@@ -102,8 +114,7 @@ SaveExtras restore_image(Model& model, std::string_view image, const std::string
         std::uint64_t hash = 0;
         archive.value("format_version", version);
         if (version != save_format_version)
-            throw unusable(name, fmt::format("it has format {}{}, and this program reads format {}", version, writer_of(tree),
-                                             save_format_version));
+            throw other_format(name, version, writer_of(tree));
         archive.value("state_hash", hash);
         visit_extras(archive, extras);
         archive.section("model", [&] { visit_state(archive, fresh); });

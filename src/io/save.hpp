@@ -12,6 +12,8 @@ namespace kaya {
 
 /// Raised whenever a save file of today could not be read by the program of yesterday.
 inline constexpr std::int32_t save_format_version = 10;
+/// The first format that is read for good: those before were of programs that were never released.
+inline constexpr std::int32_t first_kept_format = 10;
 
 /// Name of an item of SaveExtras::scripts that is no state but a sentence about the file.
 inline constexpr std::string_view remark_item = "remark";

@@ -25,7 +25,7 @@ TEST(Info, ASaveFileInWords) {
     EXPECT_EQ(describe_save_file(folder / "a.sav"),
               fmt::format("file            {} (format 10)\n"
                           "written by      kaya 0.1.0\n"
-                          "read by         programs of format 10, such as this one\n"
+                          "read by         this program and later ones; none that is older than format 10\n"
                           "title           Direct shear\n"
                           "cycle           42\n"
                           "time            0.1, step 0\n"
