@@ -1,4 +1,5 @@
 // save, restore, hist write, vtk write; files are written into the current folder unless they name another.
+#include "base/hash.hpp"
 #include "commands/handlers.hpp"
 #include "commands/run_cycles.hpp"
 #include "commands/save_session.hpp"
@@ -81,6 +82,21 @@ SaveExtras session_extras(Session& session) {
     for (const auto& source : session.sources)
         extras.decks.push_back({source->name, fmt::format("{}\n", fmt::join(source->lines, "\n"))});
     return extras;
+}
+
+std::uint64_t script_hash(Session& session) {
+    script::ScriptState state = session.scripts->state();
+    if (state.fish_globals.empty() && state.lua_globals.empty() && state.extras.empty() && state.sources.empty() &&
+        state.hooks.empty() && state.tables.empty() && session.ranges.empty())
+        return 0;
+    for (auto& source : state.sources) {
+        source.name.clear();
+        source.line = 1;
+    }
+    Hash hash;
+    hash.add(script::to_bytes(state));
+    hash.add(ranges_text(session.ranges));
+    return hash.value();
 }
 
 void save_session(Session& session, const std::string& file) {

@@ -1,4 +1,5 @@
 // list, print: what concerns the whole model.
+#include "commands/save_session.hpp"
 #include "commands/listing.hpp"
 
 #include "base/parallel.hpp"
@@ -234,7 +235,9 @@ std::string list_timing(Session& session, const lang::List&) {
 }
 
 std::string list_hash(Session& session, const lang::List&) {
-    return fmt::format("hash = {:016x}", state_hash(session.model));
+    const std::string of_model = fmt::format("hash = {:016x}", state_hash(session.model));
+    const auto of_scripts = script_hash(session);
+    return of_scripts == 0 ? of_model : fmt::format("{}\nhash of scripts and ranges = {:016x}", of_model, of_scripts);
 }
 
 std::string list_tables(Session& session, const lang::List&) {

@@ -3,6 +3,7 @@
 
 #include "io/save.hpp"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,9 @@ inline constexpr std::string_view part_remark = remark_item;
 
 /// What stands beside the model.
 SaveExtras session_extras(Session& session);
+
+/// Digest of what scripts and named ranges of the session hold; 0 when there are none. Where in which deck they stand does not count.
+std::uint64_t script_hash(Session& session);
 
 /// Writes it whole or not at all. Throws Diagnostic (Fault::run).
 void save_session(Session& session, const std::string& file);

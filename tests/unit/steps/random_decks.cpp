@@ -1,5 +1,6 @@
 // Decks made by chance from a seed: the time step in use never exceeds the bound, and a run that is saved and restored at any
 // cycle goes on with the same bits.
+#include "commands/save_session.hpp"
 #include "commands/session.hpp"
 
 #include "base/diagnostic.hpp"
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -96,9 +98,9 @@ std::vector<Part> random_deck(std::uint64_t seed) {
 
 class Run {
 public:
-    Run() : results_(std::tmpfile()), messages_(std::tmpfile()) {
+    explicit Run(int threads = 1) : results_(std::tmpfile()), messages_(std::tmpfile()) {
         Options options;
-        options.threads = 1;
+        options.threads = threads;
         options.joint_folders = {KAYA_TEST_JOINTS};
         session_ = std::make_unique<Session>(options, results_, messages_);
     }
@@ -117,6 +119,8 @@ public:
         return true;
     }
     Session& session() { return *session_; }
+    /// Of the model, and of scripts and ranges.
+    std::pair<std::uint64_t, std::uint64_t> hashes() { return {state_hash(session_->model), script_hash(*session_)}; }
 
 private:
     std::FILE* results_;
@@ -154,9 +158,9 @@ int check(std::uint64_t seed) {
     Chance c(seed + 1000000);
     int looked_at = 0, part_number = 0;
     for (const Part& part : random_deck(seed)) {
-        const auto before = state_hash(run.session().model);
+        const auto before = run.hashes();
         if (!part.line.empty() && !run.run(part.line)) {
-            EXPECT_EQ(state_hash(run.session().model), before) << "seed " << seed << ": refused, and not without a trace: " << part.line;
+            EXPECT_EQ(run.hashes(), before) << "seed " << seed << ": refused, and not without a trace: " << part.line;
         }
         for (int i = 0; i < part.cycles; ++i) {
             if (!run.run("cycle 1")) return looked_at; // nothing to run, or a law that gives up
@@ -172,16 +176,54 @@ int check(std::uint64_t seed) {
     return looked_at;
 }
 
-// KAYA_RANDOM_DECKS says how many; the slow test asks for more.
+/// The whole deck once more with so many threads.
+std::uint64_t final_hash(std::uint64_t seed, int threads) {
+    Run run(threads);
+    for (const Part& part : random_deck(seed)) {
+        if (!part.line.empty()) run.run(part.line);
+        for (int i = 0; i < part.cycles; ++i)
+            if (!run.run("cycle 1")) break;
+    }
+    return state_hash(run.session().model);
+}
+
+int number_from(const char* variable, int otherwise) {
+    const char* given = std::getenv(variable);
+    return given ? std::atoi(given) : otherwise;
+}
+
+// KAYA_RANDOM_DECKS says how many, KAYA_FIRST_SEED where they begin; the slow test asks for more.
 TEST(random_decks, the_step_stays_below_the_bound_and_a_restored_run_goes_on_with_the_same_bits) {
-    const char* given = std::getenv("KAYA_RANDOM_DECKS");
-    const int decks = given ? std::atoi(given) : 40;
+    const int decks = number_from("KAYA_RANDOM_DECKS", 40), first = number_from("KAYA_FIRST_SEED", 1);
     int looked_at = 0;
-    for (int seed = 1; seed <= decks; ++seed) {
+    for (int seed = first; seed < first + decks; ++seed) {
         looked_at += check(static_cast<std::uint64_t>(seed));
         ASSERT_FALSE(HasFailure()) << "seed " << seed;
     }
     EXPECT_GT(looked_at, 30 * decks); // most decks run to their end
+}
+
+TEST(random_decks, one_two_and_four_threads_give_the_same_bits) {
+    const int decks = number_from("KAYA_RANDOM_DECKS", 20), first = number_from("KAYA_FIRST_SEED", 1);
+    for (int seed = first; seed < first + decks; ++seed) {
+        const auto number = static_cast<std::uint64_t>(seed);
+        const auto one = final_hash(number, 1);
+        ASSERT_EQ(final_hash(number, 2), one) << "seed " << seed;
+        ASSERT_EQ(final_hash(number, 4), one) << "seed " << seed;
+    }
+}
+
+TEST(script_hash, sees_what_scripts_and_ranges_hold) {
+    kaya::Run run;
+    EXPECT_EQ(script_hash(run.session()), 0u);
+    std::set<std::uint64_t> seen{0};
+    for (const char* line : {"set @a = 1", "set @a = 2", "range name low z 0 1", "range name low z 0 2", "table 1 0 0 1 1",
+                             "def f\n a = 1\nend", "lua\nb = 3\nendlua"}) {
+        const auto of_model = state_hash(run.session().model);
+        ASSERT_TRUE(run.run(line)) << line;
+        EXPECT_TRUE(seen.insert(script_hash(run.session())).second) << line;
+        EXPECT_EQ(state_hash(run.session().model), of_model) << line;
+    }
 }
 
 } // namespace
