@@ -36,7 +36,10 @@ void stop(int signal) {
 
 } // namespace
 
-InterruptGuard::InterruptGuard(Session& session) {
+InterruptGuard::InterruptGuard(Session& session)
+    : listener_([&session] {
+          if (session.is_to_stop()) session.stop_if_interrupted();
+      }) {
     listening = &session;
     std::signal(SIGALRM, end_if_deaf);
     std::signal(SIGINT, stop);

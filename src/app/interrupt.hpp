@@ -1,6 +1,7 @@
 // Ctrl-C: the run stops after its cycle; a second Ctrl-C ends the program at once.
 #pragma once
 
+#include "base/stop_point.hpp"
 #include "commands/session.hpp"
 
 namespace kaya {
@@ -12,6 +13,9 @@ public:
     ~InterruptGuard();
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+private:
+    StopListener listener_;
 };
 
 } // namespace kaya

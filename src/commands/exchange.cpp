@@ -1,4 +1,5 @@
 // import, export: blocks in files of other programs.
+#include "base/stop_point.hpp"
 #include "commands/handlers.hpp"
 #include "base/counted.hpp"
 #include "geometry/grid3d.hpp"
@@ -31,6 +32,7 @@ std::vector<Incoming> from_grid(const std::string& path, std::int32_t region) {
     std::vector<Incoming> blocks;
     const Grid3d grid = read_grid3d_file(path);
     for (const auto& block : grid.blocks) {
+        stop_point();
         Incoming incoming{solid_from_surface(surface_of(grid, block), of_files), {}, block.group,
                           block.region != 0 ? block.region : region};
         if (!block.zones.empty()) {
@@ -46,8 +48,10 @@ std::vector<Incoming> from_grid(const std::string& path, std::int32_t region) {
 
 std::vector<Incoming> from_surfaces(const std::string& path, std::int32_t region) {
     std::vector<Incoming> blocks;
-    for (const auto& [name, surface] : read_surfaces(path))
+    for (const auto& [name, surface] : read_surfaces(path)) {
+        stop_point();
         blocks.push_back({solid_from_surface(surface, of_files), {}, name, region});
+    }
     return blocks;
 }
 

@@ -1,5 +1,7 @@
 #include "geometry/box_pairs.hpp"
 
+#include "base/stop_point.hpp"
+
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
 #include <algorithm>
@@ -16,8 +18,10 @@ std::vector<std::array<int, 2>> overlapping_boxes(const std::vector<Box>& boxes)
             static_cast<int>(numbered.size()));
     }
     std::vector<std::array<int, 2>> pairs;
+    StopPoints stops;
     CGAL::box_self_intersection_d(
         numbered.begin(), numbered.end(), [&](const Numbered& a, const Numbered& b) {
+            stops.pass();
             pairs.push_back({std::max(a.info(), b.info()), std::min(a.info(), b.info())});
         });
     std::sort(pairs.begin(), pairs.end());

@@ -6,6 +6,7 @@
 // plane says. All pieces are convex all the way, so the cutting of convex polyhedra with its tolerance
 // does the whole work.
 #include "base/diagnostic.hpp"
+#include "base/stop_point.hpp"
 #include "geometry/cut.hpp"
 #include "geometry/surface_checks.hpp"
 
@@ -76,6 +77,7 @@ Plane best_plane(const std::vector<Fragment>& fragments, double near) {
     std::size_t best = 0;
     int fewest = static_cast<int>(fragments.size()) + 1;
     for (std::size_t i = 0; i < fragments.size() && fewest > 0; i += step) {
+        stop_point();
         int split = 0;
         for (const Fragment& other : fragments) {
             const auto [low, high] = reach(other, fragments[i].plane);

@@ -1,10 +1,16 @@
 #include "geometry/delaunay.hpp"
 
+#include "base/stop_point.hpp"
+
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 #include <algorithm>
+#include <numeric>
 
 namespace kaya {
 
@@ -15,11 +21,24 @@ std::vector<std::array<int, 4>> delaunay(const std::vector<Vec3>& points) {
         CGAL::Triangulation_data_structure_3<Vertex, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
     using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Storage>;
 
-    std::vector<std::pair<Kernel::Point_3, int>> numbered;
-    numbered.reserve(points.size());
-    for (const Vec3& p : points)
-        numbered.emplace_back(Kernel::Point_3(p.x(), p.y(), p.z()), static_cast<int>(numbered.size()));
-    const Triangulation triangulation(numbered.begin(), numbered.end());
+    std::vector<Kernel::Point_3> places;
+    places.reserve(points.size());
+    for (const Vec3& p : points) places.emplace_back(p.x(), p.y(), p.z());
+    // As CGAL inserts a range of points, but one by one: the user may want to stop.
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    using Map = CGAL::Pointer_property_map<Kernel::Point_3>::type;
+    CGAL::spatial_sort(order.begin(), order.end(),
+                       CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(places)));
+    Triangulation triangulation;
+    StopPoints stops;
+    Triangulation::Cell_handle near;
+    for (const std::size_t i : order) {
+        stops.pass();
+        const auto vertex = triangulation.insert(places[i], near);
+        vertex->info() = static_cast<int>(i);
+        near = vertex->cell();
+    }
 
     std::vector<std::array<int, 4>> tetrahedra;
     tetrahedra.reserve(triangulation.number_of_finite_cells());

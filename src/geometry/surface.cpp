@@ -1,6 +1,7 @@
 #include "geometry/surface.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/stop_point.hpp"
 #include "geometry/surface_checks.hpp"
 
 #include <Eigen/Geometry>
@@ -34,7 +35,9 @@ struct EdgeUse {
 
 std::map<Edge, std::vector<EdgeUse>> edges_of(const Surface& surface) {
     std::map<Edge, std::vector<EdgeUse>> edges;
+    StopPoints stops;
     for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+        stops.pass();
         const auto& loop = surface.faces[f].vertices;
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const int a = loop[i], b = loop[(i + 1) % loop.size()];
@@ -149,13 +152,16 @@ Surface surface_from_loops(const std::vector<std::vector<Vec3>>& loops, double n
     std::map<Cell, std::vector<int>> cells;
     std::vector<int> parent(corners.size());
     std::iota(parent.begin(), parent.end(), 0);
+    StopPoints stops;
     for (std::size_t i = 0; i < corners.size(); ++i) {
+        stops.pass();
         const Cell home = cell_of(corners[i]);
         for (int offset = 0; offset < 27; ++offset) {
             const auto found = cells.find(
                 {home[0] + offset % 3 - 1, home[1] + offset / 3 % 3 - 1, home[2] + offset / 9 - 1});
             if (found == cells.end()) continue;
             for (const int other : found->second) {
+                stops.pass();
                 if ((corners[other] - corners[i]).norm() > near) continue;
                 const int a = root_of(parent, static_cast<int>(i)), b = root_of(parent, other);
                 parent[std::max(a, b)] = std::min(a, b);
@@ -188,10 +194,16 @@ std::vector<Surface> separate(const Surface& surface) {
     const std::vector<int> part = parts_of(surface);
     std::vector<Surface> result;
     for (std::size_t f = 0; f < part.size(); ++f) {
-        if (part[f] == static_cast<int>(result.size())) result.push_back({surface.vertices, {}});
+        if (part[f] == static_cast<int>(result.size())) {
+            stop_point(); // each part gets all corners for a moment
+            result.push_back({surface.vertices, {}});
+        }
         result[part[f]].faces.push_back(surface.faces[f]);
     }
-    for (Surface& one : result) drop_unused_vertices(one);
+    for (Surface& one : result) {
+        stop_point();
+        drop_unused_vertices(one);
+    }
     return result;
 }
 

@@ -1,5 +1,6 @@
 // Faces that are to be flat: joining the pieces of one plane, mending small warp, splitting large.
 #include "base/diagnostic.hpp"
+#include "base/stop_point.hpp"
 #include "geometry/surface_checks.hpp"
 
 #include <Eigen/Geometry>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace kaya {
 namespace {
@@ -38,12 +40,16 @@ std::vector<int> plane_mates(const Surface& surface, const std::map<HalfEdge, in
                            [&](int v) { return std::abs(normal.dot(surface.vertices[v] - centre)) <= near; });
     };
     std::vector<int> group{seed};
+    std::set<int> members{seed};
+    StopPoints stops;
     for (std::size_t next = 0; next < group.size(); ++next) {
+        stops.pass();
         const auto& loop = surface.faces[group[next]].vertices;
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const int other = half_edges.at({loop[(i + 1) % loop.size()], loop[i]});
-            if (grouped[other] || std::find(group.begin(), group.end(), other) != group.end()) continue;
-            if (fits(other)) group.push_back(other);
+            if (grouped[other] || members.contains(other) || !fits(other)) continue;
+            group.push_back(other);
+            members.insert(other);
         }
     }
     std::sort(group.begin(), group.end());
@@ -154,7 +160,9 @@ void merge_flat_neighbours(Surface& surface) {
     const auto half_edges = half_edges_of(surface);
     std::vector<bool> grouped(surface.faces.size(), false);
     std::vector<Surface::Face> merged;
+    StopPoints stops;
     for (std::size_t seed = 0; seed < surface.faces.size(); ++seed) {
+        stops.pass();
         if (grouped[seed]) continue;
         const std::vector<int> group =
             plane_mates(surface, half_edges, static_cast<int>(seed), grouped, near);

@@ -59,6 +59,7 @@ std::string_view Words::next_in_line() {
 }
 
 void Words::skip_to_word() {
+    stops_.pass();
     for (skip_blanks(); at_ < text_.size() && text_[at_] == '\n'; skip_blanks()) {
         ++at_;
         ++line_;

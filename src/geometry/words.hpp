@@ -1,6 +1,7 @@
 // Reading the words of a geometry file, with the line in every message. Private to geometry.
 #pragma once
 
+#include "base/stop_point.hpp"
 #include "base/vector.hpp"
 
 #include <string>
@@ -47,6 +48,7 @@ private:
     std::string_view separators_, comments_;
     std::size_t at_ = 0;
     int line_ = 1;
+    StopPoints stops_;
 };
 
 bool same_word(std::string_view a, std::string_view b); ///< case does not matter

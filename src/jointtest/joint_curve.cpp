@@ -1,6 +1,7 @@
 #include "jointtest/joint_curve.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/stop_point.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -183,8 +184,11 @@ JointCurve follow_path(const JointModel& model, const std::vector<double>& value
     first.boundary_stiffness = 0;
     nothing.boundary_stiffness = 0;
     const std::size_t steps_to_start = settings.steps_to_start > 0 ? settings.steps_to_start : settings.steps;
-    for (std::size_t k = 1; k <= steps_to_start; ++k)
+    StopPoints stops;
+    for (std::size_t k = 1; k <= steps_to_start; ++k) {
+        stops.pass();
         bench.go(between(nothing, first, static_cast<double>(k) / static_cast<double>(steps_to_start)));
+    }
     bench.begin_test();
     note(path.points.front());
     curve.at_path.push_back(0);
@@ -193,6 +197,7 @@ JointCurve follow_path(const JointModel& model, const std::vector<double>& value
         for (std::size_t k = 1; k <= settings.steps; ++k) {
             const PathPoint to = between(path.points[piece - 1], path.points[piece],
                                          static_cast<double>(k) / static_cast<double>(settings.steps));
+            stops.pass();
             bench.go(to);
             note(last);
             last = to;

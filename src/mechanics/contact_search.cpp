@@ -1,6 +1,7 @@
 #include "mechanics/contact_search.hpp"
 
 #include "base/parallel.hpp"
+#include "base/stop_point.hpp"
 #include "mechanics/contact_geometry.hpp"
 #include "mechanics/overlap_contact.hpp"
 #include "model/joined.hpp"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 namespace kaya {
 
@@ -260,6 +262,7 @@ std::vector<ContactDraft> find_touches(const Model& model, const Surfaces& surfa
     found.resize(std::max(found.size(), (pairs.size() + grain - 1) / grain)); // those that are there keep their memory
     for (auto& part : found) part.clear();
     for_chunks(pairs.size(), grain, [&](std::size_t first, std::size_t last) {
+        stop_point();
         FoundTouches& part = found[first / grain];
         for (std::size_t i = first; i < last; ++i) {
             const auto& [block1, block2, old, look] = pairs[i];
@@ -333,6 +336,8 @@ bool ContactSearch::due(const Model& model) {
 }
 
 ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool moving) {
+    std::optional<StopListener> nobody;
+    if (moving) nobody.emplace([] {}); // in a cycle the user waits for its end
     auto& blocks = model.blocks;
     beyond_.resize(blocks.size());
     boxes_.resize(blocks.size());
@@ -347,6 +352,7 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
         }
     });
     const std::vector<Pair> pairs = pairs_of(model, near_.of(boxes_), boxes_, beyond_, moved_);
+    stop_point();
     surfaces_.update(model, looked_at(pairs));
     return replace_contacts(model, joints, find_touches(model, surfaces_, beyond_, pairs, moving, found_), moving);
 }
@@ -370,6 +376,7 @@ ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
     for (std::size_t c = 0; c < contacts.size(); ++c)
         if (slid(c)) pairs.push_back({contacts.block1[c], contacts.block2[c], static_cast<Row>(c)});
     if (pairs.empty()) return ContactChange::none;
+    const StopListener nobody([] {});
     const std::vector<Row> wanted = looked_at(pairs);
     beyond_.resize(model.blocks.size());
     for (const Row b : wanted) beyond_[b] = way_beyond(model, b);
