@@ -18,6 +18,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,20 @@ const std::vector<std::string> fish_words = {
     "for",       "global",   "if",        "local",      "loop",       "null",      "return",     "section",
     "then",      "while",    "whilestepping", "while_stepping"};
 
+/// The names that FISH knows without a definition. Their list in docs/fish.md is that of the program, which a test sees to.
+Words fish_names() {
+    std::ifstream page(KAYA_FISH_PAGE);
+    Words names;
+    bool listed = false;
+    for (std::string line; std::getline(page, line) && !line.starts_with("Not supported yet");) {
+        if (line == "## Every name") listed = true;
+        if (!listed || line.empty() || line.front() < 'a' || line.front() > 'z') continue;
+        std::istringstream words(line);
+        for (std::string word; words >> word;) names.insert(word.ends_with('*') ? word.substr(0, word.size() - 1) : word);
+    }
+    return names;
+}
+
 std::string json(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {
@@ -91,27 +106,76 @@ std::string alternatives(const Words& words) {
     return fmt::format("{}", fmt::join(sorted, "|"));
 }
 
-std::string vscode_grammar(const Vocabulary& words) {
-    std::vector<std::string> commands;
-    for (const auto& [word, shortest] : words.shortest) commands.push_back(shortened(word, shortest));
-    const auto pattern = [](std::string_view name, const std::string& match) {
-        return fmt::format("    {{ \"name\": {}, \"match\": {} }}", json(name), json(match));
-    };
-    const std::vector<std::string> patterns = {
+/// A regular expression of JSON, and what it is.
+std::string pattern(std::string_view name, const std::string& match) {
+    return fmt::format("    {{ \"name\": {}, \"match\": {} }}", json(name), json(match));
+}
+
+/// What looks the same in commands and in functions.
+std::vector<std::string> common_patterns() {
+    return {
         pattern("comment.line.semicolon.kaya", ";.*$"),
         "    { \"name\": \"string.quoted.single.kaya\", \"begin\": \"'\", \"end\": \"'|$\" }",
         "    { \"name\": \"string.quoted.double.kaya\", \"begin\": \"\\\"\", \"end\": \"\\\"|$\" }",
-        pattern("keyword.control.kaya", fmt::format("(?i)^\\s*(?:{})\\b", fmt::join(fish_words, "|"))),
-        pattern("support.function.kaya", fmt::format("(?i)^\\s*(?:{})\\b", fmt::join(commands, "|"))),
-        pattern("keyword.other.range.kaya", fmt::format("(?i)\\b(?:range|{})\\b", alternatives(words.elements))),
-        pattern("support.type.property-name.kaya", fmt::format("(?i)\\b(?:{})\\b", alternatives(words.keywords))),
         pattern("variable.other.kaya", "@[A-Za-z_$][A-Za-z0-9_$]*"),
-        pattern("constant.numeric.kaya", "[-+]?(?<![A-Za-z_])(?:[0-9]+\\.?[0-9]*|\\.[0-9]+)(?:[eE][-+]?[0-9]+)?"),
+    };
+}
+
+std::vector<std::string> closing_patterns() {
+    return {
+        pattern("constant.numeric.kaya", "[-+]?(?<![A-Za-z_0-9])(?:[0-9]+\\.?[0-9]*|\\.[0-9]+)(?:[eE][-+]?[0-9]+)?"),
         pattern("keyword.operator.continuation.kaya", "(?:&|\\.\\.\\.)\\s*(?=;|$)"),
     };
-    return fmt::format("{{\n  \"name\": \"kaya\",\n  \"scopeName\": \"source.kaya\",\n  \"fileTypes\": [\"3dd\", \"dat\", "
-                       "\"3ddat\", \"fis\"],\n  \"patterns\": [\n{}\n  ]\n}}\n",
-                       fmt::join(patterns, ",\n"));
+}
+
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+/// Commands, functions of FISH and chunks of Lua each have rules of their own.
+std::string vscode_grammar(const Vocabulary& words) {
+    std::vector<std::string> commands;
+    for (const auto& [word, shortest] : words.shortest) commands.push_back(shortened(word, shortest));
+    const std::vector<std::string> in_commands = {
+        pattern("support.function.kaya", fmt::format("(?i)^\\s*(?:{})\\b", fmt::join(commands, "|"))),
+        // Many a range element is a keyword elsewhere: mat, block, plane.
+        fmt::format("    {{ \"begin\": {}, \"end\": {}, \"beginCaptures\": {{ \"1\": {{ \"name\": \"keyword.other.range.kaya\" }} }}, "
+                    "\"patterns\": [\n{}\n    ] }}",
+                    json("(?i)\\b(range)\\b"), json("(?=;|$)"),
+                    fmt::join(joined(joined(common_patterns(), {pattern("keyword.other.range.kaya",
+                                                                        fmt::format("(?i)\\b(?:{})\\b", alternatives(words.elements)))}),
+                                     closing_patterns()),
+                              ",\n")),
+        pattern("support.type.property-name.kaya", fmt::format("(?i)\\b(?:{})\\b", alternatives(words.keywords))),
+    };
+    std::string intrinsics;
+    for (const char c : alternatives(fish_names())) {
+        if (c == '.') intrinsics += '\\';
+        intrinsics += c;
+    }
+    const std::vector<std::string> in_functions = {
+        fmt::format("    {{ \"begin\": {}, \"end\": {}, \"beginCaptures\": {{ \"1\": {{ \"name\": \"keyword.control.kaya\" }} }}, "
+                    "\"endCaptures\": {{ \"1\": {{ \"name\": \"keyword.control.kaya\" }} }}, \"patterns\": [{{ \"include\": \"#commands\" }}] }}",
+                    json("(?i)^\\s*(command)\\b"), json("(?i)^\\s*(end_?command)\\b")),
+        pattern("keyword.control.kaya", fmt::format("(?i)(?<![.@])\\b(?:{})\\b", fmt::join(fish_words, "|"))),
+        pattern("support.function.intrinsic.kaya", fmt::format("(?i)(?<![.@\\w])(?:{})(?![.\\w])", intrinsics)),
+    };
+    const auto list = [](const std::vector<std::string>& patterns) { return fmt::format("{}", fmt::join(patterns, ",\n")); };
+    return fmt::format(
+        "{{\n  \"name\": \"kaya\",\n  \"scopeName\": \"source.kaya\",\n  \"fileTypes\": [\"3dd\", \"3ddat\", \"fis\"],\n"
+        "  \"patterns\": [\n"
+        "    {{ \"begin\": {}, \"while\": {}, \"beginCaptures\": {{ \"1\": {{ \"name\": \"support.function.kaya\" }} }}, \"contentName\": "
+        "\"meta.embedded.block.lua\", \"patterns\": [{{ \"include\": \"source.lua\" }}] }},\n"
+        "    {{ \"begin\": {}, \"end\": {}, \"beginCaptures\": {{ \"1\": {{ \"name\": \"keyword.control.kaya\" }}, \"2\": {{ \"name\": "
+        "\"entity.name.function.kaya\" }} }}, \"endCaptures\": {{ \"1\": {{ \"name\": \"keyword.control.kaya\" }} }}, \"patterns\": "
+        "[{{ \"include\": \"#fish\" }}] }},\n"
+        "    {{ \"include\": \"#commands\" }}\n  ],\n"
+        "  \"repository\": {{\n  \"commands\": {{ \"patterns\": [\n{}\n  ] }},\n  \"fish\": {{ \"patterns\": [\n{}\n  ] }}\n  }}\n}}\n",
+        json("(?i)^\\s*(lua)\\s*(?:;.*)?$"), json("(?i)^(?!\\s*endlua\\b)"),
+        json("(?i)^\\s*((?:fish\\s+)?def(?:ine)?)\\s+([A-Za-z_$][A-Za-z0-9_$]*)"), json("(?i)^\\s*(end)\\s*(?=;|$)"),
+        list(joined(joined(common_patterns(), in_commands), closing_patterns())),
+        list(joined(joined(common_patterns(), in_functions), closing_patterns())));
 }
 
 std::string completion_words(const Language& language) {
@@ -169,31 +233,47 @@ std::string snippets(const Language& language) {
     return fmt::format("{{\n{}\n}}\n", fmt::join(kept, ",\n"));
 }
 
+/// Words as one expression: what is defined later wins at one place, and commands come last.
+std::string vim_match(std::string_view group, std::string_view before, const std::vector<std::string>& words, std::string_view more = "") {
+    return fmt::format("syntax match {} /{}\\%({}\\)\\>/{}\n", group, before, fmt::join(words, "\\|"), more);
+}
+
 std::string vim_syntax(const Vocabulary& words) {
     std::string text = "\" Vim syntax file of kaya decks, made from the command tables by editor_files.\n"
-                       "if exists(\"b:current_syntax\")\n  finish\nendif\nsyntax case ignore\n"
-                       "setlocal iskeyword=@,48-57,_,-\n";
-    for (const auto& [word, shortest] : words.shortest) {
-        // Vim's own way of saying how much of a word is enough; words with other signs stand in full.
-        const std::string shape = shortest < word.size() && word.find('-') == std::string::npos
-                                      ? fmt::format("{}[{}]", word.substr(0, shortest), word.substr(shortest))
-                                      : word;
-        text += fmt::format("syntax keyword kayaCommand {}\n", shape);
-    }
-    for (const auto& word : words.keywords) text += fmt::format("syntax keyword kayaKeyword {}\n", word);
-    text += "syntax keyword kayaRange range\n";
-    for (const auto& word : words.elements) text += fmt::format("syntax keyword kayaRange {}\n", word);
-    text += fmt::format("syntax keyword kayaFish {}\n", fmt::join(fish_words, " "));
-    return text + "syntax match kayaNumber /\\<[-+]\\?\\d\\+\\.\\?\\d*\\([eE][-+]\\?\\d\\+\\)\\?\\>/\n"
+                       "if exists(\"b:current_syntax\")\n  finish\nendif\n"
+                       "syntax include @kayaLuaWords syntax/lua.vim\nunlet! b:current_syntax\n"
+                       "syntax case ignore\nsetlocal iskeyword=@,48-57,_,-\n";
+    std::vector<std::string> commands, classic;
+    for (const auto& [word, shortest] : words.shortest) // Vim's own way of saying how much of a word is enough
+        commands.push_back(shortest < word.size() ? fmt::format("{}\\%[{}]", word.substr(0, shortest), word.substr(shortest)) : word);
+    for (const auto& name : fish_names())
+        if (name.find('.') == std::string::npos) classic.push_back(name);
+    text += vim_match("kayaKeyword", "\\<", {words.keywords.begin(), words.keywords.end()});
+    // Many a range element is a keyword elsewhere: mat, block, plane.
+    text += "syntax match kayaRange /\\<range\\>/\n";
+    text += vim_match("kayaRange", "\\%(\\<range\\>.*\\)\\@<=\\<", {words.elements.begin(), words.elements.end()});
+    text += vim_match("kayaCommand", "^\\s*\\zs", commands);
+    text += fmt::format("syntax keyword kayaFish contained {}\n", fmt::join(fish_words, " "));
+    text += fmt::format("syntax keyword kayaIntrinsic contained {}\n", fmt::join(classic, " "));
+    return text + "syntax match kayaIntrinsic contained /\\<\\%(block\\|global\\|math\\|mech\\|table\\|string\\|array\\|list\\)\\%(\\.\\h\\w*\\)\\+/\n"
+                  "syntax match kayaNumber /\\k\\@1<![-+]\\=\\%(\\d\\+\\.\\=\\d*\\|\\.\\d\\+\\)\\%([eE][-+]\\=\\d\\+\\)\\=/\n"
                   "syntax match kayaVariable /@\\h\\w*/\n"
                   "syntax match kayaContinued /\\(&\\|\\.\\.\\.\\)\\s*$/\n"
                   "syntax region kayaText start=/'/ end=/'\\|$/\n"
                   "syntax region kayaText start=/\"/ end=/\"\\|$/\n"
                   "syntax match kayaComment /;.*$/\n"
+                  "syntax region kayaInner contained matchgroup=kayaFish start=/^\\s*command\\>/ end=/^\\s*end_\\=command\\>/ "
+                  "contains=kayaKeyword,kayaRange,kayaCommand,kayaNumber,kayaVariable,kayaContinued,kayaText,kayaComment\n"
+                  "syntax region kayaFunction transparent matchgroup=kayaFish start=/^\\s*\\%(fish\\s\\+\\)\\=def\\%(ine\\)\\=\\>/ "
+                  "end=/^\\s*end\\s*\\%(;.*\\)\\=$/ "
+                  "contains=kayaFish,kayaIntrinsic,kayaInner,kayaNumber,kayaVariable,kayaContinued,kayaText,kayaComment\n"
+                  "syntax region kayaLua matchgroup=kayaCommand start=/^\\s*lua\\s*\\%(;.*\\)\\=$/ end=/^\\s*endlua\\>/ keepend "
+                  "contains=@kayaLuaWords\n"
                   "highlight default link kayaCommand Statement\n"
                   "highlight default link kayaKeyword Identifier\n"
                   "highlight default link kayaRange Type\n"
                   "highlight default link kayaFish Keyword\n"
+                  "highlight default link kayaIntrinsic Function\n"
                   "highlight default link kayaNumber Number\n"
                   "highlight default link kayaVariable PreProc\n"
                   "highlight default link kayaContinued Special\n"

@@ -49,6 +49,8 @@ struct CommandLine {
     std::vector<std::string> help_words;
     std::vector<std::string> formatted;
     bool format_in_place = false;
+    bool format_check = false;
+    bool check_as_json = false;
     std::string code;         ///< of `explain`
     std::string journal;      ///< of `replay`
     std::string saved;        ///< of `info`
@@ -95,12 +97,14 @@ std::vector<fs::path> joint_folders(const CommandLine& line, const fs::path& pro
 }
 
 /// Says what would become of each statement of the decks.
-int check(const std::vector<std::string>& decks, Output& output) {
+int check(const std::vector<std::string>& decks, bool as_json, Output& output) {
     int status = 0;
     for (const auto& deck : decks) {
         try {
             const DeckReport report = check_deck(deck, {"."});
-            output.print(report.text(deck));
+            const std::string text = as_json ? report.json_lines() : report.text(deck);
+            if (as_json) fmt::print("{}", text);
+            else output.print(text);
             if (!report.can_run()) status = static_cast<int>(Fault::deck);
         } catch (const Diagnostic& error) {
             output.message(error);
@@ -254,7 +258,9 @@ int start(int argc, char** argv) {
     app.add_flag("--no-journal", line.no_journal, "do not write the journal (the deck's name with .journal)");
     auto* formatting = app.add_subcommand("fmt", "show decks in their long form: whole words, single blanks");
     formatting->add_option("deck", line.formatted, "command files")->required();
-    formatting->add_flag("--write,-w", line.format_in_place, "write it into the files");
+    auto* writing = formatting->add_flag("--write,-w", line.format_in_place, "write it into the files");
+    formatting->add_flag("--check", line.format_check, "write nothing; name the decks that are not in their long form, status 1 if there are any")
+        ->excludes(writing);
     auto* explaining = app.add_subcommand("explain", "explain a message by its code, or list the codes");
     explaining->add_option("code", line.code, "as shown in brackets behind a message on a terminal");
     auto* replaying = app.add_subcommand("replay", "run a journal again and compare the final state");
@@ -271,6 +277,7 @@ int start(int argc, char** argv) {
     auto* checking =
         app.add_subcommand("check", "read decks and say what is wrong with them, without running them");
     checking->add_option("deck", line.checked, "command files")->required();
+    checking->add_flag("--json", line.check_as_json, "one object of JSON per line, for editors");
     auto* helping = app.add_subcommand("help", "list the commands of decks, or explain one of them");
     helping->add_option("command", line.help_words, "a command, a keyword, or a name of FISH: poly brick, cx_nforce");
     const fs::path program = program_folder(argv[0]);
@@ -288,7 +295,7 @@ int start(int argc, char** argv) {
     }
     if (*checking) {
         Output output(stdout, stderr);
-        const int status = check(line.checked, output);
+        const int status = check(line.checked, line.check_as_json, output);
         output.flush();
         return status;
     }
@@ -299,7 +306,11 @@ int start(int argc, char** argv) {
     }
     if (*formatting) {
         Output output(stdout, stderr);
-        const int status = format_decks(line.formatted, line.format_in_place, output);
+        const int status = format_decks(line.formatted,
+                                        line.format_check      ? Formatting::check
+                                        : line.format_in_place ? Formatting::write
+                                                               : Formatting::show,
+                                        output);
         output.flush();
         return status;
     }

@@ -121,15 +121,20 @@ std::string help_text(const std::string& words) {
     }
 }
 
-int format_decks(const std::vector<std::string>& decks, bool in_place, Output& output) {
+int format_decks(const std::vector<std::string>& decks, Formatting what, Output& output) {
     int status = 0;
     for (const auto& deck : decks) {
         try {
             const fs::path path = lang::find_deck(deck, {"."});
             const auto source = lang::read_source(path, deck);
             const std::string text = lang::format_deck(lang::classic(), source);
-            if (in_place) replace(path, text);
-            else output.print(text);
+            if (what == Formatting::write) replace(path, text);
+            else if (what == Formatting::show) output.print(text);
+            else if (std::ifstream stream(path, std::ios::binary);
+                     std::string(std::istreambuf_iterator<char>(stream), {}) != text) {
+                output.print(fmt::format("{} is not in its long form", deck));
+                status = static_cast<int>(Fault::deck);
+            }
         } catch (const lang::DeckErrors& errors) {
             for (const auto& error : errors.all) output.message(error);
             status = static_cast<int>(Fault::deck);

@@ -18,6 +18,25 @@ constexpr std::array outlook_words{"runs", "ignored", "warning", "not supported 
 
 const char* word_of(Outlook outlook) { return outlook_words[static_cast<std::size_t>(outlook)]; }
 
+/// A text of JSON. What is no UTF-8 in a deck is shown as the sign for that.
+std::string json(std::string_view text) {
+    std::string out = "\"";
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        if (c == '"' || c == '\\') out += {'\\', text[i]};
+        else if (c < 0x20) out += fmt::format("\\u{:04x}", c);
+        else if (c < 0x80) out += text[i];
+        else {
+            const std::size_t length = c >= 0xf0 && c < 0xf5 ? 4 : c >= 0xe0 ? 3 : c >= 0xc2 ? 2 : 0;
+            bool whole = length > 0 && c < 0xf5 && i + length <= text.size();
+            for (std::size_t k = 1; whole && k < length; ++k) whole = (static_cast<unsigned char>(text[i + k]) & 0xc0) == 0x80;
+            if (whole) out += text.substr(i, length), i += length - 1;
+            else out += "\xef\xbf\xbd";
+        }
+    }
+    return out + "\"";
+}
+
 Outlook outlook_of(const Diagnostic& problem) {
     if (problem.severity == Severity::warning) return Outlook::doubtful;
     if (problem.code == "not-supported-yet" || problem.code == "unsupported-fish-name") return Outlook::not_supported;
@@ -36,7 +55,7 @@ public:
         ++report.statements;
         const auto ignored = [&](std::string text) {
             report.lines.push_back({command.place.source->name, command.place.line, command.place.column,
-                                    Outlook::ignored, std::move(text), {}});
+                                    Outlook::ignored, std::move(text), {}, {}});
         };
         if (command.spec->support == lang::Support::ignored) ignored(command.text());
         else if (!command.ignored.empty()) {
@@ -70,7 +89,7 @@ private:
         const std::string name = problem.place.source ? problem.place.source->name : "";
         begin_file(name);
         report.lines.push_back({name, problem.place.line, problem.place.column, outlook_of(problem), problem.message,
-                                problem.hint});
+                                problem.hint, problem.code});
     }
 
     std::vector<std::string> files_; ///< in the order of their first call
@@ -96,6 +115,26 @@ std::string DeckReport::text(const std::string& deck) const {
     for (const auto outlook : {Outlook::ignored, Outlook::not_supported, Outlook::unknown, Outlook::wrong})
         if (count(outlook) > 0) text += fmt::format(", {} {}", count(outlook), word_of(outlook));
     if (const auto n = count(Outlook::doubtful); n > 0) text += ", " + counted(n, "warning");
+    return text;
+}
+
+std::string DeckReport::json_lines() const {
+    std::string text;
+    for (const auto& line : lines) {
+        const char* severity = line.outlook == Outlook::ignored    ? "information"
+                               : line.outlook == Outlook::doubtful ? "warning"
+                                                                   : "error";
+        // What says "did you mean 'x'?" proposes x, which an editor can put in.
+        constexpr std::string_view begin = "did you mean '";
+        const auto from = line.hint.find(begin), to = line.hint.find("'?", from);
+        const std::string proposal = from == line.hint.npos || to == line.hint.npos
+                                         ? ""
+                                         : line.hint.substr(from + begin.size(), to - from - begin.size());
+        text += fmt::format("{{\"file\": {}, \"line\": {}, \"column\": {}, \"severity\": \"{}\", \"kind\": \"{}\", \"code\": {}, "
+                            "\"message\": {}, \"hint\": {}, \"proposal\": {}}}\n",
+                            json(line.file), line.line, line.column, severity, word_of(line.outlook), json(line.code),
+                            json(line.text), json(line.hint), json(proposal));
+    }
     return text;
 }
 

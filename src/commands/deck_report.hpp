@@ -25,6 +25,7 @@ struct ReportLine {
     Outlook outlook = Outlook::runs;
     std::string text; ///< what is ignored, or the message
     std::string hint;
+    std::string code; ///< for `kaya explain`; may be empty
 };
 
 struct DeckReport {
@@ -34,6 +35,8 @@ struct DeckReport {
     bool can_run() const;
     /// "deck.3dd:12:5: not supported yet: ...", one for each line, and the counts.
     std::string text(const std::string& deck) const;
+    /// One object of JSON per line of the report: file, line, column, severity, code, message, proposal.
+    std::string json_lines() const;
 };
 
 /// Reads a deck, the files that it calls, and the bodies of its FISH functions. Throws Diagnostic when the deck
