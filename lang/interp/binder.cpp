@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 #include <optional>
 
 namespace kaya::lang {
@@ -57,12 +58,32 @@ std::vector<std::string_view> first_words(const std::vector<KeywordSpec>& keywor
     return words;
 }
 
+/// A beginning that several commands share, and of none enough letters.
+void refuse_ambiguous(const Word& word, const std::vector<std::string_view>& candidates) {
+    std::set<std::string_view> fitting;
+    for (const auto candidate : candidates)
+        if (candidate.starts_with(word.folded)) fitting.insert(candidate);
+    if (fitting.size() < 2) return;
+    constexpr std::size_t most_shown = 8;
+    std::string list;
+    std::size_t shown = 0;
+    for (const auto candidate : fitting) {
+        if (shown++ == most_shown) break;
+        list += (list.empty() ? "" : ", ") + std::string(candidate);
+    }
+    Diagnostic d(fmt::format("{} is ambiguous: several commands begin with it", word.shown()),
+                 fmt::format("one of: {}{}", list, fitting.size() > most_shown ? ", ..." : ""));
+    d.code = "unknown-command";
+    throw d.at(word.place);
+}
+
 [[noreturn]] void unknown_command(const Language& language, const Statement& statement) {
     std::vector<std::string_view> candidates;
     for_each_command(language, [&](const CommandSpec& command) { add_words(candidates, command.words); });
     const Word& word = statement.words.front();
     if (word.text == "?" || word.kind == WordKind::open)
         Reader(statement, 0, 1, nullptr).unknown("a command", candidates);
+    if (word.kind == WordKind::word) refuse_ambiguous(word, candidates);
     const auto near = word.kind == WordKind::word ? did_you_mean(word.folded, candidates) : "";
     Diagnostic d(fmt::format("{} is not a command", word.shown()),
                  near.empty() ? "'kaya help' lists the commands" : fmt::format("did you mean '{}'?", near));

@@ -1,5 +1,6 @@
 #include "app/prompt.hpp"
 
+#include "app/completion.hpp"
 #include "app/explanations.hpp"
 #include "app/interrupt.hpp"
 #include "app/tools.hpp"
@@ -13,6 +14,8 @@
 #include <fmt/format.h>
 #include <histedit.h>
 #include <iostream>
+#include <sstream>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace kaya {
@@ -22,6 +25,39 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kept_lines = 1000;
+
+struct Screen {
+    std::size_t columns = 80, rows = 24;
+};
+
+Screen screen() {
+    winsize size{};
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0) return {};
+    return {size.ws_col, size.ws_row};
+}
+
+/// A long text by pages, on a terminal. The return key goes on, q ends it.
+void show_by_pages(Session& session, const std::string& text) {
+    const bool terminal = isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1;
+    const std::size_t page = std::max<std::size_t>(screen().rows, 4) - 2;
+    std::istringstream lines(text);
+    std::string part;
+    std::size_t shown = 0;
+    for (std::string line; std::getline(lines, line); ++shown) {
+        if (terminal && shown == page) {
+            session.output.print(part);
+            session.output.flush();
+            part.clear();
+            shown = 0;
+            std::fputs("-- more: the return key goes on, q ends --", stdout);
+            std::fflush(stdout);
+            std::string answer;
+            if (!std::getline(std::cin, answer) || answer.starts_with("q")) return;
+        }
+        part += line + "\n";
+    }
+    session.output.print(part);
+}
 
 /// The longest beginning that all words share.
 std::string common_beginning(const std::vector<std::string>& words) {
@@ -38,7 +74,7 @@ extern "C" void leave_line(int) {}
 
 class LineEditor {
 public:
-    LineEditor() : editor_(el_init("kaya", stdin, stdout, stderr)), history_(history_init()) {
+    explicit LineEditor(const Session& session) : session_(session), editor_(el_init("kaya", stdin, stdout, stderr)), history_(history_init()) {
         HistEvent event;
         history(history_, &event, H_SETSIZE, kept_lines);
         history(history_, &event, H_SETUNIQUE, 1);
@@ -68,8 +104,9 @@ public:
     enum class Read { line, interrupted, end };
 
     /// One line, without its end.
-    Read read(bool goes_on, std::string& line) {
-        goes_on_ = goes_on;
+    /// `above` are the lines of a statement that goes on.
+    Read read(const std::string& above, std::string& line) {
+        before_ = above;
         struct sigaction on_interrupt {}, before {};
         on_interrupt.sa_handler = leave_line; // without SA_RESTART: reading ends
         sigaction(SIGINT, &on_interrupt, &before);
@@ -105,27 +142,26 @@ private:
 
     static char* prompt_of(EditLine* editor) {
         static char first[] = "kaya> ", further[] = "    > ";
-        return of(editor).goes_on_ ? further : first;
+        return of(editor).before_.empty() ? first : further;
     }
 
     static unsigned char complete(EditLine* editor, int) {
         const LineInfo* info = el_line(editor);
         const std::string line(info->buffer, static_cast<std::size_t>(info->cursor - info->buffer));
-        const auto words = lang::completions(lang::classic(), line);
+        const auto [typed, words] = proposals(of(editor).session_, of(editor).before_, line);
         if (words.empty()) return CC_REFRESH_BEEP;
-        const auto blank = line.find_last_of(" \t=,()");
-        const std::size_t typed = line.size() - (blank == std::string::npos ? 0 : blank + 1);
         std::string rest = common_beginning(words);
         rest.erase(0, std::min(typed, rest.size()));
-        if (words.size() == 1) rest += ' ';
+        if (words.size() == 1 && !words.front().ends_with("/")) rest += ' '; // a folder goes on
         if (!rest.empty()) return el_insertstr(editor, rest.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
-        std::fputs(fmt::format("\n{}\n", fmt::join(words, "  ")).c_str(), stdout);
+        std::fputs(fmt::format("\n{}\n", filled(words, screen().columns - 1)).c_str(), stdout);
         return CC_REDISPLAY;
     }
 
+    const Session& session_;
     EditLine* editor_;
     ::History* history_;
-    bool goes_on_ = false;
+    std::string before_;
 };
 
 /// What belongs to the prompt and not to the language; true when the line was one of those.
@@ -134,10 +170,20 @@ bool own_command(Session& session, const std::string& text) {
     lang::Statement statement;
     if (!lexer.next(statement)) return true; // a blank line, a comment
     const std::string& word = statement.words.front().folded;
+    // `jmodel model ?`: names of the session, which the language does not know.
+    const std::string raw = statement.raw(0);
+    if (raw.ends_with(" ?") && raw.find('\n') == raw.npos) {
+        const std::string asked = raw.substr(0, raw.size() - 1);
+        if (!lang::completions(lang::classic(), asked).empty()) return false; // it lists words with more about them
+        const auto words = proposals(session, "", asked).words;
+        if (words.empty()) return false;
+        session.output.print(filled(words, screen().columns - 1));
+        return true;
+    }
     if (word != "help" && word != "explain") return false;
     const std::string rest = statement.raw(1);
-    if (word == "explain") session.output.print(rest.empty() ? code_list() : explanation(rest));
-    else session.output.print(help_text(rest));
+    if (word == "explain") show_by_pages(session, rest.empty() ? code_list() : explanation(rest));
+    else show_by_pages(session, help_text(rest));
     return true;
 }
 
@@ -167,7 +213,8 @@ int show(Session& session) {
     } catch (const lang::DeckErrors& errors) {
         for (const auto& error : errors.all) session.output.message(error);
         return static_cast<int>(errors.fault);
-    } catch (const Diagnostic& error) {
+    } catch (Diagnostic& error) {
+        if (error.hint == "'kaya help' lists the commands") error.hint = "'help' lists the commands";
         session.output.message(error);
         return static_cast<int>(error.fault);
     } catch (const std::bad_alloc&) {
@@ -184,10 +231,10 @@ int from_keyboard(Session& session) {
     std::setlocale(LC_CTYPE, ""); // letters beyond ASCII take one place on the screen
     session.output.say(fmt::format("kaya {}: help lists the commands, ? in place of a word what may stand there, quit ends",
                                    program_version()));
-    LineEditor editor;
+    LineEditor editor(session);
     std::string text, line;
     for (;;) {
-        const auto read = editor.read(!text.empty(), line);
+        const auto read = editor.read(text, line);
         if (read == LineEditor::Read::end) return 0;
         if (read == LineEditor::Read::interrupted) {
             text.clear();

@@ -1,11 +1,23 @@
 #include "commands/output.hpp"
 
+#include "commands/fitted.hpp"
+
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace kaya {
+
+namespace {
+
+std::size_t columns_of(std::FILE* terminal) {
+    winsize size{};
+    return ioctl(fileno(terminal), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+} // namespace
 
 Output::Output(std::FILE* results, std::FILE* messages)
     : results_(results), messages_(messages), terminal_(isatty(fileno(messages)) == 1) {
@@ -46,7 +58,8 @@ void Output::message(const Diagnostic& diagnostic) {
     end_refresh();
     // What was printed before the message must stand before it when both go to one terminal or file.
     std::fflush(results_);
-    fmt::print(messages_, "{}\n", render(diagnostic, colour_, terminal_));
+    const std::string text = render(diagnostic, colour_, terminal_);
+    fmt::print(messages_, "{}\n", terminal_ ? fitted(text, columns_of(messages_)) : text);
     std::fflush(messages_);
     if (log_ != nullptr) fmt::print(log_, "{}\n", render(diagnostic, false, true));
 }

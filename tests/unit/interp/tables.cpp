@@ -179,7 +179,7 @@ TEST(Tables, HyphenatedWordsAreShortenedPartByPart) {
 }
 
 TEST(Tables, OneLetterIsNoAbbreviation) {
-    EXPECT_EQ(mistake("p mat 1").message, "'p' is not a command");
+    EXPECT_EQ(mistake("p mat 1").message, "'p' is ambiguous: several commands begin with it");
     EXPECT_EQ(mistake("poly b 0 1").message, "'b' is not a kind of poly");
 }
 

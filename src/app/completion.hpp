@@ -1,0 +1,22 @@
+// What may be typed next at the prompt: words of the language, and names that the session knows.
+#pragma once
+
+#include "commands/session.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+struct Proposals {
+    std::size_t typed = 0;          ///< letters at the end of the line that the words begin with
+    std::vector<std::string> words; ///< sorted
+};
+
+/// For a line up to the cursor. `before` are the lines of an unfinished function or chunk that stand above it.
+Proposals proposals(const Session& session, const std::string& before, const std::string& line);
+
+/// Words in lines of at most `width` letters, none of them broken.
+std::string filled(const std::vector<std::string>& words, std::size_t width);
+
+} // namespace kaya
