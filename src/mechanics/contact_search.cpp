@@ -46,8 +46,11 @@ bool is_fast(const Model& model, Row b, double way) {
     return look_interval * way > (0.5 - moved_part) * model.blocks.margin[b];
 }
 
-/// How far a block may go beyond half its margin before it is looked at again.
+/// How far a block may go beyond half its margin before it is looked at again. The faces that lie on each other are those of the
+/// last look, so that a block that rolls does not look ahead.
 double way_ahead(const Model& model, Row b, double way) {
+    constexpr double rolling = 3e-3; // angle
+    if (look_interval * model.clock.time_step * model.blocks.rotational_velocity[b].norm() > rolling) return 0;
     return is_fast(model, b, way) ? std::min(look_interval * way, farthest_ahead * model.blocks.margin[b]) : 0;
 }
 
@@ -113,8 +116,9 @@ bool to_be_looked_at(const Model& model, std::size_t b) {
     const double margin = model.blocks.margin[b], travelled = model.blocks.travelled[b];
     if (model.clock.cycle % look_interval != 0) return travelled > 0.5 * margin;
     if (travelled > moved_part * margin) return true;
-    const double way = way_of_a_step(model, static_cast<Row>(b));
-    return is_fast(model, static_cast<Row>(b), way) && travelled + look_interval * way > 0.5 * margin;
+    const Row row = static_cast<Row>(b);
+    const double way = way_of_a_step(model, row);
+    return way_ahead(model, row, way) > 0 && travelled + look_interval * way > 0.5 * margin;
 }
 
 bool apart(const Box& a, const Box& b) {
