@@ -137,6 +137,10 @@ constexpr Explanation explanations[] = {
     {"zone-model-failed", "a zone model failed while it ran",
      "It threw an exception, or left a number that is not finite. The message says in which zone. Steps that are too long, or\n"
      "properties that do not fit together, are the usual reasons."},
+    {"zone-crushed", "a zone has no sensible shape any more",
+     "It has less than a fifth of its volume, is flatter than two degrees, or has turned inside out. What it would answer from\n"
+     "here on is no rock. A boundary that is driven too far, a load without anything that carries it, and a step that is too\n"
+     "long are the usual reasons. The state before the cycle is saved."},
     {"joint-model-restore", "a saved model needs a joint model that has changed",
      "The saved state belongs to the library that was used then: same name, same properties. Use that one."},
     {"property-missing", "a property that must be given",

@@ -4,6 +4,7 @@
 #include "base/memory.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/contact_search.hpp"
+#include "mechanics/crushed_zones.hpp"
 #include "mechanics/phases.hpp"
 #include "mechanics/sub_contact_order.hpp"
 #include "mechanics/take_over.hpp"
@@ -272,6 +273,7 @@ void Cycle::advance() {
     if (follows || contacts_changed != ContactChange::none || may_grow)
         s.timed(step, [&] {
             if (may_grow) {
+                check_crushed_zones(model_);
                 zone_frequencies(model_, s.elastic);
                 add_tie_frequencies(model_, s.ties);
             }

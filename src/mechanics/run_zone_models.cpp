@@ -1,4 +1,5 @@
 #include "base/reduce.hpp"
+#include "mechanics/crushed_zones.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/phases.hpp"
 #include "mechanics/zone_laws.hpp"
@@ -170,6 +171,7 @@ ZoneSums run_batch(Model& model, const ZoneBatch& rows, const ZoneLaw& law, Zone
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t z = static_cast<std::size_t>(rows.first) + i;
         const Deformation d = deformation_of(model, z);
+        if (!(d.volume > 0)) throw turned_over(model, static_cast<Row>(z));
         columns.volume[i] = d.volume;
         columns.pressure[i] = water.of_zone(static_cast<Row>(z));
         columns.volume_strain[i] = d.strain.trace();

@@ -1,0 +1,92 @@
+#include "mechanics/crushed_zones.hpp"
+
+#include "base/reduce.hpp"
+#include "model/measure.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace kaya {
+
+namespace {
+
+constexpr std::size_t grain = 1024;
+constexpr double least_volume = 0.2; ///< of what it was
+const double least_sine = std::sin(2 * std::numbers::pi / 180);
+
+struct Shape {
+    double volume;
+    double sine; ///< of the angle between two of its faces that is nearest to 0 or 180 degrees
+};
+
+Shape shape_of(const std::array<Vec3, 4>& x) {
+    const Vec3 a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
+    const std::array<Vec3, 4> faces{b.cross(a), a.cross(c), c.cross(b), (b - a).cross(c - a)};
+    Shape shape{a.dot(b.cross(c)) / 6, 1};
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < i; ++j) {
+            const double sizes = faces[i].norm() * faces[j].norm();
+            shape.sine = std::min(shape.sine, sizes > 0 ? faces[i].cross(faces[j]).norm() / sizes : 0);
+        }
+    return shape;
+}
+
+/// As it is and as it was when displacements were zero.
+std::array<Shape, 2> shapes_of(const Model& model, Row zone) {
+    std::array<Vec3, 4> now, then;
+    for (int k = 0; k < 4; ++k) {
+        const Row g = model.zones.gridpoints[zone][k];
+        now[k] = model.gridpoints.position[g];
+        then[k] = now[k] - model.gridpoints.displacement[g];
+    }
+    return {shape_of(now), shape_of(then)};
+}
+
+bool is_crushed(const Model& model, Row zone) {
+    const auto [now, then] = shapes_of(model, zone);
+    if (!(then.volume > 0)) return false; // displacements were set
+    return !(now.volume >= least_volume * then.volume) || (now.sine < least_sine && then.sine >= least_sine);
+}
+
+Diagnostic of_zone(const Model& model, Row zone, const std::string& what) {
+    const Row block = model.zones.block[zone];
+    const Vec3 place = zone_centroid(model, zone);
+    Vec3 velocity = Vec3::Zero();
+    for (const Row g : model.zones.gridpoints[zone]) velocity += 0.25 * model.gridpoints.velocity[g];
+    Diagnostic d(fmt::format("zone {} of block {} at ({:.6g}, {:.6g}, {:.6g}) {}", zone + 1, model.blocks.number[block], place.x(), place.y(),
+                             place.z(), what),
+                 "look at the velocities and loads that drive the block, or delete what has fallen apart", Fault::run);
+    d.code = "zone-crushed";
+    d.add(fmt::format("it moves with ({:.6g}, {:.6g}, {:.6g}); the time step is {:.6g}", velocity.x(), velocity.y(), velocity.z(),
+                      model.clock.time_step));
+    return d;
+}
+
+} // namespace
+
+void check_crushed_zones(const Model& model) {
+    if (!model.settings.large_strain) return;
+    const Row none = static_cast<Row>(model.zones.size());
+    const Row first = reduce_chunks(
+        model.zones.size(), grain, none,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t z = begin; z < end; ++z)
+                if (is_crushed(model, static_cast<Row>(z))) return static_cast<Row>(z);
+            return none;
+        },
+        [](Row& least, const Row& part) { least = std::min(least, part); });
+    if (first == none) return;
+    const auto [now, then] = shapes_of(model, first);
+    throw of_zone(model, first,
+                  now.volume < least_volume * then.volume
+                      ? fmt::format("is crushed: {:.3g} of its volume is left", now.volume / then.volume)
+                      : fmt::format("is crushed: two of its faces are {:.2g} degrees from each other", std::asin(now.sine) * 180 / std::numbers::pi));
+}
+
+Diagnostic turned_over(const Model& model, Row zone) { return of_zone(model, zone, "has turned inside out in one step"); }
+
+} // namespace kaya
