@@ -144,8 +144,11 @@ constexpr double slow_growth = 0.02;
 /// Marks a contact that is much stiffer than it was, or whose places have moved away from the centres of its blocks.
 void note_stiffness(const Model& model, Row c, JointForces& forces) {
     const double sum = follows_overlap(model, c) ? stiffness_over_mass(model, c) : sum_of_stiffness(model, c) * inverse_masses(model, c);
-    if (sum > (1 + slow_growth) * forces.stiffness[c]) forces.stiffness_changed[c] = 1;
+    // What becomes an overlap, or a joint, turns its blocks about other places.
+    const ContactKind kind = model.contacts.kind[c];
+    if (sum > (1 + slow_growth) * forces.stiffness[c] || kind != forces.kind[c]) forces.stiffness_changed[c] = 1;
     forces.stiffness[c] = sum;
+    forces.kind[c] = kind;
 }
 
 /// Whether a joint between rigid blocks has to go by its overlap from now on.
@@ -245,6 +248,7 @@ void joint_forces(const Model& model, JointForces& forces) {
     forces.of_contact.assign(model.contacts.size(), Vec3::Zero());
     forces.moment.assign(model.contacts.size(), Vec3::Zero());
     forces.stiffness.assign(model.contacts.size(), 0);
+    forces.kind.assign(model.contacts.kind.begin(), model.contacts.kind.end());
     forces.stiffness_changed.assign(model.contacts.size(), 0);
     for_chunks(model.contacts.size(), grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c) take_contact(model, static_cast<Row>(c), forces);
