@@ -97,9 +97,12 @@ void check_rows_of_blocks(Findings& findings, const Model& model) {
     for (const auto* zones : {&model.zones, &model.excavated.zones})
         findings.require(zones->history_columns >= 0 && zones->history_columns <= KAYA_JMODEL_MAX_HISTORY,
                          "the history columns of zones are not counted right");
-    for (std::size_t i = 0; i < blocks.size() && findings.clean(); ++i)
+    for (std::size_t i = 0; i < blocks.size() && findings.clean(); ++i) {
+        findings.require((blocks.deformable[i] != 0) == (blocks.zones[i].count > 0), "blocks", i,
+                         "it is to be deformable without zones, or has zones and is not");
         findings.require(blocks.cell_zones[i] == 0 || (blocks.cell_zones[i] > 0 && blocks.zones[i].count % blocks.cell_zones[i] == 0),
                          "blocks", i, fmt::format("{} zones in cells of {}", blocks.zones[i].count, blocks.cell_zones[i]));
+    }
     for (std::size_t i = 0; i < blocks.size() && findings.clean(); ++i)
         findings.require(blocks.number[i] >= 1 && blocks.number[i] < model.next_block_number, "blocks", i,
                          fmt::format("number {} where {} is the next", blocks.number[i], model.next_block_number));
