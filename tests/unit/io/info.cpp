@@ -32,7 +32,7 @@ TEST(Info, ASaveFileInWords) {
                           "unbalanced      force 12.5, average ratio 0\n"
                           "blocks          2 (1 deformable), 8 gridpoints, 1 zones, 8 faces\n"
                           "contacts        1, 2 sub-contacts\n"
-                          "joint models    mohr (1 contacts)\n"
+                          "joint models    mohr (1 contact)\n"
                           "histories       1, 0 samples, every cycle\n"
                           "                1:Shear Stress [script sstav]\n"
                           "deck            a.3dd, 2 lines\n"
