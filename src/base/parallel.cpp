@@ -1,6 +1,7 @@
 #include "base/parallel.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -55,8 +56,9 @@ void for_chunks(std::size_t n, std::size_t grain, ChunkBody body) {
     }
     std::mutex mutex;
     std::exception_ptr first;
-    std::size_t first_chunk = chunks;
+    std::atomic<std::size_t> first_chunk = chunks;
     spread(chunks, [&](std::size_t c) {
+        if (c > first_chunk.load(std::memory_order_relaxed)) return; // what it does or throws, nobody will see
         try {
             body(c * grain, std::min(n, (c + 1) * grain));
         } catch (...) {
