@@ -59,6 +59,12 @@ inline void add_work(JointWork& work, const SubContacts& subs, Row row, const La
     work.fluid += group.load(subs.pore_pressure.data() + row) * group.load(subs.area.data() + row) * opening;
 }
 
+/// What lies in the plane of a contact stays there, and turns in it with the mean of the blocks.
+inline Lanes3 turned_in_plane(const Lanes3& vector, const Lanes3& n, const Lanes& twist) {
+    const Lanes3 in_plane = vector - n * vector.dot(n);
+    return in_plane + n.cross(in_plane) * twist;
+}
+
 /// Two rigid blocks: the relative velocity is linear in the place, so that a few numbers per contact
 /// serve all its sub-contacts.
 void move_between_rigid(Model& model, Row c, const Vec3& normal_before, JointWork& work) {
@@ -96,9 +102,7 @@ void move_between_rigid(Model& model, Row c, const Vec3& normal_before, JointWor
         if (large) {
             farthest = farthest.max(shear.dot(shear));
             group.store(subs.position, i, x + (mean + turned));
-            // The shear force stays in the plane and turns in it with the mean of the blocks.
-            const Lanes3 in_plane = force - n * force.dot(n);
-            force = in_plane + n.cross(in_plane) * twist;
+            force = turned_in_plane(force, n, twist);
             group.store(subs.shear_force, i, force);
         }
         add_work(own, subs, i, group, force, opening, shear);
@@ -178,17 +182,20 @@ void turn_kept_vectors(Model& model, Row c, const std::vector<std::size_t>& vect
     const auto& contacts = model.contacts;
     const auto& blocks = model.blocks;
     const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
-    const Vec3 n = contacts.normal[c];
+    const Lanes3 n = Lanes3::of(contacts.normal[c]);
     const bool rigid = !blocks.deformable[b1] && !blocks.deformable[b2];
-    const double twist =
-        rigid ? 0.5 * model.clock.time_step * (blocks.rotational_velocity[b1] + blocks.rotational_velocity[b2]).dot(n) : 0;
+    const Vec3 turn = 0.5 * model.clock.time_step * (blocks.rotational_velocity[b1] + blocks.rotational_velocity[b2]);
+    const Lanes twist = Lanes::Constant(rigid ? turn.dot(contacts.normal[c]) : 0);
     const Span span = contacts.sub_contacts[c];
     for (const std::size_t k : vectors) {
-        auto* column = &model.sub_contacts.history[k];
-        for (Row s = span.first; s < span.end(); ++s) {
-            const Vec3 kept(column[0][s], column[1][s], column[2][s]);
-            const Vec3 in_plane = kept - kept.dot(n) * n, turned = in_plane + twist * n.cross(in_plane);
-            for (int i = 0; i < 3; ++i) column[i][s] = turned[i];
+        auto* const column = &model.sub_contacts.history[k];
+        for (Row i = span.first; i < span.end(); i += lane_count) {
+            const LaneGroup group(span.end() - i);
+            const Lanes3 kept{group.load(column[0].data() + i), group.load(column[1].data() + i), group.load(column[2].data() + i)};
+            const Lanes3 turned = turned_in_plane(kept, n, twist);
+            group.store(column[0].data() + i, turned.x);
+            group.store(column[1].data() + i, turned.y);
+            group.store(column[2].data() + i, turned.z);
         }
     }
 }
