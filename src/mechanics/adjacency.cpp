@@ -29,10 +29,6 @@ Adjacency make_adjacency(const Model& model) {
             }
     });
     adjacency.bodies = joined_bodies(model);
-    adjacency.corners = sorted_lists<Row>(model.gridpoints.size(), [&](auto add) {
-        for (Row z = 0; z < static_cast<Row>(model.zones.size()); ++z)
-            for (int k = 0; k < 4; ++k) add(model.zones.gridpoints[z][k], 4 * z + k);
-    });
     return adjacency;
 }
 

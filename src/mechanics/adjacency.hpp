@@ -46,7 +46,6 @@ struct Adjacency {
     Lists<SideEntry> of_gridpoint; ///< gridpoints of deformable blocks
     Lists<ContactEntry> of_block;  ///< rigid blocks
     JoinedBodies bodies;
-    Lists<Row> corners;            ///< of each gridpoint: 4 zone + corner
 };
 
 Adjacency make_adjacency(const Model& model);

@@ -98,7 +98,7 @@ struct Cycle::Scratch {
     TieLists ties;
     TimeStep step;
     JointForces joints;
-    std::vector<Vec3> corner_forces;
+    std::vector<PointRow> zone_forces;
     std::vector<PhaseTime> timing = phase_names();
 
     /// Calls a phase and adds its time.
@@ -150,7 +150,7 @@ void Cycle::prepare() {
     if (model_.properties_changed) {
         drive_loads(model_, s.drives, hooks);
         // Forces of what is there already, so that the first step starts from them.
-        gather_forces(model_, s.adjacency, s.ties, s.joints, s.corner_forces);
+        gather_forces(model_, s.adjacency, s.ties, s.joints, s.laws.tiles, s.zone_forces);
         model_.clock.time_step = 0;
         model_.clock.last_step = 0; // what a command has changed acts from now on
         s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, TimeStep::Look::all_and_grow);
@@ -175,7 +175,7 @@ void Cycle::make_lists() {
     s.drives = list_drives(model_);
     put_water(model_);
     joint_forces(model_, s.joints);
-    zone_forces(model_, s.corner_forces);
+    zone_forces(model_, s.laws, s.zone_forces);
 }
 
 void Cycle::adapt_viscosity(const MotionSums& motion) {
@@ -239,7 +239,7 @@ void Cycle::advance() {
         return advance_joints(model_, s.batches, s.joints);
     });
     const ZoneSums zone_sums = s.timed(zone, [&] {
-        ZoneSums sums = run_zone_models(model_, s.laws, s.adjacency, s.zones, s.corner_forces);
+        ZoneSums sums = run_zone_models(model_, s.laws, s.zones, s.zone_forces);
         sums.add(run_ties(model_, s.ties));
         return sums;
     });
@@ -260,7 +260,7 @@ void Cycle::advance() {
     });
     const double inner_power = s.timed(gather, [&] {
         drive_loads(model_, s.drives, hooks);
-        return gather_forces(model_, s.adjacency, s.ties, s.joints, s.corner_forces);
+        return gather_forces(model_, s.adjacency, s.ties, s.joints, s.laws.tiles, s.zone_forces);
     });
     run_hooks(hooks.after_forces);
 

@@ -71,7 +71,8 @@ struct PointForces {
     const Adjacency& adjacency;
     const TieLists& ties;
     const JointForces& joints;
-    const std::vector<Vec3>& corner_forces;
+    const ZoneTiles& tiles;
+    const std::vector<PointRow>& zone_forces; ///< by point of the tiles
 
     Vec3 sum(Row row, double& acting) const {
         Vec3 sum = Vec3::Zero();
@@ -79,8 +80,11 @@ struct PointForces {
             sum += force;
             acting += force.norm();
         };
-        for (auto c = adjacency.corners.begin(row); c != adjacency.corners.end(row); ++c)
-            add(corner_forces[*c]);
+        for (auto p = tiles.points_of.begin(row); p != tiles.points_of.end(row); ++p) {
+            const auto& [x, y, z, size] = zone_forces[*p].value;
+            sum += Vec3(x, y, z);
+            acting += size;
+        }
         for (auto e = adjacency.of_gridpoint.begin(row); e != adjacency.of_gridpoint.end(row); ++e)
             add((e->side == 0 ? -e->weight : e->weight) * joints.of_sub_contact[e->sub_contact]);
         for (const auto& share : ties.shares(row))
@@ -128,11 +132,11 @@ Balance gather_groups(Model& model, const PointForces& forces) {
 } // namespace
 
 double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& ties, const JointForces& joints,
-                   const std::vector<Vec3>& corner_forces) {
+                     const ZoneTiles& tiles, const std::vector<PointRow>& zone_forces) {
     auto& g = model.gridpoints;
     auto& blocks = model.blocks;
     const Vec3 gravity = model.settings.gravity;
-    const PointForces forces{model, adjacency, ties, joints, corner_forces};
+    const PointForces forces{model, adjacency, ties, joints, tiles, zone_forces};
 
     Balance balance = reduce_chunks(
         g.size(), grain, Balance{},

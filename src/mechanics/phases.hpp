@@ -5,6 +5,7 @@
 #include "mechanics/adjacency.hpp"
 #include "mechanics/batches.hpp"
 #include "mechanics/quiet_boundary.hpp"
+#include "mechanics/zone_tiles.hpp"
 #include "model/lanes.hpp"
 #include "model/model.hpp"
 
@@ -160,22 +161,24 @@ struct ZoneSums {
 
 /// Room for what zones that average have to keep within a step; its memory stays.
 struct ZoneScratch {
+    struct Mean {
+        double sum = 0, volume = 0; ///< of a quantity times volume
+    };
     std::vector<double> volume, strain, mean_strain, flow; ///< by zone: volume strain, its mean, plastic change of the mean stress
-    std::vector<double> at_gridpoint;
+    std::vector<Mean> at_point;                            ///< by point of the tiles
 };
 
-/// Reads gridpoint motion; writes zone stresses, states and histories, and the four corner forces of every zone. Throws
-/// Diagnostic when a zone model fails.
-ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, const Adjacency& adjacency, ZoneScratch& scratch,
-                         std::vector<Vec3>& corner_forces);
+/// Reads gridpoint motion; writes zone stresses, states and histories, and `forces`: by point of the tiles, with the sum of the
+/// sizes of the forces of single zones. Throws Diagnostic when a zone model fails.
+ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces);
 
-/// Corner forces of the stresses that are there, without a step.
-void zone_forces(const Model& model, std::vector<Vec3>& corner_forces);
+/// Forces of the stresses that are there, without a step.
+void zone_forces(const Model& model, const ZoneLaws& laws, std::vector<PointRow>& forces);
 
-/// Reads contact forces, corner forces, loads; writes forces and moments in row order, and the unbalanced
+/// Reads contact forces, forces of zones, loads; writes forces and moments in row order, and the unbalanced
 /// force and its ratios in the clock. Returns the power of the forces of joints and zones on the bodies.
 double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& ties, const JointForces& joints,
-                   const std::vector<Vec3>& corner_forces);
+                     const ZoneTiles& tiles, const std::vector<PointRow>& zone_forces);
 
 /// Masses of blocks and gridpoints from the densities. Throws Diagnostic when one is missing.
 void compute_masses(Model& model);

@@ -2,13 +2,11 @@
 #include "mechanics/crushed_zones.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/phases.hpp"
+#include "mechanics/tetrahedra.hpp"
 #include "mechanics/zone_laws.hpp"
 #include "model/measure.hpp"
 #include "model/water.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -16,122 +14,282 @@ namespace kaya {
 
 namespace {
 
-constexpr std::size_t grain = 256;
-constexpr double rounding = 1e-9; ///< of an eigenvalue
+constexpr std::size_t most = 128;         ///< zones in a batch
+constexpr std::size_t length = most + 8; ///< of a column: with powers of two they would all fall in the same lines of the cache
 
-/// Volume and gradients of the shape functions of a linear tetrahedron.
-struct Corners {
-    std::array<Vec3, 4> gradient;
-    double volume;
-
-    explicit Corners(const std::array<Vec3, 4>& x) {
-        const Vec3 e1 = x[1] - x[0], e2 = x[2] - x[0], e3 = x[3] - x[0];
-        const Vec3 c1 = e2.cross(e3), c2 = e3.cross(e1), c3 = e1.cross(e2);
-        const double six_volumes = e1.dot(c1);
-        volume = six_volumes / 6;
-        gradient[1] = c1 / six_volumes;
-        gradient[2] = c2 / six_volumes;
-        gradient[3] = c3 / six_volumes;
-        gradient[0] = -(gradient[1] + gradient[2] + gradient[3]);
+/// The points of a tile in rows, which stay near the processor while its zones are worked on.
+class TileRows {
+public:
+    TileRows(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile) : tiles_(tiles), tile_(tile) {
+        const WaterPressure water(model);
+        const bool wet = model.settings.water != Water::none;
+        const double step = model.clock.time_step;
+        for (Row i = 0; i < tile.points.count; ++i) {
+            const Row g = tiles.gridpoints[tile.points.first + i];
+            const Vec3 &x = model.gridpoints.position[g], way = step * model.gridpoints.velocity[g];
+            place[i].value = {x.x(), x.y(), x.z(), wet ? water.at_gridpoint(g) : 0};
+            way_[i].value = {way.x(), way.y(), way.z(), 0};
+        }
+        tail_.fill(tiles.corners[tile.last - 1]);
+        const Row whole = std::min<Row>(tile.last - tile.first, lane_count);
+        std::copy_n(&tiles.corners[tile.last - whole], whole, &tail_[lane_count - whole]);
     }
+
+    /// Four zones from one on; behind the last of the tile the last again.
+    ZoneGroup group_at(Row zone) const {
+        return tile_.last - zone >= lane_count ? &tiles_.corners[zone] : tail_.data() + (lane_count - (tile_.last - zone));
+    }
+    Edges edges(ZoneGroup zones) const { return edges_of(place, zones); }
+    Deformation deformation(ZoneGroup zones, bool large) const { return {edges(zones), edges_of(way_, zones), large}; }
+    Lanes pressure(ZoneGroup zones) const { return mean_of_fourth(place, zones); }
+
+private:
+    const ZoneTiles& tiles_;
+    const ZoneTile& tile_;
+    PointRow place[most_points_in_tile]; ///< and the pore pressure
+    PointRow way_[most_points_in_tile];  ///< of the step
+    std::array<std::array<Row, 4>, 2 * lane_count> tail_; ///< the last zones of the tile, and then the last again
 };
 
-std::array<Vec3, 4> places(const Model& model, std::size_t z) {
-    std::array<Vec3, 4> x;
-    for (int a = 0; a < 4; ++a) x[a] = model.gridpoints.position[model.zones.gridpoints[z][a]];
-    return x;
+/// Throws where a zone has no volume left.
+void check_volumes(const Model& model, Row zone, Row count, const Lanes& volume) {
+    if ((volume > 0).all()) return;
+    for (Row l = 0; l < count; ++l)
+        if (!(volume[l] > 0)) throw turned_over(model, zone + l);
 }
 
-void put_forces(const Model& model, std::size_t z, std::vector<Vec3>& corner_forces) {
-    const Corners now(places(model, z));
-    const Mat3 stress = matrix_of(model.zones.stress[z] + model.zones.dashpot[z]);
-    for (int a = 0; a < 4; ++a) corner_forces[4 * z + a] = -now.volume * (stress * now.gradient[a]);
-}
+/// Forces of stresses on the points of a tile, in rows with the sums of their sizes.
+class TileForces {
+public:
+    TileForces(const ZoneTile& tile, std::vector<PointRow>& forces) : rows_(forces.data() + tile.points.first) {
+        std::fill_n(rows_, tile.points.count, PointRow{});
+    }
+    void add(ZoneGroup zones, Row count, const Edges& edges, const SixLanes& stress) {
+        const std::array<Lanes3, 4> force = forces_of(edges, stress);
+        for (std::size_t a = 0; a < 4; ++a) add_to_corner(rows_, zones, count, a, force[a], force[a].dot(force[a]).sqrt());
+    }
 
-} // namespace
-
-namespace {
-
-constexpr std::size_t most = static_cast<std::size_t>(most_zones_in_batch);
+private:
+    PointRow* rows_;
+};
 
 /// What a zone model sees of a batch, and what the account of energy needs besides.
 struct Columns {
-    double strain[6][most], before[6][most], stress[6][most], volume[most], volume_strain[most], pressure[most], dissipation[most];
+    alignas(32) double strain[6][length], before[6][length], stress[6][length];
+    alignas(32) double volume[length], volume_strain[length], pressure[length], dissipation[length];
     double* history[KAYA_JMODEL_MAX_HISTORY];
     kaya_zbatch batch;
 
-    Columns(Model& model, const ZoneBatch& rows, const ZoneLaw& law) {
+    Columns(Model& model, Row first, Row count, const ZoneLaw& law) {
         batch = {};
-        batch.n = static_cast<std::size_t>(rows.last - rows.first);
+        batch.n = static_cast<std::size_t>(count);
         batch.properties = law.values.data();
         batch.time_step = model.clock.time_step;
         batch.volume = volume;
         batch.pore_pressure = pressure;
         batch.dissipation = dissipation;
-        batch.state = model.zones.state.data() + rows.first;
+        batch.state = model.zones.state.data() + first;
         for (int k = 0; k < 6; ++k) {
             batch.strain_inc[k] = strain[k];
             batch.stress[k] = stress[k];
         }
-        for (std::size_t k = 0; k < law.model->history.size(); ++k) history[k] = model.zones.history[k].data() + rows.first;
+        for (std::size_t k = 0; k < law.model->history.size(); ++k) history[k] = model.zones.history[k].data() + first;
         batch.history = history;
         std::fill_n(dissipation, batch.n, 0.0);
+        for (Row i = 0; i < count; ++i)
+            for (int k = 0; k < 6; ++k) before[k][i] = model.zones.stress[first + i][k];
+        for (Row i = count; i % lane_count != 0; ++i)
+            for (int k = 0; k < 6; ++k) before[k][i] = 0;
     }
 };
 
-/// The strain of a step and the stress before it, turned with the material.
-struct Deformation {
-    double volume;
-    Mat3 strain, stress;
+/// Zones of a column from a fourth one on.
+using Map = Eigen::Map<Lanes, Eigen::Aligned32>;
+Lanes load(const double* aligned) { return Eigen::Map<const Lanes, Eigen::Aligned32>(aligned); }
+
+/// Work of one tile on its zones.
+class TileRun {
+public:
+    TileRun(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch, std::vector<PointRow>& forces)
+        : model_(model), tile_(tile), law_(laws.laws[tile.law]), scratch_(scratch), rows_(model, laws.tiles, tile), forces_(tile, forces) {}
+
+    ZoneSums run() {
+        ZoneSums sums;
+        for (Row first = tile_.first; first < tile_.last; first += static_cast<Row>(most))
+            sums.add(run_batch(first, std::min(static_cast<Row>(most), tile_.last - first)));
+        return sums;
+    }
+
+private:
+    ZoneSums run_batch(Row first, Row count) {
+        Columns columns(model_, first, count, law_);
+        strain(columns, first, count);
+        if (const auto failure = law_.model->run(columns.batch)) throw failed(first, *failure);
+        ZoneSums sums;
+        sums.work = finish(columns, first, count);
+        const double damping = stiffness_damping(model_.settings) / model_.clock.time_step;
+        if (damping > 0) sums.damped = damp(columns, first, count, damping);
+        if (!law_.averages) add_forces(columns, first, count);
+        return sums;
+    }
+
+    /// Strains of the step, and the stresses turned with the material.
+    void strain(Columns& columns, Row first, Row count) {
+        const bool large = model_.settings.large_strain;
+        const bool wet = model_.settings.water != Water::none;
+        for (Row i = 0; i < count; i += lane_count) {
+            const ZoneGroup zones = rows_.group_at(first + i);
+            const Deformation d = rows_.deformation(zones, large);
+            check_volumes(model_, first + i, std::min<Row>(count - i, lane_count), d.volume);
+            Map(columns.volume + i) = d.volume;
+            Map(columns.volume_strain + i) = d.volume_strain;
+            const Lanes pressure = wet ? rows_.pressure(zones) : Lanes(Lanes::Zero());
+            Map(columns.pressure + i) = pressure;
+            Lanes more = Lanes::Zero();
+            if (law_.averages) more = (LaneGroup(count - i).load(scratch_.mean_strain.data() + first + i) - d.volume_strain) / 3.0;
+            SixLanes stress;
+            for (std::size_t k = 0; k < 6; ++k) stress[k] = load(columns.before[k] + i);
+            if (large) stress = turned(stress, d.half_spin);
+            for (std::size_t k = 0; k < 6; ++k) {
+                Map(columns.strain[k] + i) = k < 3 ? Lanes(d.strain[k] + more) : d.strain[k];
+                Map(columns.before[k] + i) = stress[k];
+                Map(columns.stress[k] + i) = k < 3 ? Lanes(stress[k] + pressure) : stress[k];
+            }
+        }
+    }
+
+    /// Total stresses into the zones, and what the step has done to them.
+    double finish(Columns& columns, Row first, Row count) {
+        const double bulk = law_.elastic.lambda + law_.elastic.two_shear / 3;
+        Lanes whole = Lanes::Zero();
+        for (Row i = 0; i < count; i += lane_count) {
+            const Lanes pressure = load(columns.pressure + i);
+            Lanes work = Lanes::Zero(), change = work, both = work;
+            for (std::size_t k = 0; k < 6; ++k) {
+                const Lanes before = load(columns.before[k] + i);
+                Lanes stress = load(columns.stress[k] + i);
+                if (k < 3) {
+                    stress -= pressure;
+                    Map(columns.stress[k] + i) = stress;
+                    change += stress - before;
+                    both += stress + before;
+                }
+                const Lanes part = (before + stress) * load(columns.strain[k] + i);
+                work += k < 3 ? part : Lanes(2 * part);
+            }
+            if (law_.averages) {
+                const Lanes mean = LaneGroup(count - i).load(scratch_.mean_strain.data() + first + i);
+                LaneGroup(count - i).store(scratch_.flow.data() + first + i, change / 3.0 - bulk * mean);
+                work += both / 3.0 * (load(columns.volume_strain + i) - mean); // the forces act on what the zone itself does
+            }
+            Lanes energy = 0.5 * load(columns.volume + i) * work;
+            for (Row l = std::min<Row>(count - i, lane_count); l < lane_count; ++l) energy[l] = 0;
+            whole += energy;
+        }
+        for (Row i = 0; i < count; ++i)
+            for (int k = 0; k < 6; ++k) model_.zones.stress[first + i][k] = columns.stress[k][i];
+        return sum(whole);
+    }
+
+    /// Viscous stresses besides. Returns the work that they take up.
+    double damp(const Columns& columns, Row first, Row count, double damping) {
+        double whole = 0;
+        for (Row i = 0; i < count; ++i) {
+            Stress& dashpot = model_.zones.dashpot[first + i];
+            double work = 0;
+            for (int k = 0; k < 6; ++k) {
+                const double after = damping * (columns.stress[k][i] - columns.before[k][i]);
+                work += (k < 3 ? 1 : 2) * (dashpot[k] + after) * columns.strain[k][i];
+                dashpot[k] = after;
+            }
+            whole += 0.5 * columns.volume[i] * work;
+        }
+        return whole;
+    }
+
+    void add_forces(const Columns& columns, Row first, Row count) {
+        const bool damped = stiffness_damping(model_.settings) > 0;
+        for (Row i = 0; i < count; i += lane_count) {
+            const ZoneGroup zones = rows_.group_at(first + i);
+            const Row here = std::min<Row>(count - i, lane_count);
+            SixLanes stress;
+            for (std::size_t k = 0; k < 6; ++k) {
+                stress[k] = load(columns.stress[k] + i);
+                for (Row l = 0; damped && l < here; ++l) stress[k][l] += model_.zones.dashpot[first + i + l][static_cast<int>(k)];
+            }
+            forces_.add(zones, here, rows_.edges(zones), stress);
+        }
+    }
+
+    Diagnostic failed(Row first, const ZoneFailure& failure) const {
+        const Row zone = first + static_cast<Row>(failure.row), block = model_.zones.block[zone];
+        const Vec3 centre = zone_centroid(model_, zone);
+        Diagnostic d(failure.message, "look at the model's properties and at how fast the zones are loaded", Fault::run);
+        d.code = "zone-model-failed";
+        d.add(fmt::format("zone {} of block {}, at ({:.6g}, {:.6g}, {:.6g})", zone + 1, model_.blocks.number[block], centre.x(),
+                          centre.y(), centre.z()));
+        const auto& place = model_.zone_properties[static_cast<std::size_t>(model_.blocks.zone_properties[block])].place;
+        if (!place.empty()) d.add(fmt::format("zone model '{}' was given at {}", law_.model->name, place));
+        return d;
+    }
+
+    Model& model_;
+    const ZoneTile& tile_;
+    const ZoneLaw& law_;
+    ZoneScratch& scratch_;
+    TileRows rows_;
+    TileForces forces_;
 };
 
-/// Gradient of the step's motion with respect to the configuration in its middle: a rigid turn gives no strain (Hughes and
-/// Winget 1980, Int. J. Numer. Meth. Eng. 15).
-Deformation deformation_of(const Model& model, std::size_t z) {
-    const bool large = model.settings.large_strain;
-    std::array<Vec3, 4> way, middle = places(model, z);
-    for (int a = 0; a < 4; ++a) {
-        way[a] = model.clock.time_step * model.gridpoints.velocity[model.zones.gridpoints[z][a]];
-        if (large) middle[a] -= 0.5 * way[a];
-    }
-    const Corners mid(middle);
-    Mat3 gradient = Mat3::Zero();
-    for (int a = 0; a < 4; ++a) gradient += way[a] * mid.gradient[a].transpose();
-    Deformation d{mid.volume, 0.5 * (gradient + gradient.transpose()), matrix_of(model.zones.stress[z])};
-    if (!large) return d;
-    const Mat3 spin = 0.5 * (gradient - gradient.transpose());
-    const Mat3 turn = (Mat3::Identity() - 0.5 * spin).inverse() * (Mat3::Identity() + 0.5 * spin);
-    d.stress = turn * d.stress * turn.transpose();
-    return d;
+/// Calls each(tile) for all tiles whose law averages.
+template <class Each> void for_averaging(const ZoneLaws& laws, Each each) {
+    const auto& tiles = laws.tiles.tiles;
+    for_chunks(tiles.size(), 1, [&](std::size_t first, std::size_t) {
+        if (laws.laws[tiles[first].law].averages) each(tiles[first]);
+    });
 }
 
 /// Means of a quantity over neighbours, by volume: over the cell of a zone where its block has cells, else over the zones at
 /// each gridpoint and back. Zones of other blocks and of other materials do not count.
-template <class Put> void average(const Model& model, const Adjacency& adjacency, ZoneScratch& scratch, const ZoneLaws& laws,
-                                 std::vector<double>& values, const Put& put) {
+template <class Put>
+void average(const Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<double>& values, const Put& put) {
     const auto& blocks = model.blocks;
     const auto& volume = scratch.volume;
-    scratch.at_gridpoint.resize(model.gridpoints.size());
-    for_chunks(model.gridpoints.size(), grain, [&](std::size_t first, std::size_t last) {
-        for (std::size_t g = first; g < last; ++g) {
-            const Row block = model.gridpoints.block[g];
-            if (!blocks.deformable[block] || blocks.cell_zones[block] > 0 || !laws.of_block(block).averages) continue;
-            double sum = 0, whole = 0;
-            const Row row = static_cast<Row>(g);
-            for (auto c = adjacency.corners.begin(row); c != adjacency.corners.end(row); ++c) {
-                sum += volume[*c / 4] * values[*c / 4];
-                whole += volume[*c / 4];
+    const ZoneTiles& tiles = laws.tiles;
+    const auto has_cells = [&](Row zone) { return blocks.cell_zones[model.zones.block[zone]] > 0; };
+    scratch.at_point.resize(tiles.gridpoints.size());
+    for_averaging(laws, [&](const ZoneTile& tile) {
+        auto* const sums = scratch.at_point.data() + tile.points.first;
+        std::fill_n(sums, tile.points.count, ZoneScratch::Mean{});
+        for (Row z = tile.first; z < tile.last; ++z)
+            for (const Row p : tiles.corners[z]) {
+                sums[p].sum += volume[z] * values[z];
+                sums[p].volume += volume[z];
             }
-            scratch.at_gridpoint[g] = whole > 0 ? sum / whole : 0;
+    });
+    for_averaging(laws, [&](const ZoneTile& tile) {
+        std::array<double, most_points_in_tile> mean;
+        for (Row p = 0; p < tile.points.count; ++p) {
+            const Row g = tiles.gridpoints[tile.points.first + p];
+            ZoneScratch::Mean whole;
+            for (auto part = tiles.points_of.begin(g); part != tiles.points_of.end(g); ++part) {
+                whole.sum += scratch.at_point[*part].sum;
+                whole.volume += scratch.at_point[*part].volume;
+            }
+            mean[p] = whole.sum / whole.volume;
+        }
+        for (Row z = tile.first; z < tile.last; ++z) {
+            if (has_cells(z)) continue;
+            const auto& c = tiles.corners[z];
+            put(z, 0.25 * (mean[c[0]] + mean[c[1]] + mean[c[2]] + mean[c[3]]));
         }
     });
     for_chunks(blocks.size(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t b = first; b < last; ++b) {
-            const Row block = static_cast<Row>(b);
-            if (!blocks.deformable[b] || !laws.of_block(block).averages) continue;
-            const Span span = blocks.zones[b];
             const Row cell = blocks.cell_zones[b];
-            for (Row z = span.first; z < span.end() && cell > 0; z += cell) {
+            if (!blocks.deformable[b] || cell == 0 || !laws.of_block(static_cast<Row>(b)).averages) continue;
+            const Span span = blocks.zones[b];
+            for (Row z = span.first; z < span.end(); z += cell) {
                 double sum = 0, whole = 0;
                 for (Row k = z; k < z + cell; ++k) {
                     sum += volume[k] * values[k];
@@ -139,112 +297,57 @@ template <class Put> void average(const Model& model, const Adjacency& adjacency
                 }
                 for (Row k = z; k < z + cell; ++k) put(k, sum / whole);
             }
-            for (Row z = span.first; z < span.end() && cell == 0; ++z) {
-                double sum = 0;
-                for (const Row g : model.zones.gridpoints[z]) sum += scratch.at_gridpoint[g];
-                put(z, 0.25 * sum);
-            }
         }
     });
-}
-
-Diagnostic failed(const Model& model, const ZoneBatch& rows, const ZoneLaw& law, const ZoneFailure& failure) {
-    const Row zone = rows.first + static_cast<Row>(failure.row), block = model.zones.block[zone];
-    const Vec3 centre = zone_centroid(model, zone);
-    Diagnostic d(failure.message, "look at the model's properties and at how fast the zones are loaded", Fault::run);
-    d.code = "zone-model-failed";
-    d.add(fmt::format("zone {} of block {}, at ({:.6g}, {:.6g}, {:.6g})", zone + 1, model.blocks.number[block], centre.x(), centre.y(),
-                      centre.z()));
-    const auto& place = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])].place;
-    if (!place.empty()) d.add(fmt::format("zone model '{}' was given at {}", law.model->name, place));
-    return d;
-}
-
-/// Runs the model of a batch. What is to be averaged goes to `scratch`.
-ZoneSums run_batch(Model& model, const ZoneBatch& rows, const ZoneLaw& law, ZoneScratch& scratch, std::vector<Vec3>& corner_forces) {
-    auto& zones = model.zones;
-    const double damping = stiffness_damping(model.settings) / model.clock.time_step;
-    Columns columns(model, rows, law);
-    const WaterPressure water(model);
-    const std::size_t n = columns.batch.n;
-    constexpr int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t z = static_cast<std::size_t>(rows.first) + i;
-        const Deformation d = deformation_of(model, z);
-        if (!(d.volume > 0)) throw turned_over(model, static_cast<Row>(z));
-        columns.volume[i] = d.volume;
-        columns.pressure[i] = water.of_zone(static_cast<Row>(z));
-        columns.volume_strain[i] = d.strain.trace();
-        const double more = law.averages ? (scratch.mean_strain[z] - columns.volume_strain[i]) / 3 : 0;
-        for (int k = 0; k < 6; ++k) {
-            const bool normal = k < 3;
-            columns.strain[k][i] = d.strain(row[k], column[k]) + (normal ? more : 0);
-            columns.before[k][i] = d.stress(row[k], column[k]);
-            columns.stress[k][i] = columns.before[k][i] + (normal ? columns.pressure[i] : 0);
-        }
-    }
-    if (const auto failure = law.model->run(columns.batch)) throw failed(model, rows, law, *failure);
-    const double bulk = law.elastic.lambda + law.elastic.two_shear / 3;
-    ZoneSums sums;
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t z = static_cast<std::size_t>(rows.first) + i;
-        Stress stress, change;
-        double work = 0, viscous_work = 0, mean = 0;
-        for (int k = 0; k < 6; ++k) {
-            const double times = k < 3 ? 1 : 2, strain = columns.strain[k][i];
-            stress[k] = columns.stress[k][i] - (k < 3 ? columns.pressure[i] : 0);
-            change[k] = stress[k] - columns.before[k][i];
-            if (k < 3) mean += change[k] / 3;
-            work += times * (columns.before[k][i] + stress[k]) * strain;
-            if (damping > 0) viscous_work += times * (zones.dashpot[z][k] + damping * change[k]) * strain;
-        }
-        zones.stress[z] = stress;
-        if (damping > 0) zones.dashpot[z] = damping * change;
-        if (law.averages) {
-            scratch.flow[z] = mean - bulk * scratch.mean_strain[z];
-            const double sum = (stress[0] + stress[1] + stress[2] + columns.before[0][i] + columns.before[1][i] + columns.before[2][i]) / 3;
-            work += sum * (columns.volume_strain[i] - scratch.mean_strain[z]); // the forces act on what the zone itself does
-        } else {
-            put_forces(model, z, corner_forces);
-        }
-        sums.work += 0.5 * columns.volume[i] * work;
-        sums.damped += 0.5 * columns.volume[i] * viscous_work;
-    }
-    return sums;
 }
 
 /// Volume strains of the zones that average, and their means.
-void average_strain(const Model& model, const ZoneLaws& laws, const Adjacency& adjacency, ZoneScratch& scratch) {
+void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
     const std::size_t zones = model.zones.size();
     for (auto* column : {&scratch.volume, &scratch.strain, &scratch.mean_strain, &scratch.flow}) column->resize(zones);
-    for_chunks(laws.batches.size(), 1, [&](std::size_t first, std::size_t) {
-        const ZoneBatch& rows = laws.batches[first];
-        if (!laws.laws[rows.law].averages) return;
-        for (Row z = rows.first; z < rows.last; ++z) {
-            const Deformation d = deformation_of(model, static_cast<std::size_t>(z));
-            scratch.volume[z] = d.volume;
-            scratch.strain[z] = d.strain.trace();
+    for_averaging(laws, [&](const ZoneTile& tile) {
+        const TileRows rows(model, laws.tiles, tile);
+        for (Row z = tile.first; z < tile.last; z += lane_count) {
+            const Deformation d = rows.deformation(rows.group_at(z), model.settings.large_strain);
+            LaneGroup(tile.last - z).store(scratch.volume.data() + z, d.volume);
+            LaneGroup(tile.last - z).store(scratch.strain.data() + z, d.volume_strain);
         }
     });
-    average(model, adjacency, scratch, laws, scratch.strain, [&](Row z, double mean) { scratch.mean_strain[z] = mean; });
+    average(model, laws, scratch, scratch.strain, [&](Row z, double mean) { scratch.mean_strain[z] = mean; });
+}
+
+/// Forces of all zones of a tile with the stresses that they have.
+void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std::vector<PointRow>& forces) {
+    const TileRows rows(model, laws.tiles, tile);
+    TileForces sums(tile, forces);
+    for (Row z = tile.first; z < tile.last; z += lane_count) {
+        const ZoneGroup zones = rows.group_at(z);
+        const Row count = std::min<Row>(tile.last - z, lane_count);
+        SixLanes stress;
+        for (std::size_t k = 0; k < 6; ++k)
+            for (Row l = 0; l < lane_count; ++l) {
+                const Row zone = std::min(z + l, tile.last - 1);
+                stress[k][l] = model.zones.stress[zone][static_cast<int>(k)] + model.zones.dashpot[zone][static_cast<int>(k)];
+            }
+        sums.add(zones, count, rows.edges(zones), stress);
+    }
 }
 
 /// The plastic change of the mean stress likewise; then the forces. Returns the work that goes with it.
-ZoneSums average_flow(Model& model, const ZoneLaws& laws, const Adjacency& adjacency, ZoneScratch& scratch,
-                  std::vector<Vec3>& corner_forces) {
-    average(model, adjacency, scratch, laws, scratch.flow, [&](Row z, double mean) {
-        scratch.flow[z] = mean - scratch.flow[z];
-    });
+ZoneSums average_flow(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces) {
+    average(model, laws, scratch, scratch.flow, [&](Row z, double mean) { scratch.flow[z] = mean - scratch.flow[z]; });
+    const auto& tiles = laws.tiles.tiles;
     return reduce_chunks(
-        laws.batches.size(), 1, ZoneSums{},
+        tiles.size(), 1, ZoneSums{},
         [&](std::size_t first, std::size_t) {
             ZoneSums sums;
-            const ZoneBatch& rows = laws.batches[first];
-            for (Row z = rows.first; z < rows.last && laws.laws[rows.law].averages; ++z) {
+            const ZoneTile& tile = tiles[first];
+            if (!laws.laws[tile.law].averages) return sums;
+            for (Row z = tile.first; z < tile.last; ++z) {
                 for (int k = 0; k < 3; ++k) model.zones.stress[z][k] += scratch.flow[z];
                 sums.work += 0.5 * scratch.volume[z] * scratch.flow[z] * scratch.strain[z];
-                put_forces(model, static_cast<std::size_t>(z), corner_forces);
             }
+            add_all(model, laws, tile, forces);
             return sums;
         },
         [](ZoneSums& sum, const ZoneSums& part) { sum.add(part); });
@@ -252,43 +355,22 @@ ZoneSums average_flow(Model& model, const ZoneLaws& laws, const Adjacency& adjac
 
 } // namespace
 
-ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, const Adjacency& adjacency, ZoneScratch& scratch,
-                         std::vector<Vec3>& corner_forces) {
+ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces) {
     const bool averages = laws.any_averages();
-    if (averages) average_strain(model, laws, adjacency, scratch);
+    if (averages) average_strain(model, laws, scratch);
+    const auto& tiles = laws.tiles.tiles;
     ZoneSums sums = reduce_chunks(
-        laws.batches.size(), 1, ZoneSums{},
-        [&](std::size_t first, std::size_t) {
-            const ZoneBatch& rows = laws.batches[first];
-            return run_batch(model, rows, laws.laws[rows.law], scratch, corner_forces);
-        },
+        tiles.size(), 1, ZoneSums{},
+        [&](std::size_t first, std::size_t) { return TileRun(model, laws, tiles[first], scratch, forces).run(); },
         [](ZoneSums& sum, const ZoneSums& part) { sum.add(part); });
-    if (averages) sums.add(average_flow(model, laws, adjacency, scratch, corner_forces));
+    if (averages) sums.add(average_flow(model, laws, scratch, forces));
     return sums;
 }
 
-void zone_forces(const Model& model, std::vector<Vec3>& corner_forces) {
-    corner_forces.assign(4 * model.zones.size(), Vec3::Zero());
-    for_chunks(model.zones.size(), grain, [&](std::size_t first, std::size_t last) {
-        for (std::size_t z = first; z < last; ++z) put_forces(model, z, corner_forces);
-    });
-}
-
-void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic) {
-    auto& g = model.gridpoints;
-    std::fill(g.zone_frequency.begin(), g.zone_frequency.end(), 0.0);
-    for (std::size_t z = 0; z < model.zones.size(); ++z) {
-        const Corners now(places(model, z));
-        Mat3 squares = Mat3::Zero();
-        for (const auto& gradient : now.gradient) squares += gradient * gradient.transpose();
-        // The largest eigenvalue of a zone's stiffness matrix: equation (7) of docs/theory/time-step.md.
-        const auto& [lambda, two_shear] = elastic[model.zones.block[z]];
-        Eigen::SelfAdjointEigenSolver<Mat3> solver;
-        solver.computeDirect(squares, Eigen::EigenvaluesOnly);
-        const double largest = (1 + rounding) * solver.eigenvalues()[2];
-        const double stiffness = (std::max(lambda, 0.0) * squares.trace() + two_shear * largest) * now.volume;
-        for (const Row row : model.zones.gridpoints[z]) g.zone_frequency[row] += stiffness / g.mass[row];
-    }
+void zone_forces(const Model& model, const ZoneLaws& laws, std::vector<PointRow>& forces) {
+    const auto& tiles = laws.tiles.tiles;
+    forces.resize(laws.tiles.gridpoints.size());
+    for_chunks(tiles.size(), 1, [&](std::size_t first, std::size_t) { add_all(model, laws, tiles[first], forces); });
 }
 
 } // namespace kaya

@@ -141,14 +141,7 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
         }
         law_of_[b] = found->second;
     }
-    const Row zones = static_cast<Row>(model.zones.size());
-    for (Row z = 0; z < zones;) {
-        const Row law = law_of_[model.zones.block[z]];
-        Row last = z;
-        while (last < zones && last - z < most_zones_in_batch && law_of_[model.zones.block[last]] == law) ++last;
-        batches.push_back({z, last, static_cast<std::size_t>(law)});
-        z = last;
-    }
+    tiles = ZoneTiles(model, [&](Row zone) { return static_cast<std::size_t>(law_of_[model.zones.block[zone]]); });
 }
 
 std::vector<ElasticConstants> ZoneLaws::elastic_constants() const {

@@ -1,16 +1,14 @@
-// The zone models of the blocks with the values that hold for them, and the zones in batches of one law each; derived.
+// The zone models of the blocks with the values that hold for them, and the zones in tiles of one law each; derived.
 #pragma once
 
 #include "joints/zone_model.hpp"
 #include "mechanics/phases.hpp"
+#include "mechanics/zone_tiles.hpp"
 #include "model/model.hpp"
 
 #include <vector>
 
 namespace kaya {
-
-/// Zones in a batch, at most: what a law sees of them stays near the processor.
-constexpr Row most_zones_in_batch = 256;
 
 /// A zone model with values.
 struct ZoneLaw {
@@ -18,12 +16,6 @@ struct ZoneLaw {
     std::vector<double> values; ///< in the order of the model's property table
     ElasticConstants elastic;
     bool averages; ///< volume strain and plastic change of the mean stress, over neighbours
-};
-
-/// Rows [first, last) of the zones.
-struct ZoneBatch {
-    Row first, last;
-    std::size_t law;
 };
 
 class ZoneLaws {
@@ -38,7 +30,7 @@ public:
     bool any_averages() const;
 
     std::vector<ZoneLaw> laws;
-    std::vector<ZoneBatch> batches;
+    ZoneTiles tiles;
 
 private:
     std::vector<Row> law_of_; ///< by block, no_row for rigid ones

@@ -15,19 +15,18 @@ namespace kaya {
 using Lanes = Eigen::Array4d;
 constexpr std::ptrdiff_t lane_count = 4;
 
-/// A vector quantity of four rows.
-struct Lanes3 {
-    Lanes x, y, z;
+/// A vector quantity of several rows.
+template <class L> struct LaneVector {
+    L x, y, z;
 
-    static Lanes3 of(const Vec3& v) { return {Lanes::Constant(v.x()), Lanes::Constant(v.y()), Lanes::Constant(v.z())}; }
-    Lanes dot(const Lanes3& o) const { return x * o.x + y * o.y + z * o.z; }
-    Lanes3 cross(const Lanes3& o) const {
-        return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x};
-    }
-    Lanes3 operator+(const Lanes3& o) const { return {x + o.x, y + o.y, z + o.z}; }
-    Lanes3 operator-(const Lanes3& o) const { return {x - o.x, y - o.y, z - o.z}; }
-    Lanes3 operator*(const Lanes& s) const { return {x * s, y * s, z * s}; }
+    static LaneVector of(const Vec3& v) { return {L::Constant(v.x()), L::Constant(v.y()), L::Constant(v.z())}; }
+    L dot(const LaneVector& o) const { return x * o.x + y * o.y + z * o.z; }
+    LaneVector cross(const LaneVector& o) const { return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x}; }
+    LaneVector operator+(const LaneVector& o) const { return {x + o.x, y + o.y, z + o.z}; }
+    LaneVector operator-(const LaneVector& o) const { return {x - o.x, y - o.y, z - o.z}; }
+    LaneVector operator*(const L& s) const { return {x * s, y * s, z * s}; }
 };
+using Lanes3 = LaneVector<Lanes>;
 
 /// Up to four rows of a column. Rows that are not there read as 0 and are not written.
 class LaneGroup {

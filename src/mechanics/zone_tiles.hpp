@@ -1,0 +1,42 @@
+// The zones in tiles of one law each, and who shares the gridpoints of a tile; derived.
+#pragma once
+
+#include "mechanics/adjacency.hpp"
+#include "model/model.hpp"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace kaya {
+
+/// What a tile has at most: its gridpoints and what a law sees of it stay near the processor.
+constexpr Row most_zones_in_tile = 1024, most_points_in_tile = 1024;
+
+/// A vector at a point of a tile, and what goes with it.
+struct alignas(32) PointRow {
+    std::array<double, 4> value;
+};
+
+/// Rows [first, last) of the zones, and their gridpoints.
+struct ZoneTile {
+    Row first, last;
+    std::size_t law;
+    Span points; ///< in ZoneTiles::gridpoints
+};
+
+/// A point of a tile is a gridpoint as that tile sees it: one task writes to it. A gridpoint between tiles of its block is
+/// a point of each of them.
+class ZoneTiles {
+public:
+    ZoneTiles() = default;
+    /// `law_of` gives the law of a zone.
+    ZoneTiles(const Model& model, const std::function<std::size_t(Row zone)>& law_of);
+
+    std::vector<ZoneTile> tiles;
+    std::vector<Row> gridpoints;             ///< of each point, tile after tile
+    std::vector<std::array<Row, 4>> corners; ///< of each zone: points, counted from the first of its tile
+    Lists<Row> points_of;                    ///< of each gridpoint, in the order of the tiles
+};
+
+} // namespace kaya

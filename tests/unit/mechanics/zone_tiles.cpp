@@ -1,0 +1,159 @@
+#include "mechanics/tetrahedra.hpp"
+#include "mechanics/zone_laws.hpp"
+#include "two_bricks.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+namespace kaya {
+namespace {
+
+using test::Bench;
+
+/// Two blocks of different materials, one of them with more zones than a tile may have.
+struct TwoBlocks : Bench {
+    TwoBlocks() {
+        elastic(1, 2500, 1e9, 0.75e9);
+        elastic(2, 2500, 2e9, 1.5e9);
+        generate_zones(model, {brick({0, 0, 0}, {1, 1, 1}, 1)}, {7, 7, 7}, {1, 1, 1});
+        generate_zones(model, {brick({5, 0, 0}, {6, 1, 1}, 2)}, {3, 3, 3}, {1, 1, 1});
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> small(-0.01, 0.01);
+        auto& g = model.gridpoints;
+        for (std::size_t p = 0; p < g.size(); ++p) {
+            g.position[p] += Vec3(small(random), small(random), small(random));
+            g.velocity[p] = 100 * Vec3(small(random), small(random), small(random));
+        }
+        for (auto& stress : model.zones.stress)
+            for (int k = 0; k < 6; ++k) stress[k] = 1e6 * small(random);
+    }
+};
+
+Mat3 tensor(const Stress& s) {
+    Mat3 m;
+    m << s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2];
+    return m;
+}
+
+/// Gradient of a linear field over a tetrahedron, from its values at the corners.
+Mat3 gradient_of(const std::array<Vec3, 4>& field, const std::array<Vec3, 4>& place) {
+    Mat3 values, edges;
+    for (int i = 0; i < 3; ++i) {
+        values.col(i) = field[i + 1] - field[0];
+        edges.col(i) = place[i + 1] - place[0];
+    }
+    return values * edges.inverse();
+}
+
+TEST(zone_tiles, each_zone_is_in_one_tile_of_its_law_with_its_own_gridpoints) {
+    TwoBlocks bench;
+    Model& model = bench.model;
+    const auto law_of = [&](Row z) { return static_cast<std::size_t>(model.zones.block[z]); };
+    const ZoneTiles tiles(model, law_of);
+    Row next = 0, next_point = 0;
+    for (const ZoneTile& tile : tiles.tiles) {
+        EXPECT_EQ(tile.first, next);
+        EXPECT_EQ(tile.points.first, next_point);
+        EXPECT_LE(tile.last - tile.first, most_zones_in_tile);
+        EXPECT_LE(tile.points.count, most_points_in_tile);
+        std::set<Row> once;
+        for (Row p = tile.points.first; p < tile.points.end(); ++p) EXPECT_TRUE(once.insert(tiles.gridpoints[p]).second);
+        for (Row z = tile.first; z < tile.last; ++z) {
+            EXPECT_EQ(law_of(z), tile.law);
+            for (int a = 0; a < 4; ++a)
+                EXPECT_EQ(tiles.gridpoints[tile.points.first + tiles.corners[z][a]], model.zones.gridpoints[z][a]);
+        }
+        next = tile.last;
+        next_point = tile.points.end();
+    }
+    EXPECT_EQ(next, static_cast<Row>(model.zones.size()));
+    EXPECT_EQ(next_point, static_cast<Row>(tiles.gridpoints.size()));
+    EXPECT_GE(tiles.tiles.size(), 4u);
+    std::size_t shared = 0;
+    for (Row g = 0; g < static_cast<Row>(model.gridpoints.size()); ++g) {
+        for (auto p = tiles.points_of.begin(g); p != tiles.points_of.end(g); ++p) EXPECT_EQ(tiles.gridpoints[*p], g);
+        shared += tiles.points_of.end(g) - tiles.points_of.begin(g) > 1;
+    }
+    EXPECT_GT(shared, 0u);
+}
+
+TEST(zone_tiles, zones_of_one_tile_have_no_more_gridpoints_than_it_has_room_for) {
+    TwoBlocks bench;
+    Model& model = bench.model;
+    // No two zones have a gridpoint in common.
+    model.zones.resize(2000);
+    model.gridpoints.resize(8000);
+    for (Row z = 0; z < 2000; ++z) model.zones.gridpoints[z] = {4 * z, 4 * z + 1, 4 * z + 2, 4 * z + 3};
+    const ZoneTiles tiles(model, [](Row) { return std::size_t{0}; });
+    EXPECT_EQ(tiles.tiles.size(), 8u);
+    for (const ZoneTile& tile : tiles.tiles) EXPECT_LE(tile.points.count, most_points_in_tile);
+}
+
+TEST(zone_tiles, forces_are_minus_volume_times_stress_times_gradient) {
+    TwoBlocks bench;
+    Model& model = bench.model;
+    const ZoneLaws laws(model, bench.joints.zones);
+    std::vector<PointRow> forces;
+    zone_forces(model, laws, forces);
+    std::vector<Vec3> expected(model.gridpoints.size(), Vec3::Zero()), found = expected;
+    std::vector<double> sizes(model.gridpoints.size(), 0), found_sizes = sizes;
+    for (std::size_t z = 0; z < model.zones.size(); ++z) {
+        std::array<Vec3, 4> x;
+        for (int a = 0; a < 4; ++a) x[a] = model.gridpoints.position[model.zones.gridpoints[z][a]];
+        const double volume = (x[1] - x[0]).dot((x[2] - x[0]).cross(x[3] - x[0])) / 6;
+        for (int a = 0; a < 4; ++a) {
+            std::array<Vec3, 4> shape{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+            shape[a].x() = 1;
+            const Vec3 gradient = gradient_of(shape, x).row(0).transpose(), force = -volume * (tensor(model.zones.stress[z]) * gradient);
+            expected[model.zones.gridpoints[z][a]] += force;
+            sizes[model.zones.gridpoints[z][a]] += force.norm();
+        }
+    }
+    for (std::size_t p = 0; p < forces.size(); ++p) {
+        const auto& [fx, fy, fz, size] = forces[p].value;
+        found[laws.tiles.gridpoints[p]] += Vec3(fx, fy, fz);
+        found_sizes[laws.tiles.gridpoints[p]] += size;
+    }
+    for (std::size_t g = 0; g < expected.size(); ++g) {
+        EXPECT_LT((found[g] - expected[g]).norm(), 1e-12 * sizes[g]);
+        EXPECT_NEAR(found_sizes[g], sizes[g], 1e-12 * sizes[g]);
+    }
+}
+
+TEST(zone_tiles, a_step_strains_and_turns_the_stress_as_the_tensors_say) {
+    TwoBlocks bench;
+    Model& model = bench.model;
+    model.clock.time_step = 0.01;
+    ZoneLaws laws(model, bench.joints.zones);
+    ZoneScratch scratch;
+    std::vector<PointRow> forces;
+    zone_forces(model, laws, forces);
+    const auto before = model.zones.stress;
+    const ZoneSums sums = run_zone_models(model, laws, scratch, forces);
+    double work = 0;
+    for (std::size_t z = 0; z < model.zones.size(); ++z) {
+        std::array<Vec3, 4> way, middle;
+        for (int a = 0; a < 4; ++a) {
+            const Row g = model.zones.gridpoints[z][a];
+            way[a] = model.clock.time_step * model.gridpoints.velocity[g];
+            middle[a] = model.gridpoints.position[g] - 0.5 * way[a];
+        }
+        const Mat3 gradient = gradient_of(way, middle), one = Mat3::Identity();
+        const Mat3 strain = 0.5 * (gradient + gradient.transpose()), spin = 0.5 * (gradient - gradient.transpose());
+        const Mat3 turn = (one - 0.5 * spin).inverse() * (one + 0.5 * spin);
+        const Mat3 turned = turn * tensor(before[z]) * turn.transpose();
+        const auto& [lambda, two_shear] = laws.of_block(model.zones.block[z]).elastic;
+        const Mat3 stress = turned + two_shear * strain + lambda * strain.trace() * one;
+        EXPECT_LT((stress - tensor(model.zones.stress[z])).norm(), 1e-11 * stress.norm());
+        const double volume = (middle[1] - middle[0]).dot((middle[2] - middle[0]).cross(middle[3] - middle[0])) / 6;
+        work += 0.5 * volume * (turned + stress).cwiseProduct(strain).sum();
+    }
+    EXPECT_NEAR(sums.work, work, 1e-11 * std::abs(work));
+}
+
+} // namespace
+} // namespace kaya
