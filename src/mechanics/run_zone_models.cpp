@@ -320,15 +320,16 @@ void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scrat
 void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std::vector<PointRow>& forces) {
     const TileRows rows(model, laws.tiles, tile);
     TileForces sums(tile, forces);
+    const bool damped = stiffness_damping(model.settings) > 0; // else there is no viscous stress
     for (Row z = tile.first; z < tile.last; z += lane_count) {
         const ZoneGroup zones = rows.group_at(z);
         const Row count = std::min<Row>(tile.last - z, lane_count);
         SixLanes stress;
-        for (std::size_t k = 0; k < 6; ++k)
-            for (Row l = 0; l < lane_count; ++l) {
-                const Row zone = std::min(z + l, tile.last - 1);
-                stress[k][l] = model.zones.stress[zone][static_cast<int>(k)] + model.zones.dashpot[zone][static_cast<int>(k)];
-            }
+        for (Row l = 0; l < lane_count; ++l) {
+            const Row zone = std::min(z + l, tile.last - 1);
+            for (std::size_t k = 0; k < 6; ++k) stress[k][l] = model.zones.stress[zone][static_cast<int>(k)];
+            for (std::size_t k = 0; damped && k < 6; ++k) stress[k][l] += model.zones.dashpot[zone][static_cast<int>(k)];
+        }
         sums.add(zones, count, rows.edges(zones), stress);
     }
 }

@@ -31,6 +31,9 @@ struct Curve {
     double sci, mb, s, a;
 
     double tip() const { return -s * sci / mb; }
+    bool holds(double greatest_tension, double least_tension) const {
+        return -greatest_tension >= tip() && -least_tension <= greatest(std::max(-greatest_tension, tip()));
+    }
     double greatest(double s3) const { return s3 + sci * std::pow(std::max(0.0, mb * s3 / sci + s), a); }
     double slope(double s3) const { return 1 + a * mb * std::pow(std::max(1e-12, mb * s3 / sci + s), a - 1); }
 };
@@ -46,34 +49,35 @@ ptrdiff_t run(kaya_zbatch* batch) {
     const Moduli moduli{p[0], p[1]};
     const Curve curve{p[constant_sci], p[constant_mb], p[constant_s], p[constant_a]};
     const double flow_slope = Strength::slope_of(p[dilation]);
-    for (std::size_t i = 0; i < batch->n; ++i) {
+    add_elastic(*batch, moduli);
+    forget_flow(*batch);
+    // In compression positive: s1 = -low, s3 = -high. The curve rises with s3.
+    const auto holds = [&](std::size_t i, double high, double low) {
         batch->row = i;
-        Tensor stress = stress_of(*batch, i);
-        moduli.add(stress, strain_of(*batch, i));
-        Principal principal(stress);
+        return curve.holds(high, low);
+    };
+    for_rows_that_may_yield(*batch, holds, [&](std::size_t i, Principal& principal) {
+        batch->row = i;
         const Vector3 trial = principal.value;
+        if (curve.holds(trial[0], trial[2])) return;
+        // The curve is convex in s3: tangents at the answers so far close in on it from outside (2).
         Flow flow;
-        const double s3 = std::max(-trial[0], curve.tip());
-        if (-trial[2] > curve.greatest(s3) || -trial[0] < curve.tip()) {
-            // The curve is convex in s3: tangents at the answers so far close in on it from outside (2).
-            double at = s3;
-            constexpr int most = 50;
-            for (int k = 0; k < most; ++k) {
-                principal.value = trial;
-                flow = return_to(tangent(curve, at, flow_slope), moduli, principal.value);
-                const double found = std::max(-principal.value[0], curve.tip());
-                const double way = std::abs(found - at);
-                at = found;
-                if (way <= 1e-12 * curve.sci) break;
-            }
-            stress = principal.tensor();
-            batch->dissipation[i] = dot(principal.value, flow.strain);
-            batch->history[plastic_shear][i] += shear_measure(flow.strain);
-            batch->history[plastic_tension][i] += flow.along_tension;
+        double at = std::max(-trial[0], curve.tip());
+        constexpr int most = 50;
+        for (int k = 0; k < most; ++k) {
+            principal.value = trial;
+            flow = return_to(tangent(curve, at, flow_slope), moduli, principal.value);
+            const double found = std::max(-principal.value[0], curve.tip());
+            const double way = std::abs(found - at);
+            at = found;
+            if (way <= 1e-12 * curve.sci) break;
         }
-        batch->state[i] = state_behind(batch->state[i], flow.shear, flow.tension);
-        put_stress(*batch, i, stress);
-    }
+        put_stress(*batch, i, principal.tensor());
+        batch->dissipation[i] = dot(principal.value, flow.strain);
+        batch->history[plastic_shear][i] += shear_measure(flow.strain);
+        batch->history[plastic_tension][i] += flow.along_tension;
+        batch->state[i] |= bits_of(flow);
+    });
     return -1;
 }
 

@@ -27,20 +27,18 @@ ptrdiff_t run(kaya_zbatch* batch) {
     const double* p = batch->properties;
     const Moduli moduli{p[0], p[1]};
     const Strength strength = Strength::of(p[cohesion], p[friction], std::min(p[dilation], p[friction]), p[tension]);
-    for (std::size_t i = 0; i < batch->n; ++i) {
-        Tensor stress = stress_of(*batch, i);
-        moduli.add(stress, strain_of(*batch, i));
-        Principal principal(stress);
+    add_elastic(*batch, moduli);
+    forget_flow(*batch);
+    const auto holds = [&](std::size_t, double high, double low) { return strength.holds(high, low); };
+    for_rows_that_may_yield(*batch, holds, [&](std::size_t i, Principal& principal) {
         const Flow flow = return_to(strength, moduli, principal.value);
-        if (flow.shear || flow.tension) {
-            stress = principal.tensor();
-            batch->dissipation[i] = dot(principal.value, flow.strain);
-            batch->history[plastic_shear][i] += shear_measure(flow.strain);
-            batch->history[plastic_tension][i] += flow.along_tension;
-        }
-        batch->state[i] = state_behind(batch->state[i], flow.shear, flow.tension);
-        put_stress(*batch, i, stress);
-    }
+        if (!flow.shear && !flow.tension) return;
+        put_stress(*batch, i, principal.tensor());
+        batch->dissipation[i] = dot(principal.value, flow.strain);
+        batch->history[plastic_shear][i] += shear_measure(flow.strain);
+        batch->history[plastic_tension][i] += flow.along_tension;
+        batch->state[i] |= bits_of(flow);
+    });
     return -1;
 }
 

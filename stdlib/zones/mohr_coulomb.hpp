@@ -34,7 +34,7 @@ struct Strength {
         if (s.slope > 1) s.tension = std::min(tension, s.uniaxial / (s.slope - 1));
         return s;
     }
-    bool holds(const Vector3& s) const { return slope * s[0] - s[2] <= uniaxial && s[0] <= tension; }
+    bool holds(double greatest, double least) const { return slope * greatest - least <= uniaxial && greatest <= tension; }
 };
 
 /// What a step of flow has done.
@@ -92,7 +92,7 @@ inline bool solve(int n, double (&m)[3][3], double (&x)[3]) {
 /// Brings principal stresses (the greatest first) back to the surface (3).
 inline Flow return_to(const Strength& strength, const Moduli& moduli, Vector3& s) {
     Flow flow;
-    if (strength.holds(s)) return flow;
+    if (strength.holds(s[0], s[2])) return flow;
     const auto planes = planes_of(strength);
     const auto stress_of = [&](const Vector3& strain) {
         const double volume = moduli.lame() * (strain[0] + strain[1] + strain[2]);
@@ -146,6 +146,13 @@ inline std::uint32_t state_behind(std::uint32_t before, bool shear, bool tension
     if (before & shear_now) state |= shear_past;
     if (before & tension_now) state |= tension_past;
     return state | (shear ? shear_now : 0u) | (tension ? tension_now : 0u);
+}
+
+inline std::uint32_t bits_of(const Flow& flow) { return (flow.shear ? shear_now : 0u) | (flow.tension ? tension_now : 0u); }
+
+/// What flowed in the step before has flowed.
+inline void forget_flow(kaya_zbatch& batch) {
+    for (std::size_t i = 0; i < batch.n; ++i) batch.state[i] = state_behind(batch.state[i], false, false);
 }
 
 /// The measure of plastic shear strain (5): the root of the second invariant of its deviator.

@@ -1,7 +1,8 @@
 // Principal values and axes of a stress; for zone models that yield in principal stresses.
 #pragma once
 
-#include <algorithm>
+#include "stdlib/zones/zone.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -9,58 +10,76 @@
 
 namespace kaya::zones {
 
-/// Six components in the order of kaya/zmodel.h: xx, yy, zz, xy, xz, yz.
-using Tensor = std::array<double, 6>;
+/// Eigenvalues and axes of N symmetric tensors at once, by Jacobi's rotations, whose axes stay at right angles also where values
+/// are equal (Golub and Van Loan, Matrix Computations, 8.5). Lane by lane: what one tensor gives does not depend on the others.
+template <int N> struct Rotations {
+    double a[6][N];    ///< the tensors; in the end their values are in a[0] to a[2]
+    double axis[9][N]; ///< component k of the axis of value p is axis[3 k + p]
+
+    void run() {
+        for (int k = 0; k < 9; ++k)
+            for (int l = 0; l < N; ++l) axis[k][l] = k % 4 == 0 ? 1 : 0;
+        constexpr int most_sweeps = 12; // it converges quadratically: five are enough
+        double turns[N]; // 0 for those that are done: they stay as they are
+        for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+            double any = 0;
+            for (int l = 0; l < N; ++l) {
+                const double off = a[3][l] * a[3][l] + a[4][l] * a[4][l] + a[5][l] * a[5][l];
+                const double on = a[0][l] * a[0][l] + a[1][l] * a[1][l] + a[2][l] * a[2][l];
+                turns[l] = off > 1e-32 * on ? 1 : 0;
+                any += turns[l];
+            }
+            if (any == 0) return;
+            rotate<0, 1, 3, 4, 5>(turns);
+            rotate<0, 2, 4, 3, 5>(turns);
+            rotate<1, 2, 5, 3, 4>(turns);
+        }
+    }
+
+private:
+    /// In the plane of axes P and Q; `Other` components couple them to the third axis.
+    template <int P, int Q, int PQ, int OtherP, int OtherQ> void rotate(const double (&turns)[N]) {
+        constexpr double nothing = 1e-300; // keeps 0 / 0 away
+        for (int l = 0; l < N; ++l) {
+            const double apart = a[Q][l] - a[P][l], twice = 2 * a[PQ][l];
+            const double root = std::sqrt(apart * apart + twice * twice) + nothing;
+            const double tangent = turns[l] * twice / (apart + std::copysign(root, apart));
+            const double c = 1 / std::sqrt(tangent * tangent + 1), s = tangent * c;
+            const double change = tangent * a[PQ][l];
+            a[P][l] -= change;
+            a[Q][l] += change;
+            a[PQ][l] -= turns[l] * a[PQ][l];
+            const double p = a[OtherP][l], q = a[OtherQ][l];
+            a[OtherP][l] = c * p - s * q;
+            a[OtherQ][l] = s * p + c * q;
+            for (int k = 0; k < 9; k += 3) {
+                const double vp = axis[k + P][l], vq = axis[k + Q][l];
+                axis[k + P][l] = c * vp - s * vq;
+                axis[k + Q][l] = s * vp + c * vq;
+            }
+        }
+    }
+};
 
 /// value[0] >= value[1] >= value[2]; axis[k] is the unit vector of value[k].
 struct Principal {
     std::array<double, 3> value;
     std::array<std::array<double, 3>, 3> axis;
 
-    /// By Jacobi's rotations, whose axes stay at right angles also where values are equal (Golub and Van Loan, Matrix
-    /// Computations, 8.5).
-    explicit Principal(const Tensor& t) {
-        double a[3][3] = {{t[0], t[3], t[4]}, {t[3], t[1], t[5]}, {t[4], t[5], t[2]}};
-        double v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-        constexpr int most_sweeps = 12; // it converges quadratically: five are enough
-        for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-            const double off = a[0][1] * a[0][1] + a[0][2] * a[0][2] + a[1][2] * a[1][2];
-            const double on = a[0][0] * a[0][0] + a[1][1] * a[1][1] + a[2][2] * a[2][2];
-            if (off <= 1e-32 * on) break;
-            for (const auto& [p, q] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
-                if (a[p][q] == 0) continue;
-                const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-                const double tangent = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
-                const double c = 1 / std::sqrt(tangent * tangent + 1), s = tangent * c;
-                for (int k = 0; k < 3; ++k) {
-                    const double kp = a[k][p], kq = a[k][q];
-                    a[k][p] = c * kp - s * kq;
-                    a[k][q] = s * kp + c * kq;
-                }
-                for (int k = 0; k < 3; ++k) {
-                    const double pk = a[p][k], qk = a[q][k];
-                    a[p][k] = c * pk - s * qk;
-                    a[q][k] = s * pk + c * qk;
-                }
-                for (int k = 0; k < 3; ++k) {
-                    const double kp = v[k][p], kq = v[k][q];
-                    v[k][p] = c * kp - s * kq;
-                    v[k][q] = s * kp + c * kq;
-                }
-            }
-        }
+    template <int N> Principal(const Rotations<N>& done, int lane) {
         std::array<int, 3> order{0, 1, 2};
         const auto put_greater_first = [&](int i, int j) {
-            if (a[order[i]][order[i]] < a[order[j]][order[j]]) std::swap(order[i], order[j]);
+            if (done.a[order[i]][lane] < done.a[order[j]][lane]) std::swap(order[i], order[j]);
         };
         put_greater_first(0, 1);
         put_greater_first(1, 2);
         put_greater_first(0, 1);
         for (int k = 0; k < 3; ++k) {
-            value[k] = a[order[k]][order[k]];
-            for (int i = 0; i < 3; ++i) axis[k][i] = v[i][order[k]];
+            value[k] = done.a[order[k]][lane];
+            for (int i = 0; i < 3; ++i) axis[k][i] = done.axis[3 * i + order[k]][lane];
         }
     }
+    explicit Principal(const Tensor& t) : Principal(of_one(t), 0) {}
 
     /// The tensor with these values along the axes.
     Tensor tensor() const {
@@ -70,6 +89,53 @@ struct Principal {
             for (int k = 0; k < 3; ++k) t[c] += value[k] * axis[k][row[c]] * axis[k][column[c]];
         return t;
     }
+
+private:
+    static Rotations<1> of_one(const Tensor& t) {
+        Rotations<1> one;
+        for (int k = 0; k < 6; ++k) one.a[k][0] = t[k];
+        one.run();
+        return one;
+    }
 };
+
+/// Calls each(row, principal) for the rows of a batch that may yield. `holds(row, high, low)` says whether a stress is certainly
+/// within the strength: `high` is no less than the greatest principal stress, `low` no more than the least. Most rows need no
+/// more than that; the others have their principal stresses found eight at a time.
+template <class Holds, class Each> void for_rows_that_may_yield(const kaya_zbatch& batch, Holds holds, Each each) {
+    constexpr std::size_t chunk = 64;
+    constexpr int pack = 8;
+    constexpr double rounding = 1e-12; // of the bounds
+    for (std::size_t first = 0; first < batch.n; first += chunk) {
+        const std::size_t count = batch.n - first < chunk ? batch.n - first : chunk;
+        double high[chunk], low[chunk];
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t r = first + i;
+            const double xx = batch.stress[0][r], yy = batch.stress[1][r], zz = batch.stress[2][r];
+            const double xy = batch.stress[3][r], xz = batch.stress[4][r], yz = batch.stress[5][r];
+            const double mean = (xx + yy + zz) / 3;
+            const double second = ((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx)) / 6 + xy * xy + xz * xz + yz * yz;
+            const double reach = (1 + rounding) * 2 * std::sqrt(second / 3) + rounding * std::abs(mean);
+            high[i] = mean + reach;
+            low[i] = mean - reach;
+        }
+        std::size_t rows[chunk], some = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            rows[some] = first + i;
+            some += !holds(first + i, high[i], low[i]);
+        }
+        for (std::size_t next = 0; next < some; next += pack) {
+            Rotations<pack> rotations;
+            const std::size_t here = some - next < pack ? some - next : pack;
+            for (std::size_t l = 0; l < pack; ++l)
+                for (int k = 0; k < 6; ++k) rotations.a[k][l] = batch.stress[k][rows[next + (l < here ? l : 0)]];
+            rotations.run();
+            for (std::size_t l = 0; l < here; ++l) {
+                Principal principal(rotations, static_cast<int>(l));
+                each(rows[next + l], principal);
+            }
+        }
+    }
+}
 
 } // namespace kaya::zones

@@ -64,26 +64,25 @@ ptrdiff_t run(kaya_zbatch* batch) {
         return 0;
     double* sheared = batch->history[plastic_shear];
     double* opened = batch->history[plastic_tension];
-    for (std::size_t i = 0; i < batch->n; ++i) {
+    const auto strength_of = [&](std::size_t i) {
         batch->row = i;
         // Strain gathers in one layer of zones: the thinner they are the more of it for the same displacement (2).
         const double scale = p[length_reference] > 0 ? std::cbrt(batch->volume[i]) / p[length_reference] : 1;
         const double friction_now = phi.at(scale * sheared[i]), dilation_now = std::min(psi.at(scale * sheared[i]), friction_now);
-        const Strength strength = Strength::of(std::max(0.0, c.at(scale * sheared[i])), friction_now, dilation_now,
-                                               std::max(0.0, t.at(scale * opened[i])));
-        Tensor stress = stress_of(*batch, i);
-        moduli.add(stress, strain_of(*batch, i));
-        Principal principal(stress);
-        const Flow flow = return_to(strength, moduli, principal.value);
-        if (flow.shear || flow.tension) {
-            stress = principal.tensor();
-            batch->dissipation[i] = dot(principal.value, flow.strain);
-            sheared[i] += shear_measure(flow.strain);
-            opened[i] += flow.along_tension;
-        }
-        batch->state[i] = state_behind(batch->state[i], flow.shear, flow.tension);
-        put_stress(*batch, i, stress);
-    }
+        return Strength::of(std::max(0.0, c.at(scale * sheared[i])), friction_now, dilation_now, std::max(0.0, t.at(scale * opened[i])));
+    };
+    add_elastic(*batch, moduli);
+    forget_flow(*batch);
+    const auto holds = [&](std::size_t i, double high, double low) { return strength_of(i).holds(high, low); };
+    for_rows_that_may_yield(*batch, holds, [&](std::size_t i, Principal& principal) {
+        const Flow flow = return_to(strength_of(i), moduli, principal.value);
+        if (!flow.shear && !flow.tension) return;
+        put_stress(*batch, i, principal.tensor());
+        batch->dissipation[i] = dot(principal.value, flow.strain);
+        sheared[i] += shear_measure(flow.strain);
+        opened[i] += flow.along_tension;
+        batch->state[i] |= bits_of(flow);
+    });
     return -1;
 }
 

@@ -93,22 +93,27 @@ ptrdiff_t run(kaya_zbatch* batch) {
     const Moduli moduli{p[0], p[1]};
     const Strength strength = Strength::of(p[cohesion], p[friction], std::min(p[dilation], p[friction]), p[tension]);
     const Weakness weak(p);
+    add_elastic(*batch, moduli);
+    // What flowed in the step before has flowed, in the rock and on the planes.
+    for (std::size_t i = 0; i < batch->n; ++i)
+        batch->state[i] = state_behind(batch->state[i] & 15u, false, false) |
+                          state_behind(batch->state[i] >> joint_bits, false, false) << joint_bits;
+    const auto holds = [&](std::size_t, double high, double low) { return strength.holds(high, low); };
+    for_rows_that_may_yield(*batch, holds, [&](std::size_t i, Principal& principal) {
+        const Flow flow = return_to(strength, moduli, principal.value);
+        if (!flow.shear && !flow.tension) return;
+        put_stress(*batch, i, principal.tensor());
+        batch->dissipation[i] = dot(principal.value, flow.strain);
+        batch->history[plastic_shear][i] += shear_measure(flow.strain);
+        batch->history[plastic_tension][i] += flow.along_tension;
+        batch->state[i] |= bits_of(flow);
+    });
     for (std::size_t i = 0; i < batch->n; ++i) {
         Tensor stress = stress_of(*batch, i);
-        moduli.add(stress, strain_of(*batch, i));
-        Principal principal(stress);
-        const Flow flow = return_to(strength, moduli, principal.value);
-        if (flow.shear || flow.tension) {
-            stress = principal.tensor();
-            batch->dissipation[i] = dot(principal.value, flow.strain);
-            batch->history[plastic_shear][i] += shear_measure(flow.strain);
-            batch->history[plastic_tension][i] += flow.along_tension;
-        }
         const std::uint32_t on_planes = yield_on(weak, moduli, stress, batch->history[joint_shear][i], batch->dissipation[i]);
-        const std::uint32_t before = batch->state[i];
-        batch->state[i] = state_behind(before & 15u, flow.shear, flow.tension) |
-                          state_behind(before >> joint_bits, (on_planes & shear_now) != 0, (on_planes & tension_now) != 0) << joint_bits;
+        if (on_planes == 0) continue;
         put_stress(*batch, i, stress);
+        batch->state[i] |= on_planes << joint_bits;
     }
     return -1;
 }

@@ -9,6 +9,7 @@
 
 namespace kaya::zones {
 
+/// Six components in the order of kaya/zmodel.h: xx, yy, zz, xy, xz, yz.
 using Tensor = std::array<double, 6>;
 
 constexpr double radians = 0.017453292519943295; ///< of a degree
@@ -34,6 +35,20 @@ inline constexpr kaya_zproperty shear_property{"shear", "g", "stress", "shear mo
 inline void give_moduli(const double* properties, double* bulk, double* shear) {
     *bulk = properties[0];
     *shear = properties[1];
+}
+
+/// The elastic step of a whole batch.
+inline void add_elastic(kaya_zbatch& batch, const Moduli& moduli) {
+    const double two_shear = 2 * moduli.shear, lame = moduli.lame();
+    for (int k = 0; k < 3; ++k) {
+        double *__restrict normal = batch.stress[k], *__restrict shear = batch.stress[k + 3];
+        const double *xx = batch.strain_inc[0], *yy = batch.strain_inc[1], *zz = batch.strain_inc[2];
+        const double *own = batch.strain_inc[k], *sheared = batch.strain_inc[k + 3];
+        for (std::size_t i = 0; i < batch.n; ++i) {
+            normal[i] = (normal[i] + two_shear * own[i]) + lame * (xx[i] + yy[i] + zz[i]);
+            shear[i] += two_shear * sheared[i];
+        }
+    }
 }
 
 inline Tensor stress_of(const kaya_zbatch& batch, std::size_t i) {
