@@ -254,7 +254,10 @@ void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, d
             const Vec2 sum = a + b + c;
             result.second_moment +=
                 0.25 * third * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
-            for (const int r : part) points[r].area += third;
+            for (const int r : part) {
+                points[r].area += third;
+                points[r].centre += 0.25 * third * (points[r].place + sum);
+            }
         };
         for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
             if (edge > 0)
@@ -295,6 +298,7 @@ void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, d
         }
     }
     std::erase_if(points, [](const OverlayPoint& p) { return !(p.area > 0); });
+    for (auto& point : points) point.centre /= point.area;
 }
 
 namespace {

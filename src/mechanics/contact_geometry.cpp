@@ -189,6 +189,8 @@ bool lay_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touc
         point.side2 = face2.attach(p.place, p.vertex2, p.triangle2, p.weights2);
         const Vec3 x1 = attached_position(model, point.side1), x2 = attached_position(model, point.side2);
         point.position = 0.5 * (x1 + x2);
+        const Vec2 shift = p.centre - p.place;
+        point.centre = point.position + shift.x() * axes.u + shift.y() * axes.v;
         point.gap = touch.normal.dot(x2 - x1);
         point.area = p.area;
         point.meeting = p.vertex1 >= 0   ? Meeting::vertex_face

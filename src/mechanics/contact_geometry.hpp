@@ -12,6 +12,7 @@ namespace kaya {
 /// One sub-contact to be.
 struct TouchPoint {
     Vec3 position = Vec3::Zero(); ///< midway between the two surfaces
+    Vec3 centre = Vec3::Zero(); ///< of its area, where a linear traction has its mean with the weights of the point; faces with zones only
     double gap = 0; ///< along the normal; negative: overlap
     double area = 0;
     Meeting meeting = Meeting::vertex_face;

@@ -1,6 +1,7 @@
 #include "mechanics/insitu.hpp"
 
 #include "base/parallel.hpp"
+#include "mechanics/contact_geometry.hpp"
 #include "mechanics/contact_table.hpp"
 #include "mechanics/take_over.hpp"
 #include "mechanics/ties.hpp"
@@ -8,6 +9,7 @@
 #include "model/measure.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kaya {
 
@@ -17,6 +19,43 @@ namespace {
 Vec3 traction(const Stress& s, const Vec3& n) {
     return {s[0] * n[0] + s[3] * n[1] + s[4] * n[2], s[3] * n[0] + s[1] * n[1] + s[5] * n[2],
             s[4] * n[0] + s[5] * n[1] + s[2] * n[2]};
+}
+
+/// For each sub-contact the place at which a linear stress has to be taken so that its forces, passed on to the gridpoints of
+/// either side, are those of the whole traction on the faces. Beside zones that is the centre of its area, elsewhere where it lies.
+std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>& sub_contacts) {
+    const auto& subs = model.sub_contacts;
+    const auto& contacts = model.contacts;
+    std::vector<Vec3> places(subs.size());
+    std::vector<char> wanted(contacts.size(), 0);
+    std::vector<Row> blocks;
+    for (const Row s : sub_contacts) {
+        const Row c = subs.contact[s], b1 = contacts.block1[c], b2 = contacts.block2[c];
+        places[s] = subs.position[s];
+        if (wanted[c] || contacts.touch[c] != Touch::face_face || !(model.blocks.deformable[b1] || model.blocks.deformable[b2])) continue;
+        wanted[c] = 1;
+        blocks.insert(blocks.end(), {b1, b2});
+    }
+    std::ranges::sort(blocks);
+    const auto twice = std::ranges::unique(blocks);
+    blocks.erase(twice.begin(), twice.end());
+    Surfaces surfaces;
+    surfaces.update(model, blocks);
+    for_chunks(contacts.size(), 64, [&](std::size_t first, std::size_t last) {
+        std::vector<TouchPoint> list;
+        for (std::size_t i = first; i < last; ++i) {
+            if (!wanted[i]) continue;
+            const Row c = static_cast<Row>(i), b1 = contacts.block1[c], b2 = contacts.block2[c];
+            list.clear();
+            TouchGeometry touch{{}, TouchPoints(list)};
+            if (!find_touch(model, surfaces, b1, b2, c, model.blocks.margin[b1] + model.blocks.margin[b2], touch)) continue;
+            const double near = 1e-6 * std::sqrt(contacts.area[c]);
+            for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s)
+                for (const TouchPoint& point : touch.points)
+                    if ((point.position - Vec3(subs.position[s])).norm() <= near) places[s] = point.centre;
+        }
+    });
+    return places;
 }
 
 /// Forces of stresses on sub-contacts; stress_at(row) is that at the place of a sub-contact.
@@ -57,7 +96,8 @@ void set_insitu_stress(Model& model, JointRegistry& joints, const std::vector<Ro
                        const std::vector<Row>& sub_contacts, const StressField& stress) {
     for (const Row z : zones) model.zones.stress[z] = stress.at(zone_centroid(model, z));
     set_tie_tractions(model, zones);
-    put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress.at(model.sub_contacts.position[s]); });
+    const std::vector<Vec3> places = places_of_tractions(model, sub_contacts);
+    put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress.at(places[s]); });
 }
 
 void set_topography_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
