@@ -3,7 +3,9 @@
 #include "base/diagnostic.hpp"
 #include "commands/lua_joint_models.hpp"
 #include "jointtest/bench.hpp"
+#include "zonetest/zone_bench.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -66,6 +68,23 @@ int carry_out(Order& order, const std::vector<fs::path>& folders) {
     return report.doubtful || (order.strict && report.odd) ? static_cast<int>(Fault::run) : 0;
 }
 
+struct ZoneOrder {
+    ZoneBenchOrder bench;
+    std::vector<std::string> settings; ///< word=value
+    std::vector<double> stress;
+    bool strict = false, no_picture = false;
+};
+
+int carry_out(ZoneOrder& order, const std::vector<fs::path>& folders) {
+    for (const auto& text : order.settings) order.bench.values.push_back(setting_of(text));
+    std::ranges::copy(order.stress, order.bench.settings.stress.begin());
+    ZoneModels models;
+    models.set_path(folders);
+    const auto report = run_zone_bench(models, order.bench);
+    fmt::print("{}{}\n", report.text, order.no_picture ? "" : draw(report.figure));
+    return order.strict && report.odd ? static_cast<int>(Fault::run) : 0;
+}
+
 } // namespace
 
 void add_joint_bench(CLI::App& app, const std::function<std::vector<fs::path>()>& joint_folders,
@@ -93,6 +112,21 @@ void add_joint_bench(CLI::App& app, const std::function<std::vector<fs::path>()>
     fitting->add_option("--offset", fit->offsets, "measured columns whose zero is not known, with commas between; none: \"\"")
         ->default_str("opening");
     fit->bench.settings.steps = 0; // as many as the result needs
+}
+
+void add_zone_bench(CLI::App& app, const std::function<std::vector<fs::path>()>& folders, std::function<int()>& chosen) {
+    auto order = std::make_shared<ZoneOrder>();
+    auto* sub = app.add_subcommand("ztest", "lead one zone of a zone model along a path and look at the answer");
+    sub->add_option("model", order->bench.model, "name or file of the zone model")->required();
+    sub->add_option("path", order->bench.path, "CSV file of the path: docs/writing-a-zone-model.md")->required();
+    sub->add_option("values", order->settings, "properties: bulk=4e9 shear=3e9 cohesion=1e6 friction=30");
+    sub->add_option("--stress", order->stress, "stress in the beginning: xx,yy,zz,xy,xz,yz, tension positive")->delimiter(',')->expected(6);
+    sub->add_option("--steps", order->bench.settings.steps, "steps between two points of the path")->check(CLI::Range(1, 1'000'000));
+    sub->add_option("--volume", order->bench.settings.volume, "volume of the zone")->check(CLI::PositiveNumber);
+    sub->add_option("--output", order->bench.output, "name of the files, without an ending");
+    sub->add_flag("--no-picture", order->no_picture, "no PNG, also where gnuplot is installed");
+    sub->add_flag("--strict", order->strict, "exit with 2 when something odd was found");
+    sub->callback([order, folders, &chosen] { chosen = [order, folders] { return carry_out(*order, folders()); }; });
 }
 
 } // namespace kaya

@@ -1,4 +1,4 @@
-// kaya jtest and kaya jfit: one sub-contact of a joint model, without a deck.
+// kaya jtest, kaya jfit and kaya ztest: one sub-contact of a joint model, or one zone of a zone model, without a deck.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,5 +12,8 @@ namespace kaya {
 /// status and throws Diagnostic.
 void add_joint_bench(CLI::App& app, const std::function<std::vector<std::filesystem::path>()>& joint_folders,
                      std::function<int()>& chosen);
+
+/// The same for ztest; the folders are those of joint models.
+void add_zone_bench(CLI::App& app, const std::function<std::vector<std::filesystem::path>()>& folders, std::function<int()>& chosen);
 
 } // namespace kaya

@@ -283,6 +283,7 @@ int start(int argc, char** argv) {
     const fs::path program = program_folder(argv[0]);
     std::function<int()> about_models;
     add_joint_bench(app, [&] { return joint_folders(line, program); }, about_models);
+    add_zone_bench(app, [&] { return joint_folders(line, program); }, about_models);
     add_model_commands(app, program, [&] { return joint_folders(line, program); }, about_models);
     app.require_subcommand(0, 1);
     try {

@@ -29,7 +29,7 @@ std::string text_of(const fs::path& source) {
     std::ifstream stream(source);
     if (!stream || fs::is_directory(source))
         throw Diagnostic(fmt::format("the source {} cannot be read", source.string()),
-                         "give the .cpp files of the joint model");
+                         "give the .cpp files of the model");
     std::ostringstream text;
     text << stream.rdbuf();
     return text.str();
@@ -154,7 +154,7 @@ std::vector<std::string> export_macros(const std::string& source) {
 }
 
 bool is_native(const std::string& source) {
-    static const std::regex pattern(R"(^[ \t]*#[ \t]*include[ \t]*["<]kaya/jmodel\.h[">])", std::regex::multiline);
+    static const std::regex pattern(R"(^[ \t]*#[ \t]*include[ \t]*["<]kaya/[jz]model\.h[">])", std::regex::multiline);
     return std::regex_search(source, pattern);
 }
 
@@ -166,11 +166,11 @@ fs::path include_folder(const fs::path& program_folder) {
     candidates.push_back(program_folder.parent_path() / "include");
     for (const auto& candidate : candidates)
         if (fs::exists(candidate / "kaya/jmodel.h")) return candidate;
-    throw Diagnostic("the headers of joint models are not there",
+    throw Diagnostic("the headers of joint and zone models are not there",
                      "give the folder that holds kaya/jmodel.h in the environment variable KAYA_INCLUDE");
 }
 
-fs::path build_joint_model(const BuildOrder& order, const fs::path& include) {
+fs::path build_model(const BuildOrder& order, const fs::path& include) {
     if (!fs::is_directory(order.folder))
         throw Diagnostic(fmt::format("there is no folder {}", order.folder.string()), "make it, or give another one");
     const Draft draft(order.folder);
@@ -184,7 +184,8 @@ fs::path build_joint_model(const BuildOrder& order, const fs::path& include) {
     std::string name;
     {
         JointRegistry registry;
-        name = registry.get(fs::absolute(draft.file).string()).name;
+        const std::string file = fs::absolute(draft.file).string();
+        name = order.zone_model ? registry.zones.get(file).name : registry.get(file).name;
     }
     const fs::path library = order.folder / (name + ".so");
     fs::rename(draft.file, library);

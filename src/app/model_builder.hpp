@@ -1,4 +1,4 @@
-// `kaya jmodel build`: sources of a joint model made into a library.
+// `kaya jmodel build` and `kaya zmodel build`: sources of a joint model or a zone model made into a library.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +8,7 @@
 namespace kaya {
 
 struct BuildOrder {
+    bool zone_model = false; ///< and not a joint model
     std::vector<std::filesystem::path> sources;
     std::filesystem::path folder = "."; ///< where the library is put
     std::string compiler;               ///< "": CXX, else the first of c++, g++, clang++ that is there
@@ -20,8 +21,8 @@ struct BuildOrder {
 
 /// Compiles the sources, loads the library, and gives it the name of its model. What the compiler says
 /// goes to the standard error. Returns the file. Throws Diagnostic: no such source, no compiler, it does not
-/// compile, it is no joint model. `include` is the folder that holds kaya/jmodel.h.
-std::filesystem::path build_joint_model(const BuildOrder& order, const std::filesystem::path& include);
+/// compile, it is no such model. `include` is the folder that holds kaya/jmodel.h.
+std::filesystem::path build_model(const BuildOrder& order, const std::filesystem::path& include);
 
 /// The folder of headers of the program in `program_folder`, installed or not. Throws Diagnostic.
 std::filesystem::path include_folder(const std::filesystem::path& program_folder);
@@ -30,7 +31,7 @@ std::filesystem::path include_folder(const std::filesystem::path& program_folder
 /// in _EXPORTS or _LIB on lines that begin with #if.
 std::vector<std::string> export_macros(const std::string& source);
 
-/// Whether a source is written against kaya/jmodel.h, rather than against jointmodel.h.
+/// Whether a source is written against kaya/jmodel.h or kaya/zmodel.h, rather than against jointmodel.h.
 bool is_native(const std::string& source);
 
 } // namespace kaya

@@ -1,4 +1,4 @@
-// Commands of the program that are about joint models: jmodel build, new-jmodel, plugin list.
+// Commands of the program that are about joint and zone models: jmodel build, zmodel build, new-jmodel, new-zmodel, plugin list.
 #pragma once
 
 #include <CLI/CLI.hpp>

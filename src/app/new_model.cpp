@@ -12,13 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// @NAME@ stands for the name of the model.
-struct Template {
-    const char* file;
-    const char* text;
-};
-
-constexpr Template templates[] = {
+constexpr ModelTemplate templates[] = {
     {"@NAME@.cpp", R"(// @NAME@: springs in both directions and Coulomb's friction. Change it into what you need.
 // kaya/jmodel.h is the manual: what each column is, which signs it has, what may be left out.
 #include "kaya/jmodel.h"
@@ -216,9 +210,9 @@ bool can_be_typed(const std::string& name) {
 
 } // namespace
 
-std::vector<fs::path> write_new_model(const std::string& name, const fs::path& in) {
+std::vector<fs::path> write_templates(std::span<const ModelTemplate> list, const std::string& name, const fs::path& in) {
     if (!can_be_typed(name))
-        throw Diagnostic(fmt::format("'{}' cannot be the name of a joint model", name),
+        throw Diagnostic(fmt::format("'{}' cannot be the name of a model", name),
                          "use lower-case letters, digits, hyphens and underscores, a letter first");
     const fs::path folder = in / name;
     if (fs::exists(folder))
@@ -229,7 +223,7 @@ std::vector<fs::path> write_new_model(const std::string& name, const fs::path& i
         throw Diagnostic(fmt::format("the folder {} cannot be made: {}", folder.string(), failed.message()), {},
                          Fault::run);
     std::vector<fs::path> files;
-    for (const auto& each : templates) {
+    for (const auto& each : list) {
         files.push_back(folder / filled(each.file, name));
         std::ofstream stream(files.back());
         stream << filled(each.text, name);
@@ -239,5 +233,7 @@ std::vector<fs::path> write_new_model(const std::string& name, const fs::path& i
     }
     return files;
 }
+
+std::vector<fs::path> write_new_joint_model(const std::string& name, const fs::path& in) { return write_templates(templates, name, in); }
 
 } // namespace kaya

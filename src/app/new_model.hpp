@@ -1,14 +1,28 @@
-// `kaya new-jmodel NAME`: a joint model to begin with.
+// `kaya new-jmodel NAME` and `kaya new-zmodel NAME`: a model to begin with.
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace kaya {
 
-/// Makes the folder `in`/NAME with a native model that works, a deck that shows it, a deck that tests it, a page
-/// and a CMakeLists.txt. Returns the files. Throws Diagnostic: the name cannot be typed in a deck, the folder is there.
-std::vector<std::filesystem::path> write_new_model(const std::string& name, const std::filesystem::path& in);
+/// A file of such a model; @NAME@ stands for the name of the model, in its name and in its text.
+struct ModelTemplate {
+    const char* file;
+    const char* text;
+};
+
+/// Makes the folder `in`/NAME with these files. Returns them. Throws Diagnostic: the name cannot be typed in a deck, the
+/// folder is there.
+std::vector<std::filesystem::path> write_templates(std::span<const ModelTemplate> templates, const std::string& name,
+                                                   const std::filesystem::path& in);
+
+/// A native model that works, a deck that shows it, a deck that tests it, a page and a CMakeLists.txt.
+std::vector<std::filesystem::path> write_new_joint_model(const std::string& name, const std::filesystem::path& in);
+
+/// A native model that works, a path for `kaya ztest`, a deck that tests it, a page and a CMakeLists.txt.
+std::vector<std::filesystem::path> write_new_zone_model(const std::string& name, const std::filesystem::path& in);
 
 } // namespace kaya

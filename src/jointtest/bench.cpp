@@ -1,6 +1,7 @@
 #include "jointtest/bench.hpp"
 
 #include "base/diagnostic.hpp"
+#include "joints/given_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,31 +15,6 @@ namespace kaya {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::vector<double> values_of(const JointModel& model, const std::vector<std::pair<std::string, double>>& given) {
-    std::vector<double> values;
-    for (const auto& p : model.properties) values.push_back(p.initial);
-    for (const auto& [word, value] : given) {
-        const auto index = model.find_property(word);
-        if (!index) {
-            std::vector<std::string_view> names;
-            for (const auto& p : model.properties) {
-                names.push_back(p.name);
-                names.insert(names.end(), p.aliases.begin(), p.aliases.end());
-            }
-            const auto near = did_you_mean(word, names);
-            throw Diagnostic(fmt::format("joint model {} has no property '{}'", model.name, word),
-                             near.empty() ? fmt::format("kaya plugin list {} shows them", model.name)
-                                          : fmt::format("did you mean '{}'?", near));
-        }
-        const auto& p = model.properties[*index];
-        if (!(value >= p.minimum && value <= p.maximum))
-            throw Diagnostic(fmt::format("{} is {:g}; it must be from {:g} to {:g}", p.name, value, p.minimum, p.maximum),
-                             "give a value within the limits");
-        values[*index] = value;
-    }
-    return values;
-}
 
 /// Least and largest of a quantity over a curve.
 struct Span {
@@ -76,7 +52,7 @@ std::string report_of(const JointCurve& curve) {
 
 BenchReport run_bench(JointRegistry& registry, const BenchOrder& order) {
     const JointModel& model = registry.get(order.model);
-    const auto values = values_of(model, order.values);
+    const auto values = values_of(model, "joint model", order.values);
     const LoadPath path = read_load_path(order.path);
     BenchReport report;
     JointCurve curve;
