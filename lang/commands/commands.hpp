@@ -319,7 +319,17 @@ struct List {
     enum class Part { all, blocks, joints } part = Part::all; ///< list prop mat | jmat
     RangePhrase range;
 };
-struct Ignored { std::string word; }; ///< plot, movie, ...: read to its end
+struct Ignored { std::string word; }; ///< movie, label, ...: read to its end
+/// plot: hundreds of forms, looked at when it runs, so that no word of it stops a deck.
+struct Plot {
+    struct Item {
+        std::string text, folded; ///< without quotes or @
+        bool quoted = false, script = false; ///< a text; @name or [expression]
+    };
+    std::vector<Item> words;
+    std::string range; ///< from the word `range` on, "" without one
+    Place place;
+};
 
 // --- solution ---------------------------------------------------------------------------------------
 struct CycleCommand { std::optional<std::int64_t> cycles; std::optional<double> time; };

@@ -180,12 +180,30 @@ CommandSpec ignored(const char* word, const char* help) {
     return entry;
 }
 
+CommandSpec plot() {
+    Entry<Plot> entry({"plot"});
+    entry.help("makes pictures of the model, of histories and of tables");
+    entry.raw(&Plot::range).start([](const Statement& statement, Plot& command) {
+        command.range.clear();
+        command.place = statement.words.front().place;
+        for (std::size_t i = 1; i < statement.words.size(); ++i) {
+            const Word& word = statement.words[i];
+            if (word.kind == WordKind::word && word.folded == "range") {
+                command.range = statement.raw(i);
+                return;
+            }
+            command.words.push_back({word.text, word.folded, word.kind == WordKind::text || word.kind == WordKind::open, word.late()});
+        }
+    });
+    entry.right("pl block").right("plot hist 1 vs 2 &\n  hold").right("plot set dip 10 dd 'open");
+    entry.right("plot block disp cut origin 0 0 0 normal 1 0 0 file cut.png").right("plot joint slip size 1600 1200");
+    entry.right("plot create view wall").right("plot add block group").right("plot export wall.png");
+    return entry;
+}
+
 } // namespace
 
 Family output() {
-    CommandSpec plot =
-        ignored("plot", "read to its end; pictures are made from the files that vtk write leaves");
-    plot.right = {{"pl block", {}}, {"plot hist 1 vs 2 &\n  hold", {}}, {"plot set dip 10 dd 'open", {}}};
     CommandSpec movie = ignored("movie", "read to its end, without effect");
     movie.right = {{"movie on file a.avi", {}}};
     CommandSpec update = ignored("update", "read to its end, without effect: the cycle looks after itself");
@@ -197,7 +215,7 @@ Family output() {
             {
                 list(),
                 find(),
-                std::move(plot),
+                plot(),
                 Entry<VtkWrite>({"vtk"}, {"write"})
                     .help("writes the model as it stands for ParaView; files of one name make a series")
                     .argument(text("file").help("name without suffix"), &VtkWrite::file)

@@ -216,7 +216,9 @@ void prepare_run(CommandLine& line, const CLI::App& app) {
 
 int run(CommandLine& line, const fs::path& program) {
     Gate::Policy policy;
+    const auto painter = std::make_shared<Painter>(program / "kaya-painter");
     if (!line.options.trust) {
+        painter->stand_by(); // behind the lock no program can be started
         const SandboxOrder order = sandbox_of(line, program);
         prepare_history(line);
         policy = policy_of(order);
@@ -224,6 +226,7 @@ int run(CommandLine& line, const fs::path& program) {
     }
     line.options.joint_folders = joint_folders(line, program);
     Session session(line.options);
+    session.painter = painter;
     if (!line.options.trust) session.gate->shut(std::move(policy));
     const int status = run_session(session, line);
     if (status != 0) session.rescue.keep();

@@ -96,6 +96,9 @@ void run(Session&, const lang::HistoryWrite&);
 void run(Session&, const lang::VtkWrite&);
 void run(Session&, const lang::Ignored&);
 
+// plot.cpp
+void run(Session&, const lang::Plot&);
+
 // solution.cpp
 void run(Session&, const lang::CycleCommand&);
 void run(Session&, const lang::Solve&);

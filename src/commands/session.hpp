@@ -5,6 +5,7 @@
 #include "commands/model_world.hpp"
 #include "commands/occupied.hpp"
 #include "commands/output.hpp"
+#include "commands/plot_views.hpp"
 #include "commands/ranges.hpp"
 #include "commands/rescue.hpp"
 #include "commands/run_name.hpp"
@@ -112,6 +113,8 @@ public:
     std::string log_file = "kaya.log"; ///< of the next `set log on`
     std::string deck;                  ///< file name of the deck that runs, for default names of output files
     VtkSeries vtk;                     ///< the picture series of this run
+    PlotViews plots;                   ///< the pictures that `plot` has described
+    std::shared_ptr<Painter> painter;  ///< what draws them; none: where it is looked for by itself
     std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files
     std::set<std::string> files_read;  ///< names of files that commands have read, decks not among them
     /// Gets each command of decks behind its run; those of scripts are part of the command that ran the script.

@@ -1,0 +1,240 @@
+// plot: pictures of the model, of histories and of tables.
+#include "commands/handlers.hpp"
+#include "commands/plot_views.hpp"
+#include "io/whole_file.hpp"
+#include "lang/commands/language.hpp"
+#include "lang/interp/deck.hpp"
+#include "model/sampling.hpp"
+#include "scene/svg_chart.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+lang::RangePhrase phrase_of(const std::string& text) {
+    if (text.empty()) return {};
+    const auto bound = lang::bind_text(lang::classic(), lang::source_from_text("plot", "find " + text), {});
+    return std::any_cast<const lang::List&>(bound->steps.front().command.command).range;
+}
+
+Shown shown_by(Session& session, const PlotItem& item) {
+    Shown shown;
+    shown.blocks = select(session.model, ObjectKind::block, session.test_of(ObjectKind::block, phrase_of(item.range)));
+    shown.deformation = item.deformed - 1;
+    shown.cut = item.cut;
+    return shown;
+}
+
+/// "slip-now slip-past" of a sub-contact, by the words of its joint model.
+std::string state_words(const Session& session, const Model& model, Row row) {
+    const Row properties = model.contacts.properties[model.sub_contacts.contact[row]];
+    const JointModel* joint = properties == no_row ? nullptr : session.joints.find(model.joint_properties[static_cast<std::size_t>(properties)].model);
+    std::vector<std::string> words;
+    if (joint != nullptr)
+        for (std::size_t i = 0; i < joint->states.size(); ++i)
+            if ((model.sub_contacts.state[row] & (1U << i)) != 0) words.push_back(joint->states[i]);
+    // What slips now has slipped, and that needs no word.
+    std::erase_if(words, [&](const std::string& word) {
+        return word.ends_with("-past") && std::ranges::find(words, word.substr(0, word.size() - 4) + "now") != words.end();
+    });
+    return words.empty() ? "elastic" : fmt::format("{}", fmt::join(words, ", "));
+}
+
+ColourField joint_field(const Session& session, const std::string& word) {
+    ColourField field = *find_joint_field(word.empty() ? "slip" : word);
+    if (word == "state") {
+        field.title = "state";
+        field.get = [&session](const Model& model, Row row) -> FieldValue { return state_words(session, model, row); };
+    }
+    return field;
+}
+
+/// Blocks would hide what is between them and in them: then their edges are enough.
+void add_item(Session& session, Scene& scene, const PlotItem& item, bool edges_only) {
+    const Model& model = session.model;
+    const Shown shown = shown_by(session, item);
+    if (shown.blocks.empty()) throw Diagnostic("there are no blocks to draw", "make blocks, show them with 'seek', or use another range");
+    if (item.kind != PlotItem::Kind::blocks) {
+        if (item.kind == PlotItem::Kind::arrows) add_arrows(scene, model, shown, item.field == "velocity", item.scale);
+        else if (model.contacts.size() == 0) throw Diagnostic("there are no joints to draw yet", "contacts are found by 'cycle 0'");
+        else add_joints(scene, model, shown, joint_field(session, item.field));
+        if (edges_only) return; // an item of its own shows the blocks
+        PlotItem outline = item;
+        outline.kind = PlotItem::Kind::blocks;
+        outline.field.clear();
+        return add_item(session, scene, outline, true);
+    }
+    add_blocks(scene, model, shown, item.field.empty() ? std::nullopt : find_colour_field(item.field));
+    if (edges_only) {
+        scene.layers.erase(scene.layers.end() - 2);
+        scene.layers.back().opacity *= 0.6F;
+    }
+}
+
+Scene scene_of(Session& session, const PlotView& view) {
+    Scene scene = view.settings;
+    if (scene.title.empty()) scene.title = !session.title.empty() ? session.title : fs::path(session.deck).stem().string();
+    scene.note = fmt::format("cycle {}, time {:.4g}", session.model.clock.cycle, session.model.clock.time);
+    const auto has = [&](PlotItem::Kind kind) { return std::ranges::find(view.items, kind, &PlotItem::kind) != view.items.end(); };
+    const bool blocks = has(PlotItem::Kind::blocks), inside = has(PlotItem::Kind::joints) || has(PlotItem::Kind::arrows);
+    for (const PlotItem& item : view.items) {
+        if (item.deformed != 1) scene.note += fmt::format(", displacements {:g} times as large", item.deformed);
+        add_item(session, scene, item, inside && blocks);
+    }
+    return scene;
+}
+
+const History& history_of(const Histories& histories, std::int64_t number) {
+    const auto found = std::ranges::find(histories.all, number, &History::number);
+    if (found == histories.all.end()) throw Diagnostic(fmt::format("there is no history {}", number), "'list hist' shows those that are there");
+    return *found;
+}
+
+/// Quantity, and its unit where it is a field.
+std::string axis_name(const History& history) {
+    const auto* field = history.source.kind == HistorySource::Kind::function ? nullptr : sampled_field(history.source);
+    std::string name = history.label;
+    std::ranges::replace(name, '_', ' ');
+    if (field != nullptr && field->unit != "-") name += fmt::format(" [{}]", field->unit);
+    return name;
+}
+
+void add_histories(const Histories& histories, const PlotItem& item, Chart& chart) {
+    for (const std::int64_t number : item.numbers) (void)history_of(histories, std::abs(number));
+    const History* versus = item.versus ? &history_of(histories, std::abs(*item.versus)) : nullptr;
+    const std::size_t samples = histories.time.size();
+    const auto value = [](const History& history, std::size_t sample, double sign) {
+        const std::size_t place = sample - history.first_sample;
+        return sample < history.first_sample || place >= history.values.size() ? std::nan("") : sign * history.values[place];
+    };
+    for (const std::int64_t number : item.numbers) {
+        const History& history = history_of(histories, std::abs(number));
+        Curve curve{axis_name(history), {}, {}};
+        for (std::size_t i = 0; i < samples; ++i) {
+            curve.x.push_back(versus != nullptr ? value(*versus, i, *item.versus < 0 ? -1 : 1) : histories.time[i]);
+            curve.y.push_back(value(history, i, number < 0 ? -1 : 1));
+        }
+        chart.curves.push_back(std::move(curve));
+    }
+    chart.x_label = versus != nullptr ? axis_name(*versus) : "time [time]";
+}
+
+Chart chart_of(Session& session, const PlotView& view) {
+    Chart chart;
+    chart.width = view.settings.width;
+    chart.height = view.settings.height;
+    chart.title = !view.settings.title.empty() ? view.settings.title : session.title;
+    for (const PlotItem& item : view.items) {
+        if (item.kind == PlotItem::Kind::histories) add_histories(session.model.histories, item, chart);
+        else
+            for (const std::int64_t number : item.numbers) {
+                const auto& tables = session.scripts->tables();
+                const auto found = tables.find(number);
+                if (found == tables.end()) throw Diagnostic(fmt::format("there is no table {}", number));
+                Curve& curve = chart.curves.emplace_back(Curve{fmt::format("table {}", number), {}, {}});
+                for (const auto& [x, y] : found->second.points) curve.x.push_back(x), curve.y.push_back(y);
+            }
+        if (!item.x_label.empty()) chart.x_label = item.x_label;
+        if (!item.y_label.empty()) chart.y_label = item.y_label;
+    }
+    const bool drawn = std::ranges::any_of(chart.curves, [](const Curve& curve) { return !curve.x.empty(); });
+    if (!drawn) throw Diagnostic("there are no samples to draw", "name histories or tables that hold values: plot hist 1 vs 2");
+    if (chart.y_label.empty() && chart.curves.size() == 1) chart.y_label = chart.curves.front().name;
+    if (chart.title.empty()) chart.title = chart.curves.front().name;
+    return chart;
+}
+
+/// The picture as the bytes of its file; the suffix says which kind.
+std::string picture_of(Session& session, const PlotView& view, const std::string& suffix) {
+    if (view.items.empty()) throw Diagnostic("there is nothing to draw", "name what the picture shows: plot add block");
+    const auto is_chart = [](const PlotItem& item) { return item.kind >= PlotItem::Kind::histories; };
+    const bool chart = std::ranges::all_of(view.items, is_chart);
+    if (!chart && std::ranges::any_of(view.items, is_chart))
+        throw Diagnostic("one picture shows either the model or curves", "write a second plot line for the curves");
+    if (chart && suffix == ".svg") return svg_of(chart_of(session, view));
+    if (!session.painter) {
+        std::error_code ignored;
+        session.painter = std::make_shared<Painter>(fs::read_symlink("/proc/self/exe", ignored).parent_path() / "kaya-painter");
+    }
+    return session.painter->png(chart ? Drawing(chart_of(session, view)) : Drawing(scene_of(session, view)));
+}
+
+/// Pictures are PNG files, curves also SVG: another suffix of an old deck becomes .png.
+std::string picture_name(Session& session, const PlotLine& line, bool curves) {
+    fs::path path(line.file);
+    if (line.file.empty()) {
+        const std::string stem = fs::path(session.deck).stem().string();
+        path = fmt::format("{}-plot-{}.png", stem.empty() ? "kaya" : stem, ++session.plots.pictures);
+    }
+    std::string suffix = path.extension().string();
+    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    static constexpr const char* pictures[] = {".bmp", ".jpg", ".jpeg", ".pcx", ".ps", ".pdf", ".dxf", ".wmf", ".tif", ".svg"};
+    if (suffix == ".png" || (curves && suffix == ".svg")) return path.string();
+    if (std::ranges::find(pictures, suffix) != std::end(pictures)) return path.replace_extension(".png").string();
+    return path.string() + ".png";
+}
+
+void write_picture(Session& session, const PlotView& view, const PlotLine& line) {
+    const bool curves = !view.items.empty() && view.items.front().kind >= PlotItem::Kind::histories;
+    const std::string file = picture_name(session, line, curves);
+    std::string bytes;
+    try {
+        bytes = picture_of(session, view, fs::path(file).extension().string());
+    } catch (const Diagnostic& problem) {
+        session.stop_if_interrupted();
+        // A picture is no reason to end a run.
+        return session.note_once(fmt::format("no picture: {}", problem.message), problem.hint);
+    }
+    write_whole_file(session.output_file(file), bytes);
+    session.output.say(fmt::format("picture: {}", file));
+}
+
+} // namespace
+
+void run(Session& session, const lang::Plot& command) {
+    auto words = command.words;
+    for (auto& word : words)
+        if (word.script) {
+            word.text = session.symbol_text(word.text);
+            word.script = false;
+        }
+    auto& plots = session.plots;
+    PlotLine line = read_plot_line(words, command.range, plots.views[plots.current]);
+    if (!line.unknown.empty())
+        session.note_once(fmt::format("plot leaves '{}' out", fmt::join(line.unknown, " ")), "docs/commands/plot.md lists what it draws");
+    switch (line.task) {
+    case PlotLine::Task::draw: {
+        PlotView once = std::move(line.view);
+        once.items = std::move(line.items);
+        if (!once.items.empty()) write_picture(session, once, line);
+        return;
+    }
+    case PlotLine::Task::create: plots.views[line.name] = {}; [[fallthrough]];
+    case PlotLine::Task::choose: plots.current = line.name; break;
+    case PlotLine::Task::clear: plots.views[plots.current] = {}; return;
+    case PlotLine::Task::write: {
+        const auto named = line.name.empty() ? plots.views.end() : plots.views.find(line.name);
+        if (!line.name.empty() && named == plots.views.end())
+            return session.note_once(fmt::format("there is no plot '{}'", line.name), "plot create makes one");
+        PlotView view = std::move(line.view);
+        if (named != plots.views.end()) view.items = named->second.items;
+        view.items.insert(view.items.end(), line.items.begin(), line.items.end());
+        write_picture(session, view, line);
+        return;
+    }
+    case PlotLine::Task::settings:
+    case PlotLine::Task::add: break;
+    }
+    PlotView& view = plots.views[plots.current];
+    if (line.task != PlotLine::Task::create && line.task != PlotLine::Task::choose) view.settings = line.view.settings;
+    view.items.insert(view.items.end(), line.items.begin(), line.items.end());
+}
+
+} // namespace kaya

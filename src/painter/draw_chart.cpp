@@ -1,0 +1,95 @@
+#include "draw.hpp"
+
+#include "png.hpp"
+#include "scene/ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vtkAxis.h>
+#include <vtkChartLegend.h>
+#include <vtkChartXY.h>
+#include <vtkContextScene.h>
+#include <vtkContextView.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkPlot.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkTextProperty.h>
+
+namespace kaya {
+
+namespace {
+
+void set_axis(vtkAxis* axis, const std::string& label, const std::vector<Curve>& curves, std::vector<double> Curve::*values, int about, int font) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Curve& curve : curves)
+        for (const double value : curve.*values)
+            if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+    const Ticks ticks = round_ticks(low, high, about);
+    vtkNew<vtkDoubleArray> places;
+    vtkNew<vtkStringArray> labels;
+    for (const double value : ticks.values()) {
+        places->InsertNextValue(value);
+        labels->InsertNextValue(ticks.label(value));
+    }
+    axis->SetBehavior(vtkAxis::FIXED);
+    axis->SetRange(ticks.low, ticks.high);
+    axis->SetCustomTickPositions(places, labels);
+    axis->SetTitle(label);
+    axis->GetTitleProperties()->SetFontSize(font);
+    axis->GetTitleProperties()->BoldOff();
+    axis->GetLabelProperties()->SetFontSize(font);
+    axis->GetGridPen()->SetColor(216, 216, 216, 255);
+}
+
+void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t index, float width) {
+    static constexpr std::size_t order[] = {4, 5, 2, 6, 1, 0, 7, 3}; // the dark colours first: they stand on white
+    vtkNew<vtkDoubleArray> x, y;
+    x->SetName("x");
+    y->SetName(curve.name.empty() ? "y" : curve.name.c_str());
+    for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
+        if (!std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i])) continue;
+        x->InsertNextValue(curve.x[i]);
+        y->InsertNextValue(curve.y[i]);
+    }
+    if (x->GetNumberOfValues() == 0) return;
+    vtkNew<vtkTable> table;
+    table->AddColumn(x);
+    table->AddColumn(y);
+    vtkPlot* plot = chart->AddPlot(vtkChart::LINE);
+    plot->SetInputData(table, 0, 1);
+    const Colour c = named_colour(order[index % std::size(order)]);
+    plot->GetPen()->SetColorF(c[0], c[1], c[2]);
+    plot->SetWidth(width);
+}
+
+} // namespace
+
+std::string png_of(const Chart& given) {
+    const int finer = std::max(given.width, given.height) <= 4096 ? 2 : 1; // each pixel is the mean of four
+    const int width = std::clamp(given.width, 64, 8192) * finer, height = std::clamp(given.height, 64, 8192) * finer;
+    const int font = std::max(11, width / 62);
+    vtkNew<vtkContextView> view;
+    view->GetRenderWindow()->SetOffScreenRendering(1);
+    view->GetRenderWindow()->SetMultiSamples(0);
+    view->GetRenderWindow()->SetSize(width, height);
+    view->GetRenderer()->SetBackground(1, 1, 1);
+    vtkNew<vtkChartXY> chart;
+    view->GetScene()->AddItem(chart);
+    chart->SetTitle(given.title);
+    chart->GetTitleProperties()->SetFontSize(static_cast<int>(1.3 * font));
+    set_axis(chart->GetAxis(vtkAxis::BOTTOM), given.x_label, given.curves, &Curve::x, 7, font);
+    set_axis(chart->GetAxis(vtkAxis::LEFT), given.y_label, given.curves, &Curve::y, 6, font);
+    for (std::size_t i = 0; i < given.curves.size(); ++i) add_curve(chart, given.curves[i], i, static_cast<float>(font / 6.0));
+    chart->SetShowLegend(given.curves.size() > 1);
+    chart->GetLegend()->SetLabelSize(font);
+    chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
+    return png_of(view->GetRenderWindow(), finer);
+}
+
+} // namespace kaya

@@ -1,0 +1,14 @@
+// What is written on a picture: title, note, and what the colours mean.
+#pragma once
+
+#include "scene/scene.hpp"
+
+class vtkRenderer;
+class vtkLookupTable;
+
+namespace kaya {
+
+void fill_colours(vtkLookupTable* table, const ColourBar& bar);
+void add_texts(vtkRenderer* renderer, const Scene& scene);
+
+} // namespace kaya

@@ -1,0 +1,46 @@
+// What is seen of the model, as drawings: blocks, joints, arrows.
+#pragma once
+
+#include "model/field.hpp"
+#include "model/selection.hpp"
+#include "scene/scene.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// A half of space that is taken away: where (x - origin) * normal is above 0.
+struct CutPlane {
+    Vec3 origin = Vec3::Zero(), normal = Vec3::UnitX();
+};
+
+/// How the model is shown, for all of its layers.
+struct Shown {
+    std::vector<Row> blocks;       ///< rows, ascending
+    double deformation = 0;        ///< displacements are drawn so many times larger
+    std::optional<CutPlane> cut;
+};
+
+/// A quantity that can be seen as colours; a vector by its length, a text by names.
+struct ColourField {
+    FieldTable table = FieldTable::block;
+    std::string title; ///< as it is written beside the colours: "displacement [length]"
+    std::function<FieldValue(const Model&, Row)> get;
+};
+/// Finds a quantity of gridpoints, zones or blocks by its name in fields(), or by a word of plot lines: disp, vel, sxx, group.
+/// None when there is none of that name.
+std::optional<ColourField> find_colour_field(const std::string& word);
+/// The same of sub-contacts: slip, open, state, nforce ...
+std::optional<ColourField> find_joint_field(const std::string& word);
+
+/// The blocks with their edges, by the colours of a quantity or all in one colour.
+void add_blocks(Scene& scene, const Model& model, const Shown& shown, const std::optional<ColourField>& field);
+/// The faces on which blocks lie on each other, by the colours of a quantity; with no blocks in front of them.
+void add_joints(Scene& scene, const Model& model, const Shown& shown, const ColourField& field);
+/// Vectors of gridpoints (of rigid blocks: of blocks). `scale` 0: the longest is a twelfth of the model.
+void add_arrows(Scene& scene, const Model& model, const Shown& shown, bool velocity, double scale);
+
+} // namespace kaya

@@ -1,0 +1,67 @@
+// What a picture shows, as plain numbers: made from the model by src/pictures, drawn by the program in src/painter.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// What colours mean: a range of numbers, or a list of names.
+struct ColourBar {
+    std::string title; ///< quantity and unit: "displacement [length]"
+    double low = 0, high = 1;
+    bool diverging = false; ///< zero is in the middle
+    std::vector<std::string> names; ///< value k is the k-th name; none: a range of numbers
+    template <class Visit> void parts(Visit&& visit) { visit(title), visit(low), visit(high), visit(diverging), visit(names); }
+};
+
+/// Things of one kind that are drawn alike. No point is shared.
+struct Layer {
+    enum class Kind : std::int32_t { triangles, lines, arrows };
+    Kind kind = Kind::triangles;
+    std::vector<float> points;  ///< x y z of three corners, two ends, or of one foot
+    std::vector<float> values;  ///< one for each point; none: all in `colour`
+    std::vector<float> vectors; ///< of arrows, in the units of points
+    std::array<float, 3> colour{0.8F, 0.8F, 0.8F};
+    float opacity = 1, width = 1;
+    std::int32_t bar = -1; ///< index into Scene::bars
+    template <class Visit> void parts(Visit&& visit) {
+        visit(kind), visit(points), visit(values), visit(vectors), visit(colour), visit(opacity), visit(width), visit(bar);
+    }
+};
+
+/// The model from one side.
+struct Scene {
+    std::string title, note; ///< on top; small below it
+    std::int32_t width = 1200, height = 900;
+    double dip = 65, dip_direction = 155; ///< of the plane of the picture; its normal points to the eye
+    std::array<double, 3> centre{0, 0, 0};
+    bool has_centre = false;
+    double magnification = 1;
+    bool perspective = true, axes = true;
+    std::vector<ColourBar> bars;
+    std::vector<Layer> layers;
+    template <class Visit> void parts(Visit&& visit) {
+        visit(title), visit(note), visit(width), visit(height), visit(dip), visit(dip_direction), visit(centre), visit(has_centre);
+        visit(magnification), visit(perspective), visit(axes), visit(bars), visit(layers);
+    }
+};
+
+struct Curve {
+    std::string name;
+    std::vector<double> x, y;
+    template <class Visit> void parts(Visit&& visit) { visit(name), visit(x), visit(y); }
+};
+
+struct Chart {
+    std::string title, x_label, y_label;
+    std::int32_t width = 1200, height = 800;
+    std::vector<Curve> curves;
+    template <class Visit> void parts(Visit&& visit) {
+        visit(title), visit(x_label), visit(y_label), visit(width), visit(height), visit(curves);
+    }
+};
+
+} // namespace kaya

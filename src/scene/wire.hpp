@@ -1,0 +1,18 @@
+// Scenes and charts as bytes, for the way from kaya to the program that draws them.
+#pragma once
+
+#include "scene/scene.hpp"
+
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace kaya {
+
+using Drawing = std::variant<Scene, Chart>;
+
+std::string to_bytes(Drawing drawing);
+/// None when the bytes are not what to_bytes makes.
+std::optional<Drawing> drawing_from(const std::string& bytes);
+
+} // namespace kaya

@@ -1,0 +1,86 @@
+// Drawings as bytes, round numbers, curves as SVG.
+#include "scene/svg_chart.hpp"
+#include "scene/ticks.hpp"
+#include "scene/wire.hpp"
+
+#include <cmath>
+#include <gmock/gmock.h>
+
+namespace kaya {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+Scene small_scene() {
+    Scene scene;
+    scene.title = "slope";
+    scene.dip = 30;
+    scene.bars.push_back({"state", 0, 1, false, {"elastic", "slip-now"}});
+    Layer layer;
+    layer.points = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    layer.values = {0, 1, 1};
+    layer.bar = 0;
+    scene.layers.push_back(layer);
+    return scene;
+}
+
+TEST(Wire, DrawingsComeBackAsTheyWere) {
+    const auto scene = drawing_from(to_bytes(small_scene()));
+    ASSERT_TRUE(scene && std::holds_alternative<Scene>(*scene));
+    EXPECT_EQ(std::get<Scene>(*scene).bars.at(0).names.at(1), "slip-now");
+    EXPECT_EQ(std::get<Scene>(*scene).layers.at(0).points.at(7), 1);
+    EXPECT_EQ(to_bytes(*scene), to_bytes(small_scene()));
+    const auto chart = drawing_from(to_bytes(Chart{"t", "x", "y", 100, 80, {{"c", {0, 1}, {2, 3}}}}));
+    ASSERT_TRUE(chart && std::holds_alternative<Chart>(*chart));
+    EXPECT_THAT(std::get<Chart>(*chart).curves.at(0).y, ElementsAre(2, 3));
+}
+
+TEST(Wire, BytesThatAreCutOffOrTooLongAreRefused) {
+    const std::string bytes = to_bytes(small_scene());
+    for (std::size_t size = 0; size < bytes.size(); ++size) EXPECT_FALSE(drawing_from(bytes.substr(0, size))) << size;
+    EXPECT_FALSE(drawing_from(bytes + "x"));
+    std::string huge = bytes;
+    huge[1] = huge[8] = '\x7f'; // the length of the title
+    EXPECT_FALSE(drawing_from(huge));
+}
+
+TEST(Ticks, AreRoundAndEncloseTheRange) {
+    EXPECT_THAT(round_ticks(0, 0.0103).values().size(), testing::AllOf(testing::Ge(3u), testing::Le(8u)));
+    EXPECT_DOUBLE_EQ(round_ticks(-0.3, 9.7).low, -2);
+    EXPECT_DOUBLE_EQ(round_ticks(-0.3, 9.7).high, 10);
+    EXPECT_DOUBLE_EQ(round_ticks(1, 9, 5).step, 2);
+    EXPECT_EQ(round_ticks(0, 0.01).label(0.004), "0.004");
+    EXPECT_EQ(round_ticks(-4e6, 0).label(-2e6), "-2e6");
+    EXPECT_EQ(round_ticks(-1, 1).label(-1e-17), "0.0");
+    for (const auto& [low, high] : {std::pair{5.0, 5.0}, {0.0, 0.0}, {1.0, 1.0 + 1e-15}, {std::nan(""), 1.0}}) {
+        const Ticks ticks = round_ticks(low, high);
+        EXPECT_LT(ticks.low, ticks.high);
+        EXPECT_LE(ticks.values().size(), 12u);
+    }
+}
+
+TEST(Colours, LightnessOfTheSequentialMapRises) {
+    double before = -1;
+    for (int k = 0; k <= 20; ++k) {
+        const Colour c = sequential_colour(k / 20.0);
+        const double lightness = 0.2126 * std::pow(c[0], 2.2) + 0.7152 * std::pow(c[1], 2.2) + 0.0722 * std::pow(c[2], 2.2);
+        EXPECT_GT(lightness, before);
+        before = lightness;
+    }
+}
+
+TEST(SvgChart, DrawsCurvesWithGapsAndEscapesWords) {
+    const double gap = std::nan("");
+    const std::string svg = svg_of({"a < b & c", "time", "force", 700, 500, {{"one", {0, 1, 2, 3, 4}, {0, 1, gap, 1, 0}}}});
+    EXPECT_THAT(svg, HasSubstr("a &lt; b &amp; c"));
+    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+    const auto path = svg.find("stroke-linejoin");
+    ASSERT_NE(path, std::string::npos);
+    const auto first = svg.rfind("d=\"", path), end = svg.find('"', first + 3);
+    EXPECT_EQ(std::count(svg.begin() + static_cast<std::ptrdiff_t>(first), svg.begin() + static_cast<std::ptrdiff_t>(end), 'M'), 2) << "a gap begins a new line";
+}
+
+} // namespace
+} // namespace kaya
