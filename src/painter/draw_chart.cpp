@@ -45,6 +45,9 @@ void set_axis(vtkAxis* axis, const std::string& label, const std::vector<Curve>&
     axis->GetTitleProperties()->BoldOff();
     axis->GetLabelProperties()->SetFontSize(font);
     axis->GetGridPen()->SetColor(216, 216, 216, 255);
+    axis->GetGridPen()->SetWidth(static_cast<float>(font) / 14);
+    axis->GetPen()->SetWidth(static_cast<float>(font) / 12);
+    axis->SetLabelOffset(static_cast<float>(font) * 0.4F);
 }
 
 void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t index, float width) {
@@ -81,9 +84,12 @@ std::string png_of(const Chart& given) {
     view->GetRenderer()->SetBackground(1, 1, 1);
     vtkNew<vtkChartXY> chart;
     view->GetScene()->AddItem(chart);
+    chart->SetAutoSize(false); // a margin on all sides
+    chart->SetSize(vtkRectf(static_cast<float>(font), static_cast<float>(font), static_cast<float>(width - 3 * font), static_cast<float>(height - 2 * font)));
     chart->SetTitle(given.title);
     chart->GetTitleProperties()->SetFontSize(static_cast<int>(1.3 * font));
-    set_axis(chart->GetAxis(vtkAxis::BOTTOM), given.x_label, given.curves, &Curve::x, 7, font);
+    // The empty line keeps the name away from the numbers.
+    set_axis(chart->GetAxis(vtkAxis::BOTTOM), "\n" + given.x_label, given.curves, &Curve::x, 7, font);
     set_axis(chart->GetAxis(vtkAxis::LEFT), given.y_label, given.curves, &Curve::y, 6, font);
     for (std::size_t i = 0; i < given.curves.size(); ++i) add_curve(chart, given.curves[i], i, static_cast<float>(font / 6.0));
     chart->SetShowLegend(given.curves.size() > 1);
