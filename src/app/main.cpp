@@ -247,7 +247,10 @@ int start(int argc, char** argv) {
         ->check(CLI::Range(0, 4096));
     app.add_option("--joints", line.options.joint_folders,
                    "a folder with joint models; may be given several times")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->check([](const std::string& folder) {
+            return fs::is_directory(folder) ? std::string() : fmt::format("there is no folder {}", folder);
+        });
     app.add_option("--into", line.into, "the folder for files that the run writes; it is made if it is not there");
     app.add_flag("--strict", line.options.strict, "warnings are errors");
     app.add_flag("--batch,--quiet,-q", line.options.quiet, "results, warnings and errors only");
