@@ -143,6 +143,21 @@ void check_excavated(Findings& findings, const Model& model) {
     if (findings.clean()) check_geometry(findings, kept);
 }
 
+/// Faces of a contact are of its blocks; a plane that follows a face of a deformable block has that face.
+void check_faces(Findings& findings, const Model& model, std::size_t i) {
+    const auto& contacts = model.contacts;
+    const std::int32_t reference = contacts.reference[i];
+    findings.require(reference >= 0 && reference <= 2, "contacts", i, fmt::format("its plane is that of side {}", reference));
+    for (const int side : {1, 2}) {
+        const Row face = side == 1 ? contacts.face1[i] : contacts.face2[i], block = side == 1 ? contacts.block1[i] : contacts.block2[i];
+        if (!findings.clean()) return;
+        if (face == no_row)
+            findings.require(reference != side || model.blocks.deformable[static_cast<std::size_t>(block)] == 0, "contacts", i, "the face of its plane is missing");
+        else
+            findings.require(model.faces.block[static_cast<std::size_t>(face)] == block, "contacts", i, fmt::format("face {} is not one of its block", face));
+    }
+}
+
 void check_contacts(Findings& findings, const Model& model) {
     const auto& contacts = model.contacts;
     check_ids(findings, "contacts", contacts.ids, contacts.id);
@@ -155,6 +170,7 @@ void check_contacts(Findings& findings, const Model& model) {
     check_groups(findings, "contacts", contacts.group, model);
     for (std::size_t i = 0; i < contacts.size() && findings.clean(); ++i) {
         findings.require(contacts.block1[i] != contacts.block2[i], "contacts", i, "a block touches itself");
+        check_faces(findings, model, i);
         findings.require(between(contacts.touch[i], Touch::face_face, Touch::vertex_vertex), "contacts", i,
                          "its kind of touch is unknown");
         findings.require(between(contacts.kind[i], ContactKind::joint, ContactKind::overlap), "contacts", i,
