@@ -12,6 +12,7 @@ namespace kaya {
 namespace {
 
 std::atomic<Session*> listening = nullptr;
+std::atomic<bool> asked = false;
 
 /// Time that a script has to hear of it.
 constexpr itimerval patience{{0, 0}, {0, 700'000}}, none{};
@@ -29,6 +30,7 @@ void end_if_deaf(int) {
 
 /// Only what a signal handler may do: lock-free atomics, and giving the signal its old meaning back.
 void stop(int signal) {
+    asked = true;
     if (Session* session = listening.load(); session != nullptr) session->interrupt();
     ::setitimer(ITIMER_REAL, &patience, nullptr);
     std::signal(signal, SIG_DFL);
@@ -47,6 +49,8 @@ InterruptGuard::InterruptGuard(Session& session)
     // A terminal that is closed stops the run, unless it was started with nohup.
     if (std::signal(SIGHUP, stop) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
+
+bool InterruptGuard::was_asked() { return asked; }
 
 InterruptGuard::~InterruptGuard() {
     std::signal(SIGINT, SIG_DFL);

@@ -14,6 +14,9 @@ public:
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
+    /// A signal has asked this process to stop.
+    static bool was_asked();
+
 private:
     StopListener listener_;
 };

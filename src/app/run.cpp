@@ -1,0 +1,186 @@
+#include "app/run.hpp"
+
+#include "app/command_line.hpp"
+#include "app/interrupt.hpp"
+#include "app/prompt.hpp"
+#include "app/sandbox.hpp"
+#include "base/counted.hpp"
+#include "commands/journal.hpp"
+#include "commands/progress.hpp"
+
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fstream>
+#include <new>
+#include <system_error>
+#include <unistd.h>
+
+namespace kaya {
+
+namespace fs = std::filesystem;
+
+fs::path program_folder(const char* called_as) {
+    std::error_code failed;
+    const fs::path self = fs::read_symlink("/proc/self/exe", failed);
+    return failed ? fs::absolute(called_as).parent_path() : self.parent_path();
+}
+
+namespace {
+
+/// Folders whose libraries are loaded without a question: those of the command line, beside the program or where it is
+/// installed, KAYA_JOINTS (folders with ':' between).
+std::vector<fs::path> trusted_folders(const RunOrder& order, const fs::path& program) {
+    std::vector<fs::path> folders = order.options.joint_folders;
+    folders.push_back(program / "joints");
+    folders.push_back(program.parent_path() / "lib/kaya/joints"); // where it is installed
+    if (const char* listed = std::getenv("KAYA_JOINTS")) {
+        std::string_view rest(listed);
+        while (!rest.empty()) {
+            const auto end = std::min(rest.find(':'), rest.size());
+            if (end > 0) folders.emplace_back(rest.substr(0, end));
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+        }
+    }
+    for (auto& folder : folders) folder = order.started_in / folder;
+    return folders;
+}
+
+} // namespace
+
+std::vector<fs::path> joint_folders(const RunOrder& order, const fs::path& program) {
+    std::vector<fs::path> folders = trusted_folders(order, program);
+    for (const auto& deck : order.decks) {
+        const fs::path folder = fs::path(deck).parent_path();
+        if (folder != "/dev") folders.push_back(folder.empty() ? fs::path(".") : folder);
+    }
+    return folders;
+}
+
+namespace {
+
+/// The journal of a deck lies in the current folder, as all that it writes.
+std::unique_ptr<Journal> journal_of(Session& session, const RunOrder& order) {
+    if (order.no_journal || !order.journal.empty()) return nullptr;
+    if (!order.decks.empty()) session.deck = order.decks.front();
+    return std::make_unique<Journal>(session, session.run_name() + ".journal");
+}
+
+/// `--set angle=30` as the command that a journal tells: param angle = 30.
+std::string parameter_line(const std::string& given) {
+    const auto equals = given.find('=');
+    const std::string name = given.substr(0, equals);
+    if (equals == std::string::npos || name.empty() || equals + 1 == given.size())
+        throw Diagnostic("--set takes NAME=VALUE, not '" + given + "'", "write for example: --set friction=30");
+    std::string value = given.substr(equals + 1);
+    if (value.find_first_of(" \t,()'\"@[") != std::string::npos) {
+        if (value.find('\'') != std::string::npos) throw Diagnostic("a value of --set cannot hold a quote: " + given);
+        value = "'" + value + "'";
+    }
+    return "param " + name + " = " + value;
+}
+
+int run_decks(Session& session, const RunOrder& order) {
+    const auto journal = journal_of(session, order);
+    int status = 0;
+    if (!order.journal.empty()) {
+        const InterruptGuard guard(session);
+        session.rescue.set_interval(std::nullopt); // the journal can be run again
+        status = replay_journal(session, order.journal);
+    } else if (order.decks.empty()) {
+        if (journal) journal->deck("prompt");
+        status = run_prompt(session);
+    } else {
+        const InterruptGuard guard(session);
+        if (journal && !order.parameters.empty()) journal->deck(order.decks.front());
+        for (const auto& given : order.parameters) session.interpreter.run_text(parameter_line(given), "command line");
+        if (order.begun) order.begun(session);
+        for (const auto& deck : order.decks) {
+            if (journal) journal->deck(deck);
+            if (session.run_deck(deck) == lang::Ended::quit) break;
+        }
+    }
+    if (journal) journal->finish();
+    session.rescue.done();
+    const auto& clock = session.model.clock;
+    if (clock.cycle > 0)
+        session.output.say(
+            fmt::format("done: {}, time {}, hash {:016x}{}", counted(clock.cycle, "cycle"), time_text(session.model),
+                        state_hash(session.model),
+                        session.warnings == 0 ? "" : ", " + counted(session.warnings, "warning")));
+    session.output.stop_log();
+    session.output.flush();
+    if (order.ended) order.ended(session);
+    return status;
+}
+
+/// Says it, and to whom wants to know.
+int fail(Session& session, const RunOrder& order, const Diagnostic& error) {
+    session.output.message(error);
+    if (order.failed) order.failed(session, error);
+    return static_cast<int>(error.fault);
+}
+
+int run_session(Session& session, const RunOrder& order) {
+    try {
+        return run_decks(session, order);
+    } catch (const lang::DeckErrors& errors) {
+        for (const auto& error : errors.all) session.output.message(error);
+        if (order.failed) order.failed(session, errors.all.front());
+        return static_cast<int>(errors.fault);
+    } catch (const Diagnostic& error) {
+        if (error.code == broken_pipe) return nobody_reads;
+        return fail(session, order, error);
+    } catch (const std::bad_alloc&) {
+        return fail(session, order, Diagnostic("there is not enough memory for this model", "use fewer blocks or longer zone edges", Fault::run).at(session.last_place));
+    } catch (const std::exception& error) {
+        return fail(session, order, Diagnostic(fmt::format("kaya itself failed: {}", error.what()), "please report this, with the deck", Fault::own).at(session.last_place));
+    }
+}
+
+/// The lock lets in what is there: later no folder can be made for it.
+void prepare_history(const RunOrder& order) {
+    const fs::path file = history_file();
+    if (!order.decks.empty() || !order.journal.empty() || file.empty() || isatty(STDIN_FILENO) == 0) return;
+    std::error_code ignored;
+    fs::create_directories(file.parent_path(), ignored);
+    const std::ofstream touched(file, std::ios::app);
+}
+
+SandboxOrder sandbox_of(const RunOrder& order, const fs::path& program) {
+    SandboxOrder sandbox{order.decks, trusted_folders(order, program), {}};
+    if (!order.journal.empty()) sandbox.inputs.push_back(order.journal);
+    if (order.decks.empty() && order.journal.empty()) sandbox.kept.push_back(history_file());
+    return sandbox;
+}
+
+} // namespace
+
+Gate::Policy policy_of(const RunOrder& order, const fs::path& program) { return policy_of(sandbox_of(order, program)); }
+
+void prepare_run(RunOrder& order, const CLI::App& app) {
+    for (auto& deck : order.decks)
+        if (deck == "-") deck = "/dev/stdin";
+    if (!order.decks.empty()) require_deck(app, order.decks.front());
+    if (!order.into.empty()) go_into(order.into, order.decks, order.journal);
+}
+
+int run(RunOrder& order, const fs::path& program) {
+    Gate::Policy policy;
+    const auto painter = std::make_shared<Painter>(program / "kaya-painter");
+    if (!order.options.trust) {
+        painter->stand_by(); // behind the lock no program can be started
+        const SandboxOrder sandbox = sandbox_of(order, program);
+        prepare_history(order);
+        policy = policy_of(sandbox);
+        lock(policy, sandbox); // before there are threads: each has its own lock
+    }
+    order.options.joint_folders = joint_folders(order, program);
+    Session session(order.options);
+    session.painter = painter;
+    if (!order.options.trust) session.gate->shut(std::move(policy));
+    const int status = run_session(session, order);
+    if (status != 0) session.rescue.keep();
+    return status;
+}
+
+} // namespace kaya

@@ -1,0 +1,258 @@
+#include "app/study_commands.hpp"
+
+#include "app/interrupt.hpp"
+#include "app/study_deck.hpp"
+#include "io/whole_file.hpp"
+#include "lang/script/value_text.hpp"
+#include "model/model.hpp"
+#include "study/local_runs.hpp"
+#include "study/slurm_runs.hpp"
+#include "study/study_answers.hpp"
+#include "study/study_table.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <fmt/format.h>
+#include <memory>
+#include <thread>
+
+namespace kaya {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StudyOrder {
+    std::string file, folder, batch;
+    int at_once = 0;
+    std::size_t number = 0, task = 0, per_task = 1;
+    bool anew = false, again = false, slurm = false, ranks = false, quiet = false;
+    std::vector<std::string> sbatch;
+};
+
+std::atomic<bool> asked_to_stop = false;
+
+StudyValue study_value(const script::Value& value, Session& session) {
+    return std::visit(
+        [&]<class T>(const T& v) -> StudyValue {
+            if constexpr (std::is_constructible_v<StudyValue, T> && !std::is_same_v<T, script::Handle>) return v;
+            else return script::to_text(script::Value(v), &session.world);
+        },
+        value);
+}
+
+/// The results of a run, in the state that its deck left.
+void read_results(Session& session, const std::vector<Asked>& asked, Outcome& outcome) {
+    constexpr const char* lua_name = "study_result";
+    for (const auto& one : asked) {
+        try {
+            if (one.lua) session.scripts->run_lua(fmt::format("function {}() return ({}) end", lua_name, one.expression), one.place);
+            outcome.results.emplace_back(one.name, study_value(session.scripts->value(one.lua ? lua_name : one.expression, one.place), session));
+        } catch (const Diagnostic& problem) {
+            outcome.end = Outcome::End::failed;
+            outcome.message = fmt::format("result '{}': {}", one.name, problem.message);
+            session.output.message(problem);
+            return;
+        }
+    }
+}
+
+/// What one process of a study does: one run, and its outcome.
+RunCase run_case(const RunOrder& base, const Study& study, const fs::path& program) {
+    return [base, study, program](const Case& one, const fs::path& file) {
+        RunOrder order = base;
+        const auto began = std::chrono::steady_clock::now();
+        Outcome outcome;
+        const auto finish = [&](Session& session) {
+            outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+            outcome.cycles = session.model.clock.cycle;
+            outcome.warnings = static_cast<std::int64_t>(session.warnings);
+            outcome.hash = fmt::format("{:016x}", state_hash(session.model));
+        };
+        order.options.threads = 1; // one run on each core
+        order.decks = {fs::absolute(order.started_in / study.deck).string()};
+        order.into.clear();
+        for (const auto& [name, value] : one.values) order.parameters.push_back(name + "=" + text_of(value));
+        order.begun = [&](Session& session) {
+            if (study.limits.cycles > 0) session.stop_behind = study.limits.cycles;
+        };
+        order.ended = [&](Session& session) {
+            finish(session);
+            read_results(session, study.asked, outcome);
+            write_outcome(file, one, outcome);
+        };
+        order.failed = [&](Session& session, const Diagnostic& error) {
+            if (InterruptGuard::was_asked()) return; // the run is done again
+            finish(session);
+            const bool limit = study.limits.cycles > 0 && session.model.clock.cycle >= study.limits.cycles;
+            outcome.end = limit ? Outcome::End::limit : Outcome::End::failed;
+            outcome.message = limit ? fmt::format("took more than {} cycles", study.limits.cycles) : error.message;
+            if (!limit && error.place) outcome.message = fmt::format("{}:{}: {}", fs::path(error.place.source->name).filename().string(), error.place.line, error.message);
+            write_outcome(file, one, outcome);
+        };
+        return run(order, program);
+    };
+}
+
+LocalRuns::Options local_options(const Study& study, int at_once, bool shared) { return {at_once, shared, study.limits, study.kept}; }
+
+int cores(int wanted) { return wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
+/// Which of several processes this is: as mpirun and srun say. 0: the first, or the only one.
+int own_rank() {
+    for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK", "SLURM_PROCID"})
+        if (const char* text = std::getenv(name)) return std::atoi(text);
+    return 0;
+}
+
+void forget_runs(const fs::path& folder) {
+    std::error_code failed;
+    if (!fs::exists(folder / "about.toml", failed)) {
+        if (fs::exists(folder, failed) && !fs::is_empty(folder, failed)) throw Diagnostic(fmt::format("{} is no folder of a study: --anew does not touch it", folder.string()));
+        return;
+    }
+    for (const char* own : {"runs", "slurm", "about.toml", "study.toml", "results.csv", "results.h5", "report.html"}) {
+        fs::remove_all(folder / own, failed);
+        if (failed) throw Diagnostic(fmt::format("cannot remove {}: {}", (folder / own).string(), failed.message()), {}, Fault::run);
+    }
+}
+
+/// Outcomes of runs that were not done go, so that these are done again.
+void forget_failures(const StudyFolder& folder, const std::vector<Case>& cases) {
+    for (const auto& one : cases)
+        if (const auto outcome = folder.outcome(one); outcome && outcome->end != Outcome::End::done) fs::remove(folder.outcome_file(one.number));
+}
+
+std::unique_ptr<Runs> runs_of(const StudyOrder& wanted, const RunOrder& order, const Study& study, const fs::path& program, const StudyFolder& folder, StudyProgress& progress) {
+    if (!wanted.slurm)
+        return std::make_unique<LocalRuns>(folder, local_options(study, wanted.ranks ? 1 : cores(wanted.at_once), wanted.ranks), run_case(order, study, program), progress);
+    SlurmRuns::Options options;
+    options.program = {(program / "kaya").string()};
+    if (order.options.trust) options.program.emplace_back("--trust");
+    for (const auto& joints : order.options.joint_folders) options.program.insert(options.program.end(), {"--joints", fs::absolute(joints).string()});
+    options.sbatch = wanted.sbatch;
+    options.stop = &asked_to_stop;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { asked_to_stop = true; });
+    return std::make_unique<SlurmRuns>(folder, std::move(options), progress);
+}
+
+int carry_out(const StudyOrder& wanted, const RunOrder& order, const fs::path& program) {
+    const Study study = read_study(wanted.file);
+    check_names(study);
+    const fs::path path = wanted.folder.empty() ? fs::path(fs::path(wanted.file).stem().string() + "-study") : fs::path(wanted.folder);
+    if (wanted.anew) forget_runs(path);
+    const auto cases = cases_of(study); // what is wrong with the design is said before a folder is made
+    const bool first = !wanted.ranks || own_rank() == 0;
+    StudyProgress progress(order.options.quiet || wanted.quiet || !first);
+    const StudyFolder folder(path, study, program_version(), wanted.ranks);
+    if (wanted.again) forget_failures(folder, cases);
+    const auto runs = runs_of(wanted, order, study, program, folder, progress);
+    const StudyAnswers answers = answer(study, *runs);
+    if (!first) return 0;
+    const auto write = [&](const char* name, const std::string& text) { write_whole_file((folder.path() / name).string(), text); };
+    write("results.csv", csv_of(answers.cases, answers.outcomes, study.asked));
+    write("results.h5", hdf5_of(answers.cases, answers.outcomes, study.asked));
+    write("report.html", report_page(study, answers, program_version()));
+    fmt::print("{}results: {}\n", summary_text(study, answers), (path / "results.csv").string());
+    return 0;
+}
+
+/// The runs that are there, whether or not all are.
+struct Kept {
+    Study study;
+    std::vector<Case> cases;
+    std::vector<Outcome> outcomes;
+    std::size_t missing = 0;
+};
+
+Kept kept_runs(const StudyFolder& folder) {
+    Kept kept;
+    kept.study = read_study(folder.study_file(), folder.study_text());
+    auto cases = cases_of(kept.study);
+    if (cases.empty()) cases = searched_cases(folder);
+    for (auto& one : cases) {
+        auto outcome = folder.outcome(one);
+        if (!outcome) {
+            ++kept.missing;
+            continue;
+        }
+        kept.cases.push_back(std::move(one));
+        kept.outcomes.push_back(std::move(*outcome));
+    }
+    return kept;
+}
+
+int show(const StudyOrder& wanted) {
+    const StudyFolder folder{fs::path(wanted.folder)};
+    const Kept kept = kept_runs(folder);
+    fmt::print("{}", table_text(kept.cases, kept.outcomes, kept.study.asked, 100));
+    if (kept.missing > 0) fmt::print("{} runs are not done yet\n", kept.missing);
+    return 0;
+}
+
+/// One run once more, with a deck that stands for itself.
+int rerun(const StudyOrder& wanted, RunOrder order, const fs::path& program) {
+    const StudyFolder folder{fs::path(wanted.folder)};
+    const Kept kept = kept_runs(folder);
+    const auto found = std::ranges::find(kept.cases, wanted.number, &Case::number);
+    if (found == kept.cases.end()) throw Diagnostic(fmt::format("{} has no run {}", wanted.folder, wanted.number), kept.cases.empty() ? "" : fmt::format("the last is {}", kept.cases.back().number));
+    const Outcome& before = kept.outcomes[static_cast<std::size_t>(found - kept.cases.begin())];
+    const fs::path deck = write_case_deck(kept.study, *found);
+    fmt::print("{}\n", deck.string());
+    order.decks = {deck.string()};
+    std::string hash;
+    order.ended = [&](Session& session) { hash = fmt::format("{:016x}", state_hash(session.model)); };
+    order.failed = [&](Session& session, const Diagnostic&) { hash = fmt::format("{:016x}", state_hash(session.model)); };
+    order.into = (folder.path() / "reruns" / fmt::format("{:06}", wanted.number)).string();
+    prepare_run(order, CLI::App());
+    const int status = run(order, program);
+    if (before.hash.empty()) return status;
+    fmt::print("{}\n", hash == before.hash ? "the final state is that of the study" : fmt::format("the final state is not that of the study: {} instead of {}", hash, before.hash));
+    return hash == before.hash ? status : static_cast<int>(Fault::run);
+}
+
+/// One task of a batch that a queue was given.
+int work(const StudyOrder& wanted, const RunOrder& order, const fs::path& program) {
+    const StudyFolder folder{fs::path(wanted.folder)};
+    const Study study = read_study(folder.study_file(), folder.study_text());
+    StudyProgress progress(true);
+    LocalRuns runs(folder, local_options(study, 1, true), run_case(order, study, program), progress);
+    runs.all(cases_of_task(folder, wanted.batch, wanted.task, wanted.per_task));
+    return 0;
+}
+
+} // namespace
+
+void add_study_commands(CLI::App& app, const RunOrder& order, const fs::path& program, std::function<int()>& action) {
+    auto wanted = std::make_shared<StudyOrder>();
+    auto* study = app.add_subcommand("study", "run one deck many times with parameters that vary: docs/studies.md");
+    study->add_option("study", wanted->file, "the study, a TOML file");
+    study->add_option("--into", wanted->folder, "folder of the runs; the study's name with -study if not given");
+    study->add_option("--jobs", wanted->at_once, "runs at one time; one for each core if not given")->check(CLI::Range(1, 4096));
+    study->add_flag("--anew", wanted->anew, "remove the runs that are there");
+    study->add_flag("--again", wanted->again, "do runs again that failed");
+    study->add_flag("--quiet,-q", wanted->quiet, "no progress");
+    auto* slurm = study->add_flag("--slurm", wanted->slurm, "the runs are jobs of Slurm");
+    study->add_option("--sbatch", wanted->sbatch, "an option for sbatch: --sbatch=--partition=long; may be given several times")->allow_extra_args(false)->needs(slurm);
+    study->add_flag("--mpi", wanted->ranks, "this is one of several processes of mpirun or srun that share the runs")->excludes(slurm);
+    auto* showing = study->add_subcommand("show", "show the runs of a study");
+    showing->add_option("folder", wanted->folder, "the folder of the study")->required();
+    auto* repeating = study->add_subcommand("rerun", "do one run again, with a deck of its own");
+    repeating->add_option("folder", wanted->folder, "the folder of the study")->required();
+    repeating->add_option("run", wanted->number, "its number")->required();
+    auto* working = study->add_subcommand("work", "do one task of a batch: for queues")->group("");
+    working->add_option("folder", wanted->folder)->required();
+    working->add_option("batch", wanted->batch)->required();
+    working->add_option("task", wanted->task)->required();
+    working->add_option("--per-task", wanted->per_task)->check(CLI::PositiveNumber);
+    study->require_subcommand(0, 1);
+    study->callback([=, &order, &program, &action] {
+        if (*showing) action = [wanted] { return show(*wanted); };
+        else if (*repeating) action = [wanted, &order, &program] { return rerun(*wanted, order, program); };
+        else if (*working) action = [wanted, &order, &program] { return work(*wanted, order, program); };
+        else if (wanted->file.empty()) throw CLI::RequiredError("study");
+        else action = [wanted, &order, &program] { return carry_out(*wanted, order, program); };
+    });
+}
+
+} // namespace kaya

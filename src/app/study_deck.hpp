@@ -1,0 +1,19 @@
+// A study and the deck that it runs: whether their names meet, and the deck of one run.
+#pragma once
+
+#include "study/study_folder.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+/// Throws Diagnostic at a parameter that neither the deck nor a file that it calls mentions.
+void check_names(const Study& study);
+
+/// Writes a deck beside that of the study which sets the values of this run and calls it. Gives its name. Throws Diagnostic.
+std::filesystem::path write_case_deck(const Study& study, const Case& one);
+
+/// The runs that a search has done, from their folders.
+std::vector<Case> searched_cases(const StudyFolder& folder);
+
+} // namespace kaya

@@ -1,0 +1,17 @@
+// Another program, and what it says.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+struct CommandOutput {
+    int status = 0;     ///< 127: there is no such program
+    std::string output; ///< of both streams
+};
+
+/// Looks for the program in PATH and waits for its end. No shell reads the words.
+CommandOutput output_of(const std::vector<std::string>& words);
+
+} // namespace kaya

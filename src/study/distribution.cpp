@@ -1,0 +1,98 @@
+#include "study/distribution.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/beta.hpp>
+#include <boost/math/distributions/exponential.hpp>
+#include <boost/math/distributions/gamma.hpp>
+#include <boost/math/distributions/lognormal.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/triangular.hpp>
+#include <boost/math/distributions/uniform.hpp>
+#include <boost/math/distributions/weibull.hpp>
+#include <cmath>
+
+namespace kaya {
+
+namespace {
+
+namespace bm = boost::math;
+
+/// Calls `use` with Boost's distribution. A beta distribution is that between 0 and 1.
+template <class Use> auto with(const Distribution& d, Use&& use) {
+    using Kind = Distribution::Kind;
+    switch (d.kind) {
+    case Kind::lognormal: {
+        const double variance = std::log1p(d.b * d.b / (d.a * d.a)); // of the logarithm
+        return use(bm::lognormal(std::log(d.a) - 0.5 * variance, std::sqrt(variance)));
+    }
+    case Kind::uniform: return use(bm::uniform(d.a, d.b));
+    case Kind::triangular: return use(bm::triangular(d.a, d.mode, d.b));
+    case Kind::exponential: return use(bm::exponential(1 / d.a));
+    case Kind::weibull: return use(bm::weibull(d.a, d.b));
+    case Kind::gamma: return use(bm::gamma_distribution<>(d.a * d.a / (d.b * d.b), d.b * d.b / d.a));
+    case Kind::beta: return use(bm::beta_distribution<>(d.alpha, d.beta));
+    case Kind::normal: break;
+    }
+    return use(bm::normal(d.a, d.b));
+}
+
+/// From the numbers of Boost's distribution to those of ours.
+double scaled(const Distribution& d, double x) { return d.kind == Distribution::Kind::beta ? d.a + (d.b - d.a) * x : x; }
+double unscaled(const Distribution& d, double x) { return d.kind == Distribution::Kind::beta ? (x - d.a) / (d.b - d.a) : x; }
+
+/// The part of all numbers below `x`, which may lie outside of where there are any.
+double part_below(const Distribution& d, double x) {
+    return with(d, [&](const auto& dist) {
+        const auto [low, high] = bm::support(dist);
+        const double value = unscaled(d, x);
+        return value <= low ? 0.0 : value >= high ? 1.0 : bm::cdf(dist, value);
+    });
+}
+
+} // namespace
+
+double Distribution::quantile(double p) const {
+    const double below = std::isfinite(least) ? part_below(*this, least) : 0;
+    const double above = std::isfinite(most) ? part_below(*this, most) : 1;
+    const double part = below + p * (above - below);
+    const double value = with(*this, [&](const auto& dist) { return bm::quantile(dist, std::clamp(part, 1e-300, 1 - 1e-16)); });
+    return std::clamp(scaled(*this, value), least, most);
+}
+
+double Distribution::mean() const {
+    return with(*this, [&](const auto& dist) { return scaled(*this, bm::mean(dist)); });
+}
+
+double Distribution::deviation() const {
+    const double own = with(*this, [](const auto& dist) { return bm::standard_deviation(dist); });
+    return kind == Kind::beta ? own * (b - a) : own;
+}
+
+std::string Distribution::mistake() const {
+    for (const double number : {a, b, mode, alpha, beta})
+        if (!std::isfinite(number)) return "its numbers must be finite";
+    if (std::isnan(least) || std::isnan(most)) return "its limits must be numbers";
+    const bool has_deviation = kind == Kind::normal || kind == Kind::lognormal || kind == Kind::gamma;
+    if (has_deviation && !(b > 0)) return "the deviation must be above 0";
+    if ((kind == Kind::lognormal || kind == Kind::gamma || kind == Kind::exponential) && !(a > 0)) return "the mean must be above 0";
+    if (kind == Kind::weibull && !(a > 0 && b > 0)) return "shape and scale must be above 0";
+    const bool has_ends = kind == Kind::uniform || kind == Kind::triangular || kind == Kind::beta;
+    if (has_ends && !(a < b)) return "'from' must be below 'to'";
+    if (kind == Kind::triangular && !(mode >= a && mode <= b)) return "'mode' must lie between 'from' and 'to'";
+    if (kind == Kind::beta && !(alpha > 0 && beta > 0)) return "'alpha' and 'beta' must be above 0";
+    if (!(least < most)) return "'least' must be below 'most'";
+    const double below = std::isfinite(least) ? part_below(*this, least) : 0;
+    const double above = std::isfinite(most) ? part_below(*this, most) : 1;
+    if (!(above - below > 1e-9)) return "nothing of it lies between 'least' and 'most'";
+    return {};
+}
+
+const std::vector<std::string>& distribution_names() {
+    static const std::vector<std::string> names{"normal", "lognormal", "uniform", "triangular", "exponential", "weibull", "gamma", "beta"};
+    return names;
+}
+
+double normal_quantile(double p) { return bm::quantile(bm::normal(), p); }
+double normal_part(double x) { return bm::cdf(bm::normal(), x); }
+
+} // namespace kaya

@@ -1,0 +1,53 @@
+// What the results of a study say together. All skip runs without a number.
+#pragma once
+
+#include "study/outcome.hpp"
+#include "study/study.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// Of numbers with weights; quantiles take the weights for parts.
+struct Moments {
+    std::size_t count = 0;
+    double mean = 0, deviation = 0, least = 0, most = 0, low = 0, median = 0, high = 0; ///< low and high: 5 and 95 % of all are below
+};
+Moments moments_of(const std::vector<double>& numbers, const std::vector<double>& weights);
+
+/// How often something is true, and the interval that holds the true part with 95 % (Clopper and Pearson 1934). Of a point estimate:
+/// no interval.
+struct Probability {
+    std::size_t count = 0, hits = 0;
+    double value = 0, low = 0, high = 1;
+    bool has_interval = true;
+};
+Probability probability_of(const std::vector<double>& truths, const std::vector<double>& weights);
+
+/// Of the ranks of both; 0 where one does not vary.
+double rank_correlation(const std::vector<double>& x, const std::vector<double>& y);
+
+/// A bar of a tornado plot. One at a time: the result at the low and high value of the parameter; otherwise the rank correlation in `high`.
+struct Bar {
+    std::string parameter;
+    double low = 0, high = 0;
+    std::string low_text, high_text; ///< values of the parameter
+    double length() const { return high > low ? high - low : low - high; }
+};
+std::vector<Bar> tornado_of(const Study& study, const std::vector<Case>& cases, const std::vector<Outcome>& outcomes);
+
+/// A polynomial of the second degree in the parameters that are numbers, by least squares.
+struct Response {
+    struct Term {
+        std::string name; ///< "1", "friction", "friction cohesion", "friction^2"
+        double factor = 0;
+    };
+    std::vector<Term> terms;
+    double determination = 0; ///< R squared
+};
+/// Nothing when there are too few runs for it.
+std::optional<Response> response_of(const std::string& result, const std::vector<Case>& cases, const std::vector<Outcome>& outcomes);
+
+} // namespace kaya

@@ -1,0 +1,111 @@
+#include "study/study_folder.hpp"
+
+#include "base/sha256.hpp"
+#include "io/whole_file.hpp"
+#include "study/toml_section.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sstream>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace kaya {
+
+namespace fs = std::filesystem;
+
+FileLock::FileLock(FileLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+FileLock& FileLock::operator=(FileLock&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+}
+
+FileLock::~FileLock() { release(); }
+
+void FileLock::release() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    descriptor_ = -1;
+}
+
+FileLock FileLock::of(const fs::path& file, Kind kind) {
+    FileLock lock;
+    lock.descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (lock.descriptor_ < 0) throw Diagnostic(fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)), {}, Fault::run);
+    // Of the open file, not of the process: it lives on in a child, and other machines see it on shared file systems.
+    struct flock order {};
+    order.l_type = kind == Kind::alone ? F_WRLCK : F_RDLCK;
+    order.l_whence = SEEK_SET;
+    if (::fcntl(lock.descriptor_, F_OFD_SETLK, &order) != 0) lock.release();
+    return lock;
+}
+
+namespace {
+
+constexpr const char* another = "go on in another folder: --into FOLDER; --anew removes what is there";
+
+void make_folder(const fs::path& folder) {
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed) throw Diagnostic(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()), {}, Fault::run);
+}
+
+toml::table about(const Study& study, const std::string& version) {
+    return toml::table{{"version", version},
+                       {"study", fs::absolute(study.file).string()},
+                       {"study_sha256", sha256(study.text)},
+                       {"deck", fs::absolute(study.deck).string()},
+                       {"deck_sha256", sha256(read_whole_file(study.deck))}};
+}
+
+toml::table read_about(const fs::path& folder) {
+    try {
+        return toml::parse(read_whole_file((folder / "about.toml").string()));
+    } catch (const toml::parse_error&) {
+        throw Diagnostic(fmt::format("{} is damaged", (folder / "about.toml").string()), another, Fault::run);
+    }
+}
+
+void require_same(const fs::path& folder, const toml::table& now) {
+    const toml::table then = read_about(folder);
+    const auto differs = [&](const char* key) { return then[key].value_or(std::string()) != now[key].value_or(std::string("?")); };
+    if (differs("study_sha256")) throw Diagnostic(fmt::format("{} holds runs of another study, or the study file has changed", folder.string()), another);
+    if (differs("deck_sha256")) throw Diagnostic(fmt::format("the deck has changed since the runs in {} began", folder.string()), another);
+    if (differs("version"))
+        throw Diagnostic(fmt::format("the runs in {} were begun by {}", folder.string(), then["version"].value_or(std::string("another version"))), another);
+}
+
+} // namespace
+
+StudyFolder::StudyFolder(fs::path folder, const Study& study, const std::string& version, bool ranks) : folder_(fs::absolute(std::move(folder))) {
+    make_folder(folder_ / "runs");
+    lock_ = FileLock::of(folder_ / ".lock", ranks ? FileLock::Kind::shared : FileLock::Kind::alone);
+    if (!lock_.is_held())
+        throw Diagnostic(fmt::format("another kaya study is at work in {}", folder_.string()), "wait for it, or give another folder: --into FOLDER", Fault::run);
+    const toml::table now = about(study, version);
+    std::error_code ignored;
+    if (fs::exists(folder_ / "about.toml", ignored)) {
+        require_same(folder_, now);
+        return;
+    }
+    write_whole_file((folder_ / "study.toml").string(), study.text);
+    std::ostringstream text;
+    text << now << '\n';
+    write_whole_file((folder_ / "about.toml").string(), text.str());
+}
+
+StudyFolder::StudyFolder(fs::path folder) : folder_(fs::absolute(std::move(folder))) {
+    std::error_code ignored;
+    if (!fs::exists(folder_ / "about.toml", ignored)) throw Diagnostic(fmt::format("{} is no folder of a study", folder_.string()));
+}
+
+fs::path StudyFolder::run(std::size_t number) const { return folder_ / "runs" / fmt::format("{:06}", number); }
+
+std::string StudyFolder::study_file() const { return read_about(folder_)["study"].value_or(std::string()); }
+
+std::string StudyFolder::study_text() const { return read_whole_file((folder_ / "study.toml").string()); }
+
+} // namespace kaya

@@ -1,0 +1,30 @@
+// How far a study is: one line on a terminal, a line at each tenth elsewhere.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace kaya {
+
+class StudyProgress {
+public:
+    /// `quiet`: says nothing. Writes to the stream of messages.
+    explicit StudyProgress(bool quiet);
+
+    /// So many runs are to be done now, of which some are there already.
+    void begin(std::size_t runs, std::size_t there);
+    void one_done(bool well);
+    /// Takes the line away.
+    void end();
+    void say(const std::string& text);
+
+private:
+    void show(bool last);
+
+    bool quiet_, terminal_;
+    std::size_t runs_ = 0, there_ = 0, done_ = 0, failed_ = 0, tenth_ = 0;
+    std::chrono::steady_clock::time_point began_, shown_;
+};
+
+} // namespace kaya

@@ -1,0 +1,63 @@
+// A table of a TOML file that is read key by key: each mistake is said at its place, and so are keys that nobody asked for.
+#pragma once
+
+#include "base/diagnostic.hpp"
+
+#define TOML_ENABLE_FORMATTERS 1
+#include <toml++/toml.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kaya {
+
+/// Throws Diagnostic where the text is no TOML.
+toml::table parse_toml(const std::shared_ptr<const SourceText>& source, const std::string& text);
+
+/// The text as lines that messages can show.
+std::shared_ptr<const SourceText> source_of(const std::string& name, const std::string& text);
+
+class TomlSection {
+public:
+    /// `name` is how messages call it: "[design]".
+    TomlSection(const toml::table& table, std::shared_ptr<const SourceText> source, std::string name, Place place);
+
+    const std::string& name() const { return name_; }
+    const Place& place() const { return place_; }
+    Place place_of(std::string_view key) const;
+    Place place_of(const toml::node& node) const;
+
+    /// The value of a key, which is known from now on; nullptr when it is not there.
+    const toml::node* find(std::string_view key);
+    /// Throw Diagnostic when the value is of another kind.
+    std::optional<double> number(std::string_view key);
+    std::optional<std::int64_t> count(std::string_view key); ///< whole and not negative
+    std::optional<std::string> text(std::string_view key);
+    std::optional<TomlSection> section(std::string_view key);
+    /// The same, and when it is not there.
+    double needed_number(std::string_view key);
+    std::string needed_text(std::string_view key);
+
+    /// Calls for each key in the order of the file; all are known then.
+    void each(const std::function<void(const std::string& key, const toml::node& value)>& use);
+    /// The section of a value that was found by `each`.
+    TomlSection section_of(const std::string& key, const toml::node& value) const;
+
+    /// Throws Diagnostic at the first key that nobody asked for.
+    void finish() const;
+
+    [[noreturn]] void fail(const Place& place, const std::string& message, const std::string& hint = {}) const;
+
+private:
+    const toml::table* table_;
+    std::shared_ptr<const SourceText> source_;
+    std::string name_;
+    Place place_;
+    std::vector<std::string> known_;
+};
+
+} // namespace kaya
