@@ -98,7 +98,7 @@ CommandSpec fishcall() {
 
 CommandSpec parameter() {
     Entry<Parameter> entry({Spelling{"parameter", 5}});
-    entry.help("gives a FISH variable a value, unless `kaya --set` or an earlier line has given it one");
+    entry.help("gives a FISH variable, or a property that the deck sets, a value, unless `kaya --set` or an earlier line has given it one");
     entry.place(&Parameter::place);
     const auto value = real("value").help("a number, a word or a text").spec;
     entry.otherwise({text("name").spec, value}, [value](Reader& reader, Parameter& parameter) {
@@ -111,7 +111,7 @@ CommandSpec parameter() {
     entry.finish([](const Reader& reader, Parameter& parameter) {
         if (parameter.name.empty()) incomplete_line(reader, "param needs a name and a value", "write: param friction = 30");
     });
-    entry.right("param friction = 30").right("param @name = 'left wall'");
+    entry.right("param friction = 30").right("param @name = 'left wall'").right("param 'prop 1 jfric' = 30");
     entry.wrong("param", "param needs a name and a value");
     entry.wrong("param friction", "a number is missing after 'friction'");
     return entry;

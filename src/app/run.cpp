@@ -76,7 +76,8 @@ std::string parameter_line(const std::string& given) {
         if (value.find('\'') != std::string::npos) throw Diagnostic("a value of --set cannot hold a quote: " + given);
         value = "'" + value + "'";
     }
-    return "param " + name + " = " + value;
+    const bool quoted = name.find(' ') != std::string::npos; // a property: 'prop 1 jfric'
+    return fmt::format("param {}{}{} = {}", quoted ? "'" : "", name, quoted ? "'" : "", value);
 }
 
 int run_decks(Session& session, const RunOrder& order) {
@@ -99,6 +100,8 @@ int run_decks(Session& session, const RunOrder& order) {
             if (session.run_deck(deck) == lang::Ended::quit) break;
         }
     }
+    for (const auto& name : session.given_properties.unused())
+        session.warn(Diagnostic(fmt::format("no command set '{}'", name), "the value that was given for it was not used"));
     if (journal) journal->finish();
     session.rescue.done();
     const auto& clock = session.model.clock;

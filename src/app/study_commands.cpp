@@ -3,6 +3,7 @@
 #include "app/interrupt.hpp"
 #include "app/study_deck.hpp"
 #include "io/whole_file.hpp"
+#include "lang/interp/lexer.hpp"
 #include "lang/script/value_text.hpp"
 #include "model/model.hpp"
 #include "study/local_runs.hpp"
@@ -57,9 +58,20 @@ void read_results(Session& session, const std::vector<Asked>& asked, Outcome& ou
     }
 }
 
+/// What the deck made of the values that it was given: "" when it used them.
+std::string unused_values(Session& session, const Case& one, const std::set<std::string>& declared) {
+    for (const auto& name : session.given_properties.unused()) return fmt::format("no command of the deck sets '{}'", name);
+    for (const auto& [name, value] : one.values) {
+        if (is_property(name) || declared.contains(lang::fold(name))) continue;
+        if (study_value(session.scripts->value(name), session) != study_value(session.parameters[lang::fold(name)], session))
+            return fmt::format("the deck gives '{0}' a value of its own: write there param {0} = VALUE", name);
+    }
+    return {};
+}
+
 /// What one process of a study does: one run, and its outcome.
 RunCase run_case(const RunOrder& base, const Study& study, const fs::path& program) {
-    return [base, study, program](const Case& one, const fs::path& file) {
+    return [base, study, program, declared = declared_names(study)](const Case& one, const fs::path& file) {
         RunOrder order = base;
         const auto began = std::chrono::steady_clock::now();
         Outcome outcome;
@@ -78,7 +90,9 @@ RunCase run_case(const RunOrder& base, const Study& study, const fs::path& progr
         };
         order.ended = [&](Session& session) {
             finish(session);
-            read_results(session, study.asked, outcome);
+            outcome.message = unused_values(session, one, declared);
+            if (!outcome.message.empty()) outcome.end = Outcome::End::failed;
+            else read_results(session, study.asked, outcome);
             write_outcome(file, one, outcome);
         };
         order.failed = [&](Session& session, const Diagnostic& error) {

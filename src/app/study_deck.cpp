@@ -39,6 +39,7 @@ public:
         return true;
     }
     bool has(const std::string& word) const { return words_.contains(lower(word)); }
+    const std::set<std::string>& declared() const { return declared_; }
     std::vector<std::string_view> all() const { return {words_.begin(), words_.end()}; }
 
 private:
@@ -53,6 +54,10 @@ private:
             if (begin != at) words_.insert(lower(std::string(begin, at)));
         }
         command = lower(command);
+        if (command.size() >= 5 && std::string("parameter").starts_with(command)) {
+            std::erase_if(name, [](char c) { return c == '@' || c == '\''; });
+            declared_.insert(lower(name.substr(0, name.find('='))));
+        }
         const bool reads = (command.size() >= 3 && std::string("call").starts_with(command)) || (command == "lua" && !name.empty());
         if (!reads || name.empty()) return true;
         std::erase_if(name, [](char c) { return c == '\'' || c == '"'; });
@@ -60,21 +65,27 @@ private:
     }
 
     std::set<fs::path> files_;
-    std::set<std::string> words_;
+    std::set<std::string> words_, declared_;
 };
 
 std::string param_line(const std::string& name, const StudyValue& value) {
     const std::string text = text_of(value);
-    return fmt::format("param {} = {}\n", name, std::holds_alternative<std::string>(value) ? "'" + text + "'" : text);
+    return fmt::format("param {} = {}\n", is_property(name) ? "'" + name + "'" : name, std::holds_alternative<std::string>(value) ? "'" + text + "'" : text);
 }
 
 } // namespace
+
+std::set<std::string> declared_names(const Study& study) {
+    Words words;
+    words.take(study.deck);
+    return words.declared();
+}
 
 void check_names(const Study& study) {
     Words words;
     if (!words.take(study.deck)) return;
     const auto check = [&](const std::string& name, const Place& place) {
-        if (words.has(name)) return;
+        if (is_property(name) || words.has(name)) return; // of properties the run says whether the deck sets them
         const auto near = did_you_mean(lower(name), words.all());
         throw Diagnostic(fmt::format("the deck does not mention '{}'", name),
                          near.empty() ? fmt::format("write param {} = 30 in the deck, and use @{}", name, name) : fmt::format("did you mean '{}'?", near))

@@ -3,9 +3,14 @@
 
 #include "study/study_folder.hpp"
 
+#include <set>
+#include <string>
 #include <vector>
 
 namespace kaya {
+
+/// Names that `param` lines of the deck declare, in lower case.
+std::set<std::string> declared_names(const Study& study);
 
 /// Throws Diagnostic at a parameter that neither the deck nor a file that it calls mentions.
 void check_names(const Study& study);

@@ -227,7 +227,16 @@ void warn_unused_by_zones(Session& session, std::int32_t number, const Material&
 
 } // namespace
 
-void run(Session& session, const lang::Property& command) {
+std::string whole_property_word(std::string_view word) {
+    if (const auto* property = find_block_property(word))
+        return std::string(std::ranges::find(block_properties, property->value, &BlockProperty::value)->word); // one word of bulk and k
+    const auto early = std::ranges::find(early_words, word, &EarlyWord::first);
+    return std::string(whole_word(early != early_words.end() ? early->second : word));
+}
+
+void run(Session& session, const lang::Property& typed) {
+    lang::Property command = typed;
+    command.items = session.given_properties.replaced(std::move(command.items), command.number);
     const auto number = static_cast<std::int32_t>(command.number);
     refuse_wrong_switch(session.joints, command.items);
     doubt_angles(session, command.items);
@@ -327,7 +336,9 @@ void change_joint_model(Session& session, const lang::JointModelCommand& command
 
 } // namespace
 
-void run(Session& session, const lang::JointModelCommand& command) {
+void run(Session& session, const lang::JointModelCommand& typed) {
+    lang::JointModelCommand command = typed;
+    command.items = session.given_properties.replaced(std::move(command.items), GivenProperties::of_jmodel);
     using Action = lang::JointModelCommand::Action;
     if (command.action != Action::properties) {
         try {

@@ -13,6 +13,9 @@ void check_materials(Session& session);
 /// not given. Throws Diagnostic for a word that `prop` does not know.
 double material_value(const Model& model, const JointRegistry& joints, std::int64_t number, std::string_view word);
 
+/// The whole word of a property of `prop`, one for all its spellings; a word of a joint model stands for itself.
+std::string whole_property_word(std::string_view word);
+
 /// Zone models of blocks with zones, of that material or of any.
 std::set<std::string> zone_models_in_use(const Model& model, std::optional<std::int32_t> material = {});
 

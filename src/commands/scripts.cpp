@@ -15,6 +15,13 @@ void run(Session& session, const lang::FishDefinition& command) {
 }
 
 void run(Session& session, const lang::Parameter& command) {
+    if (command.name.find(' ') != std::string::npos) {
+        const auto* whole = std::get_if<std::int64_t>(&command.value);
+        const auto* number = std::get_if<double>(&command.value);
+        if (whole == nullptr && number == nullptr) throw Diagnostic(fmt::format("'{}' takes a number", command.name)).at(command.place);
+        session.given_properties.give(command.name, whole != nullptr ? static_cast<double>(*whole) : *number, command.place);
+        return;
+    }
     const auto value = std::visit([](const auto& v) { return script::Value(v); }, command.value);
     const auto [known, is_new] = session.parameters.try_emplace(lang::fold(command.name), value);
     if (!is_new && known->second != value)

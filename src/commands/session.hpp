@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/gate.hpp"
+#include "commands/given_properties.hpp"
 #include "commands/model_world.hpp"
 #include "commands/occupied.hpp"
 #include "commands/output.hpp"
@@ -109,6 +110,7 @@ public:
     lang::Interpreter interpreter;
 
     std::map<std::string, script::Value> parameters; ///< of `param` and `kaya --set`, by folded name; `new` keeps them
+    GivenProperties given_properties; ///< of `param` and `kaya --set`, in the place of those of the deck
     std::string title;
     std::string log_file = "kaya.log"; ///< of the next `set log on`
     std::string deck;                  ///< file name of the deck that runs, for default names of output files

@@ -21,6 +21,9 @@ std::string text_of(const StudyValue& value);
 /// NaN for texts and for nothing; 0 and 1 for truths.
 double number_of(const StudyValue& value);
 
+/// The name stands for a property that commands of the deck set: "prop 1 jfric", "jmodel jfric".
+bool is_property(const std::string& name);
+
 /// A parameter of the deck that varies.
 struct Factor {
     std::string name;

@@ -34,6 +34,7 @@ StudyValue needed_value(const TomlSection& in, const toml::node& node) {
 
 /// A name that a deck can have: letters, digits and _, no digit in front.
 void check_name(const TomlSection& in, const std::string& name, const char* what) {
+    if (is_property(name) && std::string_view(what) == "parameter") return;
     const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) != 0 || !std::ranges::all_of(name, allowed))
         in.fail(in.place_of(name), fmt::format("'{}' is no name of a {}", name, what), "a name has letters, digits and _, and does not begin with a digit");
@@ -349,6 +350,8 @@ void check_once(const TomlSection& in, const Study& study) {
 }
 
 } // namespace
+
+bool is_property(const std::string& name) { return name.find(' ') != std::string::npos && name.find('\'') == std::string::npos; }
 
 const std::vector<std::string>& method_names() {
     static const std::vector<std::string> names{"grid", "list", "one-at-a-time", "latin-hypercube", "sobol", "random", "point-estimate"};
