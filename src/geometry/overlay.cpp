@@ -119,9 +119,10 @@ private:
         return (points_[i].place - p).squaredNorm() <= 4 * tolerance_ * tolerance_;
     }
     std::array<std::int64_t, 2> cell(const Vec2& p) const {
-        return {static_cast<std::int64_t>(std::floor(p.x() / cell_)),
-                static_cast<std::int64_t>(std::floor(p.y() / cell_))};
+        return {whole(std::floor(p.x() / cell_)), whole(std::floor(p.y() / cell_))};
     }
+    /// Places that no cell can number, of damaged models, share one.
+    static std::int64_t whole(double cell) { return std::abs(cell) < 1e18 ? static_cast<std::int64_t>(cell) : 0; }
     static std::uint64_t key(std::int64_t i, std::int64_t j) {
         return static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15ull ^ static_cast<std::uint64_t>(j);
     }
