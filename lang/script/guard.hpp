@@ -5,6 +5,8 @@
 #include "base/diagnostic.hpp"
 #include "lang/script/lua_headers.hpp"
 
+#include <new>
+
 namespace kaya::script {
 
 /// Leaves a value on the stack that stands for the diagnostic while Lua unwinds.
@@ -20,6 +22,8 @@ template <int (*body)(lua_State*)> int guarded(lua_State* L) {
         return body(L);
     } catch (const Diagnostic& diagnostic) {
         push_diagnostic(L, diagnostic);
+    } catch (const std::bad_alloc&) {
+        push_diagnostic(L, Diagnostic("there is not enough memory for this model", "use fewer blocks or longer zone edges", Fault::run));
     } catch (const std::exception& error) {
         push_diagnostic(L, Diagnostic(error.what(), {}, Fault::own));
     }

@@ -134,7 +134,7 @@ int run_session(Session& session, const RunOrder& order) {
         if (error.code == broken_pipe) return nobody_reads;
         return fail(session, order, error);
     } catch (const std::bad_alloc&) {
-        return fail(session, order, Diagnostic("there is not enough memory for this model", "use fewer blocks or longer zone edges", Fault::run).at(session.last_place));
+        return fail(session, order, Diagnostic(no_memory, "use fewer blocks or longer zone edges", Fault::run).at(session.last_place));
     } catch (const std::exception& error) {
         return fail(session, order, Diagnostic(fmt::format("kaya itself failed: {}", error.what()), "please report this, with the deck", Fault::own).at(session.last_place));
     }

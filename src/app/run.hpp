@@ -14,6 +14,9 @@ namespace kaya {
 /// The status that a shell gives to a program whose reader went away; nothing is said then.
 inline constexpr int nobody_reads = 141;
 
+/// The message of a run that the system gave no more memory.
+inline constexpr const char* no_memory = "there is not enough memory for this model";
+
 /// What the command line says about a run.
 struct RunOrder {
     Options options;

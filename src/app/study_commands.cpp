@@ -98,10 +98,13 @@ RunCase run_case(const RunOrder& base, const Study& study, const fs::path& progr
         order.failed = [&](Session& session, const Diagnostic& error) {
             if (InterruptGuard::was_asked()) return; // the run is done again
             finish(session);
-            const bool limit = study.limits.cycles > 0 && session.model.clock.cycle >= study.limits.cycles;
-            outcome.end = limit ? Outcome::End::limit : Outcome::End::failed;
-            outcome.message = limit ? fmt::format("took more than {} cycles", study.limits.cycles) : error.message;
-            if (!limit && error.place) outcome.message = fmt::format("{}:{}: {}", fs::path(error.place.source->name).filename().string(), error.place.line, error.message);
+            const bool cycles = study.limits.cycles > 0 && session.model.clock.cycle >= study.limits.cycles;
+            const bool memory = study.limits.megabytes > 0 && error.message == no_memory;
+            outcome.end = cycles || memory ? Outcome::End::limit : Outcome::End::failed;
+            outcome.message = cycles   ? fmt::format("took more than {} cycles", study.limits.cycles)
+                              : memory ? fmt::format("took more than {} MB", study.limits.megabytes)
+                                       : error.message;
+            if (outcome.end == Outcome::End::failed && error.place) outcome.message = fmt::format("{}:{}: {}", fs::path(error.place.source->name).filename().string(), error.place.line, error.message);
             write_outcome(file, one, outcome);
         };
         return run(order, program);
