@@ -44,6 +44,7 @@ struct CommandLine {
     std::string code;         ///< of `explain`
     std::string saved;        ///< of `info`
     std::vector<std::string> compared; ///< of `diff`
+    std::string reported, report;      ///< of `report`: the saved model and the page
     bool sandbox = false;             ///< `info --sandbox`
     std::vector<std::string> allowed; ///< of `allow`
     bool revoke = false;
@@ -109,6 +110,9 @@ int start(int argc, char** argv) {
     auto* describing = app.add_subcommand("info", "say what a saved model holds");
     describing->add_option("file", line.saved, "a file that 'save' has written");
     describing->add_flag("--sandbox", line.sandbox, "say what a run in this folder may do");
+    auto* reporting = app.add_subcommand("report", "make a page of a saved model for a browser: numbers, curves, a view to turn");
+    reporting->add_option("file", line.reported, "a file that 'save' has written")->required();
+    reporting->add_option("--out", line.report, "name of the page; the file's name with .html if not given");
     auto* comparing = app.add_subcommand("diff", "say in what two saved models differ");
     comparing->add_option("file", line.compared, "two files that 'save' has written")->required()->expected(2);
     auto* allowing = app.add_subcommand("allow", "allow runs a folder or a joint model, for good; without one, list what is allowed");
@@ -158,6 +162,10 @@ int start(int argc, char** argv) {
     }
     if (*explaining) {
         fmt::print("{}", line.code.empty() ? code_list() : explanation(line.code));
+        return 0;
+    }
+    if (*reporting) {
+        fmt::print("{}\n", write_report(line.reported, line.report, joint_folders(line.run, program)));
         return 0;
     }
     if (*comparing) {

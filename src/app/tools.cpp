@@ -1,8 +1,13 @@
 #include "app/tools.hpp"
 
+#include "app/command_line.hpp"
 #include "app/fish_help.hpp"
 
 #include "commands/model_world.hpp"
+#include "commands/save_session.hpp"
+#include "io/whole_file.hpp"
+#include "joints/joint_model.hpp"
+#include "report/report.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/fish/reserved.hpp"
 #include "lang/interp/help.hpp"
@@ -144,6 +149,32 @@ int format_decks(const std::vector<std::string>& decks, Formatting what, Output&
         }
     }
     return status;
+}
+
+std::string write_report(const std::string& saved, const std::string& page, const std::vector<fs::path>& joint_folders) {
+    const std::string file = find_saved(saved);
+    Model model;
+    const SaveExtras extras = restore_state(model, file);
+    JointRegistry joints;
+    joints.set_path(joint_folders);
+    // A save names its models; what it names is looked for in the folders only.
+    const auto property_names = [&joints](const std::string& name) {
+        std::vector<std::string> names;
+        if (name.find_first_of("/.") != std::string::npos) return names;
+        try {
+            for (const auto& property : joints.get(name).properties) names.push_back(property.name);
+        } catch (const Diagnostic&) { // its values are shown without their names
+        }
+        return names;
+    };
+    const ReportOrder order{fs::path(file).filename().string(), program_version(), property_names};
+    std::string name = page;
+    if (name.empty()) {
+        name = file.ends_with(save_ending) ? file.substr(0, file.size() - save_ending.size()) : file;
+        name += ".html";
+    }
+    write_whole_file(name, report_of(model, extras, order));
+    return name;
 }
 
 } // namespace kaya

@@ -3,6 +3,7 @@
 
 #include "commands/session.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@ namespace kaya {
 
 /// `kaya help`: about a command, a keyword, or a name of FISH or a field of Lua. Throws Diagnostic when it is none.
 std::string help_text(const std::string& words);
+
+/// `kaya report`: the page of a saved model. Gives its name. Throws Diagnostic.
+std::string write_report(const std::string& saved, const std::string& page, const std::vector<std::filesystem::path>& joint_folders);
 
 enum class Formatting { show, write, check };
 

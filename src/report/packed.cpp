@@ -1,0 +1,52 @@
+#include "report/packed.hpp"
+
+#include <fmt/format.h>
+#include <new>
+#include <zlib.h>
+
+namespace kaya {
+
+std::string packed_bytes(std::string_view bytes) {
+    uLongf size = ::compressBound(bytes.size());
+    std::string small(size, '\0');
+    if (::compress2(reinterpret_cast<Bytef*>(small.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 6) != Z_OK) throw std::bad_alloc();
+    small.resize(size);
+    static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((small.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < small.size(); i += 3) {
+        const auto byte = [&](std::size_t k) { return k < small.size() ? static_cast<unsigned char>(small[k]) : 0U; };
+        const unsigned three = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
+        text += digits[three >> 18];
+        text += digits[three >> 12 & 63];
+        text += i + 1 < small.size() ? digits[three >> 6 & 63] : '=';
+        text += i + 2 < small.size() ? digits[three & 63] : '=';
+    }
+    return text;
+}
+
+std::string json_text(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') result += {'\\', c};
+        else if (byte < 32 || c == '<' || c == '>' || c == '&' || byte == 127) result += fmt::format("\\u{:04x}", byte);
+        else result += c;
+    }
+    return result + '"';
+}
+
+std::string html_text(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '&') result += "&amp;";
+        else if (c == '<') result += "&lt;";
+        else if (c == '>') result += "&gt;";
+        else if (c == '"') result += "&quot;";
+        else if (c == '\'') result += "&#39;";
+        else if (static_cast<unsigned char>(c) >= 32 || c == '\n' || c == '\t') result += c;
+    }
+    return result;
+}
+
+} // namespace kaya

@@ -1,0 +1,121 @@
+// Puts the page together. A view can be linked to: report.html#colour=group&factor=10&axis=x&cut=500&pick=300,200
+async function readScene() {
+    const scene = readJson('scene-data');
+    for (const [name, Type] of [['numbers', Uint32Array], ['corners', Uint32Array], ['triangles', Uint32Array], ['lines', Uint32Array], ['places', Float32Array],
+        ['displacements', Float32Array], ['triangleCorners', Uint32Array], ['lineCorners', Uint32Array]]) scene[name] = await unpack(scene[name], Type);
+    for (const field of scene.fields) field.values = await unpack(field.values, Float32Array);
+    return scene;
+}
+
+function showLegend(field, ends) {
+    const legend = document.getElementById('legend'), css = c => `rgb(${c.join(',')})`;
+    legend.replaceChildren();
+    const title = document.createElement('div');
+    title.textContent = field.unit === '-' ? field.name : `${field.name} [${field.unit}]`;
+    legend.append(title);
+    if (field.names.length > 0) {
+        field.names.slice(0, 20).forEach((name, i) => {
+            const line = document.createElement('div'), swatch = document.createElement('span');
+            swatch.className = 'swatch';
+            swatch.style.background = css(named[i % 8 + 1]);
+            line.append(swatch, name);
+            legend.append(line);
+        });
+        return;
+    }
+    const bar = document.createElement('span'), numbers = document.createElement('span');
+    bar.className = 'bar';
+    bar.style.background = `linear-gradient(to top, ${viridis.map(css).join(',')})`;
+    numbers.className = 'ends';
+    for (const value of [ends[1], (ends[0] + ends[1]) / 2, ends[0]]) {
+        const line = document.createElement('span');
+        line.textContent = short(value);
+        numbers.append(line);
+    }
+    legend.append(bar, numbers);
+}
+
+function showPicked(scene, block) {
+    const box = document.getElementById('picked');
+    box.style.display = block < 0 ? 'none' : 'block';
+    if (block < 0) { box.textContent = ''; return; }
+    const lines = [`block ${scene.numbers[block]}`];
+    for (const field of scene.fields)
+        if (field.of === 'block' && field.name !== 'id') {
+            const value = field.values[block];
+            lines.push(`${field.name}: ${field.names.length > 0 ? field.names[value] : short(value)}`);
+        }
+    box.textContent = lines.join('\n');
+}
+
+// The axes of the model as the eye sees them.
+function showAxes(axes, coarse) {
+    const box = document.getElementById('axes');
+    box.replaceChildren();
+    ['x', 'y', 'z'].forEach((name, k) => {
+        const across = 40 + 28 * axes.right[k], up = 40 - 28 * axes.up[k];
+        box.append(svgElement('path', { d: `M40 40L${across} ${up}`, stroke: ['#d55e00', '#009e73', '#0072b2'][k], 'stroke-width': 2 }));
+        box.append(svgElement('text', { x: across + 3, y: up + 3, 'font-size': 12 }, name));
+    });
+    document.getElementById('coarse').textContent = coarse ? 'coarser and without edges while it turns' : '';
+}
+
+function connect(scene, view) {
+    view.onrender = showAxes;
+    const get = id => document.getElementById(id);
+    const axis = get('axis'), cut = get('cut'), factor = get('factor'), field = get('field');
+    scene.fields.forEach((f, i) => field.append(new Option(f.name, i)));
+    field.oninput = () => { const f = scene.fields[field.value]; view.colour(f); showLegend(f, view.ends); };
+    // To the hundredfold in equal steps of the eye.
+    factor.oninput = () => {
+        const times = factor.value === '0' ? 0 : 10 ** (factor.value / 25 - 1);
+        view.state.factor = times;
+        get('factor-value').textContent = short(Number(times.toPrecision(2)));
+        view.draw();
+    };
+    const setCut = () => {
+        const k = axis.selectedIndex, plane = [0, 0, 0, 1e30];
+        let low = Infinity, high = -Infinity;
+        for (let i = k; i < scene.places.length; i += 3) { low = Math.min(low, scene.places[i]); high = Math.max(high, scene.places[i]); }
+        plane[k] = 1;
+        plane[3] = cut.value === cut.max ? 1e30 : low + (high - low) * cut.value / cut.max;
+        view.state.cut = plane;
+        view.draw();
+    };
+    axis.oninput = setCut;
+    cut.oninput = setCut;
+    get('edges').onchange = e => { view.state.edges = e.target.checked; view.draw(); };
+    get('reset').onclick = () => { view.reset(); view.draw(); };
+    view.onpick = block => showPicked(scene, block);
+    const asked = new URLSearchParams(location.hash.slice(1));
+    const index = scene.fields.findIndex(f => f.name === asked.get('colour'));
+    field.value = index >= 0 ? index : 0;
+    if (asked.has('factor')) factor.value = asked.get('factor');
+    if (asked.has('axis')) axis.value = asked.get('axis');
+    if (asked.has('cut')) cut.value = asked.get('cut');
+    factor.oninput();
+    setCut();
+    field.oninput();
+    if (asked.has('pick')) {
+        const [x, y] = asked.get('pick').split(',').map(Number);
+        showPicked(scene, view.pick(x, y));
+    }
+}
+
+async function start() {
+    for (const history of readJson('history-data'))
+        new CurveView(document.getElementById('curves'), history.title, await unpack(history.times, Float64Array), await unpack(history.values, Float64Array));
+    const scene = await readScene();
+    if (scene.numbers.length === 0) { document.getElementById('view').remove(); document.getElementById('controls').remove(); return; }
+    try {
+        const view = new BlockView(document.getElementById('blocks'), scene);
+        connect(scene, view);
+        view.render(false);
+    } catch (problem) {
+        document.getElementById('picked').style.display = 'block';
+        document.getElementById('picked').textContent = `no view: ${problem.message}`;
+        throw problem;
+    }
+}
+start().then(() => { document.documentElement.dataset.state = 'drawn'; },
+    problem => { document.documentElement.dataset.state = `failed: ${problem.message}`; });

@@ -1,0 +1,165 @@
+// The blocks, to be turned, coloured, cut and picked.
+class BlockView {
+    constructor(canvas, scene) {
+        this.canvas = canvas; this.scene = scene;
+        this.gl = canvas.getContext('webgl2', { antialias: true, preserveDrawingBuffer: true });
+        if (!this.gl) throw new Error('this browser has no WebGL 2');
+        this.program = this.link();
+        this.colours = null;
+        this.state = { factor: 0, cut: [0, 0, 0, 1], edges: true, picked: -1 };
+        this.reset();
+        this.fill();
+        this.listen();
+        this.frame = this.time();
+    }
+    // Milliseconds of one picture; reading a pixel waits for its end.
+    time() {
+        this.render(false);
+        const gl = this.gl, pixel = new Uint8Array(4), began = performance.now();
+        this.render(false);
+        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+        return performance.now() - began;
+    }
+    link() {
+        const gl = this.gl, program = gl.createProgram();
+        for (const [kind, text] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, faceShader]]) {
+            const shader = gl.createShader(kind);
+            gl.shaderSource(shader, text);
+            gl.compileShader(shader);
+            if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+            gl.attachShader(program, shader);
+        }
+        gl.linkProgram(program);
+        if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+        return program;
+    }
+    buffer(target, data) {
+        const gl = this.gl, made = gl.createBuffer();
+        gl.bindBuffer(target, made);
+        gl.bufferData(target, data, gl.STATIC_DRAW);
+        return made;
+    }
+    // Indices count within a block in the file; here over all of them.
+    fill() {
+        const gl = this.gl, s = this.scene;
+        const owner = new Float32Array(s.places.length / 3), faces = new Uint32Array(s.triangleCorners.length), lines = new Uint32Array(s.lineCorners.length);
+        let corner = 0, triangle = 0, line = 0;
+        for (let b = 0; b < s.numbers.length; ++b) {
+            owner.fill(b, corner, corner + s.corners[b]);
+            for (let k = 0; k < 3 * s.triangles[b]; ++k, ++triangle) faces[triangle] = corner + s.triangleCorners[triangle];
+            for (let k = 0; k < 2 * s.lines[b]; ++k, ++line) lines[line] = corner + s.lineCorners[line];
+            corner += s.corners[b];
+        }
+        this.owner = owner;
+        this.counts = { faces: faces.length, lines: lines.length };
+        this.array = gl.createVertexArray();
+        gl.bindVertexArray(this.array);
+        const attribute = (index, size, data) => {
+            const made = this.buffer(gl.ARRAY_BUFFER, data);
+            gl.enableVertexAttribArray(index);
+            gl.vertexAttribPointer(index, size, gl.FLOAT, false, 0, 0);
+            return made;
+        };
+        attribute(0, 3, s.places);
+        attribute(1, 3, s.displacements);
+        this.values = attribute(2, 1, new Float32Array(owner.length));
+        attribute(3, 1, owner);
+        this.faceBuffer = this.buffer(gl.ELEMENT_ARRAY_BUFFER, faces);
+        this.lineBuffer = this.buffer(gl.ELEMENT_ARRAY_BUFFER, lines);
+    }
+    colour(field) {
+        const gl = this.gl, values = field.of === 'corner' ? field.values : Float32Array.from(this.owner, b => field.values[b]);
+        gl.bindBuffer(gl.ARRAY_BUFFER, this.values);
+        gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
+        this.field = field;
+        this.ends = range(field.values);
+        this.draw();
+    }
+    reset() {
+        this.target = [0, 0, 0];
+        this.distance = 1.4 * (this.scene.size || 1);
+        this.heading = Math.PI - 0.5; this.pitch = 0.4; // x to the right, y away
+    }
+    camera() {
+        const size = this.scene.size || 1;
+        const far = this.distance + 2 * size, view = lookAt(this.target, this.distance, this.heading, this.pitch);
+        this.axes = view;
+        return multiply(perspective(0.7, this.canvas.width / this.canvas.height, Math.max(this.distance - 2 * size, 0.005 * this.distance), far), view.matrix);
+    }
+    draw() {
+        if (this.waiting) return;
+        this.waiting = true;
+        requestAnimationFrame(() => { this.waiting = false; this.render(false); });
+    }
+    render(picking) {
+        // A slow machine gets coarser pictures while they turn: 33 ms are 30 in a second.
+        const coarse = this.turning && this.frame > 33;
+        const gl = this.gl, box = this.canvas.getBoundingClientRect(), dense = (window.devicePixelRatio || 1) * (coarse ? 0.5 : 1);
+        const width = Math.max(1, Math.round(box.width * dense)), height = Math.max(1, Math.round(box.height * dense));
+        if (this.canvas.width !== width || this.canvas.height !== height) { this.canvas.width = width; this.canvas.height = height; }
+        gl.viewport(0, 0, width, height);
+        gl.clearColor(0, 0, 0, 0);
+        gl.enable(gl.DEPTH_TEST);
+        gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+        gl.useProgram(this.program);
+        gl.bindVertexArray(this.array);
+        const at = name => gl.getUniformLocation(this.program, name);
+        gl.uniformMatrix4fv(at('camera'), false, this.camera());
+        gl.uniform1f(at('factor'), this.state.factor);
+        gl.uniform4fv(at('cut'), this.state.cut);
+        gl.uniform2fv(at('ends'), this.ends || [0, 1]);
+        gl.uniform1i(at('names'), this.field ? this.field.names.length : 0);
+        gl.uniform1f(at('picked'), this.state.picked);
+        gl.uniform3fv(at('light'), [0.4, 0.5, 0.77]);
+        gl.uniform3fv(at('colours'), (this.field && this.field.names.length > 0 ? named : viridis).flat().map(c => c / 255));
+        gl.uniform1i(at('picking'), picking);
+        gl.uniform1i(at('lines'), false);
+        gl.enable(gl.POLYGON_OFFSET_FILL);
+        gl.polygonOffset(1, 1);
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.faceBuffer);
+        gl.drawElements(gl.TRIANGLES, this.counts.faces, gl.UNSIGNED_INT, 0);
+        if (!picking && this.onrender) this.onrender(this.axes, coarse);
+        if (picking || !this.state.edges || coarse) return;
+        gl.uniform1i(at('lines'), true);
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.lineBuffer);
+        gl.drawElements(gl.LINES, this.counts.lines, gl.UNSIGNED_INT, 0);
+    }
+    // The block at a place of the canvas, from 0 on; -1: none.
+    pick(x, y) {
+        const gl = this.gl, box = this.canvas.getBoundingClientRect(), pixel = new Uint8Array(4);
+        this.render(true);
+        gl.readPixels(Math.round(x * this.canvas.width / box.width), this.canvas.height - 1 - Math.round(y * this.canvas.height / box.height), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+        this.state.picked = pixel[3] === 0 ? -1 : pixel[0] + 256 * pixel[1] + 65536 * pixel[2] - 1;
+        this.render(false);
+        return this.state.picked;
+    }
+    listen() {
+        let last = null, moved = 0;
+        const still = () => { last = null; if (this.turning) { this.turning = false; this.draw(); } };
+        this.canvas.addEventListener('contextmenu', e => e.preventDefault());
+        this.canvas.addEventListener('pointerdown', e => { last = [e.clientX, e.clientY]; moved = 0; this.canvas.setPointerCapture(e.pointerId); });
+        this.canvas.addEventListener('pointermove', e => {
+            if (!last) return;
+            const dx = e.clientX - last[0], dy = e.clientY - last[1];
+            moved += Math.abs(dx) + Math.abs(dy);
+            last = [e.clientX, e.clientY];
+            this.turning = moved >= 4;
+            if (e.buttons & 2 || e.shiftKey) {
+                const step = this.distance / 700;
+                this.target = this.target.map((t, k) => t - step * (dx * this.axes.right[k] - dy * this.axes.up[k]));
+            } else {
+                this.heading += dx / 200;
+                this.pitch = Math.max(-1.55, Math.min(1.55, this.pitch + dy / 200));
+            }
+            this.draw();
+        });
+        this.canvas.addEventListener('pointerup', e => {
+            const box = this.canvas.getBoundingClientRect();
+            if (last && moved < 4 && this.onpick) this.onpick(this.pick(e.clientX - box.left, e.clientY - box.top));
+            still();
+        });
+        this.canvas.addEventListener('pointercancel', still);
+        this.canvas.addEventListener('wheel', e => { e.preventDefault(); this.distance *= Math.exp(e.deltaY / 800); this.draw(); }, { passive: false });
+        new ResizeObserver(() => this.draw()).observe(this.canvas);
+    }
+}

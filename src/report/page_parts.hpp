@@ -1,0 +1,16 @@
+// Style and scripts of the report's page: src/report/page.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace kaya {
+
+struct PagePart {
+    std::string_view kind; ///< "css" or "js"
+    std::string_view text;
+};
+/// In the order in which they stand in the page.
+std::span<const PagePart> page_parts();
+
+} // namespace kaya

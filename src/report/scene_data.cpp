@@ -1,0 +1,156 @@
+#include "report/scene_data.hpp"
+
+#include "io/history_csv.hpp"
+#include "model/field.hpp"
+#include "model/measure.hpp"
+#include "report/packed.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <limits>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace kaya {
+
+namespace {
+
+/// Corners on the surface, and the lines and triangles between them. Indices count within a block: they are small.
+struct Surface {
+    std::vector<float> places, displacements;    ///< three for each corner, of the place before it moved
+    std::vector<Row> gridpoints;                 ///< of each corner
+    std::vector<std::uint32_t> corners, triangles, lines; ///< counts, by block
+    std::vector<std::uint32_t> triangle_corners, line_corners;
+    std::vector<std::uint32_t> numbers; ///< of blocks
+};
+
+/// Edges of a face: those of one of its triangles only.
+void add_lines(const Model& model, Row block, const std::map<Row, std::uint32_t>& corner_of, Surface& surface) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> all;
+    const Span faces = model.blocks.faces[block];
+    for (Row face = faces.first; face < faces.end(); ++face) {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> count;
+        const Span triangles = model.faces.triangles[face];
+        for (Row t = triangles.first; t < triangles.end(); ++t)
+            for (int k = 0; k < 3; ++k) {
+                const auto& g = model.triangles.gridpoints[t];
+                ++count[std::minmax(corner_of.at(g[k]), corner_of.at(g[(k + 1) % 3]))];
+            }
+        for (const auto& [line, times] : count)
+            if (times == 1) all.insert(line);
+    }
+    for (const auto& [from, to] : all) surface.line_corners.insert(surface.line_corners.end(), {from, to});
+    surface.lines.push_back(static_cast<std::uint32_t>(all.size()));
+}
+
+void add_block(const Model& model, Row block, const Vec3& centre, Surface& surface) {
+    std::map<Row, std::uint32_t> corner_of;
+    const Span triangles = model.blocks.triangles[block];
+    for (Row t = triangles.first; t < triangles.end(); ++t)
+        for (const Row g : model.triangles.gridpoints[t])
+            if (corner_of.try_emplace(g, static_cast<std::uint32_t>(corner_of.size())).second) {
+                const Vec3 moved = model.gridpoints.displacement[g], place = model.gridpoints.position[g] - centre;
+                for (int k = 0; k < 3; ++k) {
+                    surface.places.push_back(static_cast<float>(place[k]));
+                    surface.displacements.push_back(static_cast<float>(moved[k]));
+                }
+                surface.gridpoints.push_back(g);
+            }
+    for (Row t = triangles.first; t < triangles.end(); ++t)
+        for (const Row g : model.triangles.gridpoints[t]) surface.triangle_corners.push_back(corner_of.at(g));
+    surface.corners.push_back(static_cast<std::uint32_t>(corner_of.size()));
+    surface.triangles.push_back(static_cast<std::uint32_t>(triangles.count));
+    surface.numbers.push_back(static_cast<std::uint32_t>(model.blocks.number[block]));
+    add_lines(model, block, corner_of, surface);
+}
+
+std::string column(const char* name, const std::vector<std::uint32_t>& numbers) {
+    return fmt::format("\"{}\":\"{}\"", name, packed(std::span(numbers)));
+}
+std::string column(const char* name, const std::vector<float>& numbers) { return fmt::format("\"{}\":\"{}\"", name, packed(std::span(numbers))); }
+
+double length_of(const FieldValue& value) {
+    if (const auto* v = std::get_if<Vec3>(&value)) return v->norm();
+    if (const auto* d = std::get_if<double>(&value)) return *d;
+    if (const auto* i = std::get_if<std::int64_t>(&value)) return static_cast<double>(*i);
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// A field as JSON: one value for each row; texts by their number in `names`.
+std::string field_json(const Model& model, const Field& field, const char* of, const std::vector<Row>& rows) {
+    std::vector<float> values;
+    std::vector<std::string> names;
+    for (const Row row : rows) {
+        const FieldValue value = field.get(model, row);
+        if (const auto* text = std::get_if<std::string>(&value)) {
+            const std::string name = text->empty() ? "none" : *text;
+            auto found = std::ranges::find(names, name);
+            if (found == names.end()) found = names.insert(found, name);
+            values.push_back(static_cast<float>(found - names.begin()));
+        } else {
+            values.push_back(static_cast<float>(length_of(value)));
+        }
+    }
+    std::vector<std::string> quoted;
+    for (const auto& name : names) quoted.push_back(json_text(name));
+    return fmt::format(R"({{"name":{},"unit":{},"of":"{}","names":[{}],"values":"{}"}})", json_text(field.name), json_text(field.unit), of, fmt::join(quoted, ","),
+                       packed(std::span<const float>(values)));
+}
+
+/// A corner of a deformable block sees the mean of the zones around it, weighted with their volumes.
+std::string stress_json(const Model& model, const Surface& surface, const char* name, double (*of)(const Model&, Row)) {
+    std::vector<double> sum(model.gridpoints.size()), weight(model.gridpoints.size());
+    for (Row zone = 0; zone < static_cast<Row>(model.zones.size()); ++zone)
+        for (const Row g : model.zones.gridpoints[zone]) {
+            sum[g] += of(model, zone) * model.zones.volume[zone];
+            weight[g] += model.zones.volume[zone];
+        }
+    std::vector<float> values;
+    for (const Row g : surface.gridpoints) values.push_back(weight[g] > 0 ? static_cast<float>(sum[g] / weight[g]) : std::numeric_limits<float>::quiet_NaN());
+    return fmt::format(R"({{"name":"{}","unit":"stress","of":"corner","names":[],"values":"{}"}})", name, packed(std::span<const float>(values)));
+}
+
+} // namespace
+
+std::string scene_json(const Model& model) {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const Vec3& place : model.gridpoints.position) low = low.cwiseMin(place), high = high.cwiseMax(place);
+    if (model.gridpoints.position.empty()) low = high = Vec3::Zero();
+    const Vec3 centre = 0.5 * (low + high); // a model far from the origin keeps its small places
+    Surface surface;
+    std::vector<Row> blocks;
+    for (Row block = 0; block < static_cast<Row>(model.blocks.size()); ++block)
+        if (!model.blocks.hidden[block]) add_block(model, block, centre, surface), blocks.push_back(block);
+    std::vector<std::string> fields;
+    for (const char* name : {"displacement", "velocity"})
+        if (const Field* field = find_field(FieldTable::gridpoint, name)) fields.push_back(field_json(model, *field, "corner", surface.gridpoints));
+    for (const char* name : {"z_displacement"})
+        if (const Field* field = find_field(FieldTable::gridpoint, name)) fields.push_back(field_json(model, *field, "corner", surface.gridpoints));
+    if (!model.zones.gridpoints.empty()) {
+        fields.push_back(stress_json(model, surface, "greatest compression", [](const Model& m, Row zone) { return -principal_stresses(m, zone)[0]; }));
+        fields.push_back(stress_json(model, surface, "least compression", [](const Model& m, Row zone) { return -principal_stresses(m, zone)[2]; }));
+    }
+    for (const char* name : {"group", "material", "region", "id", "volume", "type"})
+        if (const Field* field = find_field(FieldTable::block, name)) fields.push_back(field_json(model, *field, "block", blocks));
+    return fmt::format(R"({{"centre":[{},{},{}],"size":{},{},{},{},{},{},{},{},{},"fields":[{}]}})", centre.x(), centre.y(), centre.z(), (high - low).norm(),
+                       column("numbers", surface.numbers), column("corners", surface.corners), column("triangles", surface.triangles), column("lines", surface.lines),
+                       column("places", surface.places), column("displacements", surface.displacements), column("triangleCorners", surface.triangle_corners),
+                       column("lineCorners", surface.line_corners), fmt::join(fields, ","));
+}
+
+std::string histories_json(const Histories& histories) {
+    std::vector<std::string> all;
+    for (const auto& history : histories.all) {
+        const auto first = static_cast<std::ptrdiff_t>(std::min(history.first_sample, histories.time.size()));
+        const std::vector<double> times(histories.time.begin() + first, histories.time.end());
+        all.push_back(fmt::format(R"({{"title":{},"times":"{}","values":"{}"}})", json_text(column_title(history)), packed(std::span(times)),
+                                  packed(std::span(history.values))));
+    }
+    return fmt::format("[{}]", fmt::join(all, ","));
+}
+
+} // namespace kaya

@@ -1,0 +1,16 @@
+// The surfaces of the blocks with what their colours may mean, for the view in the browser.
+#pragma once
+
+#include "model/model.hpp"
+
+#include <string>
+
+namespace kaya {
+
+/// A JSON object: blocks with their numbers, corners, triangles and edges, and the fields of blocks and corners with their units.
+std::string scene_json(const Model& model);
+
+/// Histories with their times, as a JSON list.
+std::string histories_json(const Histories& histories);
+
+} // namespace kaya
