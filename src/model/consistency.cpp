@@ -296,6 +296,10 @@ std::string inconsistency(Model& model) {
     findings.require(between(model.settings.water, Water::none, Water::points), "the kind of water is unknown");
     findings.require(inside_or_none(model.settings.default_properties, model.joint_properties.size()),
                      "the joint properties of new contacts are not there");
+    // Counts go on from here: no run comes near these.
+    findings.require(between<std::int64_t>(model.clock.cycle, 0, std::int64_t{1} << 53), fmt::format("{} cycles", model.clock.cycle));
+    for (const auto next : {model.next_block_number, model.next_shape_number, model.next_contact_number, model.next_sub_contact_number})
+        findings.require(between(next, 1, 2'000'000'000), fmt::format("{} is the next number", next));
     if (!findings.clean()) return findings.text();
 
     for (const auto check :
