@@ -22,6 +22,7 @@ namespace {
 class OpenFile {
 public:
     OpenFile(int descriptor, std::string unfinished) : descriptor_(descriptor), unfinished_(std::move(unfinished)) {}
+    OpenFile(OpenFile&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)), unfinished_(std::exchange(other.unfinished_, {})) {}
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
     ~OpenFile() {
@@ -30,6 +31,7 @@ public:
     }
 
     int descriptor() const { return descriptor_; }
+    const std::string& name() const { return unfinished_; }
     bool close() { return ::close(std::exchange(descriptor_, -1)) == 0; }
     void keep() { unfinished_.clear(); }
 
@@ -86,6 +88,21 @@ void sweep(const std::filesystem::path& folder) {
     }
 }
 
+/// A new file beside the target, locked. Between its making and its lock another process may have swept it away: then another.
+OpenFile unfinished_for(const std::string& target, const std::string& path) {
+    for (;;) {
+        std::string name = fmt::format("{}{}{}", target, unfinished_mark, unfinished_end);
+        const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+        if (descriptor < 0) fail_to_write(path, errno);
+        OpenFile file(descriptor, name);
+        ::flock(descriptor, LOCK_EX); // until it is closed
+        struct stat info {};
+        if (::fstat(descriptor, &info) != 0) fail_to_write(path, errno);
+        if (info.st_nlink > 0) return file;
+        file.keep(); // there is nothing to remove
+    }
+}
+
 /// A new name in a folder is on the disk only when the folder is.
 void sync_folder_of(const std::string& path) {
     const auto parent = std::filesystem::path(path).parent_path();
@@ -115,18 +132,16 @@ void write_whole_file(const std::string& path, std::string_view content) {
 
     const auto folder = std::filesystem::path(target).parent_path();
     sweep(folder.empty() ? "." : folder);
-    std::string unfinished = fmt::format("{}{}{}", target, unfinished_mark, unfinished_end);
-    const int descriptor = ::mkostemp(unfinished.data(), O_CLOEXEC);
-    if (descriptor < 0) fail_to_write(path, errno);
-    OpenFile file(descriptor, unfinished);
-    ::flock(descriptor, LOCK_EX); // until it is closed
+    OpenFile file = unfinished_for(target, path);
     const mode_t mask = ::umask(0);
     ::umask(mask);
+    const int descriptor = file.descriptor();
     ::fchmod(descriptor, exists ? old.st_mode & 07777 : 0666 & ~mask);
     if (!write_all(descriptor, content) || ::fsync(descriptor) != 0) fail_to_write(path, errno);
-    if (!file.close()) fail_to_write(path, errno);
-    if (::rename(unfinished.c_str(), target.c_str()) != 0) fail_to_write(path, errno);
+    // Renamed while it is locked: a finished file without a lock would be taken for one that was left.
+    if (::rename(file.name().c_str(), target.c_str()) != 0) fail_to_write(path, errno);
     file.keep();
+    if (!file.close()) fail_to_write(path, errno);
     sync_folder_of(target);
 }
 

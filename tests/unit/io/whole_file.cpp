@@ -6,7 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <filesystem>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 using namespace kaya;
@@ -36,6 +39,38 @@ TEST(WholeFile, WhatIsWrittenIsReadBackAndNothingElseIsLeft) {
     write_whole_file(folder / "a.csv", "short");
     EXPECT_EQ(read_whole_file(folder / "a.csv"), "short");
     EXPECT_EQ(folder.file_count(), 1u);
+}
+
+// Each process looks for what killed ones have left before its first file in a folder, just as the others write theirs.
+TEST(WholeFile, ProcessesThatWriteIntoANewFolderAtOnceDoNotSweepEachOthersFiles) {
+    const ScratchFolder scratch;
+    for (int round = 0; round < 100; ++round) {
+        const std::string folder = scratch / ("f" + std::to_string(round));
+        std::filesystem::create_directory(folder);
+        std::array<int, 2> gate{};
+        ASSERT_EQ(::pipe(gate.data()), 0);
+        std::array<pid_t, 6> writers{};
+        for (auto& writer : writers) {
+            writer = ::fork();
+            if (writer != 0) continue;
+            ::close(gate[1]);
+            char none = 0;
+            [[maybe_unused]] const auto opened = ::read(gate[0], &none, 1); // until the parent closes it
+            try {
+                write_whole_file(folder + "/a.csv", "text");
+            } catch (const Diagnostic&) {
+                std::_Exit(1);
+            }
+            std::_Exit(0);
+        }
+        ::close(gate[0]), ::close(gate[1]);
+        for (const auto writer : writers) {
+            int status = 0;
+            ::waitpid(writer, &status, 0);
+            ASSERT_EQ(status, 0) << "round " << round;
+        }
+        ASSERT_EQ(content_of(folder + "/a.csv"), "text");
+    }
 }
 
 TEST(WholeFile, AFullDiskLeavesTheFileFromBefore) {
