@@ -38,6 +38,7 @@ struct Set {
     std::optional<std::int64_t> threads;
     std::optional<double> autosave; ///< minutes; 0: none
     std::optional<bool> echo;
+    std::optional<bool> report; ///< report on|off
     std::optional<Vec3> gravity;
     std::optional<std::int64_t> seed; ///< random n: of urand and grand
     std::vector<std::string> accepted; ///< words that have no effect here (pagination, ...)

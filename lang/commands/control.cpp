@@ -26,6 +26,7 @@ CommandSpec set() {
     entry.keyword({"echo"}, on_off(), &Set::echo, "shows the commands while they run");
     entry.keyword({"autosave"}, real("m").unit("minutes").at_least(0), &Set::autosave,
                   "minutes of cycles between two files of what would be lost if the run were cut off; 0: none");
+    entry.keyword({"report"}, on_off(), &Set::report, "on: the run ends with a page for a browser, in which the model can be seen over time");
     entry.keyword({"gravity"}, vector("gx gy gz").unit("acceleration"), &Set::gravity, "the same as gravity");
     const auto seed = integer("n").at_least(0).optional();
     entry.special({Spelling{"random", 3}}, {seed.spec},
@@ -71,7 +72,7 @@ CommandSpec set() {
         .right("set jcondf 1 jmatdf 2")
         .right("set log on logfile run.log")
         .right("set @load = 5e6");
-    entry.right("set dt 1e-5").right("set autosave 30");
+    entry.right("set dt 1e-5").right("set autosave 30").right("set report on");
     entry.right("set gravity 0 0 -9.81 random 7").right("set random");
     entry.right("set pagination off").right("set atol 1e-4 echo off");
     entry.wrong("set", "set does not say what to set");

@@ -44,7 +44,10 @@ struct CommandLine {
     std::string code;         ///< of `explain`
     std::string saved;        ///< of `info`
     std::vector<std::string> compared; ///< of `diff`
-    std::string reported, report;      ///< of `report`: the saved model and the page
+    std::vector<std::string> reported; ///< of `report`: saved models
+    std::string report;                ///< and the page
+    std::string exported, tables;      ///< of `export`: the saved model and the folder
+    bool paraview = false;
     bool sandbox = false;             ///< `info --sandbox`
     std::vector<std::string> allowed; ///< of `allow`
     bool revoke = false;
@@ -111,8 +114,12 @@ int start(int argc, char** argv) {
     describing->add_option("file", line.saved, "a file that 'save' has written");
     describing->add_flag("--sandbox", line.sandbox, "say what a run in this folder may do");
     auto* reporting = app.add_subcommand("report", "make a page of a saved model for a browser: numbers, curves, a view to turn");
-    reporting->add_option("file", line.reported, "a file that 'save' has written")->required();
+    reporting->add_option("file", line.reported, "files that 'save' has written; the last one is that of the tables, and all can be seen in their order")->required();
     reporting->add_option("--out", line.report, "name of the page; the file's name with .html if not given");
+    auto* exporting = app.add_subcommand("export", "write the tables of a saved model as CSV: blocks, zones, contacts, histories and all others");
+    exporting->add_option("file", line.exported, "a file that 'save' has written")->required();
+    exporting->add_option("--into", line.tables, "the folder; the file's name with -tables if not given");
+    exporting->add_flag("--vtk", line.paraview, "also the files for ParaView");
     auto* comparing = app.add_subcommand("diff", "say in what two saved models differ");
     comparing->add_option("file", line.compared, "two files that 'save' has written")->required()->expected(2);
     auto* allowing = app.add_subcommand("allow", "allow runs a folder or a joint model, for good; without one, list what is allowed");
@@ -166,6 +173,10 @@ int start(int argc, char** argv) {
     }
     if (*reporting) {
         fmt::print("{}\n", write_report(line.reported, line.report, joint_folders(line.run, program)));
+        return 0;
+    }
+    if (*exporting) {
+        for (const auto& name : export_saved(line.exported, line.tables, line.paraview)) fmt::print("{}\n", name);
         return 0;
     }
     if (*comparing) {

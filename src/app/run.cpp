@@ -3,6 +3,7 @@
 #include "app/command_line.hpp"
 #include "app/interrupt.hpp"
 #include "app/prompt.hpp"
+#include "app/run_report.hpp"
 #include "app/sandbox.hpp"
 #include "base/counted.hpp"
 #include "commands/journal.hpp"
@@ -181,8 +182,16 @@ int run(RunOrder& order, const fs::path& program) {
     Session session(order.options);
     session.painter = painter;
     if (!order.options.trust) session.gate->shut(std::move(policy));
-    const int status = run_session(session, order);
+    RunReport report(session);
+    int status = run_session(session, order);
     if (status != 0) session.rescue.keep();
+    try {
+        report.write();
+    } catch (const Diagnostic& problem) {
+        session.output.message(problem);
+        if (status == 0) status = static_cast<int>(problem.fault);
+    }
+    session.output.flush();
     return status;
 }
 

@@ -2,9 +2,12 @@
 
 #include "app/command_line.hpp"
 #include "app/fish_help.hpp"
+#include "app/run_report.hpp"
 
 #include "commands/model_world.hpp"
 #include "commands/save_session.hpp"
+#include "io/field_csv.hpp"
+#include "io/history_csv.hpp"
 #include "io/whole_file.hpp"
 #include "joints/joint_model.hpp"
 #include "report/report.hpp"
@@ -151,23 +154,24 @@ int format_decks(const std::vector<std::string>& decks, Formatting what, Output&
     return status;
 }
 
-std::string write_report(const std::string& saved, const std::string& page, const std::vector<fs::path>& joint_folders) {
-    const std::string file = find_saved(saved);
-    Model model;
-    const SaveExtras extras = restore_state(model, file);
+std::string write_report(const std::vector<std::string>& saved, const std::string& page, const std::vector<fs::path>& joint_folders) {
+    ReportOrder order;
+    order.source = "saved model";
+    order.version = program_version();
     JointRegistry joints;
     joints.set_path(joint_folders);
-    // A save names its models; what it names is looked for in the folders only.
-    const auto property_names = [&joints](const std::string& name) {
-        std::vector<std::string> names;
-        if (name.find_first_of("/.") != std::string::npos) return names;
-        try {
-            for (const auto& property : joints.get(name).properties) names.push_back(property.name);
-        } catch (const Diagnostic&) { // its values are shown without their names
-        }
-        return names;
-    };
-    const ReportOrder order{fs::path(file).filename().string(), program_version(), property_names};
+    order.property_names = property_names_of(joints);
+    // The last one is the model of the tables; those before it are what it came from.
+    Model model;
+    SaveExtras extras;
+    std::string file;
+    for (std::size_t i = 0; i < saved.size(); ++i) {
+        file = find_saved(saved[i]);
+        extras = restore_state(model, file);
+        if (i == 0) order.centre = report_centre(model);
+        if (i + 1 < saved.size()) order.before.push_back(report_state(model, order.centre));
+    }
+    order.file = fs::path(file).filename().string();
     std::string name = page;
     if (name.empty()) {
         name = file.ends_with(save_ending) ? file.substr(0, file.size() - save_ending.size()) : file;
@@ -175,6 +179,30 @@ std::string write_report(const std::string& saved, const std::string& page, cons
     }
     write_whole_file(name, report_of(model, extras, order));
     return name;
+}
+
+std::vector<std::string> export_saved(const std::string& saved, const std::string& folder, bool paraview) {
+    const std::string file = find_saved(saved);
+    Model model;
+    const SaveExtras extras = restore_state(model, file);
+    const std::string bare = file.ends_with(save_ending) ? file.substr(0, file.size() - save_ending.size()) : file;
+    const fs::path into = folder.empty() ? fs::path(bare + "-tables") : fs::path(folder);
+    std::error_code problem;
+    fs::create_directories(into, problem);
+    if (problem) throw Diagnostic(fmt::format("cannot make the folder {}: {}", into.string(), problem.message()), "give another: --into FOLDER", Fault::run);
+    std::vector<std::string> written;
+    const auto write = [&](const std::string& name, const std::string& text) {
+        written.push_back((into / name).string());
+        write_whole_file(written.back(), text);
+    };
+    for (const auto& [table, name] : field_table_names()) write(fmt::format("{}.csv", name), field_csv(model, table));
+    write("fields.csv", field_list_csv());
+    if (!model.histories.all.empty()) write("histories.csv", history_csv(model.histories, {}, {}));
+    for (std::size_t i = 0; i < extras.decks.size(); ++i) write(fmt::format("deck-{}-{}", i + 1, fs::path(extras.decks[i].name).filename().string()), extras.decks[i].content);
+    if (!paraview) return written;
+    const auto files = VtkSeries().write(model, (into / fs::path(bare).filename()).string());
+    written.insert(written.end(), files.begin(), files.end());
+    return written;
 }
 
 } // namespace kaya

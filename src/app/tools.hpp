@@ -12,8 +12,11 @@ namespace kaya {
 /// `kaya help`: about a command, a keyword, or a name of FISH or a field of Lua. Throws Diagnostic when it is none.
 std::string help_text(const std::string& words);
 
-/// `kaya report`: the page of a saved model. Gives its name. Throws Diagnostic.
-std::string write_report(const std::string& saved, const std::string& page, const std::vector<std::filesystem::path>& joint_folders);
+/// `kaya report`: the page of a saved model, over time when there are several. Gives its name. Throws Diagnostic.
+std::string write_report(const std::vector<std::string>& saved, const std::string& page, const std::vector<std::filesystem::path>& joint_folders);
+
+/// `kaya export`: a folder with the tables of a saved model, and its files for ParaView if asked. Gives the names of the files. Throws Diagnostic.
+std::vector<std::string> export_saved(const std::string& saved, const std::string& folder, bool paraview);
 
 enum class Formatting { show, write, check };
 

@@ -95,6 +95,7 @@ void run(Session& session, const lang::Set& command) {
     if (command.threads) set_threads(static_cast<int>(std::max<std::int64_t>(1, *command.threads)));
     if (command.echo) session.options.echo = *command.echo;
     if (command.autosave) session.rescue.set_interval(*command.autosave > 0 ? std::optional(60 * *command.autosave) : std::nullopt);
+    if (command.report) session.report = *command.report;
     if (command.gravity) settings.gravity = *command.gravity;
     if (command.seed) session.scripts->seed(static_cast<std::uint64_t>(*command.seed));
     if (command.log_file) {

@@ -47,6 +47,7 @@ void advance(Session& session) {
             session.cycle->advance();
         }
         run_deferred(session);
+        if (session.cycled) session.cycled();
     } catch (Diagnostic& failure) {
         session.rescue.step_failed(number, failure.message);
         session.deferred.clear();

@@ -121,6 +121,8 @@ public:
     std::set<std::string> files_read;  ///< names of files that commands have read, decks not among them
     /// Gets each command of decks behind its run; those of scripts are part of the command that ran the script.
     std::function<void(const lang::BoundCommand&, const Completion&)> executed;
+    std::function<void()> cycled;      ///< called behind each cycle
+    bool report = false;               ///< the run ends with a page: set report on
     std::optional<std::int64_t> stop_behind; ///< a cycle: a replay stops there as the user did
     std::size_t warnings = 0;                               ///< shown so far
     bool inside_cycle = false;                              ///< a hook is running: structure must not change

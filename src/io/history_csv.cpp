@@ -1,6 +1,7 @@
 #include "io/history_csv.hpp"
 
 #include "base/diagnostic.hpp"
+#include "io/csv.hpp"
 #include "io/whole_file.hpp"
 #include "model/field.hpp"
 #include "model/sampling.hpp"
@@ -29,17 +30,6 @@ const History& find_history(const Histories& histories, std::int64_t number) {
                                  : fmt::format("these histories are defined: {}", known));
 }
 
-/// RFC 4180: quotes around what has a separator in it, and quotes doubled.
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"') result += '"';
-        result += c;
-    }
-    return result + '"';
-}
-
 const char* object_name(Kind kind) {
     switch (kind) {
     case Kind::gridpoint: return "gridpoint";
@@ -56,10 +46,6 @@ const char* object_name(Kind kind) {
 double sample_at(const History& history, std::size_t row) {
     const bool there = row >= history.first_sample && row - history.first_sample < history.values.size();
     return there ? history.values[row - history.first_sample] : std::nan("");
-}
-
-void append_cell(std::string& text, double number) {
-    if (!std::isnan(number)) fmt::format_to(std::back_inserter(text), "{}", number);
 }
 
 } // namespace
@@ -89,14 +75,14 @@ std::string history_csv(const Histories& histories, const std::vector<std::int64
     std::string text = versus ? "" : "cycle,time";
     for (const auto* history : columns) {
         if (!text.empty()) text += ',';
-        text += quoted(column_title(*history));
+        text += csv_cell(column_title(*history));
     }
     text += '\n';
     for (std::size_t row = 0; row < histories.time.size(); ++row) {
         if (!versus) fmt::format_to(std::back_inserter(text), "{},{}", histories.cycle[row], histories.time[row]);
         for (std::size_t k = 0; k < columns.size(); ++k) {
             if (!versus || k > 0) text += ',';
-            append_cell(text, sample_at(*columns[k], row));
+            text += csv_cell(sample_at(*columns[k], row));
         }
         text += '\n';
     }

@@ -2,8 +2,8 @@
 
 #include "base/diagnostic.hpp"
 #include "io/whole_file.hpp"
-#include "model/field.hpp"
-#include "model/measure.hpp"
+#include "io/vtk_arrays.hpp"
+#include "model/joint_polygons.hpp"
 
 #include <fmt/format.h>
 
@@ -13,20 +13,17 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkStringArray.h>
 #include <vtkTypeInt64Array.h>
-#include <vtkUnsignedIntArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 namespace kaya {
@@ -40,26 +37,6 @@ void add_numbers(vtkFieldData* target, const char* name, std::size_t rows, Value
     array->SetName(name);
     array->SetNumberOfTuples(static_cast<vtkIdType>(rows));
     for (std::size_t row = 0; row < rows; ++row) array->SetValue(static_cast<vtkIdType>(row), value(row));
-    target->AddArray(array);
-}
-
-template <class Value>
-void add_vectors(vtkFieldData* target, const char* name, std::size_t rows, Value&& value) {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name);
-    array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(rows));
-    for (std::size_t row = 0; row < rows; ++row) {
-        const Vec3 vector = value(row);
-        array->SetTuple(static_cast<vtkIdType>(row), vector.data());
-    }
-    target->AddArray(array);
-}
-
-void add_names(vtkFieldData* target, const char* name, const std::vector<std::string>& names) {
-    vtkNew<vtkStringArray> array;
-    array->SetName(name);
-    for (const auto& text : names) array->InsertNextValue(text);
     target->AddArray(array);
 }
 
@@ -119,6 +96,17 @@ void insert_rigid_block(vtkUnstructuredGrid* grid, const Model& model, Row block
     grid->InsertNextCell(VTK_POLYHEDRON, stream);
 }
 
+std::vector<Row> all_rows(std::size_t count) {
+    std::vector<Row> rows(count);
+    std::iota(rows.begin(), rows.end(), Row{0});
+    return rows;
+}
+
+void add_sub_contacts(vtkFieldData* target, vtkFieldData* whole, const Model& model, const std::vector<Row>& rows, const HistoryNames& history) {
+    add_fields(target, whole, model, FieldTable::sub_contact, rows);
+    add_joint_history(target, model, history, rows);
+}
+
 /// VTK's order of a symmetric tensor is xx yy zz xy yz xz, ours xx yy zz xy xz yz.
 void add_stress(vtkUnstructuredGrid* grid, const Model& model, const std::vector<Row>& zone_of_cell) {
     static constexpr std::array<const char*, 6> names{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
@@ -131,9 +119,10 @@ void add_stress(vtkUnstructuredGrid* grid, const Model& model, const std::vector
     for (std::size_t cell = 0; cell < zone_of_cell.size(); ++cell)
         for (int k = 0; k < 6; ++k) {
             const Row zone = zone_of_cell[cell];
-            const double value = zone == no_row ? 0 : model.zones.stress[zone][component[static_cast<std::size_t>(k)]];
+            const double value = zone == no_row ? std::numeric_limits<double>::quiet_NaN() : model.zones.stress[zone][component[static_cast<std::size_t>(k)]];
             array->SetComponent(static_cast<vtkIdType>(cell), k, value);
         }
+    set_unit(array, "stress");
     grid->GetCellData()->AddArray(array);
 }
 
@@ -171,6 +160,47 @@ std::string series_text(const std::string& stem, const std::vector<double>& time
     return text + "  </Collection>\n</VTKFile>\n";
 }
 
+std::string python_text(const std::string& text) {
+    std::string result = "'";
+    for (const char c : text) {
+        if (c == '\\' || c == '\'') result += '\\';
+        result += c;
+    }
+    return result + "'";
+}
+
+/// Opens the series in ParaView, coloured: blocks by displacement, joints by slip.
+std::string paraview_script(const std::string& stem) {
+    return "# Opens the series in ParaView: `paraview --script=FILE`, or Tools > Python Shell > Run Script.\n"
+           "import os\n"
+           "from paraview.simple import *\n\n"
+           "try:\n"
+           "    folder = os.path.dirname(os.path.abspath(__file__))\n"
+           "except NameError:  # started from the Python shell\n"
+           "    folder = os.getcwd()\n\n"
+           "def opened(series, where, field, opacity):\n"
+           "    data = PVDReader(registrationName=series, FileName=os.path.join(folder, series))\n"
+           "    shown = Show(data)\n"
+           "    shown.Representation = 'Surface With Edges'\n"
+           "    shown.Opacity = opacity\n"
+           "    try:\n"
+           "        ColorBy(shown, (where, field))\n"
+           "        shown.RescaleTransferFunctionToDataRange(True)\n"
+           "        shown.SetScalarBarVisibility(GetActiveView(), True)\n"
+           "    except RuntimeError:  # no data yet\n"
+           "        pass\n"
+           "    return data\n\n"
+           "stem = " + python_text(stem) + "\n"
+           "opened(stem + '.pvd', 'POINTS', 'displacement', 0.5)\n"
+           "opened(stem + '_joints.pvd', 'CELLS', 'shear_displacement', 1.0)\n"
+           "view = GetActiveView()\n"
+           "view.OrientationAxesVisibility = 1\n"
+           "GetAnimationScene().UpdateAnimationUsingDataTimeSteps()\n"
+           "GetAnimationScene().GoToLast()\n"
+           "ResetCamera()\n"
+           "Render()\n";
+}
+
 } // namespace
 
 std::string vtk_blocks(const Model& model) {
@@ -198,100 +228,86 @@ std::string vtk_blocks(const Model& model) {
         zone_of_cell.push_back(no_row);
     }
 
-    vtkPointData* at_points = grid->GetPointData();
-    add_vectors(at_points, "displacement", gridpoints.size(), [&](std::size_t i) { return gridpoints.displacement[i]; });
-    add_vectors(at_points, "velocity", gridpoints.size(), [&](std::size_t i) { return gridpoint_velocity(model, static_cast<Row>(i)); });
-
-    const auto add_block_numbers = [&](const char* name, const auto& column) {
-        add_numbers<vtkIntArray>(grid->GetCellData(), name, block_of_cell.size(),
-                                 [&](std::size_t cell) { return column[block_of_cell[cell]]; });
-    };
-    add_block_numbers("block_id", model.blocks.number);
-    add_block_numbers("region", model.blocks.region);
-    add_block_numbers("group", model.blocks.group);
-    add_block_numbers("material", model.blocks.material);
-    add_block_numbers("deformable", model.blocks.deformable);
+    vtkFieldData* whole = grid->GetFieldData();
+    add_fields(grid->GetPointData(), whole, model, FieldTable::gridpoint, all_rows(gridpoints.size()));
     add_stress(grid, model, zone_of_cell);
+    add_fields(grid->GetCellData(), whole, model, FieldTable::zone, zone_of_cell);
+    add_fields(grid->GetCellData(), whole, model, FieldTable::block, block_of_cell, "block_");
     add_time(grid, model.clock);
-    add_names(grid->GetFieldData(), "group_names", model.group_names);
     return bytes_of(grid);
 }
 
-namespace {
-
-/// What joint models remember of each sub-contact, by the names of the variables.
-void add_history(vtkCellData* data, const Model& model, const HistoryNames& history) {
-    const auto& sub = model.sub_contacts;
-    std::set<std::string> names;
-    for (const auto& properties : model.joint_properties)
-        if (const auto found = history.find(properties.model); found != history.end())
-            names.insert(found->second.begin(), found->second.end());
-    for (const auto& name : names)
-        add_numbers<vtkDoubleArray>(data, ("jmodel_" + name).c_str(), sub.size(), [&](std::size_t i) {
-            const Row set = model.contacts.properties[static_cast<std::size_t>(sub.contact[i])];
-            const auto found = set == no_row ? history.end() : history.find(model.joint_properties[static_cast<std::size_t>(set)].model);
-            if (found == history.end()) return std::numeric_limits<double>::quiet_NaN();
-            const auto column = std::find(found->second.begin(), found->second.end(), name) - found->second.begin();
-            const bool kept = column < static_cast<std::ptrdiff_t>(found->second.size()) && column < sub.history_columns;
-            return kept ? sub.history[static_cast<std::size_t>(column)][i] : std::numeric_limits<double>::quiet_NaN();
-        });
-}
-
-} // namespace
-
-std::string vtk_joints(const Model& model, const HistoryNames& history) {
-    const auto& sub = model.sub_contacts;
-    const auto& contacts = model.contacts;
-    const std::size_t rows = sub.size();
-
+std::string vtk_faces(const Model& model) {
     vtkNew<vtkUnstructuredGrid> grid;
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
-    grid->Allocate(static_cast<vtkIdType>(rows));
-    for (std::size_t i = 0; i < rows; ++i) {
-        const Vec3 position = sub.position[i];
-        const vtkIdType point = points->InsertNextPoint(position.data());
-        grid->InsertNextCell(VTK_VERTEX, 1, &point);
+    for (const auto& position : model.gridpoints.position) points->InsertNextPoint(position.data());
+    grid->SetPoints(points);
+    grid->Allocate(static_cast<vtkIdType>(model.triangles.size()));
+    std::vector<Row> face_of_cell, block_of_cell;
+    for (Row face = 0; face < static_cast<Row>(model.faces.size()); ++face) {
+        const Span triangles = model.faces.triangles[face];
+        for (Row t = triangles.first; t < triangles.end(); ++t) {
+            const auto& corner = model.triangles.gridpoints[t];
+            const std::array<vtkIdType, 3> ids{corner[0], corner[1], corner[2]};
+            grid->InsertNextCell(VTK_TRIANGLE, 3, ids.data());
+            face_of_cell.push_back(face);
+            block_of_cell.push_back(model.faces.block[face]);
+        }
+    }
+    vtkFieldData* whole = grid->GetFieldData();
+    add_fields(grid->GetPointData(), whole, model, FieldTable::gridpoint, all_rows(model.gridpoints.size()));
+    add_fields(grid->GetCellData(), whole, model, FieldTable::face, face_of_cell);
+    add_fields(grid->GetCellData(), whole, model, FieldTable::block, block_of_cell, "block_");
+    add_time(grid, model.clock);
+    return bytes_of(grid);
+}
+
+std::string vtk_joints(const Model& model, const HistoryNames& history) {
+    vtkNew<vtkUnstructuredGrid> grid;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    std::vector<Row> contact_of_cell, sub_of_cell, sub_of_point;
+    for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact) {
+        if (model.contacts.sub_contacts[contact].count == 0) continue;
+        for (const auto& polygon : joint_polygons(model, contact)) {
+            vtkNew<vtkIdList> corners;
+            Vec3 middle = Vec3::Zero();
+            for (const Vec3& place : polygon) {
+                corners->InsertNextId(points->InsertNextPoint(place.data()));
+                sub_of_point.push_back(nearest_sub_contact(model, contact, place));
+                middle += place / static_cast<double>(polygon.size());
+            }
+            grid->InsertNextCell(VTK_POLYGON, corners);
+            contact_of_cell.push_back(contact);
+            sub_of_cell.push_back(nearest_sub_contact(model, contact, middle));
+        }
     }
     grid->SetPoints(points);
-
-    std::vector<std::string> model_names;
-    for (const auto& properties : model.joint_properties)
-        if (std::find(model_names.begin(), model_names.end(), properties.model) == model_names.end())
-            model_names.push_back(properties.model);
-    const auto model_index = [&](Row properties) {
-        if (properties == no_row) return -1;
-        const auto& name = model.joint_properties[static_cast<std::size_t>(properties)].model;
-        return static_cast<int>(std::find(model_names.begin(), model_names.end(), name) - model_names.begin());
-    };
-
-    vtkCellData* data = grid->GetCellData();
-    const auto add_field = [&](const char* name, const char* field_name) {
-        const Field* field = find_field(FieldTable::sub_contact, field_name);
-        add_numbers<vtkDoubleArray>(
-            data, name, rows, [&](std::size_t i) { return std::get<double>(field->get(model, static_cast<Row>(i))); });
-    };
-    const auto add_whole = [&](const char* name, auto&& value) { add_numbers<vtkIntArray>(data, name, rows, value); };
-    const auto contact = [&](std::size_t i) { return static_cast<std::size_t>(sub.contact[i]); };
-
-    add_field("force_normal", "normal_force");
-    add_vectors(data, "force_shear", rows, [&](std::size_t i) { return sub.shear_force[i]; });
-    add_field("stress_normal", "normal_stress");
-    add_field("stress_shear", "shear_stress");
-    add_field("disp_normal", "normal_displacement");
-    add_vectors(data, "disp_shear", rows, [&](std::size_t i) { return sub.shear_displacement[i]; });
-    add_vectors(data, "normal", rows, [&](std::size_t i) { return contacts.normal[contact(i)]; });
-    add_field("area", "area");
-    add_numbers<vtkUnsignedIntArray>(data, "state", rows, [&](std::size_t i) { return sub.state[i]; });
-    add_whole("joint_set", [&](std::size_t i) { return contacts.joint_set[contact(i)]; });
-    add_whole("contact_id", [&](std::size_t i) { return contacts.number[contact(i)]; });
-    add_whole("subcontact_id", [&](std::size_t i) { return sub.number[i]; });
-    add_whole("block1", [&](std::size_t i) { return model.blocks.number[contacts.block1[contact(i)]]; });
-    add_whole("block2", [&](std::size_t i) { return model.blocks.number[contacts.block2[contact(i)]]; });
-    add_whole("jmodel", [&](std::size_t i) { return model_index(contacts.properties[contact(i)]); });
-    add_history(data, model, history);
+    add_sub_contacts(grid->GetPointData(), grid->GetFieldData(), model, sub_of_point, history);
+    add_sub_contacts(grid->GetCellData(), grid->GetFieldData(), model, sub_of_cell, history);
+    add_fields(grid->GetCellData(), grid->GetFieldData(), model, FieldTable::contact, contact_of_cell, "contact_");
     add_time(grid, model.clock);
-    add_names(grid->GetFieldData(), "jmodel_names", model_names);
+    return bytes_of(grid);
+}
+
+std::string vtk_sub_contacts(const Model& model, const HistoryNames& history) {
+    const auto rows = all_rows(model.sub_contacts.size());
+    vtkNew<vtkUnstructuredGrid> grid;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    grid->Allocate(static_cast<vtkIdType>(rows.size()));
+    std::vector<Row> contacts;
+    for (const Row row : rows) {
+        const Vec3 position = model.sub_contacts.position[row];
+        const vtkIdType point = points->InsertNextPoint(position.data());
+        grid->InsertNextCell(VTK_VERTEX, 1, &point);
+        contacts.push_back(model.sub_contacts.contact[row]);
+    }
+    grid->SetPoints(points);
+    add_sub_contacts(grid->GetCellData(), grid->GetFieldData(), model, rows, history);
+    add_fields(grid->GetCellData(), grid->GetFieldData(), model, FieldTable::contact, contacts, "contact_");
+    add_time(grid, model.clock);
     return bytes_of(grid);
 }
 
@@ -308,15 +324,28 @@ std::vector<std::string> VtkSeries::write(const Model& model, const std::string&
     std::vector<double> times = times_[name];
     const std::size_t number = times.size();
     times.push_back(model.clock.time);
-    const std::vector<std::string> paths{fmt::format("{}_blocks_{}.vtu", name, number),
-                                         fmt::format("{}_joints_{}.vtu", name, number), name + ".pvd",
-                                         name + "_joints.pvd"};
-    if (before_writing)
-        for (const auto& file : paths) before_writing(file);
-    write_whole_file(paths[0], vtk_blocks(model));
-    write_whole_file(paths[1], vtk_joints(model, history));
-    write_whole_file(paths[2], series_text(stem + "_blocks", times));
-    write_whole_file(paths[3], series_text(stem + "_joints", times));
+    struct File {
+        std::string path;
+        std::function<std::string()> content;
+    };
+    std::vector<File> files;
+    const auto add_grid = [&](const char* kind, auto&& content) { files.push_back({fmt::format("{}_{}_{}.vtu", name, kind, number), content}); };
+    const auto add_series = [&](const char* ending, const char* kind) {
+        files.push_back({name + ending, [&times, text = fmt::format("{}_{}", stem, kind)] { return series_text(text, times); }});
+    };
+    add_grid("blocks", [&] { return vtk_blocks(model); });
+    add_grid("faces", [&] { return vtk_faces(model); });
+    add_grid("joints", [&] { return vtk_joints(model, history); });
+    add_grid("subcontacts", [&] { return vtk_sub_contacts(model, history); });
+    add_series(".pvd", "blocks");
+    for (const char* kind : {"faces", "joints", "subcontacts"}) add_series(fmt::format("_{}.pvd", kind).c_str(), kind);
+    files.push_back({name + "_paraview.py", [&] { return paraview_script(stem); }});
+    std::vector<std::string> paths;
+    for (const auto& file : files) {
+        if (before_writing) before_writing(file.path);
+        paths.push_back(file.path);
+    }
+    for (const auto& file : files) write_whole_file(file.path, file.content());
     times_[name] = std::move(times);
     return paths;
 }

@@ -11,26 +11,32 @@
 
 namespace kaya {
 
-/// NAME_blocks_N.vtu as bytes: tetrahedra for zones, a polyhedron for each rigid block.
-/// Point data: displacement, velocity. Cell data: block_id, region, group, material, deformable, stress
-/// (XX YY ZZ XY YZ XZ, compression negative; 0 in rigid blocks). Field data: time, cycle, group_names.
+/// What joint models remember of each sub-contact, by the names of the models.
+using HistoryNames = std::map<std::string, std::vector<std::string>>;
+
+/// Files of unstructured grids as bytes. Arrays are the fields of model/field.hpp by their names, each with its kind of quantity where
+/// VTK keeps units (docs/results.md). Field data: time, cycle, and NAME_names for each array NAME of texts.
+/// NAME_blocks_N.vtu: tetrahedra for zones, a polyhedron for each rigid block. Point data: gridpoints. Cell data: zones (NaN, or -1 in
+/// whole numbers, for a rigid block), `stress` (XX YY ZZ XY YZ XZ, compression negative), and block_NAME of the block.
 std::string vtk_blocks(const Model& model);
 
-/// NAME_joints_N.vtu as bytes: a vertex for each sub-contact. Cell data: force_normal, force_shear (vector on
-/// block2), stress_normal, stress_shear (its size), disp_normal, disp_shear (vector), normal (from block1 to
-/// block2), area, state, joint_set, contact_id, subcontact_id, block1, block2, jmodel (index into the field
-/// data jmodel_names, -1 for none). Field data: time, cycle, jmodel_names.
-/// `history` names what each joint model remembers: an array jmodel_NAME for each variable, NaN where a model has none.
-using HistoryNames = std::map<std::string, std::vector<std::string>>;
+/// NAME_faces_N.vtu: the triangles of all faces. Point data: gridpoints. Cell data: faces, and block_NAME of the block.
+std::string vtk_faces(const Model& model);
+
+/// NAME_joints_N.vtu: polygons where two faces lie on each other. Point data and cell data: the nearest sub-contact, with jmodel_NAME for
+/// what its joint model remembers. Cell data also contact_NAME of the contact.
 std::string vtk_joints(const Model& model, const HistoryNames& history = {});
+
+/// NAME_subcontacts_N.vtu: a vertex for each sub-contact, of corners and edges too. Cell data as those of joints.
+std::string vtk_sub_contacts(const Model& model, const HistoryNames& history = {});
 
 /// The series of one run: each name counts its writes from 0.
 class VtkSeries {
 public:
-    /// Writes the two files of the next number and then both series, NAME.pvd (blocks) and
-    /// NAME_joints.pvd. An ending .vtu or .pvd in the name is left out. A name that an earlier run used is
-    /// begun anew: its files are replaced one after the other and its series lists those of this run.
-    /// Throws Diagnostic (Fault::run); files that were complete before stay so. Returns the four paths.
+    /// Writes the files of the next number, then the series NAME.pvd (blocks), NAME_faces.pvd, NAME_joints.pvd and
+    /// NAME_subcontacts.pvd, and NAME_paraview.py, which opens them in ParaView. An ending .vtu or .pvd in the name is left out. A name that an
+    /// earlier run used is begun anew: its files are replaced one after the other and its series list those of this run.
+    /// Throws Diagnostic (Fault::run); files that were complete before stay so. Returns the paths.
     std::vector<std::string> write(const Model& model, const std::string& name, const HistoryNames& history = {});
 
     std::function<void(const std::string&)> before_writing; ///< may refuse a file; asked before the first is written

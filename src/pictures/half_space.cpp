@@ -1,5 +1,7 @@
 #include "pictures/half_space.hpp"
 
+#include "geometry/kept_part.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -11,10 +13,11 @@ namespace {
 
 double height(const Corner& corner, const CutPlane& plane) { return (corner.place - plane.origin).dot(plane.normal); }
 
-Corner crossing(const Corner& a, const Corner& b, double height_a, double height_b) {
-    const double part = height_a / (height_a - height_b);
+Corner between(const Corner& a, const Corner& b, double part) {
     return {a.place + part * (b.place - a.place), static_cast<float>(a.value + part * (b.value - a.value))};
 }
+
+Corner crossing(const Corner& a, const Corner& b, double height_a, double height_b) { return between(a, b, height_a / (height_a - height_b)); }
 
 void push(Layer& layer, const Corner& corner) {
     for (int k = 0; k < 3; ++k) layer.points.push_back(static_cast<float>(corner.place[k]));
@@ -24,15 +27,7 @@ void push(Layer& layer, const Corner& corner) {
 } // namespace
 
 Polygon kept_part(const Polygon& polygon, const CutPlane& plane) {
-    Polygon kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Corner& a = polygon[i];
-        const Corner& b = polygon[(i + 1) % polygon.size()];
-        const double height_a = height(a, plane), height_b = height(b, plane);
-        if (height_a <= 0) kept.push_back(a);
-        if ((height_a < 0 && height_b > 0) || (height_a > 0 && height_b < 0)) kept.push_back(crossing(a, b, height_a, height_b));
-    }
-    return kept.size() < 3 ? Polygon{} : kept;
+    return kept_part(polygon, [&](const Corner& corner) { return height(corner, plane); }, between);
 }
 
 Polygon kept_line(const Corner& from, const Corner& to, const CutPlane& plane) {

@@ -29,9 +29,21 @@ std::string decks(const SaveExtras& extras) {
     return html.empty() ? "<p>None.</p>\n" : html;
 }
 
+/// The states before and that of the model.
+std::string states_json(const Model& model, const ReportOrder& order) {
+    std::string json = "[";
+    const auto add = [&json](const ReportState& state) {
+        json += fmt::format(R"({}{{"time":{},"cycle":{},"scene":{}}})", json.size() > 1 ? "," : "", state.time, state.cycle, state.scene);
+    };
+    for (const auto& state : order.before) add(state);
+    add(report_state(model, order.centre));
+    return json + "]";
+}
+
 constexpr const char* view = R"(<div id="view"><canvas id="blocks" tabindex="0" aria-label="the blocks; drag to turn, wheel to come nearer"></canvas>
 <svg id="axes" viewBox="0 0 90 90"></svg><div id="coarse"></div><div id="legend"></div><div id="picked" role="status"></div></div>
-<div id="controls"><label>colour <select id="field"></select></label>
+<div id="controls"><label id="states">state <input id="state" type="range" min="0" max="0" value="0"> <output id="state-value"></output></label>
+<label>colour <select id="field"></select></label>
 <label>displacements times <input id="factor" type="range" min="0" max="100" value="0"> <output id="factor-value">0</output></label>
 <label>cut across <select id="axis"><option>x</option><option>y</option><option>z</option></select>
 <input id="cut" type="range" min="0" max="1000" value="1000"></label>
@@ -55,7 +67,7 @@ std::string report_of(Model& model, const SaveExtras& extras, const ReportOrder&
     page += section("boundary", "Boundary conditions", boundary_table(model));
     page += section("energy", "Energy", energy_table(model));
     page += section("decks", "Decks", decks(extras));
-    page += fmt::format("<script type=\"application/json\" id=\"scene-data\">{}</script>\n<script type=\"application/json\" id=\"history-data\">{}</script>\n", scene_json(model),
+    page += fmt::format("<script type=\"application/json\" id=\"scene-data\">{}</script>\n<script type=\"application/json\" id=\"history-data\">{}</script>\n", states_json(model, order),
                         histories_json(model.histories));
     return page + "<script>\n'use strict';\n" + of_kind("js") + "</script>\n</body></html>\n";
 }

@@ -4,6 +4,7 @@
 #include "model/field.hpp"
 #include "model/measure.hpp"
 #include "report/packed.hpp"
+#include "report/report.hpp"
 
 #include <algorithm>
 #include <array>
@@ -116,11 +117,30 @@ std::string stress_json(const Model& model, const Surface& surface, const char* 
 
 } // namespace
 
-std::string scene_json(const Model& model) {
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const Vec3& place : model.gridpoints.position) low = low.cwiseMin(place), high = high.cwiseMax(place);
-    if (model.gridpoints.position.empty()) low = high = Vec3::Zero();
-    const Vec3 centre = 0.5 * (low + high); // a model far from the origin keeps its small places
+namespace {
+
+struct Box {
+    Vec3 low, high;
+};
+
+Box box_of(const Model& model) {
+    if (model.gridpoints.position.empty()) return {Vec3::Zero(), Vec3::Zero()};
+    Box box{Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(-std::numeric_limits<double>::infinity())};
+    for (const Vec3& place : model.gridpoints.position) box.low = box.low.cwiseMin(place), box.high = box.high.cwiseMax(place);
+    return box;
+}
+
+} // namespace
+
+Vec3 report_centre(const Model& model) {
+    const Box box = box_of(model);
+    return 0.5 * (box.low + box.high);
+}
+
+ReportState report_state(const Model& model, const Vec3& centre) { return {model.clock.time, model.clock.cycle, scene_json(model, centre)}; }
+
+std::string scene_json(const Model& model, const Vec3& centre) {
+    const Box box = box_of(model);
     Surface surface;
     std::vector<Row> blocks;
     for (Row block = 0; block < static_cast<Row>(model.blocks.size()); ++block)
@@ -136,7 +156,7 @@ std::string scene_json(const Model& model) {
     }
     for (const char* name : {"group", "material", "region", "id", "volume", "type"})
         if (const Field* field = find_field(FieldTable::block, name)) fields.push_back(field_json(model, *field, "block", blocks));
-    return fmt::format(R"({{"centre":[{},{},{}],"size":{},{},{},{},{},{},{},{},{},"fields":[{}]}})", centre.x(), centre.y(), centre.z(), (high - low).norm(),
+    return fmt::format(R"({{"centre":[{},{},{}],"size":{},{},{},{},{},{},{},{},{},"fields":[{}]}})", centre.x(), centre.y(), centre.z(), (box.high - box.low).norm(),
                        column("numbers", surface.numbers), column("corners", surface.corners), column("triangles", surface.triangles), column("lines", surface.lines),
                        column("places", surface.places), column("displacements", surface.displacements), column("triangleCorners", surface.triangle_corners),
                        column("lineCorners", surface.line_corners), fmt::join(fields, ","));

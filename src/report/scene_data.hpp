@@ -8,7 +8,7 @@
 namespace kaya {
 
 /// A JSON object: blocks with their numbers, corners, triangles and edges, and the fields of blocks and corners with their units.
-std::string scene_json(const Model& model);
+std::string scene_json(const Model& model, const Vec3& centre);
 
 /// Histories with their times, as a JSON list.
 std::string histories_json(const Histories& histories);

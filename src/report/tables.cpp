@@ -57,7 +57,7 @@ double shape_of(const Model& model, Row zone) {
 std::string run_table(Model& model, const SaveExtras& extras, const ReportOrder& order) {
     std::string decks;
     for (const auto& deck : extras.decks) decks += (decks.empty() ? "" : ", ") + deck.name;
-    Pairs pairs{{"saved model", order.file}, {"written by", "kaya " + extras.program_version}, {"report by", "kaya " + order.version}, {"decks", decks}};
+    Pairs pairs{{order.source, order.file}, {"written by", "kaya " + extras.program_version}, {"report by", "kaya " + order.version}, {"decks", decks}};
     if (!extras.title.empty()) pairs.insert(pairs.begin(), {"title", extras.title});
     const auto& clock = model.clock;
     pairs.insert(pairs.end(), {{"cycles", fmt::format("{}", clock.cycle)},

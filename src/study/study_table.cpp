@@ -1,5 +1,6 @@
 #include "study/study_table.hpp"
 
+#include "io/csv.hpp"
 #include "io/hdf5_tree.hpp"
 
 #include <algorithm>
@@ -35,13 +36,6 @@ std::vector<Column> columns_of(const std::vector<Case>& cases, const std::vector
     return columns;
 }
 
-std::string quoted(const std::string& cell) {
-    if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
-    std::string text(1, '"');
-    for (const char c : cell) text.append(c == '"' ? 2 : 1, c);
-    return text + '"';
-}
-
 /// Numbers as a column of numbers, anything else as lines.
 void write_values(TreeWriter& tree, const std::string& name, const std::vector<StudyValue>& values) {
     const bool texts = std::ranges::any_of(values, [](const StudyValue& v) { return std::holds_alternative<std::string>(v); });
@@ -73,11 +67,11 @@ std::string csv_of(const std::vector<Case>& cases, const std::vector<Outcome>& o
     const auto columns = columns_of(cases, outcomes, asked);
     std::string text;
     std::vector<std::string> cells;
-    for (const auto& column : columns) cells.push_back(quoted(column.name));
+    for (const auto& column : columns) cells.push_back(csv_cell(column.name));
     text += fmt::format("{}\n", fmt::join(cells, ","));
     for (std::size_t i = 0; i < cases.size(); ++i) {
         cells.clear();
-        for (const auto& column : columns) cells.push_back(quoted(column.text(i)));
+        for (const auto& column : columns) cells.push_back(csv_cell(column.text(i)));
         text += fmt::format("{}\n", fmt::join(cells, ","));
     }
     return text;

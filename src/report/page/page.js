@@ -1,10 +1,28 @@
-// Puts the page together. A view can be linked to: report.html#colour=group&factor=10&axis=x&cut=500&pick=300,200
-async function readScene() {
-    const scene = readJson('scene-data');
+// Puts the page together. A view can be linked to: report.html#colour=group&factor=10&axis=x&cut=500&state=3&pick=300,200
+async function unpackScene(scene) {
     for (const [name, Type] of [['numbers', Uint32Array], ['corners', Uint32Array], ['triangles', Uint32Array], ['lines', Uint32Array], ['places', Float32Array],
         ['displacements', Float32Array], ['triangleCorners', Uint32Array], ['lineCorners', Uint32Array]]) scene[name] = await unpack(scene[name], Type);
     for (const field of scene.fields) field.values = await unpack(field.values, Float32Array);
-    return scene;
+}
+
+// The states that the model went through; the last one is that of the tables.
+async function readStates() {
+    const states = readJson('scene-data');
+    for (const state of states) await unpackScene(state.scene);
+    return states;
+}
+
+// The same colour is the same value in all states.
+function endsOf(states, field) {
+    const ends = [Infinity, -Infinity];
+    for (const state of states)
+        for (const same of state.scene.fields)
+            if (same.name === field.name && same.values.length > 0) {
+                const [low, high] = range(same.values);
+                ends[0] = Math.min(ends[0], low);
+                ends[1] = Math.max(ends[1], high);
+            }
+    return ends;
 }
 
 function showLegend(field, ends) {
@@ -60,12 +78,21 @@ function showAxes(axes, coarse) {
     document.getElementById('coarse').textContent = coarse ? 'coarser and without edges while it turns' : '';
 }
 
-function connect(scene, view) {
+function connect(states, view) {
+    let scene = states.at(-1).scene;
     view.onrender = showAxes;
     const get = id => document.getElementById(id);
-    const axis = get('axis'), cut = get('cut'), factor = get('factor'), field = get('field');
+    const axis = get('axis'), cut = get('cut'), factor = get('factor'), field = get('field'), state = get('state');
     scene.fields.forEach((f, i) => field.append(new Option(f.name, i)));
-    field.oninput = () => { const f = scene.fields[field.value]; view.colour(f); showLegend(f, view.ends); };
+    const fields = scene.fields;
+    field.oninput = () => {
+        const wanted = fields[field.value], none = { ...wanted, of: 'block', values: new Float32Array(scene.numbers.length).fill(NaN) };
+        let f = scene.fields.find(f => f.name === wanted.name) || none;
+        // Names are counted as in the last state: the same colour is the same name.
+        if (f.names.length > 0) f = { ...f, names: wanted.names, values: f.values.map(v => wanted.names.indexOf(f.names[v])) };
+        view.colour(f, endsOf(states, wanted));
+        showLegend(f, view.ends);
+    };
     // To the hundredfold in equal steps of the eye.
     factor.oninput = () => {
         const times = factor.value === '0' ? 0 : 10 ** (factor.value / 25 - 1);
@@ -84,6 +111,21 @@ function connect(scene, view) {
     };
     axis.oninput = setCut;
     cut.oninput = setCut;
+    // A block that was picked stays picked.
+    const setState = () => {
+        const picked = view.state.picked < 0 ? -1 : scene.numbers[view.state.picked], now = states[state.value];
+        scene = now.scene;
+        view.show(scene);
+        view.state.picked = picked < 0 ? -1 : scene.numbers.indexOf(picked);
+        get('state-value').textContent = `cycle ${now.cycle}, time ${short(now.time)}`;
+        showPicked(scene, view.state.picked);
+        setCut();
+        field.oninput();
+    };
+    state.max = states.length - 1;
+    state.value = states.length - 1;
+    if (states.length < 2) get('states').style.display = 'none';
+    state.oninput = setState;
     get('edges').onchange = e => { view.state.edges = e.target.checked; view.draw(); };
     get('reset').onclick = () => { view.reset(); view.draw(); };
     view.onpick = block => showPicked(scene, block);
@@ -93,9 +135,9 @@ function connect(scene, view) {
     if (asked.has('factor')) factor.value = asked.get('factor');
     if (asked.has('axis')) axis.value = asked.get('axis');
     if (asked.has('cut')) cut.value = asked.get('cut');
+    if (asked.has('state')) state.value = asked.get('state');
     factor.oninput();
-    setCut();
-    field.oninput();
+    setState();
     if (asked.has('pick')) {
         const [x, y] = asked.get('pick').split(',').map(Number);
         showPicked(scene, view.pick(x, y));
@@ -105,11 +147,11 @@ function connect(scene, view) {
 async function start() {
     for (const history of readJson('history-data'))
         new CurveView(document.getElementById('curves'), history.title, await unpack(history.times, Float64Array), await unpack(history.values, Float64Array));
-    const scene = await readScene();
+    const states = await readStates(), scene = states.at(-1).scene;
     if (scene.numbers.length === 0) { document.getElementById('view').remove(); document.getElementById('controls').remove(); return; }
     try {
         const view = new BlockView(document.getElementById('blocks'), scene);
-        connect(scene, view);
+        connect(states, view);
         view.render(false);
     } catch (problem) {
         document.getElementById('picked').style.display = 'block';

@@ -8,7 +8,7 @@ class BlockView {
         this.colours = null;
         this.state = { factor: 0, cut: [0, 0, 0, 1], edges: true, picked: -1 };
         this.reset();
-        this.fill();
+        this.show(scene);
         this.listen();
         this.frame = this.time();
     }
@@ -37,7 +37,17 @@ class BlockView {
         const gl = this.gl, made = gl.createBuffer();
         gl.bindBuffer(target, made);
         gl.bufferData(target, data, gl.STATIC_DRAW);
+        this.buffers.push(made);
         return made;
+    }
+    // Another state of the model.
+    show(scene) {
+        const gl = this.gl;
+        if (this.array) gl.deleteVertexArray(this.array);
+        for (const old of this.buffers || []) gl.deleteBuffer(old);
+        this.buffers = [];
+        this.scene = scene;
+        this.fill();
     }
     // Indices count within a block in the file; here over all of them.
     fill() {
@@ -67,12 +77,13 @@ class BlockView {
         this.faceBuffer = this.buffer(gl.ELEMENT_ARRAY_BUFFER, faces);
         this.lineBuffer = this.buffer(gl.ELEMENT_ARRAY_BUFFER, lines);
     }
-    colour(field) {
+    // `ends` belong to all states.
+    colour(field, ends) {
         const gl = this.gl, values = field.of === 'corner' ? field.values : Float32Array.from(this.owner, b => field.values[b]);
         gl.bindBuffer(gl.ARRAY_BUFFER, this.values);
         gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
         this.field = field;
-        this.ends = range(field.values);
+        this.ends = ends;
         this.draw();
     }
     reset() {

@@ -1,0 +1,81 @@
+#include "app/run_report.hpp"
+
+#include "commands/save_session.hpp"
+#include "io/whole_file.hpp"
+#include "joints/joint_model.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace kaya {
+
+namespace {
+
+constexpr std::size_t most_states = 24, most_bytes = 6'000'000; ///< a page of less than 10 MB opens at once
+
+std::size_t bytes_of(const std::vector<ReportState>& states) {
+    return std::accumulate(states.begin(), states.end(), std::size_t{0}, [](std::size_t sum, const ReportState& state) { return sum + state.scene.size(); });
+}
+
+/// Every second one goes; the first stays.
+void thin(std::vector<ReportState>& states) {
+    std::vector<ReportState> kept;
+    for (std::size_t i = 0; i < states.size(); i += 2) kept.push_back(std::move(states[i]));
+    states = std::move(kept);
+}
+
+} // namespace
+
+std::function<std::vector<std::string>(const std::string&)> property_names_of(JointRegistry& joints) {
+    return [&joints](const std::string& name) {
+        std::vector<std::string> names;
+        if (name.find_first_of("/.") != std::string::npos) return names;
+        try {
+            for (const auto& property : joints.get(name).properties) names.push_back(property.name);
+        } catch (const Diagnostic&) { // its values are shown without their names
+        }
+        return names;
+    };
+}
+
+RunReport::RunReport(Session& session) : session_(session) {
+    session_.cycled = [this] { look(); };
+}
+
+RunReport::~RunReport() { session_.cycled = nullptr; }
+
+// By cycles and not by seconds: the same run gives the same page.
+void RunReport::look() {
+    if (!session_.report) return;
+    const Model& model = session_.model;
+    const std::int64_t cycle = model.clock.cycle;
+    if (!states_.empty() && cycle <= states_.back().cycle) states_.clear(); // another model, or this one from before
+    if (states_.empty()) centre_ = report_centre(model), interval_ = first_interval;
+    else if (cycle - states_.back().cycle < interval_) return;
+    states_.push_back(report_state(model, centre_));
+    while (states_.size() > 1 && (states_.size() > most_states || bytes_of(states_) > most_bytes)) {
+        thin(states_);
+        interval_ *= 2;
+    }
+}
+
+void RunReport::write() {
+    if (!session_.report) return;
+    Model& model = session_.model;
+    ReportOrder order;
+    order.source = "run";
+    order.file = std::filesystem::path(session_.deck).filename().string();
+    order.version = program_version();
+    order.property_names = property_names_of(session_.joints);
+    if (!states_.empty() && states_.back().cycle > model.clock.cycle) states_.clear();
+    if (!states_.empty() && states_.back().cycle == model.clock.cycle) states_.pop_back(); // it comes last by itself
+    order.centre = states_.empty() ? report_centre(model) : centre_;
+    order.before = std::move(states_);
+    states_.clear();
+    const std::string name = session_.run_name() + ".html";
+    write_whole_file(session_.output_file(name), report_of(model, session_extras(session_), order));
+    session_.output.say(fmt::format("report: {}", name));
+}
+
+} // namespace kaya

@@ -1,0 +1,15 @@
+// Tables as comma-separated values.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace kaya {
+
+/// One cell. RFC 4180: quotes around what has a separator in it, and quotes doubled.
+std::string csv_cell(std::string_view text);
+
+/// A number with the fewest digits that give back the same bits; an empty cell for NaN.
+std::string csv_cell(double number);
+
+} // namespace kaya

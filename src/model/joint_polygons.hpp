@@ -1,0 +1,17 @@
+// Joints as surfaces: where two faces lie on each other.
+#pragma once
+
+#include "model/model.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+/// The common part of the two faces of a contact, seen along its normal, as convex polygons on the first face; none where corners or
+/// edges touch.
+std::vector<std::vector<Vec3>> joint_polygons(const Model& model, Row contact);
+
+/// The sub-contact of a contact that is nearest to a place. The contact must have one.
+Row nearest_sub_contact(const Model& model, Row contact, const Vec3& place);
+
+} // namespace kaya
