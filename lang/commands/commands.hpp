@@ -320,7 +320,7 @@ struct List {
     enum class Part { all, blocks, joints } part = Part::all; ///< list prop mat | jmat
     RangePhrase range;
 };
-struct Ignored { std::string word; }; ///< movie, label, ...: read to its end
+struct Ignored { std::string word; }; ///< label, ...: read to its end
 /// plot: hundreds of forms, looked at when it runs, so that no word of it stops a deck.
 struct Plot {
     struct Item {
@@ -329,6 +329,12 @@ struct Plot {
     };
     std::vector<Item> words;
     std::string range; ///< from the word `range` on, "" without one
+    Place place;
+};
+
+struct Movie {
+    std::vector<Plot::Item> words;
+    std::string text; ///< as it was typed
     Place place;
 };
 

@@ -180,23 +180,43 @@ CommandSpec ignored(const char* word, const char* help) {
     return entry;
 }
 
+/// The words of a line from the second on, as they stand; up to `range`, whose phrase is left in `range`.
+std::vector<Plot::Item> plot_words(const Statement& statement, std::string* range) {
+    std::vector<Plot::Item> words;
+    for (std::size_t i = 1; i < statement.words.size(); ++i) {
+        const Word& word = statement.words[i];
+        if (range != nullptr && word.kind == WordKind::word && word.folded == "range") {
+            *range = statement.raw(i);
+            break;
+        }
+        words.push_back({word.text, word.folded, word.kind == WordKind::text || word.kind == WordKind::open, word.late()});
+    }
+    return words;
+}
+
+CommandSpec movie() {
+    Entry<Movie> entry({"movie"});
+    entry.help("makes a picture of the current plot every so many cycles, the frames of a film");
+    entry.raw(&Movie::text).start([](const Statement& statement, Movie& command) {
+        command.place = statement.words.front().place;
+        command.words = plot_words(statement, nullptr);
+    });
+    entry.right("movie on file a.avi").right("movie on interval 200 file slide").right("movie off");
+    return entry;
+}
+
 CommandSpec plot() {
     Entry<Plot> entry({"plot"});
     entry.help("makes pictures of the model, of histories and of tables");
     entry.raw(&Plot::range).start([](const Statement& statement, Plot& command) {
         command.range.clear();
         command.place = statement.words.front().place;
-        for (std::size_t i = 1; i < statement.words.size(); ++i) {
-            const Word& word = statement.words[i];
-            if (word.kind == WordKind::word && word.folded == "range") {
-                command.range = statement.raw(i);
-                return;
-            }
-            command.words.push_back({word.text, word.folded, word.kind == WordKind::text || word.kind == WordKind::open, word.late()});
-        }
+        command.words = plot_words(statement, &command.range);
     });
     entry.right("pl block").right("plot hist 1 vs 2 &\n  hold").right("plot set dip 10 dd 'open");
     entry.right("plot block disp cut origin 0 0 0 normal 1 0 0 file cut.png").right("plot joint slip size 1600 1200");
+    entry.right("plot principal cut dip 90 dd 0").right("plot iso sig1 -1e6 -2e6 block").right("plot stereonet");
+    entry.right("plot block disp interval 200 file slide");
     entry.right("plot create view wall").right("plot add block group").right("plot export wall.png");
     return entry;
 }
@@ -204,8 +224,6 @@ CommandSpec plot() {
 } // namespace
 
 Family output() {
-    CommandSpec movie = ignored("movie", "read to its end, without effect");
-    movie.right = {{"movie on file a.avi", {}}};
     CommandSpec update = ignored("update", "read to its end, without effect: the cycle looks after itself");
     update.right = {{"update", {}}};
     CommandSpec label = ignored("label", "read to its end, without effect");
@@ -223,7 +241,7 @@ Family output() {
                     .wrong("vtk", "a word is missing after 'vtk'")
                     .wrong("vtk write", "a word is missing after 'write'")
                     .wrong("vtk wirte a", "'wirte' is not a kind of vtk"),
-                std::move(movie),
+                movie(),
                 std::move(label),
                 std::move(update),
             }};

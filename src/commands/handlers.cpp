@@ -93,6 +93,7 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::VtkWrite>(session, handlers, InCycle::waits);
     add<lang::List>(session, handlers, InCycle::runs);
     add<lang::Plot>(session, handlers, InCycle::runs);
+    add<lang::Movie>(session, handlers, InCycle::runs);
     add<lang::Ignored>(session, handlers, InCycle::runs);
 
     add<lang::CycleCommand>(session, handlers, InCycle::refused);

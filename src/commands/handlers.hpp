@@ -98,6 +98,7 @@ void run(Session&, const lang::Ignored&);
 
 // plot.cpp
 void run(Session&, const lang::Plot&);
+void run(Session&, const lang::Movie&);
 
 // solution.cpp
 void run(Session&, const lang::CycleCommand&);

@@ -62,7 +62,12 @@ void add_item(Session& session, Scene& scene, const PlotItem& item, bool edges_o
     const Shown shown = shown_by(session, item);
     if (shown.blocks.empty()) throw Diagnostic("there are no blocks to draw", "make blocks, show them with 'seek', or use another range");
     if (item.kind != PlotItem::Kind::blocks) {
-        if (item.kind == PlotItem::Kind::arrows) add_arrows(scene, model, shown, item.field == "velocity", item.scale);
+        const bool of_zones = item.kind == PlotItem::Kind::crosses || item.kind == PlotItem::Kind::iso_surfaces;
+        if (of_zones && std::ranges::none_of(shown.blocks, [&](Row b) { return model.blocks.zones[b].count > 0; }))
+            throw Diagnostic("stress is in zones, and no block has any", "'gen edge' makes zones");
+        if (item.kind == PlotItem::Kind::crosses) add_crosses(scene, model, shown, item.scale);
+        else if (item.kind == PlotItem::Kind::iso_surfaces) add_iso_surfaces(scene, model, shown, *find_colour_field(item.field.empty() ? "disp" : item.field), item.levels);
+        else if (item.kind == PlotItem::Kind::arrows) add_arrows(scene, model, shown, item.field == "velocity", item.scale);
         else if (model.contacts.size() == 0) throw Diagnostic("there are no joints to draw yet", "contacts are found by 'cycle 0'");
         else add_joints(scene, model, shown, joint_field(session, item.field));
         if (edges_only) return; // an item of its own shows the blocks
@@ -83,10 +88,11 @@ Scene scene_of(Session& session, const PlotView& view) {
     if (scene.title.empty()) scene.title = !session.title.empty() ? session.title : fs::path(session.deck).stem().string();
     scene.note = fmt::format("cycle {}, time {:.4g}", session.model.clock.cycle, session.model.clock.time);
     const auto has = [&](PlotItem::Kind kind) { return std::ranges::find(view.items, kind, &PlotItem::kind) != view.items.end(); };
-    const bool blocks = has(PlotItem::Kind::blocks), inside = has(PlotItem::Kind::joints) || has(PlotItem::Kind::arrows);
+    using enum PlotItem::Kind;
+    const bool outside = has(blocks), inside = has(joints) || has(arrows) || has(crosses) || has(iso_surfaces);
     for (const PlotItem& item : view.items) {
         if (item.deformed != 1) scene.note += fmt::format(", displacements {:g} times as large", item.deformed);
-        add_item(session, scene, item, inside && blocks);
+        add_item(session, scene, item, inside && outside);
     }
     return scene;
 }
@@ -126,7 +132,20 @@ void add_histories(const Histories& histories, const PlotItem& item, Chart& char
     chart.x_label = versus != nullptr ? axis_name(*versus) : "time [time]";
 }
 
+Chart net_of(Session& session, const PlotView& view, const PlotItem& item) {
+    Chart chart = joint_net(session.model, shown_by(session, item), item.field == "slip");
+    if (chart.curves.empty())
+        throw Diagnostic(item.field == "slip" ? "no joint has slipped" : "there are no joints to draw yet", item.field == "slip" ? "" : "contacts are found by 'cycle 0'");
+    chart.width = view.settings.width, chart.height = view.settings.height;
+    if (!view.settings.title.empty()) chart.title = view.settings.title;
+    return chart;
+}
+
 Chart chart_of(Session& session, const PlotView& view) {
+    if (const auto net = std::ranges::find(view.items, PlotItem::Kind::net, &PlotItem::kind); net != view.items.end()) {
+        if (view.items.size() > 1) throw Diagnostic("a net is a picture of its own", "write a second plot line for the rest");
+        return net_of(session, view, *net);
+    }
     Chart chart;
     chart.width = view.settings.width;
     chart.height = view.settings.height;
@@ -166,6 +185,8 @@ std::string picture_of(Session& session, const PlotView& view, const std::string
     return session.painter->png(chart ? Drawing(chart_of(session, view)) : Drawing(scene_of(session, view)));
 }
 
+bool has_curves(const PlotView& view) { return !view.items.empty() && view.items.front().kind >= PlotItem::Kind::histories; }
+
 /// Pictures are PNG files, curves also SVG: another suffix of an old deck becomes .png.
 std::string picture_name(Session& session, const PlotLine& line, bool curves) {
     fs::path path(line.file);
@@ -181,22 +202,31 @@ std::string picture_name(Session& session, const PlotLine& line, bool curves) {
     return path.string() + ".png";
 }
 
+/// One picture, or the first of many.
 void write_picture(Session& session, const PlotView& view, const PlotLine& line) {
-    const bool curves = !view.items.empty() && view.items.front().kind >= PlotItem::Kind::histories;
-    const std::string file = picture_name(session, line, curves);
+    const std::string file = picture_name(session, line, has_curves(view));
+    if (line.interval == 0) {
+        if (write_view(session, view, file)) session.output.say(fmt::format("picture: {}", file));
+        return;
+    }
+    session.plots.movies.push_back({view, fs::path(file).replace_extension().string(), line.interval, session.model.clock.cycle, 0});
+}
+
+} // namespace
+
+bool write_view(Session& session, const PlotView& view, const std::string& file) {
     std::string bytes;
     try {
         bytes = picture_of(session, view, fs::path(file).extension().string());
     } catch (const Diagnostic& problem) {
         session.stop_if_interrupted();
         // A picture is no reason to end a run.
-        return session.note_once(fmt::format("no picture: {}", problem.message), problem.hint);
+        session.note_once(fmt::format("no picture: {}", problem.message), problem.hint);
+        return false;
     }
     write_whole_file(session.output_file(file), bytes);
-    session.output.say(fmt::format("picture: {}", file));
+    return true;
 }
-
-} // namespace
 
 void run(Session& session, const lang::Plot& command) {
     auto words = command.words;

@@ -104,6 +104,10 @@ private:
             return true;
         }
         if (take({"axes", "axis"})) return scene.axes = !take({"off"}), take({"on"}), true;
+        if (take({"interval", "every"})) {
+            if (take_number(value)) line_.interval = std::max(1LL, std::llround(value));
+            return true;
+        }
         if (take({"file", "filename"})) return line_.file = take_text(), true;
         if (line_.task == PlotLine::Task::write && take({"plot", "view"})) return line_.name = take_text(), true;
         return false;
@@ -118,6 +122,21 @@ private:
             take({"of"});
             item().field = take({"velocity", "vel"}) ? "velocity" : "displacement";
             take({"displacement", "disp"});
+            return true;
+        }
+        if (take({"principal", "tensor", "crosses", "cross"})) return take({"stress"}), begin(crosses);
+        if (take({"iso", "isosurface", "iso-surface"})) {
+            begin(iso_surfaces);
+            take({"of"});
+            if (at_ < words_.size() && find_colour_field(words_[at_].folded)) item().field = words_[at_++].folded;
+            take({"level", "levels", "value", "values", "at"});
+            for (double level = 0; take_number(level);) item().levels.push_back(level);
+            return true;
+        }
+        if (take({"stereonet", "net", "schmidt"})) {
+            begin(net);
+            if (take({"slip"})) item().field = "slip";
+            else take({"poles", "joint", "joints"});
             return true;
         }
         if (const bool history = take({"hist", "history", "his"}); history || take({"table", "tab"})) {

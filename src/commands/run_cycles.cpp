@@ -4,6 +4,7 @@
 
 #include "commands/handlers.hpp"
 #include "commands/materials.hpp"
+#include "commands/plot_views.hpp"
 #include "commands/progress.hpp"
 #include "commands/tables.hpp"
 #include "mechanics/take_over.hpp"
@@ -47,6 +48,7 @@ void advance(Session& session) {
             session.cycle->advance();
         }
         run_deferred(session);
+        shoot_movies(session);
         if (session.cycled) session.cycled();
     } catch (Diagnostic& failure) {
         session.rescue.step_failed(number, failure.message);

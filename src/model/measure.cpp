@@ -93,6 +93,11 @@ Vec3 principal_stresses(const Model& model, Row zone) {
     return solver.eigenvalues(); // ascending: compression is negative
 }
 
+std::pair<Vec3, Mat3> principal_axes(const Model& model, Row zone) {
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(matrix_of(model.zones.stress[zone]));
+    return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
 Vec3 gridpoint_velocity(const Model& model, Row gridpoint) {
     const auto& blocks = model.blocks;
     const Row b = model.gridpoints.block[gridpoint];

@@ -22,6 +22,8 @@ Vec3 zone_centroid(const Model& model, Row zone);
 
 /// Principal stresses of a zone, the most compressive (most negative) first.
 Vec3 principal_stresses(const Model& model, Row zone);
+/// The same with their directions: unit vectors, the columns.
+std::pair<Vec3, Mat3> principal_axes(const Model& model, Row zone);
 
 /// Of a deformable block's gridpoint its column; the vertex of a rigid block goes with the block.
 Vec3 gridpoint_velocity(const Model& model, Row gridpoint);

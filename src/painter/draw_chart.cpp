@@ -15,6 +15,7 @@
 #include <vtkNew.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
+#include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkStringArray.h>
@@ -64,11 +65,42 @@ void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t index, float w
     vtkNew<vtkTable> table;
     table->AddColumn(x);
     table->AddColumn(y);
-    vtkPlot* plot = chart->AddPlot(vtkChart::LINE);
+    vtkPlot* plot = chart->AddPlot(curve.marks ? vtkChart::POINTS : vtkChart::LINE);
     plot->SetInputData(table, 0, 1);
+    if (auto* points = vtkPlotPoints::SafeDownCast(plot); points != nullptr && curve.marks) { // lines are points, too
+        points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+        points->SetMarkerSize(4 * width);
+    }
     const Colour c = named_colour(order[index % std::size(order)]);
     plot->GetPen()->SetColorF(c[0], c[1], c[2]);
     plot->SetWidth(width);
+    if (curve.name.empty()) plot->LegendVisibilityOff();
+}
+
+/// The circle of a net, with two of its winds on the axes: VTK shows no others.
+void add_net(vtkChartXY* chart, int font) {
+    Curve circle;
+    for (int k = 0; k <= 180; ++k) {
+        const double angle = k * std::numbers::pi / 90;
+        circle.x.push_back(std::sin(angle)), circle.y.push_back(std::cos(angle));
+    }
+    add_curve(chart, circle, 0, static_cast<float>(font / 10.0));
+    chart->GetPlot(0)->GetPen()->SetColor(68, 68, 68, 255);
+    const std::pair<int, const char*> winds[] = {{vtkAxis::BOTTOM, "S"}, {vtkAxis::LEFT, "W"}};
+    for (const auto& [place, name] : winds) {
+        vtkAxis* axis = chart->GetAxis(place);
+        vtkNew<vtkDoubleArray> places;
+        vtkNew<vtkStringArray> labels;
+        places->InsertNextValue(0);
+        labels->InsertNextValue(name);
+        axis->SetBehavior(vtkAxis::FIXED);
+        axis->SetRange(-1.03, 1.03);
+        axis->SetCustomTickPositions(places, labels);
+        axis->SetTitle("");
+        axis->GetLabelProperties()->SetFontSize(font);
+        axis->GetPen()->SetColor(255, 255, 255, 255);
+        axis->GetGridPen()->SetColor(225, 225, 225, 255);
+    }
 }
 
 } // namespace
@@ -85,14 +117,22 @@ std::string png_of(const Chart& given) {
     vtkNew<vtkChartXY> chart;
     view->GetScene()->AddItem(chart);
     chart->SetAutoSize(false); // a margin on all sides
-    chart->SetSize(vtkRectf(static_cast<float>(font), static_cast<float>(font), static_cast<float>(width - 3 * font), static_cast<float>(height - 2 * font)));
+    // A net is as wide as high.
+    if (given.net) {
+        const auto side = static_cast<float>(std::min(width - 8 * font, height - 8 * font));
+        chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
+        chart->SetSize(vtkRectf((static_cast<float>(width) - side) / 2, static_cast<float>(3.5 * font), side, side));
+    } else chart->SetSize(vtkRectf(static_cast<float>(font), static_cast<float>(font), static_cast<float>(width - 3 * font), static_cast<float>(height - 2 * font)));
     chart->SetTitle(given.title);
     chart->GetTitleProperties()->SetFontSize(static_cast<int>(1.3 * font));
-    // The empty line keeps the name away from the numbers.
-    set_axis(chart->GetAxis(vtkAxis::BOTTOM), "\n" + given.x_label, given.curves, &Curve::x, 7, font);
-    set_axis(chart->GetAxis(vtkAxis::LEFT), given.y_label, given.curves, &Curve::y, 6, font);
+    if (given.net) add_net(chart, font);
+    else {
+        // The empty line keeps the name away from the numbers.
+        set_axis(chart->GetAxis(vtkAxis::BOTTOM), "\n" + given.x_label, given.curves, &Curve::x, 7, font);
+        set_axis(chart->GetAxis(vtkAxis::LEFT), given.y_label, given.curves, &Curve::y, 6, font);
+    }
     for (std::size_t i = 0; i < given.curves.size(); ++i) add_curve(chart, given.curves[i], i, static_cast<float>(font / 6.0));
-    chart->SetShowLegend(given.curves.size() > 1);
+    chart->SetShowLegend(given.curves.size() > 1 || given.net);
     chart->GetLegend()->SetLabelSize(font);
     chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
     return png_of(view->GetRenderWindow(), finer);

@@ -5,6 +5,7 @@
 #include "model/selection.hpp"
 #include "scene/scene.hpp"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -42,5 +43,15 @@ void add_blocks(Scene& scene, const Model& model, const Shown& shown, const std:
 void add_joints(Scene& scene, const Model& model, const Shown& shown, const ColourField& field);
 /// Vectors of gridpoints (of rigid blocks: of blocks). `scale` 0: the longest is a twelfth of the model.
 void add_arrows(Scene& scene, const Model& model, const Shown& shown, bool velocity, double scale);
+
+/// The principal stresses of zones as crosses: a line along each, as long as the stress is large. `scale` 0: the longest is about as long as a zone.
+void add_crosses(Scene& scene, const Model& model, const Shown& shown, double scale);
+/// Surfaces in zones on which a quantity has a value. Of zones and blocks it is averaged to their gridpoints first, by volume.
+void add_iso_surfaces(Scene& scene, const Model& model, const Shown& shown, const ColourField& field, const std::vector<double>& levels);
+
+/// Directions in the lower hemisphere, by equal areas: x to the east, y to the north, in a circle of radius 1.
+std::array<double, 2> on_net(const Vec3& direction);
+/// Poles of the joints by their sets, or the directions in which joints have slipped. Only joints between the blocks shown.
+Chart joint_net(const Model& model, const Shown& shown, bool slip);
 
 } // namespace kaya

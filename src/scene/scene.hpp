@@ -50,17 +50,19 @@ struct Scene {
 };
 
 struct Curve {
-    std::string name;
+    std::string name; ///< none: not in the legend
     std::vector<double> x, y;
-    template <class Visit> void parts(Visit&& visit) { visit(name), visit(x), visit(y); }
+    bool marks = false; ///< points and no line
+    template <class Visit> void parts(Visit&& visit) { visit(name), visit(x), visit(y), visit(marks); }
 };
 
 struct Chart {
     std::string title, x_label, y_label;
     std::int32_t width = 1200, height = 800;
     std::vector<Curve> curves;
+    bool net = false; ///< of directions, seen from above: a circle of radius 1 about 0 with its four winds, and no axes
     template <class Visit> void parts(Visit&& visit) {
-        visit(title), visit(x_label), visit(y_label), visit(width), visit(height), visit(curves);
+        visit(title), visit(x_label), visit(y_label), visit(width), visit(height), visit(curves), visit(net);
     }
 };
 

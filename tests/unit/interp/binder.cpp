@@ -144,7 +144,7 @@ TEST(Binder, LinesTakenAsTheyStand) {
     EXPECT_EQ(bound_as<Title>("title Don't (stop) ; really").text, "Don't (stop)");
     EXPECT_EQ(bound_as<Title>("title 'quoted; text'").text, "quoted; text");
     EXPECT_EQ(bound_as<Title>("TITLE").text, "");
-    EXPECT_EQ(bound_as<Ignored>("mov hist 1 vs 'x &\n more").word, "movie");
+    EXPECT_EQ(bound_as<Movie>("mov hist 1 vs 'x &\n more").words.size(), 4U);
     EXPECT_EQ(bound_as<Plot>("pl hist 1 vs 'x &\n more").words.size(), 4u);
     const auto plotted = bound_as<Plot>("pl block Group range z 0 1 group 'a b'");
     ASSERT_EQ(plotted.words.size(), 2u);

@@ -71,6 +71,15 @@ TEST(Colours, LightnessOfTheSequentialMapRises) {
     }
 }
 
+TEST(SvgChart, ANetIsACircleWithItsWindsAndPoints) {
+    Chart chart{"poles", "", "", 800, 600, {{"set 1", {0, 0.5}, {0, -0.5}, true}}, true};
+    const std::string svg = svg_of(chart);
+    for (const char* wind : {">N<", ">E<", ">S<", ">W<"}) EXPECT_THAT(svg, HasSubstr(wind));
+    std::size_t circles = 0;
+    for (std::size_t at = 0; (at = svg.find("<circle", at)) != std::string::npos; ++at) ++circles;
+    EXPECT_EQ(circles, 4U); // the net, two points, one in the legend
+}
+
 TEST(SvgChart, DrawsCurvesWithGapsAndEscapesWords) {
     const double gap = std::nan("");
     const std::string svg = svg_of({"a < b & c", "time", "force", 700, 500, {{"one", {0, 1, 2, 3, 4}, {0, 1, gap, 1, 0}}}});

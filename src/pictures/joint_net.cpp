@@ -1,0 +1,51 @@
+// Directions of joints on a net of equal areas. Schmidt's projection of the lower hemisphere: a direction that plunges by p goes to
+// sqrt(2) sin(45 - p/2) from the middle.
+#include "pictures/model_picture.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+namespace kaya {
+
+std::array<double, 2> on_net(const Vec3& direction) {
+    Vec3 down = direction.normalized();
+    if (down.z() > 0) down = -down;
+    // (x, y) of length cos p, times sqrt(2) sin(45 - p/2) / cos p = 1 / sqrt(1 + sin p).
+    const double factor = 1 / std::sqrt(1 - down.z());
+    return {factor * down.x(), factor * down.y()};
+}
+
+Chart joint_net(const Model& model, const Shown& shown, bool slip) {
+    const auto& contacts = model.contacts;
+    std::map<std::int32_t, Curve> sets;
+    for (Row contact = 0; contact < static_cast<Row>(contacts.size()); ++contact) {
+        if (contacts.face1[contact] == no_row || contacts.face2[contact] == no_row) continue;
+        if (!std::ranges::binary_search(shown.blocks, contacts.block1[contact]) || !std::ranges::binary_search(shown.blocks, contacts.block2[contact])) continue;
+        Vec3 direction = contacts.normal[contact];
+        if (slip) {
+            direction = Vec3::Zero();
+            const Span span = contacts.sub_contacts[contact];
+            for (Row row = span.first; row < span.end(); ++row) direction += model.sub_contacts.shear_displacement[row];
+        }
+        if (!direction.allFinite() || direction.norm() == 0) continue;
+        Curve& curve = sets[contacts.joint_set[contact]];
+        const auto [x, y] = on_net(direction);
+        curve.x.push_back(x), curve.y.push_back(y);
+    }
+    Chart chart;
+    chart.net = true;
+    chart.title = slip ? "Directions of slip (north on top)" : "Poles of joints (north on top)";
+    chart.x_label = "lower hemisphere, equal areas";
+    for (auto& [set, curve] : sets) {
+        curve.marks = true;
+        curve.name = set == 0 ? fmt::format("no joint set ({})", curve.x.size()) : fmt::format("joint set {} ({})", set, curve.x.size());
+        chart.curves.push_back(std::move(curve));
+    }
+    return chart;
+}
+
+} // namespace kaya
