@@ -129,7 +129,7 @@ std::string png_of(const Chart& given) {
     else {
         // The empty line keeps the name away from the numbers.
         set_axis(chart->GetAxis(vtkAxis::BOTTOM), "\n" + given.x_label, given.curves, &Curve::x, 7, font);
-        set_axis(chart->GetAxis(vtkAxis::LEFT), given.y_label, given.curves, &Curve::y, 6, font);
+        set_axis(chart->GetAxis(vtkAxis::LEFT), given.y_label + "\n", given.curves, &Curve::y, 6, font);
     }
     for (std::size_t i = 0; i < given.curves.size(); ++i) add_curve(chart, given.curves[i], i, static_cast<float>(font / 6.0));
     chart->SetShowLegend(given.curves.size() > 1 || given.net);

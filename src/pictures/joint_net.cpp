@@ -1,8 +1,7 @@
 // Directions of joints on a net of equal areas. Schmidt's projection of the lower hemisphere: a direction that plunges by p goes to
 // sqrt(2) sin(45 - p/2) from the middle.
+#include "model/measure.hpp"
 #include "pictures/model_picture.hpp"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +24,7 @@ Chart joint_net(const Model& model, const Shown& shown, bool slip) {
     for (Row contact = 0; contact < static_cast<Row>(contacts.size()); ++contact) {
         if (contacts.face1[contact] == no_row || contacts.face2[contact] == no_row) continue;
         if (!std::ranges::binary_search(shown.blocks, contacts.block1[contact]) || !std::ranges::binary_search(shown.blocks, contacts.block2[contact])) continue;
-        Vec3 direction = contacts.normal[contact];
+        Vec3 direction = face_area_vector(model, contacts.face1[contact]);
         if (slip) {
             direction = Vec3::Zero();
             const Span span = contacts.sub_contacts[contact];
