@@ -49,6 +49,7 @@ RunReport::~RunReport() { session_.cycled = nullptr; }
 void RunReport::look() {
     if (!session_.report) return;
     const Model& model = session_.model;
+    course_.look(model);
     const std::int64_t cycle = model.clock.cycle;
     if (!states_.empty() && cycle <= states_.back().cycle) states_.clear(); // another model, or this one from before
     if (states_.empty()) centre_ = report_centre(model), interval_ = first_interval;
@@ -65,6 +66,10 @@ void RunReport::write() {
     Model& model = session_.model;
     ReportOrder order;
     order.source = "run";
+    order.course = course_.curves();
+    order.warnings = session_.warning_texts;
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - began_).count();
+    order.took = seconds < 60 ? fmt::format("{} s", seconds) : fmt::format("{} min {} s", seconds / 60, seconds % 60);
     order.file = std::filesystem::path(session_.deck).filename().string();
     order.version = program_version();
     order.property_names = property_names_of(session_.joints);

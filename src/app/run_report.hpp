@@ -1,9 +1,11 @@
 // `set report on`: the page of a run, with the states that it went through.
 #pragma once
 
+#include "app/run_course.hpp"
 #include "commands/session.hpp"
 #include "report/report.hpp"
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
@@ -31,6 +33,8 @@ private:
     std::vector<ReportState> states_;
     Vec3 centre_ = Vec3::Zero();
     std::int64_t interval_ = first_interval; ///< cycles between two states
+    RunCourse course_;
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 
     static constexpr std::int64_t first_interval = 50;
 };

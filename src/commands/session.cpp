@@ -216,6 +216,7 @@ void Session::warn(Diagnostic warning) {
     }
     warning.severity = Severity::warning;
     ++warnings;
+    if (warning_texts.size() < 100) warning_texts.push_back(render(warning));
     output.message(warning);
 }
 

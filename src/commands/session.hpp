@@ -125,6 +125,7 @@ public:
     bool report = false;               ///< the run ends with a page: set report on
     std::optional<std::int64_t> stop_behind; ///< a cycle: a replay stops there as the user did
     std::size_t warnings = 0;                               ///< shown so far
+    std::vector<std::string> warning_texts;                 ///< the first hundred of them
     bool inside_cycle = false;                              ///< a hook is running: structure must not change
     std::vector<std::pair<Place, std::function<void()>>>
         deferred;                    ///< changes that wait for the end of the cycle

@@ -6,6 +6,7 @@
 #include "report/tables.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace kaya {
 
@@ -31,13 +32,25 @@ std::string decks(const SaveExtras& extras) {
 
 /// The states before and that of the model.
 std::string states_json(const Model& model, const ReportOrder& order) {
-    std::string json = "[";
-    const auto add = [&json](const ReportState& state) {
-        json += fmt::format(R"({}{{"time":{},"cycle":{},"scene":{}}})", json.size() > 1 ? "," : "", state.time, state.cycle, state.scene);
+    std::vector<std::string> states;
+    const auto add = [&states](const ReportState& state) {
+        states.push_back(fmt::format(R"({{"time":{},"cycle":{},"scene":{}}})", state.time, state.cycle, state.scene));
     };
     for (const auto& state : order.before) add(state);
     add(report_state(model, order.centre));
-    return json + "]";
+    return fmt::format("[{}]", fmt::join(states, ","));
+}
+
+std::string course_json(const std::vector<ReportCurve>& course) {
+    std::vector<std::string> curves;
+    for (const auto& curve : course) curves.push_back(curve_json(curve.title, curve.cycles, curve.values));
+    return fmt::format("[{}]", fmt::join(curves, ","));
+}
+
+std::string warning_list(const std::vector<std::string>& warnings) {
+    std::string html;
+    for (const auto& warning : warnings) html += fmt::format("<pre>{}</pre>\n", html_text(warning));
+    return html;
 }
 
 constexpr const char* view = R"(<div id="view"><canvas id="blocks" tabindex="0" aria-label="the blocks; drag to turn, wheel to come nearer"></canvas>
@@ -62,6 +75,8 @@ std::string report_of(Model& model, const SaveExtras& extras, const ReportOrder&
     page += section("run", "The run", run_table(model, extras, order));
     page += section("model", "The model", view + block_table(model) + "<h3>Groups</h3>\n" + group_table(model) + zone_table(model));
     if (!model.histories.all.empty()) page += section("histories", "Histories", "<div id=\"curves\"></div>\n<noscript><p>The curves need JavaScript.</p></noscript>\n");
+    if (!order.warnings.empty()) page += section("warnings", "Warnings", warning_list(order.warnings));
+    if (!order.course.empty()) page += section("course", "The course of the run, by cycles", "<div id=\"course-curves\"></div>\n");
     page += section("properties", "Properties", "<h3>Blocks</h3>\n" + material_table(model) + "<h3>Joints</h3>\n" + joint_table(model, order));
     page += section("contacts", "Contacts", contact_table(model));
     page += section("boundary", "Boundary conditions", boundary_table(model));
@@ -69,6 +84,7 @@ std::string report_of(Model& model, const SaveExtras& extras, const ReportOrder&
     page += section("decks", "Decks", decks(extras));
     page += fmt::format("<script type=\"application/json\" id=\"scene-data\">{}</script>\n<script type=\"application/json\" id=\"history-data\">{}</script>\n", states_json(model, order),
                         histories_json(model.histories));
+    page += fmt::format("<script type=\"application/json\" id=\"course-data\">{}</script>\n", course_json(order.course));
     return page + "<script>\n'use strict';\n" + of_kind("js") + "</script>\n</body></html>\n";
 }
 

@@ -18,6 +18,12 @@ struct ReportState {
     std::string scene; ///< JSON
 };
 
+/// A quantity over the cycles of the run.
+struct ReportCurve {
+    std::string title;
+    std::vector<double> cycles, values;
+};
+
 /// `centre` is what places are told from: the same for all states of a page (report_centre of one of them).
 ReportState report_state(const Model& model, const Vec3& centre);
 Vec3 report_centre(const Model& model);
@@ -30,6 +36,9 @@ struct ReportOrder {
     std::function<std::vector<std::string>(const std::string& model)> property_names;
     std::vector<ReportState> before; ///< states to be seen before that of the model, in order
     Vec3 centre = Vec3::Zero();      ///< of all of them
+    std::vector<ReportCurve> course; ///< how the run went; none of a saved model
+    std::vector<std::string> warnings;
+    std::string took;                ///< "4 min 21 s"; empty of a saved model
 };
 
 /// HTML with style, scripts and data in it: what was run, the model in numbers, properties, contacts, energy, histories as curves, and a

@@ -162,13 +162,16 @@ std::string scene_json(const Model& model, const Vec3& centre) {
                        column("lineCorners", surface.line_corners), fmt::join(fields, ","));
 }
 
+std::string curve_json(std::string_view title, std::span<const double> along, std::span<const double> values) {
+    return fmt::format(R"({{"title":{},"times":"{}","values":"{}"}})", json_text(title), packed(along), packed(values));
+}
+
 std::string histories_json(const Histories& histories) {
     std::vector<std::string> all;
     for (const auto& history : histories.all) {
         const auto first = static_cast<std::ptrdiff_t>(std::min(history.first_sample, histories.time.size()));
         const std::vector<double> times(histories.time.begin() + first, histories.time.end());
-        all.push_back(fmt::format(R"({{"title":{},"times":"{}","values":"{}"}})", json_text(column_title(history)), packed(std::span(times)),
-                                  packed(std::span(history.values))));
+        all.push_back(curve_json(column_title(history), times, history.values));
     }
     return fmt::format("[{}]", fmt::join(all, ","));
 }

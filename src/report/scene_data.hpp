@@ -3,12 +3,17 @@
 
 #include "model/model.hpp"
 
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace kaya {
 
 /// A JSON object: blocks with their numbers, corners, triangles and edges, and the fields of blocks and corners with their units.
 std::string scene_json(const Model& model, const Vec3& centre);
+
+/// A curve as JSON, with numbers of one kind along it.
+std::string curve_json(std::string_view title, std::span<const double> along, std::span<const double> values);
 
 /// Histories with their times, as a JSON list.
 std::string histories_json(const Histories& histories);

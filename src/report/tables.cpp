@@ -58,6 +58,7 @@ std::string run_table(Model& model, const SaveExtras& extras, const ReportOrder&
     std::string decks;
     for (const auto& deck : extras.decks) decks += (decks.empty() ? "" : ", ") + deck.name;
     Pairs pairs{{order.source, order.file}, {"written by", "kaya " + extras.program_version}, {"report by", "kaya " + order.version}, {"decks", decks}};
+    if (!order.took.empty()) pairs.emplace_back("took", order.took);
     if (!extras.title.empty()) pairs.insert(pairs.begin(), {"title", extras.title});
     const auto& clock = model.clock;
     pairs.insert(pairs.end(), {{"cycles", fmt::format("{}", clock.cycle)},

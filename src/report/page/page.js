@@ -144,9 +144,14 @@ function connect(states, view) {
     }
 }
 
+async function showCurves(data, place) {
+    for (const curve of readJson(data))
+        new CurveView(document.getElementById(place), curve.title, await unpack(curve.times, Float64Array), await unpack(curve.values, Float64Array));
+}
+
 async function start() {
-    for (const history of readJson('history-data'))
-        new CurveView(document.getElementById('curves'), history.title, await unpack(history.times, Float64Array), await unpack(history.values, Float64Array));
+    await showCurves('history-data', 'curves');
+    await showCurves('course-data', 'course-curves');
     const states = await readStates(), scene = states.at(-1).scene;
     if (scene.numbers.length === 0) { document.getElementById('view').remove(); document.getElementById('controls').remove(); return; }
     try {

@@ -1,0 +1,27 @@
+// How a run went, by cycles: whether it came to rest, and what its joints did.
+#pragma once
+
+#include "model/model.hpp"
+#include "report/report.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace kaya {
+
+class RunCourse {
+public:
+    /// To be called behind each cycle. Keeps some hundreds of samples, however long the run is.
+    void look(const Model& model);
+    std::vector<ReportCurve> curves() const;
+
+private:
+    struct Sample {
+        std::int64_t cycle;
+        double ratio, kinetic_energy, open, slipping;
+    };
+    std::vector<Sample> samples_;
+    std::int64_t interval_ = 1; ///< cycles between two samples
+};
+
+} // namespace kaya
