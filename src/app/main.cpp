@@ -89,6 +89,7 @@ int start(int argc, char** argv) {
         ->check([](const std::string& folder) {
             return fs::is_directory(folder) ? std::string() : fmt::format("there is no folder {}", folder);
         });
+    app.add_option("--watch", line.run.watch, "a port: a browser on this machine can look at the run while it goes on; 0: any that is free")->check(CLI::Range(0, 65535));
     app.add_option("--into", line.run.into, "the folder for files that the run writes; it is made if it is not there");
     app.add_flag("--strict", line.run.options.strict, "warnings are errors");
     app.add_flag("--batch,--quiet,-q", line.run.options.quiet, "results, warnings and errors only");

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <new>
+#include <optional>
 #include <system_error>
 #include <unistd.h>
 
@@ -182,16 +183,23 @@ int run(RunOrder& order, const fs::path& program) {
     Session session(order.options);
     session.painter = painter;
     if (!order.options.trust) session.gate->shut(std::move(policy));
-    RunReport report(session);
+    std::optional<RunReport> report;
+    try {
+        report.emplace(session, order.watch);
+    } catch (const Diagnostic& problem) {
+        session.output.message(problem);
+        session.output.flush();
+        return static_cast<int>(problem.fault);
+    }
     int status = run_session(session, order);
     if (status != 0) session.rescue.keep();
     try {
-        report.write();
+        report->write();
+        if (status == 0) session.output.flush();
     } catch (const Diagnostic& problem) {
         session.output.message(problem);
         if (status == 0) status = static_cast<int>(problem.fault);
     }
-    session.output.flush();
     return status;
 }
 

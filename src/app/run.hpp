@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct RunOrder {
     std::vector<std::string> parameters; ///< NAME=VALUE
     std::string journal;                 ///< of `replay`
     bool no_journal = false;
+    std::optional<int> watch;            ///< port on which a browser can look on; 0: any
     std::function<void(Session&)> begun;  ///< behind the parameters, before the first deck
     std::function<void(Session&)> ended;  ///< behind the last deck, when all went well
     std::function<void(Session&, const Diagnostic&)> failed; ///< behind the message

@@ -4,6 +4,7 @@
 #include "io/whole_file.hpp"
 #include "joints/joint_model.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <numeric>
@@ -12,7 +13,7 @@ namespace kaya {
 
 namespace {
 
-constexpr std::size_t most_states = 24, most_bytes = 6'000'000; ///< a page of less than 10 MB opens at once
+constexpr std::size_t most_states = 24, most_bytes = 4'000'000; ///< a page of less than 10 MB opens at once
 
 std::size_t bytes_of(const std::vector<ReportState>& states) {
     return std::accumulate(states.begin(), states.end(), std::size_t{0}, [](std::size_t sum, const ReportState& state) { return sum + state.scene.size(); });
@@ -39,7 +40,12 @@ std::function<std::vector<std::string>(const std::string&)> property_names_of(Jo
     };
 }
 
-RunReport::RunReport(Session& session) : session_(session) {
+RunReport::RunReport(Session& session, std::optional<int> port) : session_(session) {
+    if (port) {
+        server_ = std::make_unique<PageServer>(*port);
+        session_.output.say(fmt::format("watch: {}", server_->address()));
+        session_.output.flush();
+    }
     session_.cycled = [this] { look(); };
 }
 
@@ -47,9 +53,11 @@ RunReport::~RunReport() { session_.cycled = nullptr; }
 
 // By cycles and not by seconds: the same run gives the same page.
 void RunReport::look() {
-    if (!session_.report) return;
+    if (!is_wanted()) return;
     const Model& model = session_.model;
     course_.look(model);
+    const std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
+    if (server_ && now - shown_ >= pause_ && server_->is_read()) show();
     const std::int64_t cycle = model.clock.cycle;
     if (!states_.empty() && cycle <= states_.back().cycle) states_.clear(); // another model, or this one from before
     if (states_.empty()) centre_ = report_centre(model), interval_ = first_interval;
@@ -61,8 +69,14 @@ void RunReport::look() {
     }
 }
 
-void RunReport::write() {
-    if (!session_.report) return;
+void RunReport::show() {
+    const auto before = std::chrono::steady_clock::now();
+    server_->show(page());
+    shown_ = std::chrono::steady_clock::now();
+    pause_ = std::max<std::chrono::steady_clock::duration>(std::chrono::seconds(2), 20 * (shown_ - before));
+}
+
+std::string RunReport::page() {
     Model& model = session_.model;
     ReportOrder order;
     order.source = "run";
@@ -74,12 +88,16 @@ void RunReport::write() {
     order.version = program_version();
     order.property_names = property_names_of(session_.joints);
     if (!states_.empty() && states_.back().cycle > model.clock.cycle) states_.clear();
-    if (!states_.empty() && states_.back().cycle == model.clock.cycle) states_.pop_back(); // it comes last by itself
     order.centre = states_.empty() ? report_centre(model) : centre_;
-    order.before = std::move(states_);
-    states_.clear();
+    order.before = states_;
+    if (!states_.empty() && states_.back().cycle == model.clock.cycle) order.before.pop_back(); // it comes last by itself
+    return report_of(model, session_extras(session_), order);
+}
+
+void RunReport::write() {
+    if (!session_.report) return;
     const std::string name = session_.run_name() + ".html";
-    write_whole_file(session_.output_file(name), report_of(model, session_extras(session_), order));
+    write_whole_file(session_.output_file(name), page());
     session_.output.say(fmt::format("report: {}", name));
 }
 

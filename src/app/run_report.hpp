@@ -1,12 +1,15 @@
 // `set report on`: the page of a run, with the states that it went through.
 #pragma once
 
+#include "app/page_server.hpp"
 #include "app/run_course.hpp"
 #include "commands/session.hpp"
 #include "report/report.hpp"
 
 #include <chrono>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +21,8 @@ std::function<std::vector<std::string>(const std::string& model)> property_names
 /// Watches a session and writes its page at the end.
 class RunReport {
 public:
-    explicit RunReport(Session& session);
+    /// `port`: where a browser can watch the run (0: any that is free); none: nobody does.
+    RunReport(Session& session, std::optional<int> port);
     ~RunReport();
     RunReport(const RunReport&) = delete;
     RunReport& operator=(const RunReport&) = delete;
@@ -28,6 +32,9 @@ public:
 
 private:
     void look();
+    bool is_wanted() const { return session_.report || server_; }
+    void show();
+    std::string page();
 
     Session& session_;
     std::vector<ReportState> states_;
@@ -35,6 +42,9 @@ private:
     std::int64_t interval_ = first_interval; ///< cycles between two states
     RunCourse course_;
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+    std::unique_ptr<PageServer> server_;
+    std::chrono::steady_clock::time_point shown_{}; ///< when the last page was made
+    std::chrono::steady_clock::duration pause_{};   ///< until the next: pages take a small part of the time
 
     static constexpr std::int64_t first_interval = 50;
 };

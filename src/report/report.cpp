@@ -56,12 +56,13 @@ std::string warning_list(const std::vector<std::string>& warnings) {
 constexpr const char* view = R"(<div id="view"><canvas id="blocks" tabindex="0" aria-label="the blocks; drag to turn, wheel to come nearer"></canvas>
 <svg id="axes" viewBox="0 0 90 90"></svg><div id="coarse"></div><div id="legend"></div><div id="picked" role="status"></div></div>
 <div id="controls"><label id="states">state <input id="state" type="range" min="0" max="0" value="0"> <output id="state-value"></output></label>
+<label id="whats">show <select id="what"><option>blocks</option><option>joints</option></select></label>
 <label>colour <select id="field"></select></label>
 <label>displacements times <input id="factor" type="range" min="0" max="100" value="0"> <output id="factor-value">0</output></label>
 <label>cut across <select id="axis"><option>x</option><option>y</option><option>z</option></select>
 <input id="cut" type="range" min="0" max="1000" value="1000"></label>
 <label><input id="edges" type="checkbox" checked> edges</label> <button id="reset" type="button">from the start</button></div>
-<p class="hint">Drag turns, the wheel comes nearer, dragging with the right button moves; a click on a block shows its values.</p>
+<p class="hint">Drag turns, the wheel comes nearer, dragging with the right button moves; a click on a block or joint shows its values.</p>
 <noscript><p>The view needs JavaScript.</p></noscript>
 )";
 
@@ -84,6 +85,7 @@ std::string report_of(Model& model, const SaveExtras& extras, const ReportOrder&
     page += section("decks", "Decks", decks(extras));
     page += fmt::format("<script type=\"application/json\" id=\"scene-data\">{}</script>\n<script type=\"application/json\" id=\"history-data\">{}</script>\n", states_json(model, order),
                         histories_json(model.histories));
+    page += fmt::format("<script type=\"application/json\" id=\"joint-data\">{}</script>\n", joint_scene_json(model, order.centre));
     page += fmt::format("<script type=\"application/json\" id=\"course-data\">{}</script>\n", course_json(order.course));
     return page + "<script>\n'use strict';\n" + of_kind("js") + "</script>\n</body></html>\n";
 }

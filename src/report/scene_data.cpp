@@ -2,6 +2,7 @@
 
 #include "io/history_csv.hpp"
 #include "model/field.hpp"
+#include "model/joint_polygons.hpp"
 #include "model/measure.hpp"
 #include "report/packed.hpp"
 #include "report/report.hpp"
@@ -74,10 +75,11 @@ std::string column(const char* name, const std::vector<std::uint32_t>& numbers) 
 }
 std::string column(const char* name, const std::vector<float>& numbers) { return fmt::format("\"{}\":\"{}\"", name, packed(std::span(numbers))); }
 
-double length_of(const FieldValue& value) {
+double length_of(const Model& model, const FieldValue& value) {
     if (const auto* v = std::get_if<Vec3>(&value)) return v->norm();
     if (const auto* d = std::get_if<double>(&value)) return *d;
     if (const auto* i = std::get_if<std::int64_t>(&value)) return static_cast<double>(*i);
+    if (const auto* link = std::get_if<Link>(&value); link != nullptr && link->row != no_row && link->table == FieldTable::block) return model.blocks.number[link->row];
     return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -93,7 +95,7 @@ std::string field_json(const Model& model, const Field& field, const char* of, c
             if (found == names.end()) found = names.insert(found, name);
             values.push_back(static_cast<float>(found - names.begin()));
         } else {
-            values.push_back(static_cast<float>(length_of(value)));
+            values.push_back(static_cast<float>(length_of(model, value)));
         }
     }
     std::vector<std::string> quoted;
@@ -139,6 +141,68 @@ Vec3 report_centre(const Model& model) {
 
 ReportState report_state(const Model& model, const Vec3& centre) { return {model.clock.time, model.clock.cycle, scene_json(model, centre)}; }
 
+namespace {
+
+std::string surface_json(const Surface& surface, const Vec3& centre, double size, const std::vector<std::string>& fields) {
+    return fmt::format(R"({{"centre":[{},{},{}],"size":{},{},{},{},{},{},{},{},{},"fields":[{}]}})", centre.x(), centre.y(), centre.z(), size,
+                       column("numbers", surface.numbers), column("corners", surface.corners), column("triangles", surface.triangles), column("lines", surface.lines),
+                       column("places", surface.places), column("displacements", surface.displacements), column("triangleCorners", surface.triangle_corners),
+                       column("lineCorners", surface.line_corners), fmt::join(fields, ","));
+}
+
+void add_joint(const Model& model, Row contact, const Vec3& centre, Surface& surface) {
+    std::uint32_t corners = 0, triangles = 0, lines = 0;
+    for (const auto& polygon : joint_polygons(model, contact)) {
+        const auto count = static_cast<std::uint32_t>(polygon.size());
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const Vec3 place = polygon[k] - centre;
+            for (int axis = 0; axis < 3; ++axis) surface.places.push_back(static_cast<float>(place[axis])), surface.displacements.push_back(0);
+            surface.line_corners.insert(surface.line_corners.end(), {corners + k, corners + (k + 1) % count});
+        }
+        for (std::uint32_t k = 2; k < count; ++k) surface.triangle_corners.insert(surface.triangle_corners.end(), {corners, corners + k - 1, corners + k});
+        corners += count, triangles += count - 2, lines += count;
+    }
+    surface.corners.push_back(corners);
+    surface.triangles.push_back(triangles);
+    surface.lines.push_back(lines);
+    surface.numbers.push_back(static_cast<std::uint32_t>(model.contacts.number[contact]));
+}
+
+/// The largest of a field over the sub-contacts of each contact.
+std::string largest_json(const Model& model, const char* name, const char* title, const std::vector<Row>& contacts) {
+    const Field* field = find_field(FieldTable::sub_contact, name);
+    std::vector<float> values;
+    for (const Row contact : contacts) {
+        double largest = -std::numeric_limits<double>::infinity();
+        const Span span = model.contacts.sub_contacts[contact];
+        for (Row row = span.first; row < span.end(); ++row) largest = std::max(largest, length_of(model, field->get(model, row)));
+        values.push_back(static_cast<float>(largest));
+    }
+    return fmt::format(R"({{"name":{},"unit":{},"of":"block","names":[],"values":"{}"}})", json_text(title), json_text(field->unit), packed(std::span<const float>(values)));
+}
+
+} // namespace
+
+std::string joint_scene_json(const Model& model, const Vec3& centre) {
+    const Box box = box_of(model);
+    Surface surface;
+    std::vector<Row> shown;
+    for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact) {
+        const auto& contacts = model.contacts;
+        if (contacts.sub_contacts[contact].count == 0 || model.blocks.hidden[contacts.block1[contact]] || model.blocks.hidden[contacts.block2[contact]]) continue;
+        if (contacts.face1[contact] == no_row || contacts.face2[contact] == no_row) continue;
+        add_joint(model, contact, centre, surface);
+        shown.push_back(contact);
+    }
+    if (shown.empty()) return "null";
+    std::vector<std::string> fields{largest_json(model, "shear_displacement", "shear displacement", shown), largest_json(model, "normal_displacement", "opening", shown),
+                                    largest_json(model, "normal_stress", "normal stress", shown), largest_json(model, "shear_stress", "shear stress", shown),
+                                    largest_json(model, "state", "state", shown)};
+    for (const char* name : {"area", "joint_set", "model", "block1", "block2"})
+        if (const Field* field = find_field(FieldTable::contact, name)) fields.push_back(field_json(model, *field, "block", shown));
+    return surface_json(surface, centre, (box.high - box.low).norm(), fields);
+}
+
 std::string scene_json(const Model& model, const Vec3& centre) {
     const Box box = box_of(model);
     Surface surface;
@@ -156,10 +220,7 @@ std::string scene_json(const Model& model, const Vec3& centre) {
     }
     for (const char* name : {"group", "material", "region", "id", "volume", "type"})
         if (const Field* field = find_field(FieldTable::block, name)) fields.push_back(field_json(model, *field, "block", blocks));
-    return fmt::format(R"({{"centre":[{},{},{}],"size":{},{},{},{},{},{},{},{},{},"fields":[{}]}})", centre.x(), centre.y(), centre.z(), (box.high - box.low).norm(),
-                       column("numbers", surface.numbers), column("corners", surface.corners), column("triangles", surface.triangles), column("lines", surface.lines),
-                       column("places", surface.places), column("displacements", surface.displacements), column("triangleCorners", surface.triangle_corners),
-                       column("lineCorners", surface.line_corners), fmt::join(fields, ","));
+    return surface_json(surface, centre, (box.high - box.low).norm(), fields);
 }
 
 std::string curve_json(std::string_view title, std::span<const double> along, std::span<const double> values) {

@@ -12,6 +12,9 @@ namespace kaya {
 /// A JSON object: blocks with their numbers, corners, triangles and edges, and the fields of blocks and corners with their units.
 std::string scene_json(const Model& model, const Vec3& centre);
 
+/// The same of joints: the polygons where faces lie on each other, one object for each contact; null when there is none.
+std::string joint_scene_json(const Model& model, const Vec3& centre);
+
 /// A curve as JSON, with numbers of one kind along it.
 std::string curve_json(std::string_view title, std::span<const double> along, std::span<const double> values);
 

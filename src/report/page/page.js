@@ -1,4 +1,4 @@
-// Puts the page together. A view can be linked to: report.html#colour=group&factor=10&axis=x&cut=500&state=3&pick=300,200
+// Puts the page together. A view can be linked to: report.html#colour=group&factor=10&axis=x&cut=500&state=3&show=joints&pick=300,200
 async function unpackScene(scene) {
     for (const [name, Type] of [['numbers', Uint32Array], ['corners', Uint32Array], ['triangles', Uint32Array], ['lines', Uint32Array], ['places', Float32Array],
         ['displacements', Float32Array], ['triangleCorners', Uint32Array], ['lineCorners', Uint32Array]]) scene[name] = await unpack(scene[name], Type);
@@ -53,11 +53,11 @@ function showLegend(field, ends) {
     legend.append(bar, numbers);
 }
 
-function showPicked(scene, block) {
+function showPicked(scene, block, what) {
     const box = document.getElementById('picked');
     box.style.display = block < 0 ? 'none' : 'block';
     if (block < 0) { box.textContent = ''; return; }
-    const lines = [`block ${scene.numbers[block]}`];
+    const lines = [`${what} ${scene.numbers[block]}`];
     for (const field of scene.fields)
         if (field.of === 'block' && field.name !== 'id') {
             const value = field.values[block];
@@ -78,19 +78,22 @@ function showAxes(axes, coarse) {
     document.getElementById('coarse').textContent = coarse ? 'coarser and without edges while it turns' : '';
 }
 
-function connect(states, view) {
+let jointScene = null;
+
+async function connect(states, view) {
     let scene = states.at(-1).scene;
     view.onrender = showAxes;
     const get = id => document.getElementById(id);
     const axis = get('axis'), cut = get('cut'), factor = get('factor'), field = get('field'), state = get('state');
-    scene.fields.forEach((f, i) => field.append(new Option(f.name, i)));
-    const fields = scene.fields;
+    let joints = null, fields = scene.fields;
+    const listFields = () => { field.replaceChildren(...fields.map((f, i) => new Option(f.name, i))); };
+    listFields();
     field.oninput = () => {
-        const wanted = fields[field.value], none = { ...wanted, of: 'block', values: new Float32Array(scene.numbers.length).fill(NaN) };
+        const wanted = fields[Number(field.value)], none = { ...wanted, of: 'block', values: new Float32Array(scene.numbers.length).fill(NaN) };
         let f = scene.fields.find(f => f.name === wanted.name) || none;
         // Names are counted as in the last state: the same colour is the same name.
         if (f.names.length > 0) f = { ...f, names: wanted.names, values: f.values.map(v => wanted.names.indexOf(f.names[v])) };
-        view.colour(f, endsOf(states, wanted));
+        view.colour(f, endsOf(joints ? [joints] : states, wanted));
         showLegend(f, view.ends);
     };
     // To the hundredfold in equal steps of the eye.
@@ -114,33 +117,58 @@ function connect(states, view) {
     // A block that was picked stays picked.
     const setState = () => {
         const picked = view.state.picked < 0 ? -1 : scene.numbers[view.state.picked], now = states[state.value];
-        scene = now.scene;
+        scene = joints ? joints.scene : now.scene;
         view.show(scene);
         view.state.picked = picked < 0 ? -1 : scene.numbers.indexOf(picked);
         get('state-value').textContent = `cycle ${now.cycle}, time ${short(now.time)}`;
-        showPicked(scene, view.state.picked);
+        showPicked(scene, view.state.picked, joints ? 'joint' : 'block');
         setCut();
         field.oninput();
     };
+    // Joints are those of the last state.
+    const what = get('what');
+    what.oninput = async () => {
+        const asked = what.selectedIndex === 1;
+        if (asked) {
+            if (!jointScene) await unpackScene(jointScene = readJson('joint-data'));
+            joints = { scene: jointScene };
+        } else joints = null;
+        state.disabled = asked;
+        if (asked) state.value = states.length - 1;
+        fields = asked ? jointScene.fields : states.at(-1).scene.fields;
+        listFields();
+        view.state.picked = -1;
+        setState();
+    };
+    if (!readJson('joint-data')) get('whats').style.display = 'none';
     state.max = states.length - 1;
     state.value = states.length - 1;
     if (states.length < 2) get('states').style.display = 'none';
     state.oninput = setState;
     get('edges').onchange = e => { view.state.edges = e.target.checked; view.draw(); };
     get('reset').onclick = () => { view.reset(); view.draw(); };
-    view.onpick = block => showPicked(scene, block);
+    view.onpick = block => showPicked(scene, block, joints ? 'joint' : 'block');
     const asked = new URLSearchParams(location.hash.slice(1));
-    const index = scene.fields.findIndex(f => f.name === asked.get('colour'));
-    field.value = index >= 0 ? index : 0;
+    const choose = () => {
+        const index = fields.findIndex(f => f.name === asked.get('colour'));
+        field.value = index >= 0 ? index : 0;
+    };
+    choose();
     if (asked.has('factor')) factor.value = asked.get('factor');
     if (asked.has('axis')) axis.value = asked.get('axis');
     if (asked.has('cut')) cut.value = asked.get('cut');
     if (asked.has('state')) state.value = asked.get('state');
     factor.oninput();
     setState();
+    if (asked.get('show') === 'joints') {
+        what.selectedIndex = 1;
+        await what.oninput();
+        choose();
+        field.oninput();
+    }
     if (asked.has('pick')) {
         const [x, y] = asked.get('pick').split(',').map(Number);
-        showPicked(scene, view.pick(x, y));
+        showPicked(scene, view.pick(x, y), joints ? 'joint' : 'block');
     }
 }
 
@@ -156,7 +184,7 @@ async function start() {
     if (scene.numbers.length === 0) { document.getElementById('view').remove(); document.getElementById('controls').remove(); return; }
     try {
         const view = new BlockView(document.getElementById('blocks'), scene);
-        connect(states, view);
+        await connect(states, view);
         view.render(false);
     } catch (problem) {
         document.getElementById('picked').style.display = 'block';

@@ -47,7 +47,7 @@ TEST_F(SessionTest, NewForgetsTheModelAndTheScripts) {
 }
 
 TEST_F(SessionTest, NotesAreSaidOnce) {
-    run("movie on\nmovie off\n");
+    run("label arrow 1\nlabel arrow 2\n");
     const std::string text = said();
     EXPECT_EQ(text.find("note"), text.rfind("note"));
     EXPECT_THAT(text, HasSubstr("test.3dd:1:1: note"));
