@@ -45,34 +45,6 @@ void add_time(vtkUnstructuredGrid* grid, const Clock& clock) {
     add_numbers<vtkTypeInt64Array>(grid->GetFieldData(), "cycle", 1, [&](std::size_t) { return clock.cycle; });
 }
 
-/// The polygon around a face: the edges that only one of its triangles has, in order. None when they do
-/// not make one simple loop.
-std::optional<std::vector<vtkIdType>> outline(const Model& model, Row face) {
-    std::map<Row, Row> next;
-    std::vector<std::pair<Row, Row>> edges;
-    const Span span = model.faces.triangles[face];
-    for (Row t = span.first; t < span.end(); ++t) {
-        const auto& corner = model.triangles.gridpoints[t];
-        for (std::size_t k = 0; k < 3; ++k) edges.emplace_back(corner[k], corner[(k + 1) % 3]);
-    }
-    std::sort(edges.begin(), edges.end());
-    for (const auto& [from, to] : edges) {
-        if (std::binary_search(edges.begin(), edges.end(), std::pair(to, from))) continue;
-        if (!next.emplace(from, to).second) return std::nullopt;
-    }
-    if (next.empty()) return std::nullopt;
-    std::vector<vtkIdType> loop;
-    Row at = next.begin()->first;
-    do {
-        loop.push_back(at);
-        const auto edge = next.find(at);
-        if (edge == next.end() || loop.size() > next.size()) return std::nullopt;
-        at = edge->second;
-    } while (at != next.begin()->first);
-    if (loop.size() != next.size()) return std::nullopt;
-    return loop;
-}
-
 /// One polyhedron: its faces as polygons where they are, else as triangles.
 void insert_rigid_block(vtkUnstructuredGrid* grid, const Model& model, Row block) {
     vtkNew<vtkIdList> stream; // number of faces, then for each face its number of points and the points
@@ -85,7 +57,7 @@ void insert_rigid_block(vtkUnstructuredGrid* grid, const Model& model, Row block
     };
     const Span span = model.blocks.faces[block];
     for (Row face = span.first; face < span.end(); ++face) {
-        if (const auto polygon = outline(model, face)) {
+        if (const auto polygon = face_outline(model, face)) {
             add_face(*polygon);
             continue;
         }

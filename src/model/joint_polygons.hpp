@@ -3,9 +3,13 @@
 
 #include "model/model.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace kaya {
+
+/// The gridpoints around a face: the edges that only one of its triangles has, in order. None when they do not make one simple loop.
+std::optional<std::vector<Row>> face_outline(const Model& model, Row face);
 
 /// The common part of the two faces of a contact, seen along its normal, as convex polygons on the first face; none where corners or
 /// edges touch.

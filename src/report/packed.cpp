@@ -1,5 +1,8 @@
 #include "report/packed.hpp"
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <new>
 #include <zlib.h>
@@ -23,6 +26,22 @@ std::string packed_bytes(std::string_view bytes) {
         text += i + 2 < small.size() ? digits[three & 63] : '=';
     }
     return text;
+}
+
+std::string byte_planes(std::string_view bytes, std::size_t size) {
+    const std::size_t count = bytes.size() / size;
+    std::string planes(bytes.size(), '\0');
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t k = 0; k < size; ++k) planes[k * count + i] = bytes[i * size + k];
+    return planes;
+}
+
+float rounded(float number) {
+    if (!std::isfinite(number)) return number;
+    constexpr std::uint32_t low = 0xff; // of the 23 bits behind the first
+    const auto bits = std::bit_cast<std::uint32_t>(number) + (low + 1) / 2;
+    const float result = std::bit_cast<float>(bits & ~low);
+    return std::isfinite(result) ? result : number;
 }
 
 std::string json_text(std::string_view text) {

@@ -1,4 +1,5 @@
-// Columns of numbers as text that a browser unpacks: deflate (RFC 1950) and base64.
+// Columns of numbers as text that a browser unpacks: first bytes of all numbers, then second bytes and so on, which deflate (RFC 1950) makes
+// smaller than numbers as they lie; then base64.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +11,15 @@ namespace kaya {
 
 std::string packed_bytes(std::string_view bytes);
 
+/// The k-th bytes of all numbers together, for each k.
+std::string byte_planes(std::string_view bytes, std::size_t size);
+
 template <class Number> std::string packed(std::span<const Number> numbers) {
-    return packed_bytes({reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()});
+    return packed_bytes(byte_planes({reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()}, sizeof(Number)));
 }
+
+/// To 16 bits: five digits, which is more than eyes see. NaN and infinity stay.
+float rounded(float number);
 
 /// The text in quotes, for JSON inside of a page: no '<' in it.
 std::string json_text(std::string_view text);

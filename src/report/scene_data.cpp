@@ -73,7 +73,11 @@ void add_block(const Model& model, Row block, const Vec3& centre, Surface& surfa
 std::string column(const char* name, const std::vector<std::uint32_t>& numbers) {
     return fmt::format("\"{}\":\"{}\"", name, packed(std::span(numbers)));
 }
-std::string column(const char* name, const std::vector<float>& numbers) { return fmt::format("\"{}\":\"{}\"", name, packed(std::span(numbers))); }
+std::string packed_values(std::vector<float> numbers) {
+    std::ranges::transform(numbers, numbers.begin(), rounded);
+    return packed(std::span<const float>(numbers));
+}
+std::string column(const char* name, const std::vector<float>& numbers) { return fmt::format("\"{}\":\"{}\"", name, packed_values(numbers)); }
 
 double length_of(const Model& model, const FieldValue& value) {
     if (const auto* v = std::get_if<Vec3>(&value)) return v->norm();
@@ -101,7 +105,7 @@ std::string field_json(const Model& model, const Field& field, const char* of, c
     std::vector<std::string> quoted;
     for (const auto& name : names) quoted.push_back(json_text(name));
     return fmt::format(R"({{"name":{},"unit":{},"of":"{}","names":[{}],"values":"{}"}})", json_text(field.name), json_text(field.unit), of, fmt::join(quoted, ","),
-                       packed(std::span<const float>(values)));
+                       packed_values(values));
 }
 
 /// A corner of a deformable block sees the mean of the zones around it, weighted with their volumes.
@@ -114,7 +118,7 @@ std::string stress_json(const Model& model, const Surface& surface, const char* 
         }
     std::vector<float> values;
     for (const Row g : surface.gridpoints) values.push_back(weight[g] > 0 ? static_cast<float>(sum[g] / weight[g]) : std::numeric_limits<float>::quiet_NaN());
-    return fmt::format(R"({{"name":"{}","unit":"stress","of":"corner","names":[],"values":"{}"}})", name, packed(std::span<const float>(values)));
+    return fmt::format(R"({{"name":"{}","unit":"stress","of":"corner","names":[],"values":"{}"}})", name, packed_values(values));
 }
 
 } // namespace
@@ -178,7 +182,7 @@ std::string largest_json(const Model& model, const char* name, const char* title
         for (Row row = span.first; row < span.end(); ++row) largest = std::max(largest, length_of(model, field->get(model, row)));
         values.push_back(static_cast<float>(largest));
     }
-    return fmt::format(R"({{"name":{},"unit":{},"of":"block","names":[],"values":"{}"}})", json_text(title), json_text(field->unit), packed(std::span<const float>(values)));
+    return fmt::format(R"({{"name":{},"unit":{},"of":"block","names":[],"values":"{}"}})", json_text(title), json_text(field->unit), packed_values(values));
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 #include "report/packed.hpp"
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <gtest/gtest.h>
 #include <vector>
 #include <zlib.h>
@@ -38,7 +40,19 @@ TEST(Packed, NumbersAreTheirBytes) {
     const std::vector<float> numbers{1.5F, -2.25F, 1e30F};
     const std::string bytes = unpacked(packed(std::span(numbers)), 100);
     ASSERT_EQ(bytes.size(), 12U);
-    EXPECT_EQ(reinterpret_cast<const float*>(bytes.data())[1], -2.25F);
+    // The bytes of -2.25, 0xc0100000, lie three from each other.
+    EXPECT_EQ(bytes[1], '\0');
+    EXPECT_EQ(bytes[4], '\0');
+    EXPECT_EQ(bytes[7], '\x10');
+    EXPECT_EQ(bytes[10], '\xc0');
+}
+
+TEST(Packed, NumbersKeepFiveDigits) {
+    for (const float number : {1.0F, -2.25F, 0.0F, 3.14159265F, -1.2345678e-20F, 9.8765432e30F}) EXPECT_NEAR(rounded(number), number, 1e-5 * std::abs(static_cast<double>(number)));
+    EXPECT_EQ(rounded(-2.25F), -2.25F);
+    EXPECT_EQ(rounded(std::numeric_limits<float>::max()), std::numeric_limits<float>::max());
+    EXPECT_TRUE(std::isnan(rounded(std::nanf(""))));
+    EXPECT_EQ(rounded(-std::numeric_limits<float>::infinity()), -std::numeric_limits<float>::infinity());
 }
 
 TEST(Packed, TextsCannotLeaveTheirPlace) {
