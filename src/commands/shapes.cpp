@@ -5,6 +5,7 @@
 #include "model/build.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace kaya {
 
@@ -73,7 +74,13 @@ void run(Session& session, const lang::PolyFace& command) {
             loops.push_back(face.corners);
             joint_sets.push_back(static_cast<int>(face.joint_set));
         }
-        Solid solid = make_from_faces(loops, joint_sets);
+        // Coordinates with three decimals put the faces of small blocks off their planes.
+        constexpr Flatness of_decks{1e-3, false, 1e-2};
+        Solid solid = make_from_faces(loops, joint_sets, of_decks);
+        if (!solid.triangulated.empty())
+            session.note_once("faces that lie a thousandth of the block's size or more off their plane become triangles",
+                              fmt::format("here {}{}; give corners with more digits, or triangles instead", fmt::join(solid.triangulated, ", "),
+                                          solid.parts.size() == 1 ? "" : fmt::format(", and the block is {} convex parts that are joined", solid.parts.size())));
         constexpr const char* clockwise = "give the corners of all faces clockwise seen from outside";
         if (solid.turned_faces > 0)
             session.warn(Diagnostic(fmt::format("{} of the {} faces {} the other way round than the first, and {} turned",

@@ -347,7 +347,7 @@ Solid solid_from_surface(const Surface& given, const Flatness& flatness) {
     solid.anticlockwise = !turn_outward(surface) && solid.turned_faces == 0;
     check_outlines(surface);
     merge_flat_neighbours(surface);
-    solid.mended_by = flatten(surface, flatness);
+    solid.mended_by = flatten(surface, flatness, solid.triangulated);
     // A fine net from a file is as round as the digits of single precision make it.
     const double tolerance = surface.faces.size() > fine_net ? 1e-6 : 1e-9;
     if (is_convex(surface, tolerance * size_of(surface.vertices))) {

@@ -23,6 +23,7 @@ struct Surface {
 struct Flatness {
     double mended = 1e-3;          ///< warp up to this is taken out by moving vertices
     bool triangulate_rest = false; ///< faces warped more become triangles; otherwise they are refused
+    double triangulated = 0;       ///< without that: those warped up to this become triangles
 };
 
 /// A solid as convex parts: one for a convex body, several that belong together for a concave one.
@@ -30,6 +31,7 @@ struct Solid {
     std::vector<Polyhedron> parts;
     int turned_faces = 0; ///< faces that were given the other way round than the first
     bool anticlockwise = false; ///< all faces were given anticlockwise seen from outside
+    std::vector<std::string> triangulated; ///< faces that became triangles because they are warped
     double mended_by = 0; ///< longest way that a vertex was moved to make faces flat, a length
 };
 

@@ -32,7 +32,7 @@ double warp(const Surface& surface, const Surface::Face& face);
 void merge_flat_neighbours(Surface& surface);
 
 /// Makes faces flat by moving vertices, or splits them, or refuses. Returns the longest move.
-double flatten(Surface& surface, const Flatness& flatness);
+double flatten(Surface& surface, const Flatness& flatness, std::vector<std::string>& triangulated);
 
 /// Refuses faces whose outline crosses itself.
 void check_outlines(const Surface& surface);

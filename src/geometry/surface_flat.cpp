@@ -182,7 +182,7 @@ void merge_flat_neighbours(Surface& surface) {
     check_faces(surface);
 }
 
-double flatten(Surface& surface, const Flatness& flatness) {
+double flatten(Surface& surface, const Flatness& flatness, std::vector<std::string>& triangulated) {
     const double size = size_of(surface.vertices);
     double reach = size;
     for (const Vec3& v : surface.vertices) reach = std::max(reach, v.lpNorm<1>());
@@ -193,7 +193,8 @@ double flatten(Surface& surface, const Flatness& flatness) {
         const double off = warp(surface, face);
         if (off <= std::max(flatness.mended * size, rounding)) {
             faces.push_back(face);
-        } else if (flatness.triangulate_rest) {
+        } else if (flatness.triangulate_rest || off <= flatness.triangulated * size) {
+            triangulated.push_back(face.name);
             for (auto& triangle : split(surface, face)) faces.push_back(std::move(triangle));
         } else {
             throw Diagnostic(fmt::format("{} is not flat: its corners lie up to {:.3g} off its mean plane",
@@ -206,10 +207,11 @@ double flatten(Surface& surface, const Flatness& flatness) {
     const std::vector<Vec3> before = surface.vertices;
     // Few faces of which each hangs on the next may need many sweeps; in a fine net they never end.
     constexpr int most_sweeps = 20000, sweeps_of_net = 200;
+    const bool triangles_allowed = flatness.triangulate_rest || flatness.triangulated > 0;
     const int patience = flatness.triangulate_rest && surface.faces.size() > fine_net ? sweeps_of_net : most_sweeps;
     int sweep = 0;
     while (worst_warp(surface) > rounding) {
-        if (++sweep > patience && flatness.triangulate_rest) {
+        if (++sweep > patience && triangles_allowed) {
             split_warped(surface, rounding);
             break;
         }

@@ -186,6 +186,30 @@ TEST(Surface, SmallWarpIsMendedAndLargeIsRefused) {
     EXPECT_EQ(message_of(loops), "face 2 is not flat: its corners lie up to 0.0249 off its mean plane");
 }
 
+// Blocks of a few centimetres whose coordinates have three decimals: faces lie up to a hundredth of the size off their planes.
+TEST(Surface, FacesOfRoundedCoordinatesBecomeTriangles) {
+    Random random(20261123);
+    int with_triangles = 0;
+    for (int k = 0; k < 200; ++k) {
+        const double size = 0.06 + 0.1 * random.uniform();
+        Eigen::Vector4d four;
+        for (double& part : four) part = random.symmetric();
+        const Eigen::Quaterniond turn(four.normalized());
+        const Vec3 place(0.3, -0.7, random.symmetric());
+        auto loops = cube();
+        for (auto& loop : loops)
+            for (Vec3& v : loop) {
+                v = place + size * (turn * v);
+                for (int axis = 0; axis < 3; ++axis) v[axis] = std::round(1000 * v[axis]) / 1000;
+            }
+        const Solid solid = make_from_faces(loops, {}, {1e-3, false, 1e-2});
+        ASSERT_FALSE(solid.parts.empty()) << k;
+        EXPECT_NEAR(volume_of(solid), size * size * size, 0.03 * size * size * size) << k;
+        with_triangles += solid.triangulated.empty() ? 0 : 1;
+    }
+    EXPECT_GT(with_triangles, 50);
+}
+
 TEST(Surface, TrianglesOfOnePlaneBecomeOneFace) {
     Loops triangles;
     for (const auto& loop : turned(cube(), oblique, Vec3::Zero())) {
