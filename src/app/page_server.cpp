@@ -4,13 +4,17 @@
 
 #include <array>
 #include <atomic>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/http.hpp>
 #include <chrono>
 #include <csignal>
 #include <fmt/format.h>
-#include <httplib.h>
 #include <mutex>
+#include <poll.h>
 #include <pthread.h>
+#include <sstream>
 #include <sys/random.h>
+#include <sys/socket.h>
 #include <thread>
 
 namespace kaya {
@@ -41,54 +45,113 @@ constexpr const char* reload_script = R"(<div id="newer" style="display:none;pos
 
 } // namespace
 
+namespace http = boost::beast::http;
+using tcp = boost::asio::ip::tcp;
+
 struct PageServer::Server {
-    httplib::Server http;
+    boost::asio::io_context context;
+    tcp::acceptor acceptor{context};
+    std::string path; ///< "/0f3a.../"
     std::thread thread;
-    std::mutex mutex;
-    std::string page = "<!DOCTYPE html><title>kaya</title><meta http-equiv=\"refresh\" content=\"2\"><p>The run has not begun to cycle yet.</p>"; ///< by the mutex, as its version
-    int version = 0;
+    std::atomic<bool> ends = false;
     std::atomic<std::int64_t> asked = 0; ///< seconds of the steady clock
+    std::mutex mutex;                    ///< of the page and its version
+    std::string page = "<!DOCTYPE html><title>kaya</title><meta http-equiv=\"refresh\" content=\"2\"><p>The run has not begun to cycle yet.</p>";
+    int version = 0;
 
     static std::int64_t now() { return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+    http::response<http::string_body> answer(const http::request<http::empty_body>& request) {
+        http::response<http::string_body> response(http::status::ok, request.version());
+        response.set(http::field::cache_control, "no-store");
+        response.set(http::field::content_type, "text/plain");
+        if (request.method() != http::verb::get) response.result(http::status::method_not_allowed);
+        else if (request.target() == path || request.target() == path + "version") {
+            asked = now();
+            const std::lock_guard lock(mutex);
+            const bool whole = request.target() == path;
+            if (whole) response.set(http::field::content_type, "text/html; charset=utf-8");
+            response.body() = whole ? page : std::to_string(version);
+        } else response.result(http::status::not_found);
+        response.keep_alive(false);
+        response.prepare_payload();
+        return response;
+    }
+
+    /// Until the socket is ready. False when it is not in time, or the run ends.
+    bool ready(int socket, short what, std::chrono::steady_clock::time_point until) const {
+        while (!ends && std::chrono::steady_clock::now() < until) {
+            pollfd asked_for{socket, what, 0};
+            if (::poll(&asked_for, 1, 100) > 0) return true;
+        }
+        return false;
+    }
+
+    /// The head of a request, as far as it came; nothing of what is behind it is wanted.
+    std::string read_head(int socket) const {
+        constexpr std::size_t longest = 8192;
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+        std::string text;
+        std::array<char, 1024> part{};
+        while (text.size() < longest && text.find("\r\n\r\n") == std::string::npos && ready(socket, POLLIN, until)) {
+            const auto size = ::recv(socket, part.data(), part.size(), 0);
+            if (size <= 0) break;
+            text.append(part.data(), static_cast<std::size_t>(size));
+        }
+        return text;
+    }
+
+    void write(int socket, std::string_view text) const {
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+        while (!text.empty() && ready(socket, POLLOUT, until)) {
+            const auto size = ::send(socket, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+            if (size < 0) return;
+            text.remove_prefix(static_cast<std::size_t>(size));
+        }
+    }
+
+    /// One after the other: there is one reader. A connection that says nothing is given up.
+    void serve() {
+        while (!ends) {
+            boost::system::error_code problem;
+            tcp::socket socket(context);
+            acceptor.accept(socket, problem);
+            if (problem) continue;
+            const std::string head = read_head(socket.native_handle());
+            http::request_parser<http::empty_body> parser;
+            parser.put(boost::asio::buffer(head), problem);
+            if (problem || !parser.is_header_done()) continue;
+            std::ostringstream text;
+            text << answer(parser.get());
+            write(socket.native_handle(), text.view());
+        }
+    }
 };
 
 PageServer::PageServer(int port) : server_(std::make_unique<Server>()) {
     Server& own = *server_;
-    const std::string path = fmt::format("/{}/", token());
+    own.path = fmt::format("/{}/", token());
     own.asked = Server::now(); // the first page is wanted
-    own.http.Get(path, [&own](const httplib::Request&, httplib::Response& response) {
-        own.asked = Server::now();
-        const std::lock_guard lock(own.mutex);
-        response.set_header("Cache-Control", "no-store");
-        response.set_content(own.page, "text/html; charset=utf-8");
-    });
-    own.http.Get(path + "version", [&own](const httplib::Request&, httplib::Response& response) {
-        own.asked = Server::now();
-        const std::lock_guard lock(own.mutex);
-        response.set_header("Cache-Control", "no-store");
-        response.set_content(fmt::format("{}", own.version), "text/plain");
-    });
-    own.http.set_payload_max_length(1024);
-    // A port belongs to one run: the library would let two share it.
-    own.http.set_socket_options([](socket_t socket) {
-        const int yes = 1;
-        ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-    });
-    own.http.new_task_queue = [] { return new httplib::ThreadPool(2); };
-    const bool bound = port == 0 ? (port = own.http.bind_to_any_port(here)) > 0 : own.http.bind_to_port(here, port);
-    if (!bound) throw Diagnostic(fmt::format("port {} cannot be used", port), "another program has it, or it is below 1024: --watch 0 takes any that is free", Fault::run);
-    address_ = fmt::format("http://{}:{}{}", here, port, path);
-    // Signals are for the run.
+    boost::system::error_code problem;
+    const tcp::endpoint place(boost::asio::ip::make_address_v4(here), static_cast<unsigned short>(port));
+    own.acceptor.open(place.protocol(), problem);
+    if (!problem) own.acceptor.set_option(tcp::acceptor::reuse_address(true), problem);
+    if (!problem) own.acceptor.bind(place, problem);
+    if (!problem) own.acceptor.listen(8, problem);
+    if (problem)
+        throw Diagnostic(fmt::format("port {} cannot be used: {}", port, problem.message()), "another program has it, or it is below 1024: --watch 0 takes any that is free", Fault::run);
+    address_ = fmt::format("http://{}:{}{}", here, own.acceptor.local_endpoint().port(), own.path);
+    // Signals are for the run, and so is a reader that goes away in the middle of a page.
     sigset_t all, before;
     ::sigfillset(&all);
     ::pthread_sigmask(SIG_BLOCK, &all, &before);
-    own.thread = std::thread([&own] { own.http.listen_after_bind(); });
-    while (!own.http.is_running()) std::this_thread::yield();
+    own.thread = std::thread([&own] { own.serve(); });
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 PageServer::~PageServer() {
-    server_->http.stop();
+    server_->ends = true;
+    ::shutdown(server_->acceptor.native_handle(), SHUT_RDWR); // a call that waits for a connection returns
     server_->thread.join();
 }
 
