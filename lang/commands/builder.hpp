@@ -215,6 +215,7 @@ public:
         return flow(Flow::call);
     }
     /// The rest of the line as it stands.
+    Entry& raw() { return spec_.raw = true, *this; }
     Entry& raw(std::string Command::*text) {
         spec_.raw = true;
         return start([text](const Statement& s, Command& c) { c.*text = s.raw(1); });

@@ -334,7 +334,6 @@ struct Plot {
 
 struct Movie {
     std::vector<Plot::Item> words;
-    std::string text; ///< as it was typed
     Place place;
 };
 

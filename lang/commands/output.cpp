@@ -197,7 +197,7 @@ std::vector<Plot::Item> plot_words(const Statement& statement, std::string* rang
 CommandSpec movie() {
     Entry<Movie> entry({"movie"});
     entry.help("makes a picture of the current plot every so many cycles, the frames of a film");
-    entry.raw(&Movie::text).start([](const Statement& statement, Movie& command) {
+    entry.raw().start([](const Statement& statement, Movie& command) {
         command.place = statement.words.front().place;
         command.words = plot_words(statement, nullptr);
     });
@@ -208,8 +208,7 @@ CommandSpec movie() {
 CommandSpec plot() {
     Entry<Plot> entry({"plot"});
     entry.help("makes pictures of the model, of histories and of tables");
-    entry.raw(&Plot::range).start([](const Statement& statement, Plot& command) {
-        command.range.clear();
+    entry.raw().start([](const Statement& statement, Plot& command) {
         command.place = statement.words.front().place;
         command.words = plot_words(statement, &command.range);
     });

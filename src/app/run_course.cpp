@@ -1,5 +1,7 @@
 #include "app/run_course.hpp"
 
+#include "app/thinned.hpp"
+
 #include "model/field.hpp"
 
 #include <algorithm>
@@ -29,9 +31,7 @@ void RunCourse::look(const Model& model) {
     const double count = std::max<double>(1, static_cast<double>(sub.size()));
     samples_.push_back({cycle, model.clock.average_ratio, global(model, "kinetic_energy"), area > 0 ? 100 * open / area : 0, 100 * with_state / count});
     if (samples_.size() <= most_samples) return;
-    std::vector<Sample> kept;
-    for (std::size_t i = 0; i < samples_.size(); i += 2) kept.push_back(samples_[i]);
-    samples_ = std::move(kept);
+    samples_ = thinned(std::move(samples_));
     interval_ *= 2;
 }
 

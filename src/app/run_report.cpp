@@ -1,5 +1,7 @@
 #include "app/run_report.hpp"
 
+#include "app/thinned.hpp"
+
 #include "commands/save_session.hpp"
 #include "io/whole_file.hpp"
 #include "joints/joint_model.hpp"
@@ -17,13 +19,6 @@ constexpr std::size_t most_states = 24, most_bytes = 4'000'000; ///< a page of l
 
 std::size_t bytes_of(const std::vector<ReportState>& states) {
     return std::accumulate(states.begin(), states.end(), std::size_t{0}, [](std::size_t sum, const ReportState& state) { return sum + state.scene.size(); });
-}
-
-/// Every second one goes; the first stays.
-void thin(std::vector<ReportState>& states) {
-    std::vector<ReportState> kept;
-    for (std::size_t i = 0; i < states.size(); i += 2) kept.push_back(std::move(states[i]));
-    states = std::move(kept);
 }
 
 } // namespace
@@ -56,15 +51,14 @@ void RunReport::look() {
     if (!is_wanted()) return;
     const Model& model = session_.model;
     course_.look(model);
-    const std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
-    if (server_ && now - shown_ >= pause_ && server_->is_read()) show();
+    if (server_ && std::chrono::steady_clock::now() - shown_ >= pause_ && server_->is_read()) show();
     const std::int64_t cycle = model.clock.cycle;
     if (!states_.empty() && cycle <= states_.back().cycle) states_.clear(); // another model, or this one from before
     if (states_.empty()) centre_ = report_centre(model), interval_ = first_interval;
     else if (cycle - states_.back().cycle < interval_) return;
     states_.push_back(report_state(model, centre_));
     while (states_.size() > 1 && (states_.size() > most_states || bytes_of(states_) > most_bytes)) {
-        thin(states_);
+        states_ = thinned(std::move(states_));
         interval_ *= 2;
     }
 }

@@ -43,26 +43,6 @@ script::FieldInfo info_of(const Field& field) {
     return {field.name, field.classic, field.unit, field.help, field.set != nullptr};
 }
 
-std::size_t size_of(const Model& model, ScriptTable table) {
-    switch (table) {
-    case ScriptTable::block:
-        return model.blocks.size();
-    case ScriptTable::gridpoint:
-        return model.gridpoints.size();
-    case ScriptTable::zone:
-        return model.zones.size();
-    case ScriptTable::face:
-        return model.faces.size();
-    case ScriptTable::contact:
-        return model.contacts.size();
-    case ScriptTable::sub_contact:
-        return model.sub_contacts.size();
-    case ScriptTable::corner:
-        return 3 * model.triangles.size();
-    }
-    return 0;
-}
-
 FieldValue field_value(const Value& value, const Field& field) {
     if (const auto* truth = std::get_if<bool>(&value)) return std::int64_t{*truth};
     if (const auto* number = std::get_if<std::int64_t>(&value)) return *number;
@@ -98,7 +78,7 @@ Span siblings(const Model& model, ScriptTable table, Row row) {
     case ScriptTable::contact:
         break;
     }
-    return {0, static_cast<Row>(size_of(model, table))};
+    return {0, static_cast<Row>(row_count(model, entries[static_cast<std::size_t>(table)].fields))};
 }
 
 /// The block that a gridpoint, zone, face or corner belongs to.
@@ -245,7 +225,7 @@ void ModelWorld::set(Handle object, std::size_t field, const Value& value) {
     write(model_, *fields_[static_cast<std::size_t>(object.table)][field], row, value);
 }
 
-std::size_t ModelWorld::count(std::int32_t table) { return size_of(model_, static_cast<ScriptTable>(table)); }
+std::size_t ModelWorld::count(std::int32_t table) { return row_count(model_, entries[static_cast<std::size_t>(table)].fields); }
 
 Handle ModelWorld::at(std::int32_t table, std::size_t index) {
     return handle(static_cast<ScriptTable>(table), index < count(table) ? static_cast<Row>(index) : no_row);

@@ -64,9 +64,7 @@ void shoot_movies(Session& session) {
 }
 
 void run(Session& session, const lang::Movie& command) {
-    auto words = command.words;
-    for (auto& word : words)
-        if (word.script) word.text = session.symbol_text(word.text);
+    const auto words = with_script_values(session, command.words);
     try {
         const MovieLine line = read_movie_line(words);
         if (!line.unknown.empty()) session.note_once(fmt::format("movie leaves '{}' out", fmt::join(line.unknown, " ")), "docs/commands/movie.md lists what it reads");

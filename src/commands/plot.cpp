@@ -202,7 +202,7 @@ std::string picture_name(Session& session, const PlotLine& line, bool curves) {
     return path.string() + ".png";
 }
 
-/// One picture, or the first of many.
+/// One picture at once, or a movie that begins with the next cycle.
 void write_picture(Session& session, const PlotView& view, const PlotLine& line) {
     const std::string file = picture_name(session, line, has_curves(view));
     if (line.interval == 0) {
@@ -228,13 +228,17 @@ bool write_view(Session& session, const PlotView& view, const std::string& file)
     return true;
 }
 
-void run(Session& session, const lang::Plot& command) {
-    auto words = command.words;
+std::vector<lang::Plot::Item> with_script_values(Session& session, std::vector<lang::Plot::Item> words) {
     for (auto& word : words)
         if (word.script) {
             word.text = session.symbol_text(word.text);
             word.script = false;
         }
+    return words;
+}
+
+void run(Session& session, const lang::Plot& command) {
+    const auto words = with_script_values(session, command.words);
     auto& plots = session.plots;
     PlotLine line = read_plot_line(words, command.range, plots.views[plots.current]);
     if (!line.unknown.empty())

@@ -66,6 +66,9 @@ PlotLine read_plot_line(const std::vector<lang::Plot::Item>& words, const std::s
 
 class Session;
 
+/// The words with what scripts say for those that are late (@name). Throws Diagnostic for a name that nothing has.
+std::vector<lang::Plot::Item> with_script_values(Session& session, std::vector<lang::Plot::Item> words);
+
 /// Draws a view into a file whose suffix says which kind. False, with a note, when there is no picture: that is no reason to end a run.
 bool write_view(Session& session, const PlotView& view, const std::string& file);
 

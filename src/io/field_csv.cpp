@@ -9,27 +9,13 @@ namespace kaya {
 
 namespace {
 
-std::size_t size_of(const Model& model, FieldTable table) {
-    switch (table) {
-    case FieldTable::block: return model.blocks.size();
-    case FieldTable::gridpoint: return model.gridpoints.size();
-    case FieldTable::face: return model.faces.size();
-    case FieldTable::zone: return model.zones.size();
-    case FieldTable::contact: return model.contacts.size();
-    case FieldTable::sub_contact: return model.sub_contacts.size();
-    case FieldTable::corner: return 3 * model.triangles.size();
-    case FieldTable::global: break;
-    }
-    return 1;
-}
-
 std::string cell_of(const Model& model, const FieldValue& value) {
     if (const auto* text = std::get_if<std::string>(&value)) return csv_cell(*text);
     if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *whole);
     if (const auto* real = std::get_if<double>(&value)) return csv_cell(*real);
     const auto* link = std::get_if<Link>(&value);
-    const Field* id = link == nullptr || link->row == no_row ? nullptr : find_field(link->table, "id");
-    return id == nullptr ? std::string() : cell_of(model, id->get(model, link->row));
+    const auto number = link == nullptr ? std::nullopt : object_number(model, *link);
+    return number ? fmt::format("{}", *number) : std::string();
 }
 
 } // namespace
@@ -41,7 +27,7 @@ const std::vector<FieldTableName>& field_table_names() {
 }
 
 std::string field_csv(const Model& model, FieldTable table) {
-    const auto rows = static_cast<Row>(size_of(model, table));
+    const auto rows = static_cast<Row>(row_count(model, table));
     std::vector<const Field*> columns;
     std::string text;
     for (const Field& field : fields()) {

@@ -37,13 +37,8 @@ bool is_component(const Field& field) {
 }
 
 /// Objects by the numbers that users see.
-std::int64_t number_of(const Model& model, const Link& link) {
-    const Field* id = link.row == no_row ? nullptr : find_field(link.table, "id");
-    return id == nullptr ? -1 : std::get<std::int64_t>(id->get(model, link.row));
-}
-
 std::int64_t whole_of(const Model& model, const FieldValue& value) {
-    if (const auto* link = std::get_if<Link>(&value)) return number_of(model, *link);
+    if (const auto* link = std::get_if<Link>(&value)) return object_number(model, *link).value_or(-1);
     if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
     return -1;
 }

@@ -90,4 +90,24 @@ const Field* find_history_field(std::string_view word) {
     return word.empty() ? nullptr : look_up(index, word);
 }
 
+std::size_t row_count(const Model& model, FieldTable table) {
+    switch (table) {
+    case FieldTable::global: return 1;
+    case FieldTable::block: return model.blocks.size();
+    case FieldTable::gridpoint: return model.gridpoints.size();
+    case FieldTable::face: return model.faces.size();
+    case FieldTable::zone: return model.zones.size();
+    case FieldTable::contact: return model.contacts.size();
+    case FieldTable::sub_contact: return model.sub_contacts.size();
+    case FieldTable::corner: return 3 * model.triangles.size();
+    }
+    return 0;
+}
+
+std::optional<std::int64_t> object_number(const Model& model, const Link& link) {
+    const Field* id = link.row == no_row ? nullptr : find_field(link.table, "id");
+    if (id == nullptr) return std::nullopt;
+    return std::get<std::int64_t>(id->get(model, link.row));
+}
+
 } // namespace kaya

@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -38,5 +39,10 @@ std::span<const Field> fields();
 const Field* find_field(FieldTable table, std::string_view name);
 const Field* find_classic_field(std::string_view classic);
 const Field* find_history_field(std::string_view word);
+
+/// How many rows a table of fields has; 1 for global.
+std::size_t row_count(const Model& model, FieldTable table);
+/// The number by which users know an object; none for no object and for what has none, such as a corner.
+std::optional<std::int64_t> object_number(const Model& model, const Link& link);
 
 } // namespace kaya

@@ -83,8 +83,9 @@ double length_of(const Model& model, const FieldValue& value) {
     if (const auto* v = std::get_if<Vec3>(&value)) return v->norm();
     if (const auto* d = std::get_if<double>(&value)) return *d;
     if (const auto* i = std::get_if<std::int64_t>(&value)) return static_cast<double>(*i);
-    if (const auto* link = std::get_if<Link>(&value); link != nullptr && link->row != no_row && link->table == FieldTable::block) return model.blocks.number[link->row];
-    return std::numeric_limits<double>::quiet_NaN();
+    const auto* link = std::get_if<Link>(&value);
+    const auto number = link == nullptr || link->table != FieldTable::block ? std::nullopt : object_number(model, *link);
+    return number ? static_cast<double>(*number) : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// A field as JSON: one value for each row; texts by their number in `names`.

@@ -32,20 +32,6 @@ void set(Model& model, std::string_view classic, Row row, const FieldValue& v) {
     find_classic_field(classic)->set(model, row, v);
 }
 
-std::size_t rows_in(const Model& model, FieldTable table) {
-    switch (table) {
-    case FieldTable::global: return 1;
-    case FieldTable::block: return model.blocks.size();
-    case FieldTable::gridpoint: return model.gridpoints.size();
-    case FieldTable::face: return model.faces.size();
-    case FieldTable::zone: return model.zones.size();
-    case FieldTable::contact: return model.contacts.size();
-    case FieldTable::sub_contact: return model.sub_contacts.size();
-    case FieldTable::corner: return 3 * model.triangles.size();
-    }
-    return 0;
-}
-
 } // namespace
 
 TEST(Fields, NamesAreUniqueWithinATable) {
@@ -91,12 +77,12 @@ TEST(Fields, EveryFieldOfEveryRowCanBeReadAndLinksStayInsideTheModel) {
     const Model model = hand_made_model();
     std::size_t read = 0;
     for (const auto& field : fields())
-        for (std::size_t row = 0; row < rows_in(model, field.table); ++row) {
+        for (std::size_t row = 0; row < row_count(model, field.table); ++row) {
             const FieldValue v = field.get(model, static_cast<Row>(row));
             ++read;
             if (const auto* link = std::get_if<Link>(&v)) {
                 EXPECT_GE(link->row, no_row) << field.name;
-                EXPECT_LT(link->row, static_cast<Row>(rows_in(model, link->table))) << field.name;
+                EXPECT_LT(link->row, static_cast<Row>(row_count(model, link->table))) << field.name;
             }
         }
     EXPECT_GT(read, 300u);
