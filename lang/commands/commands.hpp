@@ -351,6 +351,22 @@ struct Solve {
     std::string file;                             ///< where the failing state is saved
     Place place;
 };
+/// limit equilibrium
+struct LimitEquilibrium {
+    enum class Method { ordinary, bishop, janbu, spencer, morgenstern_price };
+    enum class Surfaces { circles, polylines };
+    std::vector<Method> methods;           ///< none: the usual ones
+    std::optional<Vec3> origin, direction; ///< of the section
+    std::optional<Vec3> circle;            ///< distance, height, radius
+    std::vector<std::array<double, 2>> surface; ///< distance, height
+    Surfaces search = Surfaces::circles;   ///< when no surface is given
+    std::optional<std::array<double, 2>> entry, exit;
+    std::int64_t slices = 50, corners = 8;
+    double crack = 0, crack_water = 0, seismic = 0, pressure_ratio = 0, least_depth = 0;
+    std::optional<std::int64_t> water_table; ///< number of a table: height of the water over distance
+    std::optional<std::int64_t> table;       ///< number of a table that gets the surface
+    Place place;
+};
 struct Damp {
     std::string kind; ///< auto (=global), local, global, combined, rayleigh, none; empty: as it was
     std::optional<double> value;         ///< local 0.8

@@ -12,6 +12,7 @@ Family boundary();
 Family history();
 Family output();
 Family solution();
+Family slopes();
 Family script();
 Family not_supported_yet(); ///< known words, refused
 

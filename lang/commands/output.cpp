@@ -49,6 +49,7 @@ const std::vector<Listed>& listed() {
         {{"excavated"}, "blocks that fill can put back"},
         {{"state"}, "joints by joint model and state: sub-contacts and their area"},
         {{"stress"}, "zones: principal, mean and greatest shear stress"},
+        {{Spelling{"stability", 4}}, "blocks that could leave their place: how, and their factor of safety", Behind::objects},
         {{"jset"}, "joint sets: mean orientation, faces, contacts"},
         {{"memory"}, "what the tables of the model take"},
         {{"version"}, "version of the program"},

@@ -84,6 +84,7 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
 
     add<lang::TableCommand>(session, handlers, InCycle::runs);
     add<lang::WaterCommand>(session, handlers, InCycle::waits);
+    add<lang::LimitEquilibrium>(session, handlers, InCycle::refused);
 
     add<lang::HistoryAdd>(session, handlers, InCycle::waits);
     add<lang::HistoryLabel>(session, handlers, InCycle::runs);

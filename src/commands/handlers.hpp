@@ -80,6 +80,7 @@ void run(Session&, const lang::TableCommand&);
 
 // water.cpp
 void run(Session&, const lang::WaterCommand&);
+void run(Session&, const lang::LimitEquilibrium&);
 
 // histories.cpp
 void run(Session&, const lang::HistoryAdd&);

@@ -58,7 +58,7 @@ struct ListEntry {
     std::string_view word;
     std::string (*text)(Session&, const lang::List&);
 };
-constexpr std::array<ListEntry, 31> lists{{
+constexpr std::array<ListEntry, 32> lists{{
     {"blocks", list_blocks}, {"quality", list_block_quality},         {"contacts", list_contacts}, {"subcontacts", list_sub_contacts},
     {"gridpoints", list_gridpoints}, {"zones", list_zones},       {"prop", list_properties},
     {"jmodel", list_joint_models},   {"hist", list_histories},    {"time", list_time},
@@ -69,7 +69,7 @@ constexpr std::array<ListEntry, 31> lists{{
     {"boundary", list_boundary},     {"excavated", list_excavated}, {"stress", list_stresses},
     {"state", list_states},          {"jset", list_joint_sets},   {"memory", list_memory},
     {"version", list_version},       {"faces", list_faces},       {"unbalanced", list_unbalanced},
-    {"damping", list_damping},       {"information", list_information},
+    {"damping", list_damping},       {"information", list_information}, {"stability", list_stability},
 }};
 
 } // namespace

@@ -105,6 +105,11 @@ std::string zone_model_of(const Model& model, Row block) {
     throw d;
 }
 
+std::vector<double> zone_model_values(const Model& model, Row block, const ZoneModel& zone_model) {
+    const auto row = static_cast<std::size_t>(model.blocks.zone_properties[block]);
+    return values_of(zone_model, material_of(model, model.blocks.material[block]), model.zone_properties[row]);
+}
+
 double value_for_material(const LawTable::Property& property, const Material& material) {
     for (const auto& [word, value] : material_words)
         if (stands_for(property, word)) return material.*value;

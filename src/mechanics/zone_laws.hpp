@@ -40,6 +40,9 @@ private:
 /// that means none.
 std::string zone_model_of(const Model& model, Row block);
 
+/// The values of a zone model for a block with its material, whether it has zones or not; NaN for one that nobody gave.
+std::vector<double> zone_model_values(const Model& model, Row block, const ZoneModel& zone_model);
+
 /// What a property of a zone model is for a material: as `prop mat` gave it, else its initial value.
 double value_for_material(const LawTable::Property& property, const Material& material);
 

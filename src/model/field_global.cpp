@@ -60,7 +60,7 @@ const Fields& global_fields() {
          clock<&Clock::maximum_ratio>, nullptr},
         {table, "local_ratio", "", "", "-", "largest ratio of unbalanced to acting force of one body",
          clock<&Clock::local_ratio>, nullptr},
-        {table, "factor_of_safety", "fos", "", "-", "found by the last solve fos, 0 when there was none",
+        {table, "factor_of_safety", "fos", "", "-", "found last by solve fos, limit equilibrium or list stability (then the least of the blocks); 0 when there was none",
          clock<&Clock::factor_of_safety>, nullptr},
         {table, "global_viscosity", "", "damp", "1/time", "viscosity of adaptive global damping",
          clock<&Clock::global_viscosity>, nullptr},

@@ -1,0 +1,191 @@
+// limit equilibrium: slip surfaces through a section of the model.
+#include "base/counted.hpp"
+#include "commands/handlers.hpp"
+#include "commands/model_section.hpp"
+#include "slopes/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+using lang::LimitEquilibrium;
+
+constexpr int search_slices = 30; ///< what a search compares; its answer is computed with those of the command
+
+SliceMethod method_of(LimitEquilibrium::Method method) {
+    switch (method) {
+    case LimitEquilibrium::Method::ordinary: return SliceMethod::ordinary;
+    case LimitEquilibrium::Method::bishop: return SliceMethod::bishop;
+    case LimitEquilibrium::Method::janbu: return SliceMethod::janbu;
+    case LimitEquilibrium::Method::spencer: return SliceMethod::spencer;
+    case LimitEquilibrium::Method::morgenstern_price: break;
+    }
+    return SliceMethod::morgenstern_price;
+}
+
+/// Methods from the least to the most that they ask of equilibrium; of two answers the later counts.
+std::vector<SliceMethod> methods_of(const LimitEquilibrium& command, bool circle) {
+    std::vector<SliceMethod> methods;
+    for (const auto method : command.methods) methods.push_back(method_of(method));
+    if (methods.empty()) {
+        using enum SliceMethod;
+        methods = circle ? std::vector{bishop, spencer, morgenstern_price} : std::vector{janbu, spencer, morgenstern_price};
+    }
+    std::ranges::sort(methods);
+    methods.erase(std::unique(methods.begin(), methods.end()), methods.end());
+    for (const SliceMethod method : methods)
+        if (!circle && needs_circle(method))
+            throw Diagnostic(fmt::format("{} goes with circles only", name_of(method)), "for other surfaces: janbu, spencer or morgenstern-price");
+    return methods;
+}
+
+SectionPlane plane_of(const Session& session, const LimitEquilibrium& command) {
+    const Model& model = session.model;
+    const double g = model.settings.gravity.norm();
+    if (!(g > 0)) throw Diagnostic("limit equilibrium needs gravity", "write before it, for example: gravity 0 0 -9.81");
+    SectionPlane plane;
+    plane.up = -model.settings.gravity / g;
+    const Vec3 along = command.direction.value_or(Vec3(1, 0, 0));
+    const Vec3 level = along - along.dot(plane.up) * plane.up;
+    if (!(level.norm() > 1e-6 * along.norm())) throw Diagnostic("the direction of a section must not be that of gravity", "write for example: direction 1 0 0");
+    plane.along = level.normalized();
+    if (command.origin) {
+        plane.point = *command.origin;
+    } else {
+        Vec3 low = Vec3::Constant(INFINITY), high = Vec3::Constant(-INFINITY);
+        for (Row p = 0; p < static_cast<Row>(model.gridpoints.size()); ++p) {
+            if (model.blocks.hidden[model.gridpoints.block[p]]) continue;
+            low = low.cwiseMin(model.gridpoints.position[p]), high = high.cwiseMax(model.gridpoints.position[p]);
+        }
+        if (!(low.x() <= high.x())) throw Diagnostic("there is no block", "limit equilibrium cuts a section through the model");
+        plane.point = 0.5 * (low + high);
+    }
+    return plane;
+}
+
+/// A numbered table as the height of the water over the distance.
+void add_water_table(Session& session, std::int64_t number, SlopeSection& section) {
+    const auto& tables = session.scripts->tables();
+    const auto found = tables.find(number);
+    if (found == tables.end() || found->second.points.empty())
+        throw Diagnostic(fmt::format("there is no table {} with the height of the water", number), fmt::format("write before it, for example: table {} 0 10 50 14", number));
+    section.pore_pressure = [table = found->second, weight = section.water_weight](const SectionPoint& at) { return weight * (table.at(at.x()) - at.y()); };
+}
+
+std::string surface_text(const SlipSurface& surface) {
+    std::string text = fmt::format("from {}, {} to {}, {}", number_text(surface.points.front().x()), number_text(surface.points.front().y()),
+                                   number_text(surface.points.back().x()), number_text(surface.points.back().y()));
+    if (surface.circle)
+        text += fmt::format(", centre {}, {} radius {}", number_text(surface.circle->centre.x()), number_text(surface.circle->centre.y()), number_text(surface.circle->radius));
+    return text;
+}
+
+class Assessment {
+public:
+    Assessment(Session& session, const LimitEquilibrium& command) : session_(session), command_(command), plane_(plane_of(session, command)) {
+        section_ = section_of(session.model, session.joints, plane_);
+        section_.seismic = command.seismic;
+        section_.crack_depth = command.crack;
+        section_.crack_water = command.crack_water;
+        section_.pressure_ratio = command.pressure_ratio;
+        const double density = session.model.settings.water == Water::table ? session.model.settings.water_value : 1000;
+        section_.water_weight = density * session.model.settings.gravity.norm();
+        if (command.water_table) add_water_table(session, *command.water_table, section_);
+    }
+
+    void run() {
+        const SlopeColumns columns(section_);
+        session_.output.say(fmt::format("limit equilibrium: {} cut through {} along {}, distances from {} to {}", counted(section_.cells.size(), "block"), place_text(plane_.point),
+                                        place_text(plane_.along), number_text(columns.left()), number_text(columns.right())));
+        const bool given = command_.circle || !command_.surface.empty();
+        const bool circle = given ? command_.circle.has_value() : command_.search == LimitEquilibrium::Surfaces::circles;
+        TextTable table({"method", "factor", "lambda", "surface"});
+        for (const SliceMethod method : methods_of(command_, circle)) {
+            const auto found = given ? assess(columns, given_surface(columns), method) : search(columns, circle, method);
+            if (!found) {
+                table.add({std::string(name_of(method)), "none", "", "no state of equilibrium by this method"});
+                continue;
+            }
+            const auto& answer = found->answer;
+            const bool rigorous = method == SliceMethod::spencer || method == SliceMethod::morgenstern_price;
+            std::string remark = surface_text(found->surface);
+            if (answer.pulled > 0) remark += fmt::format("; {} of its slices pulled", answer.pulled);
+            table.add({std::string(name_of(method)), fmt::format("{:.4f}", answer.factor), rigorous ? fmt::format("{:.4f}", answer.lambda) : "", remark});
+            best_ = found;
+            best_method_ = method;
+        }
+        session_.output.say(table.text());
+        if (!best_)
+            throw Diagnostic("no slip surface has a factor of safety by these methods",
+                             "a tension crack often helps (crack d); or entry, exit and depth keep the search where a body can slide", Fault::run);
+        session_.model.clock.factor_of_safety = best_->answer.factor;
+        session_.output.say(fmt::format("factor of safety: {:.4f} ({})", best_->answer.factor, name_of(best_method_)));
+        if (25 * best_->answer.pulled > command_.slices && command_.crack == 0)
+            session_.note_once("the upper end of the slip surface is in tension", "a tension crack there is nearer to the truth: crack d");
+        if (command_.table) keep_surface(*command_.table);
+    }
+
+private:
+    SlipSurface given_surface(const SlopeColumns& columns) const {
+        if (command_.circle) {
+            const auto surface = circle_surface(columns, {(*command_.circle)[0], (*command_.circle)[1]}, (*command_.circle)[2]);
+            if (!surface) throw Diagnostic("the circle cuts nothing off, or leaves the section", "look at its centre and radius; the section begins and ends as said above");
+            return *surface;
+        }
+        SlipSurface surface;
+        for (const auto& [distance, height] : command_.surface) surface.points.emplace_back(distance, height);
+        return surface;
+    }
+
+    std::optional<FoundSurface> assess(const SlopeColumns& columns, const SlipSurface& surface, SliceMethod method) const {
+        const auto body = body_above(columns, surface, static_cast<int>(command_.slices));
+        if (!body) throw Diagnostic("the surface leaves the section, or passes above the ground", "its points are distances and heights, both ends on the ground");
+        if (std::ranges::any_of(body->slices, [](const Slice& slice) { return !slice.strength->fails(); }))
+            throw Diagnostic("the surface passes through rock that has no strength to lose", "give it one, e.g. `prop mat 1 bcoh 3e4 bfric 20`");
+        const auto answer = factor_of_safety(*body, method);
+        if (!answer) return std::nullopt;
+        return FoundSurface{surface, *answer};
+    }
+
+    std::optional<FoundSurface> search(const SlopeColumns& columns, bool circles, SliceMethod method) const {
+        SurfaceSearch search;
+        search.method = method;
+        search.slices = search_slices;
+        search.entry = command_.entry;
+        search.exit = command_.exit;
+        search.corners = static_cast<int>(command_.corners);
+        search.least_depth = command_.least_depth;
+        const auto found = circles ? weakest_circle(columns, search) : weakest_polyline(columns, search);
+        return found ? assess(columns, found->surface, method) : std::nullopt;
+    }
+
+    void keep_surface(std::int64_t number) {
+        auto& table = session_.scripts->tables()[number];
+        table.points.clear();
+        for (const SectionPoint& point : best_->surface.points) table.points.push_back({point.x(), point.y()});
+    }
+
+    Session& session_;
+    const LimitEquilibrium& command_;
+    SectionPlane plane_;
+    SlopeSection section_;
+    std::optional<FoundSurface> best_;
+    SliceMethod best_method_ = SliceMethod::bishop;
+};
+
+} // namespace
+
+void run(Session& session, const LimitEquilibrium& command) {
+    try {
+        Assessment(session, command).run();
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+} // namespace kaya

@@ -1,0 +1,20 @@
+// Strength criteria of the rock and the joints of a model, as limit equilibrium knows them.
+#pragma once
+
+#include "joints/joint_model.hpp"
+#include "model/model.hpp"
+#include "slopes/strength.hpp"
+
+#include <optional>
+
+namespace kaya {
+
+/// Of a block: Mohr-Coulomb by `cohesion` and `friction` of its zone model, Hoek-Brown by `constant-sci` and so on; of a block whose
+/// zones do not yield, and of a rigid one, by cohesion and friction of its material. None when it has none.
+std::optional<Strength> rock_strength(const Model& model, JointRegistry& laws, Row block);
+
+/// Of a contact: Barton by `jrco` and `jcso`, scaled to the length of the joint; else Coulomb by `friction` and `cohesion` of its joint
+/// model. None when properties that it must have are missing, or its joint model has none of these.
+std::optional<Strength> joint_strength(const Model& model, JointRegistry& laws, Row contact);
+
+} // namespace kaya

@@ -1,0 +1,167 @@
+// list stability: blocks that could leave their place, by block theory.
+#include "commands/listing.hpp"
+#include "commands/model_strengths.hpp"
+
+#include "mechanics/contact_properties.hpp"
+#include "model/joined.hpp"
+#include "model/measure.hpp"
+#include "model/water.hpp"
+#include "slopes/sliding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <numbers>
+
+namespace kaya {
+
+namespace {
+
+constexpr std::array<const char*, 5> mode_names{"held", "at rest", "falls", "slides on one plane", "slides on two planes"};
+
+/// Trend and plunge of a direction in degrees: "150/37".
+std::string line_text(const Vec3& direction, const Vec3& up) {
+    constexpr double degrees = 180 / std::numbers::pi;
+    if (direction.isZero()) return "-";
+    double trend = std::atan2(direction.x(), direction.y()) * degrees;
+    if (trend < 0) trend += 360;
+    return fmt::format("{:.1f}/{:.1f}", trend, std::asin(std::clamp(-direction.dot(up), -1.0, 1.0)) * degrees);
+}
+
+/// A rigid body, or a block with zones taken as rigid: what holds it.
+struct Body {
+    std::vector<Row> blocks;
+    bool fixed = false;
+    double volume = 0;
+    Vec3 force = Vec3::Zero();
+    struct Side {
+        std::size_t other;
+        HeldFace face;
+    };
+    std::vector<Side> sides;
+    SlidingAnswer answer;
+    int stage = 0; ///< 0: it stays; else the round in which it becomes free
+};
+
+class Bodies {
+public:
+    Bodies(Model& model, JointRegistry& laws) : model_(model) {
+        find_contacts(model, laws);
+        gather();
+        std::map<Row, std::optional<Strength>> strengths;
+        const WaterPressure water(model);
+        for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact) add_contact(contact, laws, strengths, water);
+        assess();
+    }
+
+    const std::vector<Body>& all() const { return bodies_; }
+
+private:
+    void gather() {
+        std::map<std::int32_t, std::size_t> of_joined;
+        body_of_.resize(model_.blocks.size());
+        for (Row block = 0; block < static_cast<Row>(model_.blocks.size()); ++block) {
+            const auto joined = model_.blocks.body[block];
+            std::size_t body = bodies_.size();
+            if (joined != 0) body = of_joined.try_emplace(joined, body).first->second;
+            if (body == bodies_.size()) bodies_.emplace_back();
+            body_of_[static_cast<std::size_t>(block)] = body;
+            Body& at = bodies_[body];
+            at.blocks.push_back(block);
+            at.fixed = at.fixed || is_held(block);
+            at.volume += model_.blocks.volume[block];
+            const auto material = model_.materials.find(model_.blocks.material[block]);
+            if (material == model_.materials.end() || std::isnan(material->second.density))
+                throw Diagnostic(fmt::format("block {} has no density", model_.blocks.number[block]), "give it with `prop mat`; block theory needs weights");
+            at.force += material->second.density * model_.blocks.volume[block] * model_.settings.gravity + block_load(model_, block);
+        }
+    }
+
+    /// Whether a velocity is prescribed anywhere on it.
+    bool is_held(Row block) const {
+        if (!model_.blocks.deformable[block]) return (model_.blocks.fixed[block] & (fix_x | fix_y | fix_z)) != 0;
+        const Span points = model_.blocks.gridpoints[block];
+        for (Row g = points.first; g < points.end(); ++g)
+            if (model_.gridpoints.fixed[g] != 0 || model_.gridpoints.roller[g] != 0) return true;
+        return false;
+    }
+
+    void add_contact(Row contact, JointRegistry& laws, std::map<Row, std::optional<Strength>>& strengths, const WaterPressure& water) {
+        const auto& contacts = model_.contacts;
+        // Blocks that meet in an edge or a corner hold each other by no plane.
+        if (contacts.face1[contact] == no_row || contacts.face2[contact] == no_row || !(contacts.area[contact] > 0)) return;
+        const std::size_t a = body_of_[static_cast<std::size_t>(contacts.block1[contact])], b = body_of_[static_cast<std::size_t>(contacts.block2[contact])];
+        if (a == b) return;
+        auto& strength = strengths.try_emplace(contacts.properties[contact], joint_strength(model_, laws, contact)).first->second;
+        const double area = contacts.area[contact];
+        const Vec3 normal = contacts.normal[contact];
+        Vec3 push = Vec3::Zero();
+        const Span points = contacts.sub_contacts[contact];
+        for (Row i = points.first; i < points.end(); ++i) push += water.at(model_.sub_contacts.position[i]) * model_.sub_contacts.area[i] * normal;
+        bodies_[a].sides.push_back({b, {normal, area, strength ? &*strength : nullptr}});
+        bodies_[b].sides.push_back({a, {-normal, area, strength ? &*strength : nullptr}});
+        bodies_[a].force -= push;
+        bodies_[b].force += push;
+    }
+
+    /// Body by body against those that stay; when some have left, those behind them again.
+    void assess() {
+        std::vector<char> gone(bodies_.size(), 0);
+        for (int stage = 1;; ++stage) {
+            std::vector<std::size_t> leave;
+            for (std::size_t i = 0; i < bodies_.size(); ++i) {
+                Body& body = bodies_[i];
+                if (body.fixed || gone[i]) continue;
+                std::vector<HeldFace> faces;
+                for (const Body::Side& side : body.sides)
+                    if (!gone[side.other]) faces.push_back(side.face);
+                const bool was_held = body.answer.mode == SlidingMode::held;
+                body.answer = slide(body.force, faces);
+                if (was_held && body.answer.mode != SlidingMode::held) body.stage = stage;
+                if (body.answer.factor && *body.answer.factor < 1) leave.push_back(i);
+            }
+            if (leave.empty()) return;
+            for (const std::size_t i : leave) gone[i] = 1;
+        }
+    }
+
+    Model& model_;
+    std::vector<Body> bodies_;
+    std::vector<std::size_t> body_of_;
+};
+
+} // namespace
+
+std::string list_stability(Session& session, const lang::List& command) {
+    Model& model = session.model;
+    const double g = model.settings.gravity.norm();
+    const Vec3 up = g > 0 ? Vec3(-model.settings.gravity / g) : Vec3(0, 0, 1);
+    const auto rows = select(model, ObjectKind::block, session.test_of(ObjectKind::block, command.range));
+    const auto shown = [&](Row block) { return std::ranges::binary_search(rows, block); };
+    const Bodies bodies(model, session.joints);
+    TextTable table({"block", "stage", "mode", "trend/plunge", "factor", "volume", "planes"});
+    std::size_t looked_at = 0, free = 0, leaving = 0;
+    std::optional<double> least;
+    for (const Body& body : bodies.all()) {
+        const Row first = body.blocks.front();
+        if (body.fixed || std::ranges::none_of(body.blocks, shown)) continue;
+        ++looked_at;
+        if (body.stage == 0) continue;
+        ++free;
+        const auto& answer = body.answer;
+        if (answer.factor && *answer.factor < 1) ++leaving;
+        if (answer.factor) least = std::min(least.value_or(INFINITY), *answer.factor);
+        if (table.size() < longest_table)
+            table.add({std::to_string(model.blocks.number[first]), std::to_string(body.stage), mode_names[static_cast<std::size_t>(answer.mode)],
+                       line_text(answer.direction, up), answer.factor ? fmt::format("{:.4f}", *answer.factor) : "-", number_text(body.volume),
+                       std::to_string(answer.faces.size())});
+    }
+    if (least) model.clock.factor_of_safety = *least;
+    std::string text = free > 0 ? table.text() + "\n" : "";
+    if (free > longest_table) text += fmt::format("... and {} more; a range picks which are shown\n", free - longest_table);
+    return text + fmt::format("{} of {} free bodies can leave their place, {} of them do (factor below 1); the others are held by their neighbours", free, looked_at, leaving);
+}
+
+} // namespace kaya

@@ -1,0 +1,284 @@
+#include "slopes/search.hpp"
+
+#include "base/stop_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlopt.hpp>
+#include <vector>
+
+namespace kaya {
+
+namespace {
+
+constexpr double no_answer = 1e6; ///< a factor that no surface has
+/// Methods differ by some percent on one circle (Fredlund and Krahn 1977).
+constexpr double most_beyond_bishop = 1.05;
+
+struct Ends {
+    std::array<double, 2> left, right;
+};
+
+class Search {
+public:
+    Search(const SlopeColumns& columns, const SurfaceSearch& search) : columns_(columns), search_(search) {
+        const double width = columns.right() - columns.left();
+        double low = INFINITY, high = -INFINITY;
+        for (const SectionPoint& point : columns.ground()) low = std::min(low, point.y()), high = std::max(high, point.y());
+        size_ = high - low > 1e-3 * width ? high - low : width;
+        least_depth_ = std::max(search.least_depth, 1e-3 * size_);
+    }
+
+    /// Left and right ends, for a body that slides to the right or to the left.
+    std::vector<Ends> ways() const {
+        const std::array<double, 2> all{columns_.left(), columns_.right()};
+        const auto entry = search_.entry.value_or(all), exit = search_.exit.value_or(all);
+        const auto sorted = [](std::array<double, 2> pair) { return std::array{std::min(pair[0], pair[1]), std::max(pair[0], pair[1])}; };
+        return {{sorted(entry), sorted(exit)}, {sorted(exit), sorted(entry)}};
+    }
+    bool slides(const SlipSurface& surface, bool right) const {
+        return search_.entry || search_.exit ? (surface.points.front().y() > surface.points.back().y()) == right : true;
+    }
+
+    double factor(const SlipSurface& surface, SliceMethod method) const {
+        const auto body = body_above(columns_, surface, search_.slices);
+        if (!body) return no_answer;
+        const auto answer = factor_of_safety(*body, method);
+        // Slices that push each other up are no body that slides.
+        return answer && answer->lambda >= 0 ? answer->factor : no_answer;
+    }
+
+    /// By its ends and the depth of its middle below the chord, as a part of the chord.
+    std::optional<SlipSurface> circle(double left, double right, double sag) const {
+        if (!(right - left > 1e-3 * size_)) return std::nullopt;
+        const auto z_left = columns_.ground_at(left), z_right = columns_.ground_at(right, SlopeColumns::Side::left);
+        if (!z_left || !z_right || !(sag > 1e-4)) return std::nullopt;
+        const SectionPoint a(left, *z_left), b(right, *z_right), chord = b - a;
+        const double length = chord.norm(), depth = sag * length, radius = (0.25 * length * length + depth * depth) / (2 * depth);
+        const SectionPoint normal(-chord.y() / length, chord.x() / length); // upward
+        const SectionPoint centre = 0.5 * (a + b) + (radius - depth) * normal;
+        // The lower half of the circle only: a surface has one height at each distance.
+        if (centre.y() < std::max(a.y(), b.y())) return std::nullopt;
+        auto surface = circle_surface(columns_, centre, radius);
+        if (!surface || depth_of(*surface) < least_depth_) return std::nullopt;
+        return surface;
+    }
+
+    /// By its ends and the depths of the corners below the chord, as parts of the chord's horizontal length.
+    std::optional<SlipSurface> polyline(const std::vector<double>& x) const {
+        const double left = x[0], right = x[1];
+        if (!(right - left > 1e-3 * size_)) return std::nullopt;
+        const auto z_left = columns_.ground_at(left), z_right = columns_.ground_at(right, SlopeColumns::Side::left);
+        if (!z_left || !z_right) return std::nullopt;
+        SlipSurface surface;
+        const std::size_t inner = x.size() - 2;
+        for (std::size_t k = 0; k < inner + 2; ++k) {
+            const double part = static_cast<double>(k) / static_cast<double>(inner + 1);
+            const double depth = k == 0 || k == inner + 1 ? 0 : x[k + 1] * (right - left);
+            surface.points.emplace_back(left + part * (right - left), *z_left + part * (*z_right - *z_left) - depth);
+            if (surface.points.back().y() < columns_.lowest()) return std::nullopt;
+        }
+        // A body could not move over a corner that points upward.
+        for (std::size_t k = 1; k + 1 < surface.points.size(); ++k) {
+            const SectionPoint before = surface.points[k] - surface.points[k - 1], after = surface.points[k + 1] - surface.points[k];
+            if (before.x() * after.y() - before.y() * after.x() < -1e-9 * size_ * size_) return std::nullopt;
+        }
+        if (depth_of(surface) < least_depth_) return std::nullopt;
+        return surface;
+    }
+
+    double depth_of(const SlipSurface& surface) const {
+        double depth = 0;
+        for (const SectionPoint& point : surface.points) depth = std::max(depth, columns_.ground_at(point.x()).value_or(-INFINITY) - point.y());
+        return depth;
+    }
+
+    const SlopeColumns& columns() const { return columns_; }
+    const SurfaceSearch& asked() const { return search_; }
+    double size() const { return size_; }
+
+private:
+    const SlopeColumns& columns_;
+    const SurfaceSearch& search_;
+    double size_ = 1, least_depth_ = 0;
+};
+
+struct Candidate {
+    double factor;
+    std::vector<double> x;
+    bool right;
+};
+
+/// The weakest circles of a net, none too near to a better one.
+std::vector<Candidate> circle_net(const Search& search, SliceMethod method) {
+    constexpr int ends = 28, sags = 14, kept = 6;
+    std::vector<Candidate> all;
+    bool right = true;
+    for (const Ends& way : search.ways()) {
+        for (int i = 0; i <= ends; ++i) {
+            stop_point();
+            for (int j = 0; j <= ends; ++j)
+                for (int k = 0; k < sags; ++k) {
+                    std::vector<double> x{way.left[0] + (way.left[1] - way.left[0]) * i / ends, way.right[0] + (way.right[1] - way.right[0]) * j / ends,
+                                          0.02 * std::pow(25.0, static_cast<double>(k) / (sags - 1))};
+                    const auto surface = search.circle(x[0], x[1], x[2]);
+                    if (!surface || !search.slides(*surface, right)) continue;
+                    const double factor = search.factor(*surface, method);
+                    if (factor < no_answer) all.push_back({factor, std::move(x), right});
+                }
+        }
+        right = !right;
+        if (!search.asked().entry && !search.asked().exit) break; // one way has them all
+    }
+    std::ranges::stable_sort(all, {}, &Candidate::factor);
+    std::vector<Candidate> best;
+    for (auto& candidate : all) {
+        const bool near = std::ranges::any_of(best, [&](const Candidate& other) {
+            return std::abs(other.x[0] - candidate.x[0]) + std::abs(other.x[1] - candidate.x[1]) < 0.25 * search.size();
+        });
+        if (near) continue;
+        best.push_back(std::move(candidate));
+        if (best.size() == kept) break;
+    }
+    return best;
+}
+
+using Objective = std::function<double(const std::vector<double>&)>;
+
+/// Downhill without derivatives, anew from its end until that gives nothing more.
+Candidate downhill(Candidate from, const std::vector<double>& steps, const std::vector<double>& low, const std::vector<double>& high, const Objective& objective) {
+    for (int round = 0; round < 4; ++round) {
+        const double before = from.factor;
+        nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(from.x.size()));
+        optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&, void* data) { return (*static_cast<const Objective*>(data))(x); },
+                                    const_cast<Objective*>(&objective));
+        optimiser.set_lower_bounds(low);
+        optimiser.set_upper_bounds(high);
+        optimiser.set_initial_step(steps);
+        optimiser.set_ftol_rel(1e-7);
+        optimiser.set_maxeval(static_cast<int>(200 * from.x.size()));
+        std::vector<double> x = from.x;
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::clamp(x[i], low[i], high[i]);
+        double factor = from.factor;
+        try {
+            optimiser.optimize(x, factor);
+        } catch (const nlopt::roundoff_limited&) { // as near as numbers go
+        }
+        factor = objective(x);
+        if (factor < from.factor) from.factor = factor, from.x = x;
+        if (from.factor > before * (1 - 1e-5)) break;
+    }
+    return from;
+}
+
+std::optional<FoundSurface> found(const Search& search, const std::optional<SlipSurface>& surface, SliceMethod method) {
+    if (!surface) return std::nullopt;
+    const auto body = body_above(search.columns(), *surface, search.asked().slices);
+    if (!body) return std::nullopt;
+    const auto answer = factor_of_safety(*body, method);
+    if (!answer) return std::nullopt;
+    return FoundSurface{*surface, *answer};
+}
+
+std::optional<Candidate> best_circle(const Search& search, std::vector<Candidate>* all = nullptr) {
+    std::optional<Candidate> best;
+    const auto starts = circle_net(search, SliceMethod::bishop);
+    for (const Candidate& start : starts) {
+        stop_point();
+        const auto ways = search.ways();
+        const Ends& way = ways[start.right ? 0 : 1];
+        const Objective objective = [&](const std::vector<double>& x) {
+            const auto surface = search.circle(x[0], x[1], x[2]);
+            return surface && search.slides(*surface, start.right) ? search.factor(*surface, search.asked().method) : no_answer;
+        };
+        Candidate from = start;
+        from.factor = objective(from.x);
+        from = downhill(from, {0.1 * search.size(), 0.1 * search.size(), 0.2 * from.x[2]}, {way.left[0], way.right[0], 1e-3}, {way.left[1], way.right[1], 0.5}, objective);
+        if (from.factor >= no_answer) continue;
+        if (all != nullptr) all->push_back(from);
+        if (!best || from.factor < best->factor) best = from;
+    }
+    // Where a method has no answer on the weakest circles, the weakest of those on which it has one says nothing.
+    if (best && best->factor > most_beyond_bishop * starts.front().factor) best.reset();
+    return best;
+}
+
+} // namespace
+
+std::optional<FoundSurface> weakest_circle(const SlopeColumns& columns, const SurfaceSearch& asked) {
+    const Search search(columns, asked);
+    const auto best = best_circle(search);
+    if (!best) return std::nullopt;
+    return found(search, search.circle(best->x[0], best->x[1], best->x[2]), asked.method);
+}
+
+std::optional<FoundSurface> weakest_polyline(const SlopeColumns& columns, const SurfaceSearch& asked) {
+    SurfaceSearch by_forces = asked;
+    if (needs_circle(asked.method)) by_forces.method = SliceMethod::spencer;
+    const Search search(columns, by_forces);
+    std::vector<Candidate> circles;
+    if (!best_circle(search, &circles)) return std::nullopt;
+    const std::size_t inner = static_cast<std::size_t>(std::max(3, asked.corners)) - 2;
+    std::optional<Candidate> best;
+    for (const bool right : {true, false}) {
+        const auto ways = search.ways();
+        const Ends& way = ways[right ? 0 : 1];
+        if (!right && !asked.entry && !asked.exit) break;
+        const Objective objective = [&](const std::vector<double>& x) {
+            const auto surface = search.polyline(x);
+            return surface && search.slides(*surface, right) ? search.factor(*surface, by_forces.method) : no_answer;
+        };
+        std::vector<double> low{way.left[0], way.right[0]}, high{way.left[1], way.right[1]}, steps{0.1 * search.size(), 0.1 * search.size()};
+        low.resize(inner + 2, 0.0);
+        high.resize(inner + 2, 1.0);
+        steps.resize(inner + 2, 0.03);
+        std::vector<Candidate> starts;
+        for (const Candidate& circle : circles) {
+            const auto surface = search.circle(circle.x[0], circle.x[1], circle.x[2]);
+            if (!surface || circle.right != right) continue;
+            const SectionPoint a = surface->points.front(), b = surface->points.back();
+            Candidate start{no_answer, {a.x(), b.x()}, right};
+            for (std::size_t k = 1; k <= inner; ++k) {
+                const double part = static_cast<double>(k) / static_cast<double>(inner + 1), at = a.x() + part * (b.x() - a.x()), d = at - surface->circle->centre.x();
+                const double z = surface->circle->centre.y() - std::sqrt(std::max(0.0, surface->circle->radius * surface->circle->radius - d * d));
+                start.x.push_back((a.y() + part * (b.y() - a.y()) - z) / (b.x() - a.x()));
+            }
+            start.factor = objective(start.x);
+            starts.push_back(std::move(start));
+        }
+        // Weak layers, which no circle follows.
+        nlopt::srand(20261123);
+        for (int run = 0; run < 2 && !starts.empty(); ++run) {
+            stop_point();
+            nlopt::opt optimiser(nlopt::GN_CRS2_LM, static_cast<unsigned>(inner + 2));
+            optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&, void* data) { return (*static_cast<const Objective*>(data))(x); },
+                                        const_cast<Objective*>(&objective));
+            optimiser.set_lower_bounds(low);
+            std::vector<double> reach = high;
+            std::fill(reach.begin() + 2, reach.end(), 0.6);
+            optimiser.set_upper_bounds(reach);
+            optimiser.set_population(static_cast<unsigned>(20 * (inner + 2)));
+            optimiser.set_maxeval(6000);
+            optimiser.set_ftol_rel(1e-4);
+            Candidate start = starts.front();
+            for (std::size_t i = 0; i < start.x.size(); ++i) start.x[i] = std::clamp(start.x[i], low[i], reach[i]);
+            try {
+                optimiser.optimize(start.x, start.factor);
+            } catch (const nlopt::roundoff_limited&) {
+            }
+            start.factor = objective(start.x);
+            starts.push_back(std::move(start));
+        }
+        for (Candidate& start : starts) {
+            stop_point();
+            if (start.factor >= no_answer) continue;
+            Candidate end = downhill(start, steps, low, high, objective);
+            if (!best || end.factor < best->factor) best = std::move(end);
+        }
+    }
+    if (!best) return std::nullopt;
+    return found(search, search.polyline(best->x), by_forces.method);
+}
+
+} // namespace kaya

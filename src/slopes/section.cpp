@@ -1,0 +1,293 @@
+#include "slopes/section.hpp"
+
+#include "base/diagnostic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace kaya {
+
+namespace {
+
+/// Height of the upper and the lower edge of a convex polygon at a distance; none beside it.
+std::optional<std::array<double, 2>> heights_at(const std::vector<SectionPoint>& corners, double distance) {
+    double low = INFINITY, high = -INFINITY;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const SectionPoint& a = corners[i];
+        const SectionPoint& b = corners[(i + 1) % corners.size()];
+        if ((a.x() < distance && b.x() < distance) || (a.x() > distance && b.x() > distance)) continue;
+        const double part = a.x() == b.x() ? 0 : (distance - a.x()) / (b.x() - a.x());
+        const double z = a.y() + part * (b.y() - a.y());
+        low = std::min(low, z), high = std::max(high, z);
+        if (a.x() == b.x()) low = std::min(low, b.y()), high = std::max(high, b.y());
+    }
+    if (!(high >= low)) return std::nullopt;
+    return std::array{low, high};
+}
+
+double between(double left, double right, double part) { return left + part * (right - left); }
+
+} // namespace
+
+SlopeColumns::SlopeColumns(const SlopeSection& section) : section_(section) {
+    std::vector<double> marks;
+    double low = INFINITY, high = -INFINITY;
+    for (const SectionCell& cell : section.cells)
+        for (const SectionPoint& corner : cell.corners) {
+            marks.push_back(corner.x());
+            low = std::min(low, corner.y()), high = std::max(high, corner.y());
+        }
+    if (marks.empty()) throw Diagnostic("the section cuts no block", "give another place or direction of the section");
+    std::ranges::sort(marks);
+    lowest_ = low;
+    near_ = 1e-9 * (marks.back() - marks.front() + high - low);
+    std::vector<double> kept;
+    for (const double mark : marks)
+        if (kept.empty() || mark - kept.back() > near_) kept.push_back(mark);
+    std::vector<std::vector<std::size_t>> cells_of(kept.size());
+    for (std::size_t c = 0; c < section.cells.size(); ++c) {
+        double from = INFINITY, to = -INFINITY;
+        for (const SectionPoint& corner : section.cells[c].corners) from = std::min(from, corner.x()), to = std::max(to, corner.x());
+        const auto first = std::ranges::lower_bound(kept, from - 2 * near_) - kept.begin();
+        for (std::size_t k = static_cast<std::size_t>(first); k + 1 < kept.size() && kept[k] < to - 2 * near_; ++k)
+            if (0.5 * (kept[k] + kept[k + 1]) > from) cells_of[k].push_back(c);
+    }
+    for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
+        Strip strip{kept[k], kept[k + 1], {}};
+        const double quarter = 0.25 * (strip.to - strip.from);
+        for (const std::size_t c : cells_of[k]) {
+            // Straight lines between corners: two places within the strip tell their ends, free of what rounding does at the corners.
+            const auto one = heights_at(section.cells[c].corners, strip.from + quarter), two = heights_at(section.cells[c].corners, strip.to - quarter);
+            if (!one || !two) continue;
+            const auto at = [](double a, double b) { return std::array{1.5 * a - 0.5 * b, 1.5 * b - 0.5 * a}; };
+            const auto top = at((*one)[1], (*two)[1]), bottom = at((*one)[0], (*two)[0]);
+            strip.layers.push_back({c, top[0], top[1], bottom[0], bottom[1]});
+        }
+        if (strip.layers.empty()) {
+            if (strips_.empty()) continue;
+            throw Diagnostic("the section has a gap", "slip surfaces need blocks from one end of the section to the other");
+        }
+        std::ranges::sort(strip.layers, [](const Layer& a, const Layer& b) { return a.top_left + a.top_right > b.top_left + b.top_right; });
+        const Layer& top = strip.layers.front();
+        if (ground_.empty() || std::abs(ground_.back().y() - top.top_left) > near_) ground_.emplace_back(strip.from, top.top_left);
+        ground_.emplace_back(strip.to, top.top_right);
+        strips_.push_back(std::move(strip));
+    }
+    if (strips_.empty()) throw Diagnostic("the section cuts no block", "give another place or direction of the section");
+}
+
+const SlopeColumns::Strip* SlopeColumns::strip_at(double distance) const {
+    if (distance < left() - near_ || distance > right() + near_) return nullptr;
+    const auto next = std::ranges::upper_bound(strips_, distance, {}, &Strip::from);
+    return next == strips_.begin() ? &strips_.front() : &*(next - 1);
+}
+
+std::optional<double> SlopeColumns::ground_at(double distance, Side side) const {
+    const Strip* strip = strip_at(distance);
+    if (strip == nullptr) return std::nullopt;
+    if (side == Side::left && distance - strip->from < near_ && strip != &strips_.front()) --strip;
+    const Layer& top = strip->layers.front();
+    return between(top.top_left, top.top_right, std::clamp((distance - strip->from) / (strip->to - strip->from), 0.0, 1.0));
+}
+
+SlopeColumns::Column SlopeColumns::column(const SectionPoint& base) const {
+    Column sum;
+    const Strip* strip = strip_at(base.x());
+    if (strip == nullptr) return sum;
+    const double part = std::clamp((base.x() - strip->from) / (strip->to - strip->from), 0.0, 1.0);
+    for (const Layer& layer : strip->layers) {
+        const double top = between(layer.top_left, layer.top_right, part);
+        if (top <= base.y()) break;
+        const double bottom = std::max(base.y(), between(layer.bottom_left, layer.bottom_right, part));
+        const double weight = section_.cells[layer.cell].unit_weight * (top - bottom);
+        sum.weight += weight;
+        sum.moment += weight * (0.5 * (top + bottom) - base.y());
+    }
+    return sum;
+}
+
+const Strength* SlopeColumns::strength_at(const SectionPoint& place, const SectionPoint& along) const {
+    const std::span<const SectionJoint> joints = along.isZero() ? std::span<const SectionJoint>() : section_.joints;
+    for (const SectionJoint& joint : joints) {
+        const SectionPoint line = joint.to - joint.from, to_place = place - joint.from;
+        const double length = line.norm();
+        if (!(length > near_)) continue;
+        const auto cross = [](const SectionPoint& a, const SectionPoint& b) { return a.x() * b.y() - a.y() * b.x(); };
+        const double part = line.dot(to_place) / (length * length);
+        // Numbers of a deck have six digits or so.
+        if (part < 0 || part > 1 || std::abs(cross(line, to_place)) / length > 1e5 * near_) continue;
+        if (std::abs(cross(line, along)) < 1e-3 * length * along.norm()) return &section_.strengths[joint.strength];
+    }
+    const Strip* strip = strip_at(place.x());
+    if (strip == nullptr) return nullptr;
+    const double part = std::clamp((place.x() - strip->from) / (strip->to - strip->from), 0.0, 1.0);
+    for (const Layer& layer : strip->layers)
+        if (place.y() >= between(layer.bottom_left, layer.bottom_right, part) - near_) return &section_.strengths[section_.cells[layer.cell].strength];
+    return nullptr;
+}
+
+std::optional<SlipSurface> circle_surface(const SlopeColumns& columns, const SectionPoint& centre, double radius) {
+    // Where the ground passes from above the circle to below it, on either side of the lowest point.
+    std::vector<double> crossings;
+    const auto& ground = columns.ground();
+    for (std::size_t i = 0; i + 1 < ground.size(); ++i) {
+        const SectionPoint from = ground[i] - centre, along = ground[i + 1] - ground[i];
+        const double a = along.squaredNorm(), b = from.dot(along), c = from.squaredNorm() - radius * radius;
+        const double root = b * b - a * c;
+        if (!(a > 0) || !(root > 0)) continue;
+        for (const double sign : {-1.0, 1.0}) {
+            const double part = (-b + sign * std::sqrt(root)) / a;
+            const double height = from.y() + part * along.y();
+            if (part >= 0 && part < 1 && height <= 0) crossings.push_back(ground[i].x() + part * along.x());
+        }
+    }
+    std::ranges::sort(crossings);
+    // The part of the circle that lies deepest.
+    std::optional<std::array<double, 2>> best;
+    double deepest = 0;
+    const auto height = [&](double x) { return centre.y() - std::sqrt(std::max(0.0, radius * radius - (x - centre.x()) * (x - centre.x()))); };
+    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+        double depth = 0;
+        for (int k = 1; k < 8; ++k) {
+            const double x = between(crossings[i], crossings[i + 1], k / 8.0);
+            depth = std::max(depth, columns.ground_at(x).value_or(-INFINITY) - height(x));
+        }
+        if (depth > deepest) deepest = depth, best = {crossings[i], crossings[i + 1]};
+    }
+    if (!best || !(deepest > 1e-6 * radius)) return std::nullopt;
+    const auto angle = [&](double x) { return std::asin(std::clamp((x - centre.x()) / radius, -1.0, 1.0)); };
+    const double first = angle((*best)[0]), last = angle((*best)[1]);
+    SlipSurface surface;
+    surface.circle = SlipSurface::Circle{centre, radius};
+    constexpr int pieces = 64;
+    for (int k = 0; k <= pieces; ++k) {
+        const double a = between(first, last, static_cast<double>(k) / pieces);
+        surface.points.emplace_back(centre.x() + radius * std::sin(a), centre.y() - radius * std::cos(a));
+        if (surface.points.back().y() < columns.lowest()) return std::nullopt;
+    }
+    return surface;
+}
+
+namespace {
+
+/// Height of a surface at a distance: of a circle exactly.
+double surface_height(const SlipSurface& surface, double x) {
+    if (surface.circle) {
+        const double d = x - surface.circle->centre.x();
+        return surface.circle->centre.y() - std::sqrt(std::max(0.0, surface.circle->radius * surface.circle->radius - d * d));
+    }
+    const auto& points = surface.points;
+    const auto next = std::ranges::upper_bound(points, x, {}, [](const SectionPoint& p) { return p.x(); });
+    const std::size_t i = next == points.end() ? points.size() - 1 : std::max<std::size_t>(1, static_cast<std::size_t>(next - points.begin()));
+    const SectionPoint &a = points[i - 1], &b = points[i];
+    return b.x() == a.x() ? a.y() : between(a.y(), b.y(), (x - a.x()) / (b.x() - a.x()));
+}
+
+/// Where the surface comes nearer to the ground than the crack is deep, from its upper end on.
+double crack_end(const SlopeColumns& columns, const SlipSurface& surface, double upper, double lower) {
+    const double depth = columns.section().crack_depth;
+    const SlopeColumns::Side side = upper < lower ? SlopeColumns::Side::right : SlopeColumns::Side::left;
+    const auto covered = [&](double x) { return columns.ground_at(x, side).value_or(-INFINITY) - surface_height(surface, x) >= depth; };
+    constexpr int steps = 400;
+    for (int k = 1; k <= steps; ++k) {
+        double out = between(upper, lower, (k - 1.0) / steps), in = between(upper, lower, static_cast<double>(k) / steps);
+        if (!covered(in)) continue;
+        for (int i = 0; i < 60; ++i) (covered(0.5 * (out + in)) ? in : out) = 0.5 * (out + in);
+        return in;
+    }
+    return lower;
+}
+
+} // namespace
+
+std::optional<SlipBody> body_above(const SlopeColumns& columns, const SlipSurface& surface, int slices) {
+    const SlopeSection& section = columns.section();
+    if (surface.points.size() < 2) return std::nullopt;
+    double first = surface.points.front().x(), last = surface.points.back().x();
+    const double z_first = surface.points.front().y(), z_last = surface.points.back().y();
+    if (!(first < last)) return std::nullopt;
+    const bool rightward = z_first > z_last;
+    SlipBody body;
+    body.seismic = section.seismic;
+    if (section.crack_depth > 0) {
+        (rightward ? first : last) = crack_end(columns, surface, rightward ? first : last, rightward ? last : first);
+        if (!(first < last)) return std::nullopt;
+    }
+    // Slices end where the ground or the surface bends, so that both are straight over each of them.
+    std::vector<double> marks;
+    for (int k = 0; k <= slices; ++k) marks.push_back(between(first, last, static_cast<double>(k) / slices));
+    const double least = 1e-3 * (last - first) / slices;
+    const auto add = [&](double x) {
+        if (x > first + least && x < last - least) marks.push_back(x);
+    };
+    for (const SectionPoint& point : columns.ground()) add(point.x());
+    if (!surface.circle)
+        for (const SectionPoint& point : surface.points) add(point.x());
+    std::ranges::sort(marks);
+    marks.erase(std::unique(marks.begin(), marks.end(), [&](double a, double b) { return b - a < least; }), marks.end());
+    marks.back() = last;
+
+    const auto pressure = [&](const SectionPoint& at) { return section.pore_pressure ? std::max(0.0, section.pore_pressure(at)) : 0.0; };
+    const double way = rightward ? 1 : -1;
+    const SectionPoint chord(last - first, surface_height(surface, last) - surface_height(surface, first));
+    double depth = 0;
+    for (std::size_t k = 0; k + 1 < marks.size(); ++k) {
+        const double from = marks[k], to = marks[k + 1], middle = 0.5 * (from + to);
+        const SectionPoint a(from, surface_height(surface, from)), b(to, surface_height(surface, to));
+        const SectionPoint base = 0.5 * (a + b);
+        const auto top = columns.ground_at(middle);
+        if (!top || *top < base.y() - 1e-9 * chord.norm() || base.y() < columns.lowest() - 1e-9 * chord.norm()) return std::nullopt;
+        const SlopeColumns::Column column = columns.column(base);
+        Slice slice;
+        slice.width = to - from;
+        slice.base_angle = way * std::atan2(a.y() - b.y(), to - from);
+        slice.weight = column.weight * slice.width;
+        slice.centroid_arm = column.weight > 0 ? column.moment / column.weight : 0;
+        slice.pore_pressure = pressure(base) + section.pressure_ratio * column.weight;
+        slice.strength = columns.strength_at(base, surface.circle ? SectionPoint::Zero() : SectionPoint(b - a));
+        if (slice.strength == nullptr) return std::nullopt;
+        const SectionPoint left_top(from, *columns.ground_at(from, SlopeColumns::Side::right)), right_top(to, *columns.ground_at(to, SlopeColumns::Side::left));
+        // Open water lies on the ground: its pressure acts along the normal, into it.
+        const double on_top = pressure(SectionPoint(middle, *top));
+        slice.downward = on_top * slice.width;
+        double moment = 0;
+        const auto push = [&](double force, double height) {
+            slice.rightward += force;
+            moment += force * (height - base.y());
+        };
+        push(way * on_top * (right_top.y() - left_top.y()), *top);
+        // Beside an upright part of the ground, on the slice that it bounds.
+        const double beyond_right = k + 2 < marks.size() ? *columns.ground_at(to, SlopeColumns::Side::right) : right_top.y();
+        const double beyond_left = k > 0 ? *columns.ground_at(from, SlopeColumns::Side::left) : left_top.y();
+        const auto beside = [&](double x, double high, double low, double direction) {
+            if (!(high > low)) return;
+            const double force = 0.5 * (pressure({x, high}) + pressure({x, low})) * (high - low);
+            push(way * direction * force, between(low, high, 1.0 / 3));
+        };
+        beside(to, right_top.y(), beyond_right, -1);
+        beside(from, left_top.y(), beyond_left, 1);
+        slice.rightward_arm = slice.rightward != 0 ? moment / slice.rightward : 0;
+        body.slices.push_back(slice);
+        if (surface.circle) body.centre_heights.push_back(surface.circle->centre.y() - base.y());
+        const SectionPoint off = base - SectionPoint(first, surface_height(surface, first));
+        depth = std::max(depth, std::abs(chord.x() * off.y() - chord.y() * off.x()) / chord.norm());
+    }
+    if (surface.circle) body.radius = surface.circle->radius;
+    body.depth_ratio = depth / chord.norm();
+    if (section.crack_water > 0 && section.crack_depth > 0) {
+        const double height = std::min(section.crack_water, section.crack_depth);
+        body.water_force = 0.5 * section.water_weight * height * height;
+        body.water_arm = height / 3;
+        if (surface.circle) body.water_height = surface.circle->centre.y() - (surface_height(surface, rightward ? first : last) + body.water_arm);
+    }
+    if (!rightward) {
+        std::ranges::reverse(body.slices);
+        std::ranges::reverse(body.centre_heights);
+    }
+    return body;
+}
+
+} // namespace kaya

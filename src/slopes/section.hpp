@@ -1,0 +1,102 @@
+// A slope in a vertical plane: what lies where, and how strong it is.
+#pragma once
+
+#include "slopes/slices.hpp"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace kaya {
+
+/// Distance along the section, and height.
+using SectionPoint = Eigen::Vector2d;
+
+/// A convex part of the section. Parts do not overlap.
+struct SectionCell {
+    std::vector<SectionPoint> corners; ///< in any sense
+    double unit_weight = 0;            ///< force/length^3
+    std::size_t strength = 0;          ///< index into SlopeSection::strengths
+};
+
+/// A joint: a slip surface that runs along it has its strength.
+struct SectionJoint {
+    SectionPoint from, to;
+    std::size_t strength = 0;
+};
+
+struct SlopeSection {
+    std::vector<SectionCell> cells;
+    std::vector<SectionJoint> joints;
+    std::vector<Strength> strengths;
+    std::function<double(const SectionPoint&)> pore_pressure; ///< stress; empty: none
+    double pressure_ratio = 0;   ///< pore pressure over the weight of what lies above, besides
+    double water_weight = 0;     ///< force/length^3, of water in a tension crack
+    double seismic = 0;          ///< horizontal acceleration over gravity, to where the body slides
+    double crack_depth = 0;      ///< a slip surface ends where it is so near below the ground
+    double crack_water = 0;      ///< height of water in the crack
+};
+
+/// The section as columns: between two corners that follow each other along it, what lies above each other never changes.
+class SlopeColumns {
+public:
+    /// Throws Diagnostic when there are no cells.
+    explicit SlopeColumns(const SlopeSection& section);
+
+    const SlopeSection& section() const { return section_; }
+    /// The highest places from left to right; upright parts are two points of equal distance.
+    const std::vector<SectionPoint>& ground() const { return ground_; }
+    double left() const { return ground_.front().x(); }
+    double right() const { return ground_.back().x(); }
+    double lowest() const { return lowest_; }
+
+    /// Height of the ground; on an upright part that of its side to the left or to the right. None beside the section.
+    enum class Side { left, right };
+    std::optional<double> ground_at(double distance, Side side = Side::right) const;
+
+    /// Weight of a column of width 1 above a height, and the first moment of it about that height.
+    struct Column {
+        double weight = 0, moment = 0;
+    };
+    Column column(const SectionPoint& base) const;
+    /// The strength at a place on a slip surface of that direction: of a joint that it runs along, else of the cell. A zero direction
+    /// runs along no joint. Null where nothing is.
+    const Strength* strength_at(const SectionPoint& place, const SectionPoint& along) const;
+
+private:
+    struct Layer {
+        std::size_t cell;
+        double top_left, top_right, bottom_left, bottom_right;
+    };
+    struct Strip {
+        double from, to;
+        std::vector<Layer> layers; ///< from the top
+    };
+    const Strip* strip_at(double distance) const;
+
+    const SlopeSection& section_;
+    std::vector<Strip> strips_;
+    std::vector<SectionPoint> ground_;
+    double lowest_ = 0, near_ = 0;
+};
+
+/// A slip surface: points from one end to the other, in order along the section; both ends lie on the ground.
+struct SlipSurface {
+    std::vector<SectionPoint> points;
+    struct Circle {
+        SectionPoint centre;
+        double radius;
+    };
+    std::optional<Circle> circle;
+};
+
+/// The circle's lower part that cuts off the deepest part of the ground. None when it cuts nothing off or leaves the section.
+std::optional<SlipSurface> circle_surface(const SlopeColumns& columns, const SectionPoint& centre, double radius);
+
+/// The body above a surface in about so many slices; it slides from its higher end to its lower one. None when the surface leaves the
+/// section or the ground passes below it. The tension crack of the section cuts off its upper end.
+std::optional<SlipBody> body_above(const SlopeColumns& columns, const SlipSurface& surface, int slices);
+
+} // namespace kaya

@@ -1,0 +1,40 @@
+// Block theory: whether a rigid block can leave its place without turning, and what holds it.
+#pragma once
+
+#include "base/vector.hpp"
+#include "slopes/strength.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace kaya {
+
+/// A plane part of the block's surface behind which another body stands.
+struct HeldFace {
+    Vec3 outward = Vec3::Zero(); ///< unit, into the other body
+    double area = 0;
+    const Strength* strength = nullptr; ///< null: none at all
+};
+
+enum class SlidingMode {
+    held,       ///< no direction is free: the block is tapered or enclosed
+    at_rest,    ///< it could leave, but the force presses it against its faces
+    falling,    ///< away from all faces
+    one_plane,
+    two_planes, ///< along their line of intersection
+};
+
+struct SlidingAnswer {
+    SlidingMode mode = SlidingMode::held;
+    Vec3 direction = Vec3::Zero();   ///< unit, in which it goes without friction
+    std::vector<std::size_t> faces;  ///< on which it slides
+    std::optional<double> factor;    ///< strength over what drives it; 0 when it falls; none where nothing drives it
+};
+
+/// A block under a force (weight, water on its faces, loads). Moments are left out: a block that would topple is not seen.
+/// The direction is the one nearest to the force among those that leave no face penetrated (Goodman and Shi 1985; Warburton 1981).
+SlidingAnswer slide(const Vec3& force, std::span<const HeldFace> faces);
+
+} // namespace kaya

@@ -1,0 +1,139 @@
+#include "slopes/search.hpp"
+
+#include "base/diagnostic.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace kaya {
+namespace {
+
+/// 10 m high, 2 horizontal to 1 upright, from the toe at 0; `shift` moves it.
+SlopeSection slope(double shift = 0) {
+    SlopeSection section;
+    section.strengths = {Strength::coulomb(10e3, 20)};
+    const auto cell = [&](std::initializer_list<SectionPoint> corners) {
+        SectionCell c;
+        for (const SectionPoint& p : corners) c.corners.push_back(p + SectionPoint(shift, 0));
+        c.unit_weight = 20e3;
+        section.cells.push_back(c);
+    };
+    cell({{-20, -10}, {-20, 0}, {0, 0}, {0, -10}});
+    cell({{0, -10}, {0, 0}, {20, 10}, {20, -10}});
+    cell({{20, -10}, {20, 10}, {50, 10}, {50, -10}});
+    return section;
+}
+
+TEST(SlopeColumns, GroundWeightAndGaps) {
+    const SlopeSection section = slope();
+    const SlopeColumns columns(section);
+    EXPECT_NEAR(*columns.ground_at(10), 5, 1e-12);
+    EXPECT_NEAR(columns.column({10, 1}).weight, 80e3, 1e-6);
+    EXPECT_NEAR(columns.column({10, 1}).moment, 160e3, 1e-6);
+    EXPECT_FALSE(columns.ground_at(51));
+    SlopeSection gap = section;
+    gap.cells.erase(gap.cells.begin() + 1);
+    EXPECT_THROW(SlopeColumns{gap}, Diagnostic);
+    EXPECT_THROW(SlopeColumns{SlopeSection{}}, Diagnostic);
+}
+
+TEST(SlopeColumns, AnUprightFaceHasTwoHeights) {
+    SlopeSection section;
+    section.strengths = {Strength::coulomb(1, 1)};
+    section.cells = {{{{-5, -5}, {-5, 0}, {0, 0}, {0, -5}}, 1, 0}, {{{0, -5}, {0, 10}, {5, 10}, {5, -5}}, 1, 0}};
+    const SlopeColumns columns(section);
+    EXPECT_NEAR(*columns.ground_at(0, SlopeColumns::Side::left), 0, 1e-12);
+    EXPECT_NEAR(*columns.ground_at(0, SlopeColumns::Side::right), 10, 1e-12);
+}
+
+TEST(Slices, SumsAreThoseOfTheCircle) {
+    const SlopeSection section = slope();
+    const SlopeColumns columns(section);
+    const auto surface = circle_surface(columns, {5, 25}, 25);
+    ASSERT_TRUE(surface);
+    const auto body = body_above(columns, *surface, 200);
+    ASSERT_TRUE(body);
+    double width = 0, weight = 0;
+    for (const Slice& slice : body->slices) width += slice.width, weight += slice.weight;
+    EXPECT_NEAR(width, surface->points.back().x() - surface->points.front().x(), 1e-9);
+    double area = 0; // by another rule
+    for (int k = 0; k < 20000; ++k) {
+        const double x = surface->points.front().x() + width * (k + 0.5) / 20000, d = x - 5;
+        area += (*columns.ground_at(x) - (25 - std::sqrt(625 - d * d))) * width / 20000;
+    }
+    EXPECT_NEAR(weight, 20e3 * area, 1e-4 * weight);
+}
+
+TEST(Slices, WhatCannotSlideHasNoFactor) {
+    const SlopeSection section = slope();
+    const SlopeColumns columns(section);
+    EXPECT_FALSE(circle_surface(columns, {5, 500}, 25)) << "above the ground";
+    EXPECT_FALSE(circle_surface(columns, {5, 25}, 80)) << "below the section";
+    SlipSurface inside_out;
+    inside_out.points = {{30, 10}, {0, 0}};
+    EXPECT_FALSE(body_above(columns, inside_out, 20));
+    SlipSurface above;
+    above.points = {{0, 0}, {10, 9}, {25, 10}};
+    EXPECT_FALSE(body_above(columns, above, 20));
+    EXPECT_FALSE(factor_of_safety(SlipBody{}, SliceMethod::spencer));
+    SlipSurface plane;
+    plane.points = {{0, 0}, {25, 10}};
+    const auto body = body_above(columns, plane, 20);
+    ASSERT_TRUE(body);
+    EXPECT_FALSE(factor_of_safety(*body, SliceMethod::bishop)) << "is no circle";
+    EXPECT_TRUE(factor_of_safety(*body, SliceMethod::spencer));
+}
+
+/// Water that stands as high as the whole slope adds equal pressure all around: the body weighs what it displaces less.
+TEST(Slices, ASlopeUnderWaterIsOneOfBuoyantWeight) {
+    SlopeSection flooded = slope(), buoyant = slope();
+    flooded.pore_pressure = [](const SectionPoint& p) { return 9810 * (15 - p.y()); };
+    for (SectionCell& cell : buoyant.cells) cell.unit_weight -= 9810;
+    const SlopeColumns wet(flooded), light(buoyant);
+    const auto surface = circle_surface(wet, {5, 25}, 25);
+    ASSERT_TRUE(surface);
+    const auto a = body_above(wet, *surface, 400), b = body_above(light, *surface, 400);
+    for (const SliceMethod method : {SliceMethod::bishop, SliceMethod::janbu, SliceMethod::spencer, SliceMethod::morgenstern_price}) {
+        const auto under = factor_of_safety(*a, method), by_weight = factor_of_safety(*b, method);
+        ASSERT_TRUE(under && by_weight) << name_of(method);
+        EXPECT_NEAR(under->factor, by_weight->factor, 2e-3 * by_weight->factor) << name_of(method);
+    }
+}
+
+TEST(SurfaceSearch, KeepsToItsLimitsAndIsTheSameTwice) {
+    const SlopeSection section = slope();
+    const SlopeColumns columns(section);
+    SurfaceSearch search;
+    const auto free = weakest_circle(columns, search);
+    ASSERT_TRUE(free);
+    search.entry = {30, 35};
+    search.exit = {-5, 0};
+    const auto limited = weakest_circle(columns, search), again = weakest_circle(columns, search);
+    ASSERT_TRUE(limited && again);
+    EXPECT_EQ(limited->answer.factor, again->answer.factor);
+    EXPECT_GE(limited->answer.factor, free->answer.factor - 1e-6);
+    EXPECT_GE(limited->surface.points.back().x(), 30 - 1e-6);
+    EXPECT_LE(limited->surface.points.front().x(), 1e-6);
+    const auto polyline = weakest_polyline(columns, SurfaceSearch{});
+    ASSERT_TRUE(polyline);
+    EXPECT_NEAR(polyline->answer.factor, free->answer.factor, 0.02 * free->answer.factor) << "in one soil a circle is nearly the weakest";
+}
+
+TEST(SurfaceSearch, AWeakLayerIsFollowed) {
+    SlopeSection section = slope();
+    section.strengths.push_back(Strength::coulomb(0, 8));
+    section.cells.clear();
+    const auto cell = [&](std::vector<SectionPoint> corners, std::size_t strength) { section.cells.push_back({std::move(corners), 20e3, strength}); };
+    cell({{-20, -10}, {-20, -1.5}, {50, -1.5}, {50, -10}}, 0);
+    cell({{-20, -1.5}, {-20, -1}, {50, -1}, {50, -1.5}}, 1);
+    cell({{-20, -1}, {-20, 0}, {0, 0}, {0, -1}}, 0);
+    cell({{0, -1}, {0, 0}, {20, 10}, {20, -1}}, 0);
+    cell({{20, -1}, {20, 10}, {50, 10}, {50, -1}}, 0);
+    const SlopeColumns columns(section);
+    const auto circle = weakest_circle(columns, SurfaceSearch{}), polyline = weakest_polyline(columns, SurfaceSearch{});
+    ASSERT_TRUE(circle && polyline);
+    EXPECT_LT(polyline->answer.factor, 0.97 * circle->answer.factor);
+}
+
+} // namespace
+} // namespace kaya
