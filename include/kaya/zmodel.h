@@ -39,7 +39,8 @@ extern "C" {
 typedef enum kaya_zreduction {
     KAYA_ZREDUCE_NONE = 0,
     KAYA_ZREDUCE_DIVIDE = 1, /* value / F */
-    KAYA_ZREDUCE_TANGENT = 2 /* an angle whose tangent is tan(value) / F */
+    KAYA_ZREDUCE_TANGENT = 2, /* an angle whose tangent is tan(value) / F */
+    KAYA_ZREDUCE_MULTIPLY = 3 /* value * F: the model divides its strength by it */
 } kaya_zreduction;
 
 /* One property, in the order of the values that `run` gets. Only `name` must not be NULL. */

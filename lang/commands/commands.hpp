@@ -349,6 +349,9 @@ struct Solve {
     std::optional<std::array<double, 2>> bracket; ///< of the factor: where it stands and where it fails
     double resolution = 0.005;                    ///< of the factor, as a part of it
     std::string file;                             ///< where the failing state is saved
+    enum class Reduced { joints, zones, friction, cohesion, tension };
+    std::vector<Reduced> included, excluded; ///< of fos: what is reduced; none included: everything
+    bool keep = false;                       ///< of fos: the model stays as it failed
     Place place;
 };
 /// limit equilibrium

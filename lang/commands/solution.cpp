@@ -113,6 +113,22 @@ CommandSpec cycle() {
     return entry;
 }
 
+constexpr std::string_view reduced_words[] = {"joints", "zones", "friction", "cohesion", "tension"};
+
+/// One of the words behind include and exclude.
+Solve::Reduced reduced_word(Reader& reader) {
+    const auto spec = text("joints|zones|friction|cohesion|tension").spec;
+    if (reader.at_end()) reader.missing(spec);
+    const std::string& given = reader.peek()->folded;
+    for (std::size_t i = 0; i < std::size(reduced_words); ++i)
+        if (!given.empty() && reduced_words[i].starts_with(given)) {
+            reader.take();
+            reader.spell(reduced_words[i]);
+            return static_cast<Solve::Reduced>(i);
+        }
+    reader.unknown("a strength that fos reduces", {std::begin(reduced_words), std::end(reduced_words)});
+}
+
 CommandSpec solve() {
     return Entry<Solve>({"solve"})
         .help("cycles until the model is at rest or a limit is reached, whichever comes first")
@@ -134,17 +150,22 @@ CommandSpec solve() {
             "first with unbreakable joints, then with the true ones")
         .action(
             {"fos", "factor"}, [](Solve& s) { s.factor_of_safety = true; },
-            "finds the factor by which the strength of joints can be divided until the model fails; the model stays")
+            "finds the factor by which the strength of joints and zones can be divided until the model fails; the model stays")
         .keyword({"bracket"}, pair("f1 f2").above(0), &Solve::bracket, "with fos: a factor where it stands and one where it fails")
         .keyword({"resolution"}, real("f").above(0).below(1), &Solve::resolution,
                  "with fos: how near the two factors come, as a part; 0.005 if not given")
         .keyword({"file"}, text("file"), &Solve::file, "with fos: the model is saved there as it fails")
+        .special({"include"}, {text("joints|zones|friction|cohesion|tension").spec}, [](Reader& reader, Solve& s) { s.included.push_back(reduced_word(reader)); },
+                 "with fos: only this is divided; may stand several times")
+        .special({"exclude"}, {text("joints|zones|friction|cohesion|tension").spec}, [](Reader& reader, Solve& s) { s.excluded.push_back(reduced_word(reader)); },
+                 "with fos: this is not divided; may stand several times")
+        .action({"keep"}, [](Solve& s) { s.keep = true; }, "with fos: the model stays as it was at the end of the last trial that failed")
         .place(&Solve::place)
         .finish([](const Reader& reader, Solve& s) {
-            if (!s.factor_of_safety && (s.bracket || !s.file.empty()))
-                incomplete_line(reader, "bracket and file belong to fos", "write for example: solve fos bracket 1 2");
+            if (!s.factor_of_safety && (s.bracket || !s.file.empty() || s.keep || !s.included.empty() || !s.excluded.empty()))
+                incomplete_line(reader, "bracket, file, include, exclude and keep belong to fos", "write for example: solve fos bracket 1 2");
             if (s.factor_of_safety && (s.elastic || s.force || s.time || s.clock || s.maximum_ratio || s.local_ratio))
-                incomplete_line(reader, "fos goes with ratio, cycles, bracket, resolution and file only",
+                incomplete_line(reader, "fos goes with ratio, cycles, bracket, resolution, file, include, exclude and keep only",
                                 "give other limits to a `solve` of its own before");
             if (s.bracket && !reader.wildcards() && !((*s.bracket)[0] < (*s.bracket)[1]))
                 incomplete_line(reader, "the factor where the model stands must be below the one where it fails",
@@ -158,9 +179,12 @@ CommandSpec solve() {
         .right("solve ratio-local 1e-4 time 2 clock 10")
         .right("solve fos")
         .right("solve fos resolution 0.01 ratio 1e-4 cycles 2000 file 'failed.sav'")
-        .wrong("solve bracket 1 2", "bracket and file belong to fos")
+        .right("solve fos exclude zones keep")
+        .right("solve fos include joints include friction")
+        .wrong("solve bracket 1 2", "bracket, file, include, exclude and keep belong to fos")
+        .wrong("solve fos exclude fricton", "'fricton' is not a strength that fos reduces")
         .wrong("solve fos bracket 2 1", "the factor where the model stands must be below the one where it fails")
-        .wrong("solve fos force 1", "fos goes with ratio, cycles, bracket, resolution and file only")
+        .wrong("solve fos force 1", "fos goes with ratio, cycles, bracket, resolution, file, include, exclude and keep only")
         .wrong("solve raito 1e-5", "'raito' is not a keyword of solve")
         .wrong("solve ratio", "a number is missing after 'ratio'")
         .wrong("solve ratio 0", "ratio must be greater than 0, not 0")

@@ -7,6 +7,7 @@
 
 #include "mechanics/contact_table.hpp"
 #include "mechanics/zone_laws.hpp"
+#include "model/measure.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,10 +20,13 @@ namespace kaya {
 
 namespace {
 
+using Reduced = lang::Solve::Reduced;
+
 /// How a property gets weaker by a factor: the name that it begins with, and the unit that it then has.
 struct Strength {
     std::string_view name, unit;
     double (*divided)(double value, double factor);
+    Reduced kind;
 };
 
 double divided(double value, double factor) { return value / factor; }
@@ -33,16 +37,48 @@ double with_tangent_divided(double degrees, double factor) {
 }
 
 constexpr std::array<Strength, 3> strengths{{
-    {"friction", "angle", with_tangent_divided},
-    {"cohesion", "stress", divided},
-    {"tension", "stress", divided},
+    {"friction", "angle", with_tangent_divided, Reduced::friction},
+    {"cohesion", "stress", divided, Reduced::cohesion},
+    {"tension", "stress", divided, Reduced::tension},
 }};
 
-const Strength* strength_of(const JointModel::Property& property) {
-    const auto found = std::ranges::find_if(strengths, [&](const Strength& strength) {
-        return property.name.starts_with(strength.name) && property.unit == strength.unit;
-    });
-    return found == strengths.end() ? nullptr : &*found;
+/// A law with this property divides its strength by it, and nothing else of it is touched.
+constexpr std::string_view own_factor = "strength-factor";
+
+/// What a command asks to be reduced.
+class Asked {
+public:
+    explicit Asked(const lang::Solve& command) {
+        const auto names = [](const std::vector<Reduced>& words, Reduced word) { return std::ranges::find(words, word) != words.end(); };
+        const auto& in = command.included;
+        const auto choose = [&](std::initializer_list<Reduced> group) {
+            const bool any = std::ranges::any_of(group, [&](Reduced word) { return names(in, word); });
+            for (const Reduced word : group) asked_[static_cast<std::size_t>(word)] = (!any || names(in, word)) && !names(command.excluded, word);
+        };
+        choose({Reduced::joints, Reduced::zones});
+        choose({Reduced::friction, Reduced::cohesion, Reduced::tension});
+    }
+    bool operator()(Reduced word) const { return asked_[static_cast<std::size_t>(word)]; }
+
+private:
+    std::array<bool, 5> asked_{};
+};
+
+/// Values of a joint model with the strength divided; none when it has no strength.
+std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<double> values, double factor, const Asked& asked) {
+    if (const auto own = std::ranges::find(joint.properties, own_factor, &LawTable::Property::name); own != joint.properties.end()) {
+        values[static_cast<std::size_t>(own - joint.properties.begin())] *= factor;
+        return values;
+    }
+    bool any = false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto& property = joint.properties[i];
+        const auto found = std::ranges::find_if(strengths, [&](const Strength& strength) { return property.name.starts_with(strength.name) && property.unit == strength.unit; });
+        if (found == strengths.end() || !asked(found->kind)) continue;
+        values[i] = found->divided(values[i], factor);
+        any = true;
+    }
+    return any ? std::optional(values) : std::nullopt;
 }
 
 /// Below this the model counts as at rest when the command does not say.
@@ -50,6 +86,9 @@ constexpr double default_ratio = 1e-5;
 /// Cycles after which a model that cannot fail ought to be at rest.
 constexpr std::int64_t patience = 100000;
 constexpr std::int64_t shortest_span = 100;
+/// A trial lowers the strength in so many steps, over half a span; one that begins anew comes nearly to rest behind each.
+constexpr int lowering_steps = 10;
+constexpr double calm = 1e-3;
 /// Spans that one trial may take, the part of its unbalanced force that each should take away, and how many in a row may
 /// fail to: near the limit a block sticks and slips, and the force goes up and down.
 constexpr int spans = 12;
@@ -62,7 +101,7 @@ constexpr double largest = 64;
 class Trials {
 public:
     Trials(Session& session, const lang::Solve& command, const Limits& limits)
-        : session_(session), file_(command.file), ratio_(limits.ratio.value_or(default_ratio)) {
+        : session_(session), asked_(command), file_(command.file), keep_(command.keep), ratio_(limits.ratio.value_or(default_ratio)) {
         session.cycle->prepare(); // contacts must have their properties
         check_strengths(command.place);
         if (session.model.settings.damping == Damping::none)
@@ -70,36 +109,43 @@ public:
                              "write before it, for example: damp local")
                 .at(command.place);
         start_ = session.model;
+        start_.unreduced = static_cast<std::uint8_t>((asked_(Reduced::friction) ? 0 : keep_friction) | (asked_(Reduced::cohesion) ? 0 : keep_cohesion) |
+                                                     (asked_(Reduced::tension) ? 0 : keep_tension));
         try {
             span_ = command.cycles ? *command.cycles : characteristic_span(command.place);
         } catch (...) {
-            go_back();
+            go_back(start_);
             throw;
         }
-        go_back();
+        go_back(start_);
     }
-    ~Trials() { go_back(); }
+    ~Trials() {
+        go_back(keep_ && failed_ ? *failed_ : start_);
+        session_.model.unreduced = 0;
+    }
     Trials(const Trials&) = delete;
     Trials& operator=(const Trials&) = delete;
 
     /// Whether the model comes to rest with its strength divided by the factor. It stands when the ratio is reached; it
-    /// fails when its unbalanced force does not get smaller from one span to the next.
+    /// fails when its unbalanced force does not get smaller from one span to the next. Begins where the last trial that
+    /// stood with less came to rest, or where the first one began.
     bool stands(double factor) {
-        go_back();
-        for (const Row row : property_sets_in_use(session_.model)) {
-            auto& set = session_.model.joint_properties[row];
-            const JointModel& joint = session_.joints.get(set.model);
-            for (std::size_t i = 0; i < joint.properties.size(); ++i)
-                if (const Strength* strength = strength_of(joint.properties[i]))
-                    set.values[i] = strength->divided(set.values[i], factor);
+        const bool warm = warm_ && stable_ && factor > stable_factor_;
+        go_back(warm ? *stable_ : start_);
+        whole_ = warm ? stable_whole_ : std::vector<std::vector<double>>();
+        const double first = warm ? stable_factor_ : 1;
+        std::int64_t cycles = 0;
+        // Step by step: joints that are past their peak do not get it back, and a blow carries them over it.
+        for (int step = 1; step < lowering_steps; ++step) {
+            lower(first * std::pow(factor / first, static_cast<double>(step) / lowering_steps));
+            cycles += warm_ ? advance_span(session_, std::max<std::int64_t>(1, span_ / (2 * lowering_steps)), 0).cycles : advance_span(session_, span_ / 2, calm).cycles;
         }
-        session_.model.settings.strength_factor = factor;
-        session_.model.properties_changed = true;
+        lower(factor);
         bool at_rest = false;
         std::optional<MovingBody> moving;
-        std::int64_t cycles = 0;
         double least = INFINITY;
         for (int i = 0, without_gain = 0; i < spans && without_gain <= most_without_gain; ++i) {
+            if (session_.model.joint_properties.size() > whole_.size()) lower(factor);
             const RestSpan span = advance_span(session_, span_, ratio_);
             cycles += span.cycles;
             at_rest = span.at_rest;
@@ -112,28 +158,79 @@ public:
                                         at_rest ? "stands" : "fails", counted(cycles, "cycle"), session_.model.clock.average_ratio,
                                         moving ? "; " + body_text(session_.model, *moving) + " moves on" : ""));
         if (!at_rest && !file_.empty()) run(session_, lang::Save{file_});
+        if (at_rest) {
+            if (!stable_ || factor > stable_factor_) {
+                lower(factor); // what is new
+                stable_ = session_.model, stable_whole_ = whole_, stable_factor_ = factor;
+            }
+        } else {
+            mechanism_ = mechanism_text(factor);
+            if (keep_) failed_ = session_.model;
+        }
         return at_rest;
     }
 
+    /// From now on each trial begins where the first one did.
+    void begin_anew() { warm_ = false; }
+    /// Whether the last trial that stood began anywhere else than the first.
+    bool has_warm_answer() const { return warm_ && stable_.has_value(); }
+    /// What moved in the last trial that failed; "" when none did.
+    const std::string& mechanism() const { return mechanism_; }
+
 private:
-    void go_back() {
-        session_.model = start_;
+    /// All strengths are those of the beginning, divided by the factor.
+    void lower(double factor) {
+        learn_whole_values();
+        auto& sets = session_.model.joint_properties;
+        if (asked_(Reduced::joints))
+            for (std::size_t i = 0; i < sets.size(); ++i)
+                if (const auto values = reduced(session_.joints.get(sets[i].model), whole_[i], factor, asked_)) sets[i].values = *values;
+        session_.model.settings.strength_factor = asked_(Reduced::zones) ? factor : 1;
+        session_.model.properties_changed = true;
+    }
+
+    /// Contacts that are new in a trial get the values of their material, which are whole.
+    void learn_whole_values() {
+        const auto& sets = session_.model.joint_properties;
+        while (whole_.size() < sets.size()) whole_.push_back(sets[whole_.size()].values);
+    }
+
+    void go_back(const Model& state) {
+        session_.model = state;
         session_.model.lists_changed = true;
+    }
+
+    std::string mechanism_text(double factor) const {
+        const Model& model = session_.model;
+        double farthest = 0;
+        Row first = no_row;
+        std::vector<double> ways(model.blocks.size());
+        for (Row b = 0; b < static_cast<Row>(ways.size()); ++b) {
+            ways[static_cast<std::size_t>(b)] = (block_displacement(model, b) - block_displacement(start_, b)).norm();
+            if (ways[static_cast<std::size_t>(b)] > farthest) farthest = ways[static_cast<std::size_t>(b)], first = b;
+        }
+        if (first == no_row) return {};
+        constexpr double much = 0.1;
+        const auto moved = std::ranges::count_if(ways, [&](double way) { return way > much * farthest; });
+        return fmt::format("at {:.6g} {} moved most, by {} when the trial ended; {} of {} went a tenth of that or more", factor,
+                           body_text(model, MovingBody{first}), number_text(farthest), moved, counted(static_cast<std::int64_t>(ways.size()), "block"));
     }
 
     void check_strengths(const Place& place) {
         std::string without;
         bool any = false;
-        for (const Row row : property_sets_in_use(session_.model)) {
-            const JointModel& joint = session_.joints.get(session_.model.joint_properties[row].model);
-            const bool strong = std::ranges::any_of(joint.properties, [](const auto& p) { return strength_of(p) != nullptr; });
-            any = any || strong;
-            if (!strong) without = joint.name;
-        }
+        if (asked_(Reduced::joints))
+            for (const Row row : property_sets_in_use(session_.model)) {
+                const auto& set = session_.model.joint_properties[row];
+                const JointModel& joint = session_.joints.get(set.model);
+                const bool strong = reduced(joint, set.values, 1, asked_).has_value();
+                any = any || strong;
+                if (!strong) without = joint.name;
+            }
         for (const auto& name : zone_models_in_use(session_.model)) {
             const ZoneModel& zones = session_.joints.zones.get(name);
-            any = any || can_be_reduced(zones);
-            if (zones.flows() && !can_be_reduced(zones))
+            any = any || (can_be_reduced(zones) && asked_(Reduced::zones));
+            if (asked_(Reduced::zones) && zones.flows() && !can_be_reduced(zones))
                 session_.warn(Diagnostic(fmt::format("zone model '{}' has no strength that could be divided", name),
                                          "its strength stays as it is in all trials")
                                   .at(place));
@@ -172,9 +269,16 @@ private:
     }
 
     Session& session_;
+    Asked asked_;
     std::string file_;
+    bool keep_;
     double ratio_;
     Model start_;
+    std::optional<Model> stable_, failed_; ///< ends of trials
+    double stable_factor_ = 0;
+    std::vector<std::vector<double>> whole_, stable_whole_; ///< values of the property sets before they are divided, now and at stable_
+    bool warm_ = true;
+    std::string mechanism_;
     std::int64_t span_ = 0;
 };
 
@@ -216,6 +320,21 @@ Bracket narrowed(Trials& trials, Bracket bracket, double resolution) {
     return bracket;
 }
 
+bool closed(const Bracket& bracket) { return bracket.stands > 0 && std::isfinite(bracket.fails); }
+
+/// The answer must not depend on the way to it: the factor with which the model stands is tried again from the beginning. Where it
+/// fails then, the search goes on from there, each trial from the beginning.
+Bracket confirmed(Trials& trials, Bracket bracket, double resolution) {
+    if (!trials.has_warm_answer()) return bracket;
+    trials.begin_anew();
+    if (trials.stands(bracket.stands)) return bracket;
+    for (bracket.fails = bracket.stands; bracket.stands > 1 / largest; bracket.fails = bracket.stands) {
+        bracket.stands *= 1 - 4 * resolution;
+        if (trials.stands(bracket.stands)) return narrowed(trials, bracket, resolution);
+    }
+    return {0, bracket.fails};
+}
+
 } // namespace
 
 void find_factor_of_safety(Session& session, const lang::Solve& command, const Limits& limits) {
@@ -223,8 +342,8 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
     {
         Trials trials(session, command, limits);
         bracket = command.bracket ? given_bracket(trials, command) : found_bracket(trials);
-        const bool closed = bracket.stands > 0 && std::isfinite(bracket.fails);
-        if (closed) bracket = narrowed(trials, bracket, command.resolution);
+        if (closed(bracket)) bracket = confirmed(trials, narrowed(trials, bracket, command.resolution), command.resolution);
+        if (!trials.mechanism().empty()) session.output.say(trials.mechanism());
     }
     double& factor = session.model.clock.factor_of_safety;
     if (bracket.stands == 0) {

@@ -56,11 +56,14 @@ void wake_objects(Session& session, Model& model) {
 
 /// A saved model runs on with the joint models that it had: they must be here, with the same properties.
 void load_joint_models(Session& session, Model& model) {
-    for (const auto& set : model.joint_properties) {
+    for (auto& set : model.joint_properties) {
         if (set.model.find('/') != std::string::npos)
             throw Diagnostic(fmt::format("the save file names the joint model '{}' by a path", set.model),
                              "kaya saves names of joint models alone; the file was changed", Fault::run);
-        if (session.joints.get(set.model).properties.size() != set.values.size())
+        const auto& properties = session.joints.get(set.model).properties;
+        // Properties that the model has got since have the value with which it does what it did.
+        while (set.values.size() < properties.size() && properties[set.values.size()].has_default()) set.values.push_back(properties[set.values.size()].initial);
+        if (properties.size() != set.values.size())
             throw Diagnostic(
                 fmt::format("joint model '{}' has other properties now than when the model was saved",
                             set.model),

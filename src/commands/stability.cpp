@@ -1,4 +1,6 @@
 // list stability: blocks that could leave their place, by block theory.
+#include "commands/stability.hpp"
+
 #include "commands/listing.hpp"
 #include "commands/model_strengths.hpp"
 
@@ -30,19 +32,15 @@ std::string line_text(const Vec3& direction, const Vec3& up) {
     return fmt::format("{:.1f}/{:.1f}", trend, std::asin(std::clamp(-direction.dot(up), -1.0, 1.0)) * degrees);
 }
 
-/// A rigid body, or a block with zones taken as rigid: what holds it.
-struct Body {
-    std::vector<Row> blocks;
-    bool fixed = false;
-    double volume = 0;
+/// A body, and what holds it.
+struct Held {
+    BodyStability body;
     Vec3 force = Vec3::Zero();
     struct Side {
         std::size_t other;
         HeldFace face;
     };
     std::vector<Side> sides;
-    SlidingAnswer answer;
-    int stage = 0; ///< 0: it stays; else the round in which it becomes free
 };
 
 class Bodies {
@@ -50,13 +48,16 @@ public:
     Bodies(Model& model, JointRegistry& laws) : model_(model) {
         find_contacts(model, laws);
         gather();
-        std::map<Row, std::optional<Strength>> strengths;
         const WaterPressure water(model);
-        for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact) add_contact(contact, laws, strengths, water);
+        for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact) add_contact(contact, laws, water);
         assess();
     }
 
-    const std::vector<Body>& all() const { return bodies_; }
+    std::vector<BodyStability> all() const {
+        std::vector<BodyStability> bodies;
+        for (const Held& held : bodies_) bodies.push_back(held.body);
+        return bodies;
+    }
 
 private:
     void gather() {
@@ -68,14 +69,15 @@ private:
             if (joined != 0) body = of_joined.try_emplace(joined, body).first->second;
             if (body == bodies_.size()) bodies_.emplace_back();
             body_of_[static_cast<std::size_t>(block)] = body;
-            Body& at = bodies_[body];
+            Held& held = bodies_[body];
+            BodyStability& at = held.body;
             at.blocks.push_back(block);
             at.fixed = at.fixed || is_held(block);
             at.volume += model_.blocks.volume[block];
             const auto material = model_.materials.find(model_.blocks.material[block]);
             if (material == model_.materials.end() || std::isnan(material->second.density))
                 throw Diagnostic(fmt::format("block {} has no density", model_.blocks.number[block]), "give it with `prop mat`; block theory needs weights");
-            at.force += material->second.density * model_.blocks.volume[block] * model_.settings.gravity + block_load(model_, block);
+            held.force += material->second.density * model_.blocks.volume[block] * model_.settings.gravity + block_load(model_, block);
         }
     }
 
@@ -88,13 +90,13 @@ private:
         return false;
     }
 
-    void add_contact(Row contact, JointRegistry& laws, std::map<Row, std::optional<Strength>>& strengths, const WaterPressure& water) {
+    void add_contact(Row contact, JointRegistry& laws, const WaterPressure& water) {
         const auto& contacts = model_.contacts;
         // Blocks that meet in an edge or a corner hold each other by no plane.
         if (contacts.face1[contact] == no_row || contacts.face2[contact] == no_row || !(contacts.area[contact] > 0)) return;
         const std::size_t a = body_of_[static_cast<std::size_t>(contacts.block1[contact])], b = body_of_[static_cast<std::size_t>(contacts.block2[contact])];
         if (a == b) return;
-        auto& strength = strengths.try_emplace(contacts.properties[contact], joint_strength(model_, laws, contact)).first->second;
+        auto& strength = strengths_.try_emplace(contacts.properties[contact], joint_strength(model_, laws, contact)).first->second;
         const double area = contacts.area[contact];
         const Vec3 normal = contacts.normal[contact];
         Vec3 push = Vec3::Zero();
@@ -112,13 +114,13 @@ private:
         for (int stage = 1;; ++stage) {
             std::vector<std::size_t> leave;
             for (std::size_t i = 0; i < bodies_.size(); ++i) {
-                Body& body = bodies_[i];
+                BodyStability& body = bodies_[i].body;
                 if (body.fixed || gone[i]) continue;
                 std::vector<HeldFace> faces;
-                for (const Body::Side& side : body.sides)
+                for (const Held::Side& side : bodies_[i].sides)
                     if (!gone[side.other]) faces.push_back(side.face);
                 const bool was_held = body.answer.mode == SlidingMode::held;
-                body.answer = slide(body.force, faces);
+                body.answer = slide(bodies_[i].force, faces);
                 if (was_held && body.answer.mode != SlidingMode::held) body.stage = stage;
                 if (body.answer.factor && *body.answer.factor < 1) leave.push_back(i);
             }
@@ -128,11 +130,14 @@ private:
     }
 
     Model& model_;
-    std::vector<Body> bodies_;
+    std::vector<Held> bodies_;
+    std::map<Row, std::optional<Strength>> strengths_; ///< by property set
     std::vector<std::size_t> body_of_;
 };
 
 } // namespace
+
+std::vector<BodyStability> stability_of(Model& model, JointRegistry& laws) { return Bodies(model, laws).all(); }
 
 std::string list_stability(Session& session, const lang::List& command) {
     Model& model = session.model;
@@ -140,11 +145,10 @@ std::string list_stability(Session& session, const lang::List& command) {
     const Vec3 up = g > 0 ? Vec3(-model.settings.gravity / g) : Vec3(0, 0, 1);
     const auto rows = select(model, ObjectKind::block, session.test_of(ObjectKind::block, command.range));
     const auto shown = [&](Row block) { return std::ranges::binary_search(rows, block); };
-    const Bodies bodies(model, session.joints);
     TextTable table({"block", "stage", "mode", "trend/plunge", "factor", "volume", "planes"});
     std::size_t looked_at = 0, free = 0, leaving = 0;
     std::optional<double> least;
-    for (const Body& body : bodies.all()) {
+    for (const BodyStability& body : stability_of(model, session.joints)) {
         const Row first = body.blocks.front();
         if (body.fixed || std::ranges::none_of(body.blocks, shown)) continue;
         ++looked_at;

@@ -31,6 +31,9 @@ public:
         double initial, minimum, maximum; ///< initial is NaN when there is none
         bool optional;                    ///< with an initial NaN: the law gets NaN
         std::uint32_t reduction = 0;      ///< kaya_zreduction
+
+        /// Whether a law can do without being given one.
+        bool has_default() const { return optional || initial == initial; }
     };
     struct HistoryVariable {
         std::string name, unit, help;

@@ -83,11 +83,18 @@ void check_values(const Model& model, Row block, const ZoneModel& zone_model, co
                           given);
 }
 
+/// Whether a strength is not to be reduced. Its name says what it is.
+bool keeps(std::uint8_t unreduced, const LawTable::Property& property) {
+    constexpr std::pair<std::uint8_t, std::string_view> names[] = {{keep_friction, "friction"}, {keep_cohesion, "cohesion"}, {keep_tension, "tension"}};
+    return std::ranges::any_of(names, [&](const auto& kept) { return (unreduced & kept.first) != 0 && property.name.find(kept.second) != std::string::npos; });
+}
+
 /// The value of a property with the strength divided by a factor.
 double reduced(const LawTable::Property& property, double value, double factor) {
     constexpr double radian = 0.017453292519943295;
     if (factor == 1) return value;
     if (property.reduction == KAYA_ZREDUCE_DIVIDE) return value / factor;
+    if (property.reduction == KAYA_ZREDUCE_MULTIPLY) return value * factor;
     if (property.reduction == KAYA_ZREDUCE_TANGENT) return std::atan(std::tan(value * radian) / factor) / radian;
     return value;
 }
@@ -139,7 +146,7 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
             check_values(model, block, zone_model, values, given);
             const auto [bulk, shear] = zone_model.moduli(values);
             for (std::size_t i = 0; i < values.size(); ++i)
-                values[i] = reduced(zone_model.properties[i], values[i], model.settings.strength_factor);
+                if (!keeps(model.unreduced, zone_model.properties[i])) values[i] = reduced(zone_model.properties[i], values[i], model.settings.strength_factor);
             const bool averages = zone_model.flows() && model.settings.mixed_discretisation;
             laws.push_back({&zone_model, std::move(values), {bulk - 2.0 / 3.0 * shear, 2 * shear}, averages});
             model.zones.keep_history(zone_model.history.size());

@@ -39,6 +39,9 @@ struct Roller {
 /// are held (Fixity bits) stay. A force loses its parts along the directions with the speed 0.
 Vec3 roller_change(const Roller& roller, const Vec3& value, std::uint8_t fixed, const Vec3& speed);
 
+/// Bits of Model::unreduced.
+enum KeptStrength : std::uint8_t { keep_friction = 1, keep_cohesion = 2, keep_tension = 4 };
+
 struct Model {
     Blocks blocks;
     Gridpoints gridpoints;
@@ -74,6 +77,10 @@ struct Model {
     bool structure_changed = true;  ///< blocks were made, deleted or zoned: contacts are searched anew
     bool properties_changed = true; ///< masses, stiffnesses or the time step are computed anew
     bool lists_changed = true;      ///< contacts were replaced: lists of who acts on whom are made anew
+
+    /// Strengths of zones that Settings::strength_factor leaves alone, KeptStrength bits. Not part of the state: only trials of `solve
+    /// fos` set it.
+    std::uint8_t unreduced = 0;
 
     // Sub-contacts that joint models must still be asked about (mechanics/take_over.hpp). Not
     // part of the state: they are asked before the model cycles or is saved.

@@ -257,7 +257,7 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
 template <class Archive> void visit_state(Archive& archive, Model& model) {
     auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, tied_pairs, ties, drives, excavated, materials, joint_properties,
            zone_properties, joint_constitutive, group_names, time_functions, rollers, settings, clock, energy, histories, next_block_number, next_shape_number, next_contact_number,
-           next_sub_contact_number, structure_changed, properties_changed, lists_changed, forces_set, taken_over] = model;
+           next_sub_contact_number, structure_changed, properties_changed, lists_changed, unreduced, forces_set, taken_over] = model;
     // The tables named above stand here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
 

@@ -9,7 +9,7 @@ namespace {
 
 using namespace kaya::zones;
 
-enum Property : std::size_t { constant_sci = moduli_count, constant_mb, constant_s, constant_a, dilation };
+enum Property : std::size_t { constant_sci = moduli_count, constant_mb, constant_s, constant_a, dilation, strength_factor };
 constexpr std::array properties{
     bulk_property,
     shear_property,
@@ -18,6 +18,7 @@ constexpr std::array properties{
     kaya_zproperty{"constant-s", "hb_s", "-", "s of the rock mass", NAN, 0, 1, 0, KAYA_ZREDUCE_NONE},
     kaya_zproperty{"constant-a", "hb_a", "-", "exponent of the rock mass", 0.5, 0.1, 1, 0, KAYA_ZREDUCE_NONE},
     kaya_zproperty{"dilation", "bdilation", "angle", "angle of dilation", 0, 0, 89.9, 0, KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"strength-factor", "", "-", "the shear strength is divided by it; solve fos sets it", 1, 1e-6, 1e6, 0, KAYA_ZREDUCE_MULTIPLY},
 };
 
 enum History : std::size_t { plastic_shear, plastic_tension };
@@ -38,16 +39,78 @@ struct Curve {
     double slope(double s3) const { return 1 + a * mb * std::pow(std::max(1e-12, mb * s3 / sci + s), a - 1); }
 };
 
+/// The curve whose envelope of shear stresses lies at a part of the height of the first one's: each point of the envelope keeps its
+/// normal stress, and the circle of Mohr that touches the lower envelope there has other principal stresses (3).
+class Lowered {
+public:
+    Lowered(const Curve& curve, double factor) : curve_(curve), factor_(factor) {
+        double above_tip = 1e-6 * curve.sci;
+        for (Circle& known : known_) {
+            known = circle(curve.tip() + above_tip);
+            above_tip *= known_ratio;
+        }
+    }
+
+    double tip() const { return curve_.tip(); }
+    double greatest(double s3) const { return at(s3).greatest; }
+    double slope(double s3) const { return at(s3).slope; }
+    bool holds(double greatest_tension, double least_tension) const {
+        const double s3 = -greatest_tension, s1 = -least_tension;
+        if (s3 < tip()) return false;
+        // The curve is convex: what lies below a chord lies below the curve, and most zones do.
+        const auto next = std::upper_bound(known_.begin(), known_.end(), s3, [](double s, const Circle& known) { return s < known.least; });
+        if (next != known_.begin() && next != known_.end()) {
+            const Circle &a = *(next - 1), &b = *next;
+            if (s1 <= a.greatest + (s3 - a.least) / (b.least - a.least) * (b.greatest - a.greatest)) return true;
+        }
+        return s1 <= greatest(s3);
+    }
+
+private:
+    struct Circle {
+        double least, greatest, slope;
+    };
+    /// The circle that belongs to a least stress on the first curve.
+    Circle circle(double first) const {
+        const double k = curve_.slope(first), root = std::sqrt(k), range = curve_.greatest(first) - first;
+        const double normal = first + range / (k + 1), shear = (normal - first) * root / factor_;
+        const double tangent = (k - 1) / (2 * root) / factor_, secant = std::sqrt(1 + tangent * tangent), sine = tangent / secant;
+        const double centre = normal + shear * tangent, radius = shear * secant;
+        return {centre - radius, centre + radius, (1 + sine) / (1 - sine)};
+    }
+    /// The circle with this least stress; the least stress grows along the curve.
+    Circle at(double s3) const {
+        double low = curve_.tip(), high = std::max(s3, low) + curve_.sci * 1e-3;
+        for (int k = 0; k < 200 && circle(high).least < s3; ++k) low = high, high += 2 * std::max(high - curve_.tip(), 1e-3 * curve_.sci);
+        double below = circle(low).least - s3, above = circle(high).least - s3;
+        Circle found = circle(high);
+        // Regula falsi with the Illinois rule.
+        for (int k = 0; k < 100 && high - low > 1e-13 * curve_.sci && std::abs(found.least - s3) > 1e-13 * curve_.sci; ++k) {
+            const double middle = above > below ? (low * above - high * below) / (above - below) : 0.5 * (low + high);
+            found = circle(middle);
+            const double miss = found.least - s3;
+            if (miss > 0) high = middle, above = miss, below *= 0.5;
+            else low = middle, below = miss, above *= 0.5;
+        }
+        return found;
+    }
+
+    static constexpr double known_ratio = 1.35;
+    Curve curve_;
+    double factor_;
+    std::array<Circle, 48> known_; ///< circles along the curve, the farther apart the farther from its tip
+};
+
 /// The tangent plane at s3 as a surface of Mohr and Coulomb.
-Strength tangent(const Curve& curve, double s3, double flow) {
+template <class Criterion> Strength tangent(const Criterion& curve, double s3, double flow) {
     const double k = curve.slope(s3);
     return {k, curve.greatest(s3) - k * s3, flow, -curve.tip()};
 }
 
-ptrdiff_t run(kaya_zbatch* batch) {
+template <class Criterion> void run_with(kaya_zbatch* batch, const Criterion& curve) {
     const double* p = batch->properties;
     const Moduli moduli{p[0], p[1]};
-    const Curve curve{p[constant_sci], p[constant_mb], p[constant_s], p[constant_a]};
+    const double size = p[constant_sci];
     const double flow_slope = Strength::slope_of(p[dilation]);
     add_elastic(*batch, moduli);
     forget_flow(*batch);
@@ -70,7 +133,7 @@ ptrdiff_t run(kaya_zbatch* batch) {
             const double found = std::max(-principal.value[0], curve.tip());
             const double way = std::abs(found - at);
             at = found;
-            if (way <= 1e-12 * curve.sci) break;
+            if (way <= 1e-12 * size) break;
         }
         put_stress(*batch, i, principal.tensor());
         batch->dissipation[i] = dot(principal.value, flow.strain);
@@ -78,6 +141,13 @@ ptrdiff_t run(kaya_zbatch* batch) {
         batch->history[plastic_tension][i] += flow.along_tension;
         batch->state[i] |= bits_of(flow);
     });
+}
+
+ptrdiff_t run(kaya_zbatch* batch) {
+    const double* p = batch->properties;
+    const Curve curve{p[constant_sci], p[constant_mb], p[constant_s], p[constant_a]};
+    if (p[strength_factor] == 1) run_with(batch, curve);
+    else run_with(batch, Lowered(curve, p[strength_factor]));
     return -1;
 }
 

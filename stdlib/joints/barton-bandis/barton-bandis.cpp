@@ -31,6 +31,7 @@ enum Property {
     residual_at_slip,
     contraction,
     dilation_jcso,
+    strength_factor,
     property_count
 };
 
@@ -57,6 +58,7 @@ constexpr kaya_jproperty properties[] = {
     {"residual-at-slip", "", "-", "1: the strength is the residual one after the first slip", 0, 0, 1, 0},
     {"contraction", "", "-", "1: negative mobilised roughness closes the joint", 0, 0, 1, 0},
     {"dilation-jcso", "", "-", "1: dilation from the wall strength of the sample, JCS_o", 0, 0, 1, 0},
+    {"strength-factor", "", "-", "the shear strength is divided by it; solve fos sets it", 1, 1e-6, 1e6, 0},
 };
 static_assert(std::size(properties) == property_count);
 
@@ -94,7 +96,8 @@ Given given(const double* p) {
             p[loading_hyperbola] != 0,
             p[residual_at_slip] != 0,
             p[contraction] != 0,
-            p[dilation_jcso] != 0};
+            p[dilation_jcso] != 0,
+            p[strength_factor]};
 }
 
 /// What the normal stress decides.
@@ -113,14 +116,14 @@ struct Strength {
     const double stress = normal_stress(law, closure_);
     const double log_stress = logarithm(std::max(stress, law.lowest_stress));
     const double ruff = roughness_angle(law, log_stress, log_jcs);
-    const double peak = stress * tangent_of_degrees(law.residual_friction + ruff);
+    const double whole = stress * tangent_of_degrees(law.residual_friction + ruff);
     // K_j sigma_n^n_j (2.28), sigma_n in MPa; 0 when open, where the logarithm was cut.
     const double power_of_stress =
         exponential(law.stiffness_exponent * (log_stress + logarithm(law.per_mpa)));
     const double given = stress > 0 ? law.shear_stiffness * power_of_stress : 0;
     // Unloading with (2.28) gives back at most 0.773 tau^2/K, loading along the curve takes at least
     // tau^2/(2 rise): with K at least twice the rise no cycle makes energy.
-    return {stress, ruff, std::max(given, 2 * steepest_rise(law, stress, ruff, peak)), peak};
+    return {stress, ruff, std::max(given, 2 * law.part * steepest_rise(law, stress, ruff, whole)), law.part * whole};
 }
 
 /// The shear path of one step, in stresses: where it starts and how far it goes.
@@ -150,8 +153,8 @@ template <bool thesis>
 [[gnu::always_inline]] inline double mobilised_strength(const Law& law, const Strength& s, const Mobilised& m,
                                                         double fallen) {
     const double angle = law.residual_friction * m.friction + s.ruff * m.roughness;
-    if constexpr (thesis) return s.stress * tangent_of_degrees(fallen > 0 ? law.residual_friction : angle);
-    return s.stress * tangent_of_degrees(angle);
+    if constexpr (thesis) return law.part * s.stress * tangent_of_degrees(fallen > 0 ? law.residual_friction : angle);
+    return law.part * s.stress * tangent_of_degrees(angle);
 }
 
 template <bool thesis>

@@ -21,6 +21,7 @@ struct Given {
     bool peak_by_lab; ///< L_o instead of L_n in the root of the peak displacement
     double mpa, mm;   ///< 1 MPa in the deck's unit of stress, 1 mm in its unit of length
     bool stepped, hyperbolic, falls, contracts, dilates_by_lab; ///< choices of the thesis, see Law
+    double strength_factor = 1; ///< by which the shear strength is divided
 };
 
 /// Aperture a_j in mm (2.26).
@@ -37,6 +38,7 @@ struct Law {
     double knee_closure, knee_stress, knee_stiffness; ///< beyond it the closure curve is straight
     double shear_stiffness, stiffness_exponent, per_mpa, half_failure_ratio;
     double residual_friction, jrc, jcs, roughest, lowest_stress;
+    double part; ///< of the shear strength that is left
     double peak_displacement, per_peak, radians_per_degree_and_peak;
     // What Koçal's listing does and this model does not unless it is told to.
     bool stepped;            ///< B of Table 2.2 is held from each row to the next
@@ -61,6 +63,7 @@ struct Law {
         jcs = g.jcs_lab * std::pow(size, -0.03 * g.jrc_lab); // (2.13)
         residual_friction = g.residual_friction;
         roughest = std::max(0.0, largest_peak - residual_friction);
+        part = 1 / g.strength_factor;
         lowest_stress = 1e-12 * jcs; // keeps logarithms and quotients finite while the joint is open
 
         const double metre = 1000 * g.mm;

@@ -51,10 +51,37 @@ TEST_F(Bench, MohrCoulombYieldsAtItsTriaxialStrengthAndDilatesAsAsked) {
 
 TEST_F(Bench, HoekBrownYieldsOnItsCurve) {
     const double sci = 30e6, mb = 1.7, s = 0.0039, confining = -5e6;
-    const ZoneCurve curve = follow_zone_path(models.get("hoek-brown"), {3.667e9, 2.2e9, sci, mb, s, 0.5, 0}, triaxial(confining, -0.04), start(confining));
+    const ZoneCurve curve = follow_zone_path(models.get("hoek-brown"), {3.667e9, 2.2e9, sci, mb, s, 0.5, 0, 1}, triaxial(confining, -0.04), start(confining));
     const double s3 = -confining, s1 = s3 + sci * std::sqrt(mb * s3 / sci + s);
     EXPECT_NEAR(curve.points.back().stress[2], -s1, 1e-6 * s1);
     EXPECT_TRUE(curve.findings.empty());
+}
+
+/// The envelope of shear stresses as the upper edge of many circles of Mohr: by another way than the model.
+double envelope(double normal, double sci, double mb, double s, double a) {
+    double highest = 0;
+    for (double s3 = -s * sci / mb; s3 < normal; s3 += 2e-4 * sci) {
+        const double s1 = s3 + sci * std::pow(mb * s3 / sci + s, a), centre = 0.5 * (s1 + s3), radius = 0.5 * (s1 - s3);
+        highest = std::max(highest, radius * radius - (normal - centre) * (normal - centre));
+    }
+    return std::sqrt(highest);
+}
+
+TEST_F(Bench, HoekBrownWithAFactorYieldsWhereItsCircleTouchesTheLowerEnvelope) {
+    const double sci = 30e6, mb = 0.9, s = 0.0039, a = 0.52;
+    for (const double factor : {1.0, 1.5, 0.8})
+        for (const double confining : {-0.5e6, -5e6}) {
+            const ZoneCurve curve =
+                follow_zone_path(models.get("hoek-brown"), {3.667e9, 2.2e9, sci, mb, s, a, 0, factor}, triaxial(confining, -0.04), start(confining));
+            const double s3 = -confining, s1 = -curve.points.back().stress[2], centre = 0.5 * (s1 + s3), radius = 0.5 * (s1 - s3);
+            double nearest = INFINITY;
+            for (int k = 1; k < 180; ++k) {
+                const double normal = centre + radius * std::cos(k * degree);
+                nearest = std::min(nearest, (envelope(normal, sci, mb, s, a) / factor - radius * std::sin(k * degree)) / radius);
+            }
+            EXPECT_NEAR(nearest, 0, 1e-3) << "factor " << factor << ", confined by " << confining;
+            EXPECT_TRUE(curve.findings.empty());
+        }
 }
 
 TEST_F(Bench, AnElasticZoneThatIsUnloadedIsAsItWas) {
