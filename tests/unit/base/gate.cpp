@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/sha256.hpp"
+#include "tests/unit/scratch_folder.hpp"
 
 #include <cstdlib>
 #include <fstream>
@@ -17,15 +18,13 @@ namespace fs = std::filesystem;
 class GateTest : public testing::Test {
 protected:
     GateTest() {
-        std::string name = (fs::temp_directory_path() / "gate.XXXXXX").string();
-        folder = fs::canonical(mkdtemp(name.data()));
+        folder = fs::canonical(scratch.path());
         work = folder / "work";
         for (const auto* sub : {"work", "secret", "joints"}) fs::create_directory(folder / sub);
         write(folder / "secret/file");
         gate.shut({.folders = {work}, .named = {}, .libraries = {folder / "joints"}, .digests = {sha256("\x7f" "ELF mine")},
                    .permissions = work / "allowed"});
     }
-    ~GateTest() override { fs::remove_all(folder); }
 
     static void write(const fs::path& file, const std::string& text = "text") { std::ofstream(file) << text; }
 
@@ -48,6 +47,7 @@ protected:
         return refused([&] { gate.may_load(file); });
     }
 
+    test::ScratchFolder scratch;
     fs::path folder, work;
     Gate gate;
 };

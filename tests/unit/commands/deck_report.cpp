@@ -5,6 +5,7 @@
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/fish/inner_commands.hpp"
+#include "tests/unit/scratch_folder.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -23,20 +24,11 @@ using testing::HasSubstr;
 /// A folder with decks that goes away.
 class DeckReportTest : public testing::Test {
 protected:
-    DeckReportTest() {
-        std::string name = (fs::temp_directory_path() / "kaya-report-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
-        folder_ = name;
-    }
-    ~DeckReportTest() override {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-    void write(const char* name, const std::string& text) { std::ofstream(folder_ / name) << text; }
-    DeckReport report(const char* name) { return check_deck(name, {folder_}); }
+    void write(const char* name, const std::string& text) { test::put(folder_ / name, text); }
+    DeckReport report(const char* name) { return check_deck(name, {folder_.path()}); }
 
 private:
-    fs::path folder_;
+    test::ScratchFolder folder_;
 };
 
 TEST_F(DeckReportTest, ADeckThatRunsHasNoLines) {

@@ -1,6 +1,7 @@
 // Every right example of the command tables runs, in a small model that has what the examples speak of.
 #include "commands/session.hpp"
 #include "lang/commands/language.hpp"
+#include "tests/unit/scratch_folder.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -87,21 +88,15 @@ hist xdis 0 0 1 unbal time zdis 0 0 1 ydis 0 0 1
 class ExamplesTest : public testing::Test {
 protected:
     ExamplesTest() : before_(fs::current_path()) {
-        std::string name = (fs::temp_directory_path() / "kaya-examples-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
-        folder_ = name;
-        fs::current_path(folder_);
+        fs::current_path(folder_.path());
     }
-    ~ExamplesTest() override {
-        fs::current_path(before_);
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
+    ~ExamplesTest() override { fs::current_path(before_); }
 
     static void write(const char* name, const std::string& text) { std::ofstream(name) << text; }
 
 private:
-    fs::path before_, folder_;
+    test::ScratchFolder folder_;
+    fs::path before_;
 };
 
 /// What the examples read, in the current folder.

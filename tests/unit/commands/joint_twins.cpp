@@ -2,6 +2,7 @@
 #include "base/diagnostic.hpp"
 #include "commands/lua_joint_models.hpp"
 #include "joints/batch.hpp"
+#include "tests/unit/scratch_folder.hpp"
 
 #include <array>
 #include <cmath>
@@ -141,13 +142,10 @@ TEST(JointTwins, LuaInManyThreadsGivesTheSameBits) {
 /// A Lua file for one test.
 class Written {
 public:
-    explicit Written(const std::string& text) : file_(fs::path(testing::TempDir()) / "kaya-joint.lua") {
-        std::ofstream(file_) << text;
-    }
-    ~Written() { fs::remove(file_); }
+    explicit Written(const std::string& text) : file_(folder_ / "kaya-joint.lua") { test::put(file_, text); }
     const JointModel& load() {
         understand_lua_models(joints_);
-        return joints_.get(file_.string());
+        return joints_.get(file_);
     }
     std::string refusal() {
         try {
@@ -159,7 +157,8 @@ public:
     }
 
 private:
-    fs::path file_;
+    test::ScratchFolder folder_;
+    std::string file_;
     JointRegistry joints_;
 };
 

@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "closed.hpp"
 #include "geometry/random.hpp"
+#include "tests/unit/scratch_folder.hpp"
 
 #include <cstdint>
 #include <cstring>
@@ -217,11 +218,12 @@ TEST(SurfaceFiles, DamagedFilesEndInAMessageNeverInACrash) {
 }
 
 TEST(SurfaceFiles, AreChosenBySuffix) {
-    const auto path = std::filesystem::temp_directory_path() / "kaya_surface_test.OBJ";
-    std::ofstream(path) << obj_text;
-    EXPECT_EQ(read_surfaces(path.string()).size(), 2u);
+    const test::ScratchFolder folder;
+    const auto path = folder / "surface.OBJ";
+    test::put(path, obj_text);
+    EXPECT_EQ(read_surfaces(path).size(), 2u);
     std::filesystem::remove(path);
-    EXPECT_THROW(read_surfaces(path.string()), Diagnostic);
+    EXPECT_THROW(read_surfaces(path), Diagnostic);
     try {
         read_surfaces("model.dxf");
         FAIL();

@@ -3,7 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "io/save.hpp"
 #include "model/sampling.hpp"
-#include "tests/unit/io/scratch_folder.hpp"
+#include "tests/unit/scratch_folder.hpp"
 #include "tests/unit/model/hand_made.hpp"
 
 #include <fmt/format.h>

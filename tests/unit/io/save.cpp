@@ -6,7 +6,7 @@
 #include "io/save_walk.hpp"
 #include "model/consistency.hpp"
 #include "model/sampling.hpp"
-#include "tests/unit/io/scratch_folder.hpp"
+#include "tests/unit/scratch_folder.hpp"
 #include "tests/unit/model/hand_made.hpp"
 
 #include <fmt/format.h>

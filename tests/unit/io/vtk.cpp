@@ -2,7 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "model/field.hpp"
-#include "tests/unit/io/scratch_folder.hpp"
+#include "tests/unit/scratch_folder.hpp"
 #include "tests/unit/mechanics/two_bricks.hpp"
 #include "tests/unit/model/hand_made.hpp"
 

@@ -1,7 +1,7 @@
 #include "io/whole_file.hpp"
 
 #include "base/diagnostic.hpp"
-#include "tests/unit/io/scratch_folder.hpp"
+#include "tests/unit/scratch_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 #include "test_joint.hpp"
 
 #include "base/diagnostic.hpp"
+#include "tests/unit/scratch_folder.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -63,9 +64,8 @@ TEST(JointRegistry, KnowsModelsByTheWordsOf3dec) {
 }
 
 TEST(JointRegistry, FindsTheLibrariesOf3decByWhatTheyHold) {
-    const fs::path folder = fs::path(testing::TempDir()) / "libraries-of-3dec";
-    fs::remove_all(folder);
-    fs::create_directories(folder);
+    const test::ScratchFolder scratch;
+    const fs::path folder = scratch.path();
     fs::copy_file(plugin_folder / "works.so", folder / "libjmodelsomething009.so"); // the file name lies
     fs::copy_file(plugin_folder / "too-soft.so", folder / "jmodeltoo-soft007.so");
     fs::copy_file(plugin_folder / "no-entry.so", folder / "libjmodelbroken009.so");
@@ -113,19 +113,20 @@ TEST(JointRegistry, RefusesAFileThatIsNotThere) {
 }
 
 TEST(JointRegistry, RefusesATextFileAndAFolder) {
-    const auto folder = fs::path(testing::TempDir()) / "kaya-joint-registry";
-    fs::create_directories(folder / "folder.so");
+    const test::ScratchFolder scratch;
+    const auto& folder = scratch.path();
+    fs::create_directory(folder / "folder.so");
     std::ofstream(folder / "text.so") << "jmodel mohr\n";
     JointRegistry registry;
     EXPECT_THAT(refusal(registry, (folder / "text.so").string()).message,
                 HasSubstr("text.so is not a shared library"));
     EXPECT_THAT(refusal(registry, (folder / "folder.so").string()).message,
                 HasSubstr("folder.so is not a shared library"));
-    fs::remove_all(folder);
 }
 
 TEST(JointRegistry, RefusesATruncatedLibrary) {
-    const auto file = fs::path(testing::TempDir()) / "kaya-truncated.so";
+    const test::ScratchFolder scratch;
+    const auto file = scratch.path() / "truncated.so";
     for (const std::uintmax_t size : {20u, 100u, 1000u, 9000u}) {
         fs::copy_file(plugin_folder / "works.so", file, fs::copy_options::overwrite_existing);
         ASSERT_GT(fs::file_size(file), size);
@@ -133,7 +134,6 @@ TEST(JointRegistry, RefusesATruncatedLibrary) {
         JointRegistry registry;
         EXPECT_THAT(refusal(registry, file.string()).message, HasSubstr("is cut off")) << size;
     }
-    fs::remove(file);
 }
 
 TEST(JointRegistry, PassesOnWhatALibraryLacks) {

@@ -1,5 +1,6 @@
 // What a Lua chunk of a deck can do.
 #include "fake_world.hpp"
+#include "tests/unit/scratch_folder.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -16,25 +17,18 @@ using ::testing::HasSubstr;
 class Folder {
 public:
     Folder() : before_(std::filesystem::current_path()) {
-        folder_ = std::filesystem::temp_directory_path() / ("kaya-script-" + std::to_string(getpid()));
-        std::filesystem::create_directories(folder_);
-        std::filesystem::current_path(folder_);
+        std::filesystem::current_path(folder_.path());
     }
-    ~Folder() {
-        std::filesystem::current_path(before_);
-        std::filesystem::remove_all(folder_);
-    }
+    ~Folder() { std::filesystem::current_path(before_); }
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
 
-    static void write(const std::string& name, const std::string& text) { std::ofstream(name) << text; }
-    static std::string read(const std::string& name) {
-        std::ifstream file(name);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
+    static void write(const std::string& name, const std::string& text) { kaya::test::put(name, text); }
+    static std::string read(const std::string& name) { return kaya::test::content_of(name); }
 
 private:
-    std::filesystem::path before_, folder_;
+    kaya::test::ScratchFolder folder_;
+    std::filesystem::path before_;
 };
 
 TEST(LuaLibrary, lists_walk_over_the_model) {

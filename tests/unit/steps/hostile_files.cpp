@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "commands/journal.hpp"
 #include "commands/session.hpp"
+#include "tests/unit/scratch_folder.hpp"
 
 #include <array>
 #include <atomic>
@@ -23,16 +24,6 @@ namespace kaya {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Folder {
-public:
-    Folder() : path_(fs::temp_directory_path() / fmt::format("kaya-hostile-files-{}", ::getpid())) { fs::create_directories(path_); }
-    ~Folder() { fs::remove_all(path_); }
-    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
-private:
-    fs::path path_;
-};
 
 class Scene {
 public:
@@ -127,13 +118,13 @@ std::string read_all(const std::string& file) {
 }
 
 /// What kaya itself writes: a grid file and a journal.
-std::string grid_text(const Folder& folder) {
+std::string grid_text(const test::ScratchFolder& folder) {
     Scene scene;
     scene.session().interpreter.run_text(fmt::format("poly brick 0 1 0 1 0 1\npoly brick 1 2 0 1 0 1\nexport '{}'\n", folder / "good.3dgrid"), "x");
     return read_all(folder / "good.3dgrid");
 }
 
-std::string journal_text(const Folder& folder) {
+std::string journal_text(const test::ScratchFolder& folder) {
     Scene scene;
     Journal journal(scene.session(), folder / "good.journal");
     {
@@ -171,7 +162,7 @@ int number_from(const char* variable, int otherwise) {
 
 // KAYA_HOSTILE_FILES says how many, of all kinds together.
 TEST(HostileFiles, AreRefusedOrUsedButNeverCrash) {
-    const Folder folder;
+    const test::ScratchFolder folder;
     const std::vector<Kind> kinds{
         {"a.stl", stl_text(), import_and_cycle},
         {"b.stl", stl_binary(), import_and_cycle},

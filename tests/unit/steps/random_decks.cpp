@@ -5,6 +5,7 @@
 
 #include "base/diagnostic.hpp"
 #include "mechanics/step_bounds.hpp"
+#include "tests/unit/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -130,11 +131,11 @@ private:
 
 /// The hashes after `cycles` more cycles of a run and of the same run restored from a file.
 void expect_same_when_restored(Run& run, int cycles, const std::string& where) {
-    const auto file = (std::filesystem::temp_directory_path() / fmt::format("kaya-random-{}.h5", where)).string();
+    const test::ScratchFolder folder;
+    const auto file = folder / "save.h5";
     ASSERT_TRUE(run.run("save " + file)) << where;
     Run other;
     ASSERT_TRUE(other.run("restore " + file)) << where;
-    std::filesystem::remove(file);
     for (int i = 0; i < cycles; ++i) {
         const bool went = run.run("cycle 1");
         EXPECT_EQ(other.run("cycle 1"), went) << where;

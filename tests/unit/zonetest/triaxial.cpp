@@ -1,6 +1,7 @@
 #include "zonetest/zone_bench.hpp"
 
 #include "base/diagnostic.hpp"
+#include "tests/unit/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -110,14 +111,15 @@ TEST_F(Bench, AStressBeyondTheStrengthIsSaid) {
 }
 
 TEST_F(Bench, WrongPathsAreRefusedWithTheirFile) {
-    const auto file = std::filesystem::temp_directory_path() / "kaya-zone-path.csv";
+    const test::ScratchFolder folder;
+    const auto file = folder / "kaya-zone-path.csv";
     const std::pair<const char*, const char*> wrong[] = {{"zz_strain\n0\n", "two points"},
                                                          {"zz_strain,zz_stress\n0,0\n1,1\n", "zz_strain and zz_stress"},
                                                          {"zz_strian\n0\n1\n", "zz_strian"},
                                                          {"time\n0\n1\n", "no strain and no stress"},
                                                          {"zz_strain,time\n0,1\n1,0\n", "time goes back"}};
     for (const auto& [text, what] : wrong) {
-        std::ofstream(file) << text;
+        test::put(file, text);
         try {
             read_zone_path(file);
             ADD_FAILURE() << text;
@@ -126,7 +128,6 @@ TEST_F(Bench, WrongPathsAreRefusedWithTheirFile) {
             EXPECT_NE(problem.message.find("kaya-zone-path.csv"), std::string::npos);
         }
     }
-    std::filesystem::remove(file);
 }
 
 /// A model whose rows touch each other, that is stiffer than it says and makes work of nothing.
