@@ -4,11 +4,15 @@
 #include "commands/listing.hpp"
 #include "commands/model_strengths.hpp"
 
+#include "geometry/kept_part.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "model/joined.hpp"
+#include "model/joint_polygons.hpp"
 #include "model/measure.hpp"
 #include "model/water.hpp"
 #include "slopes/sliding.hpp"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -99,13 +103,26 @@ private:
         auto& strength = strengths_.try_emplace(contacts.properties[contact], joint_strength(model_, laws, contact)).first->second;
         const double area = contacts.area[contact];
         const Vec3 normal = contacts.normal[contact];
-        Vec3 push = Vec3::Zero();
-        const Span points = contacts.sub_contacts[contact];
-        for (Row i = points.first; i < points.end(); ++i) push += water.at(model_.sub_contacts.position[i]) * model_.sub_contacts.area[i] * normal;
+        const Vec3 push = water_force(contact, water) * normal;
         bodies_[a].sides.push_back({b, {normal, area, strength ? &*strength : nullptr}});
         bodies_[b].sides.push_back({a, {-normal, area, strength ? &*strength : nullptr}});
         bodies_[a].force -= push;
         bodies_[b].force += push;
+    }
+
+    /// Of water on a joint: exactly, also where a part of it lies above the table.
+    double water_force(Row contact, const WaterPressure& water) const {
+        double force = 0;
+        if (model_.settings.water == Water::none) return force;
+        for (const auto& polygon : joint_polygons(model_, contact)) {
+            const auto wet = kept_part(polygon, [&](const Vec3& corner) { return -water.unlimited_at(corner); },
+                                       [](const Vec3& a, const Vec3& b, double part) -> Vec3 { return a + part * (b - a); });
+            for (std::size_t i = 1; i + 1 < wet.size(); ++i) {
+                const double area = 0.5 * (wet[i] - wet[0]).cross(wet[i + 1] - wet[0]).norm();
+                force += area * water.unlimited_at((wet[0] + wet[i] + wet[i + 1]) / 3);
+            }
+        }
+        return force;
     }
 
     /// Body by body against those that stay; when some have left, those behind them again.

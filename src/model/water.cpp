@@ -20,7 +20,7 @@ WaterPressure::WaterPressure(const Model& model) : model_(model) {
     }
 }
 
-double WaterPressure::at(const Vec3& place) const { return std::max(0.0, at_origin_ + gradient_.dot(place)); }
+double WaterPressure::at(const Vec3& place) const { return std::max(0.0, unlimited_at(place)); }
 
 double WaterPressure::at_gridpoint(Row gridpoint) const {
     const auto& points = model_.gridpoints;

@@ -12,6 +12,8 @@ public:
 
     /// Below a table, or of a field; not where gridpoints have it.
     double at(const Vec3& place) const;
+    /// The same before negative pressures are taken as 0: linear in space.
+    double unlimited_at(const Vec3& place) const { return at_origin_ + gradient_.dot(place); }
     double at_gridpoint(Row gridpoint) const;
     /// Mean of the zone's gridpoints.
     double of_zone(Row zone) const;
