@@ -133,7 +133,8 @@ public:
         const bool warm = warm_ && stable_ && factor > stable_factor_;
         go_back(warm ? *stable_ : start_);
         whole_ = warm ? stable_whole_ : std::vector<std::vector<double>>();
-        const double first = warm ? stable_factor_ : 1;
+        // A model that does not stand as it is must not begin to slide on the way to more strength.
+        const double first = warm ? stable_factor_ : factor > 1 ? 1 : 0.5 * factor;
         std::int64_t cycles = 0;
         // Step by step: joints that are past their peak do not get it back, and a blow carries them over it.
         for (int step = 1; step < lowering_steps; ++step) {

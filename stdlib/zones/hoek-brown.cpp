@@ -4,6 +4,7 @@
 #include "stdlib/zones/principal.hpp"
 
 #include <cstdio>
+#include <utility>
 
 namespace {
 
@@ -37,6 +38,8 @@ struct Curve {
     }
     double greatest(double s3) const { return s3 + sci * std::pow(std::max(0.0, mb * s3 / sci + s), a); }
     double slope(double s3) const { return 1 + a * mb * std::pow(std::max(1e-12, mb * s3 / sci + s), a - 1); }
+    /// Greatest stress and slope at a least stress.
+    std::pair<double, double> line_at(double s3) const { return {greatest(s3), slope(s3)}; }
 };
 
 /// The curve whose envelope of shear stresses lies at a part of the height of the first one's: each point of the envelope keeps its
@@ -44,16 +47,16 @@ struct Curve {
 class Lowered {
 public:
     Lowered(const Curve& curve, double factor) : curve_(curve), factor_(factor) {
-        double above_tip = 1e-6 * curve.sci;
-        for (Circle& known : known_) {
-            known = circle(curve.tip() + above_tip);
-            above_tip *= known_ratio;
-        }
+        for (std::size_t k = 0; k < known_.size(); ++k) known_[k] = circle(place(k));
     }
 
     double tip() const { return curve_.tip(); }
     double greatest(double s3) const { return at(s3).greatest; }
-    double slope(double s3) const { return at(s3).slope; }
+    /// Greatest stress and slope at a least stress.
+    std::pair<double, double> line_at(double s3) const {
+        const Circle circle = at(s3);
+        return {circle.greatest, circle.slope};
+    }
     bool holds(double greatest_tension, double least_tension) const {
         const double s3 = -greatest_tension, s1 = -least_tension;
         if (s3 < tip()) return false;
@@ -78,24 +81,39 @@ private:
         const double centre = normal + shear * tangent, radius = shear * secant;
         return {centre - radius, centre + radius, (1 + sine) / (1 - sine)};
     }
+    double place(std::size_t k) const { return curve_.tip() + first_place * curve_.sci * std::pow(known_ratio, static_cast<double>(k)); }
     /// The circle with this least stress; the least stress grows along the curve.
     Circle at(double s3) const {
-        double low = curve_.tip(), high = std::max(s3, low) + curve_.sci * 1e-3;
-        for (int k = 0; k < 200 && circle(high).least < s3; ++k) low = high, high += 2 * std::max(high - curve_.tip(), 1e-3 * curve_.sci);
-        double below = circle(low).least - s3, above = circle(high).least - s3;
+        const auto next = std::upper_bound(known_.begin(), known_.end(), s3, [](double s, const Circle& known) { return s < known.least; });
+        const auto k = static_cast<std::size_t>(next - known_.begin());
+        double low = curve_.tip(), high = place(std::min(k, known_.size() - 1));
+        double below = circle(low).least - s3;
+        if (k > 0) low = place(k - 1), below = known_[k - 1].least - s3;
         Circle found = circle(high);
+        while (found.least < s3) {
+            low = high, below = found.least - s3;
+            high += 2 * (high - curve_.tip());
+            found = circle(high);
+        }
+        double above = found.least - s3;
         // Regula falsi with the Illinois rule.
-        for (int k = 0; k < 100 && high - low > 1e-13 * curve_.sci && std::abs(found.least - s3) > 1e-13 * curve_.sci; ++k) {
+        for (int round = 0; round < 100 && high - low > 1e-13 * curve_.sci && std::abs(found.least - s3) > 1e-13 * curve_.sci; ++round) {
             const double middle = above > below ? (low * above - high * below) / (above - below) : 0.5 * (low + high);
+            const bool was_above = found.least > s3;
             found = circle(middle);
             const double miss = found.least - s3;
-            if (miss > 0) high = middle, above = miss, below *= 0.5;
-            else low = middle, below = miss, above *= 0.5;
+            if (miss > 0) {
+                high = middle, above = miss;
+                if (was_above) below *= 0.5;
+            } else {
+                low = middle, below = miss;
+                if (!was_above) above *= 0.5;
+            }
         }
         return found;
     }
 
-    static constexpr double known_ratio = 1.35;
+    static constexpr double first_place = 1e-6, known_ratio = 1.35;
     Curve curve_;
     double factor_;
     std::array<Circle, 48> known_; ///< circles along the curve, the farther apart the farther from its tip
@@ -103,8 +121,8 @@ private:
 
 /// The tangent plane at s3 as a surface of Mohr and Coulomb.
 template <class Criterion> Strength tangent(const Criterion& curve, double s3, double flow) {
-    const double k = curve.slope(s3);
-    return {k, curve.greatest(s3) - k * s3, flow, -curve.tip()};
+    const auto [greatest, k] = curve.line_at(s3);
+    return {k, greatest - k * s3, flow, -curve.tip()};
 }
 
 template <class Criterion> void run_with(kaya_zbatch* batch, const Criterion& curve) {
@@ -133,7 +151,7 @@ template <class Criterion> void run_with(kaya_zbatch* batch, const Criterion& cu
             const double found = std::max(-principal.value[0], curve.tip());
             const double way = std::abs(found - at);
             at = found;
-            if (way <= 1e-12 * size) break;
+            if (way <= 1e-10 * size) break;
         }
         put_stress(*batch, i, principal.tensor());
         batch->dissipation[i] = dot(principal.value, flow.strain);
