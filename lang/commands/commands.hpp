@@ -368,6 +368,7 @@ struct LimitEquilibrium {
     double crack = 0, crack_water = 0, seismic = 0, pressure_ratio = 0, least_depth = 0;
     std::optional<std::int64_t> water_table; ///< number of a table: height of the water over distance
     std::optional<std::int64_t> table;       ///< number of a table that gets the surface
+    std::string file;                        ///< of a picture of the section
     Place place;
 };
 struct Damp {

@@ -57,6 +57,7 @@ CommandSpec limit() {
     entry.keyword({"ru"}, real("r").at_least(0).below(1), &Limit::pressure_ratio, "pore pressure on the surface over the weight of what lies above it");
     entry.keyword({"water-table"}, integer("n").at_least(0), &Limit::water_table, "table with the height of the water over the distance; else the water of the model");
     entry.keyword({"table"}, integer("n").at_least(0), &Limit::table, "table that gets the surface: height over distance");
+    entry.keyword({"file"}, text("file"), &Limit::file, "a picture of the section with its slip surface: .png or .svg");
     entry.finish([](const Reader& reader, Limit& c) {
         if (c.circle && !c.surface.empty()) incomplete_line(reader, "circle and surface exclude each other", "write two commands");
         if (c.surface.size() == 1) incomplete_line(reader, "a surface needs two points or more", "write for example: limit equilibrium surface 0 10 15 2 30 0");
@@ -70,7 +71,7 @@ CommandSpec limit() {
     });
     entry.right("limit equilibrium").right("limit equilibrium bishop circle 29.6 53.5 28.5").right("limit eq spencer polylines entry 50 70 exit 20 32");
     entry.right("limit equilibrium section 0 0.5 0 direction -1 0 0 crack 1 crack-water 1 seismic 0.1 slices 100");
-    entry.right("limit equilibrium surface 30 25 42 27 55 35 ru 0.25 table 7");
+    entry.right("limit equilibrium surface 30 25 42 27 55 35 ru 0.25 table 7 file 'section.svg'");
     entry.wrong("limit", "a word is missing after 'limit'");
     entry.wrong("limit equilibrium circle 1 2", "a number is missing after '2'");
     entry.wrong("limit equilibrium surface 0 10", "a surface needs two points or more");

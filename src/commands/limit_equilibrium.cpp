@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <span>
 
 namespace kaya {
 
@@ -14,6 +15,7 @@ namespace {
 
 using lang::LimitEquilibrium;
 
+constexpr std::size_t most_drawn = 300; ///< blocks in a picture; of more only the ground is drawn
 constexpr int search_slices = 30; ///< what a search compares; its answer is computed with those of the command
 
 SliceMethod method_of(LimitEquilibrium::Method method) {
@@ -127,6 +129,7 @@ public:
         if (25 * best_->answer.pulled > command_.slices && command_.crack == 0)
             session_.note_once("the upper end of the slip surface is in tension", "a tension crack there is nearer to the truth: crack d");
         if (command_.table) keep_surface(*command_.table);
+        if (!command_.file.empty()) write_chart(session_, picture(columns), command_.file);
     }
 
 private:
@@ -161,6 +164,49 @@ private:
         search.least_depth = command_.least_depth;
         const auto found = circles ? weakest_circle(columns, search) : weakest_polyline(columns, search);
         return found ? assess(columns, found->surface, method) : std::nullopt;
+    }
+
+    Chart picture(const SlopeColumns& columns) const {
+        Chart chart;
+        chart.title = fmt::format("{}: {:.3f}", name_of(best_method_), best_->answer.factor);
+        chart.x_label = "distance";
+        chart.y_label = "height";
+        Curve blocks{"blocks", {}, {}}, joints{"joints", {}, {}}, water{"water", {}, {}}, surface{"slip surface", {}, {}};
+        const auto draw = [](Curve& curve, const SectionPoint& point) { curve.x.push_back(point.x()), curve.y.push_back(point.y()); };
+        const auto lift = [&](Curve& curve) { draw(curve, SectionPoint::Constant(std::nan(""))); };
+        SectionPoint low = SectionPoint::Constant(INFINITY), high = -low;
+        const bool each = section_.cells.size() <= most_drawn;
+        for (const SectionCell& cell : section_.cells) {
+            for (const SectionPoint& corner : cell.corners) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
+            if (!each) continue;
+            for (const SectionPoint& corner : cell.corners) draw(blocks, corner);
+            draw(blocks, cell.corners.front());
+            lift(blocks);
+        }
+        if (!each) {
+            blocks.name = "ground";
+            for (const SectionPoint& point : columns.ground()) draw(blocks, point);
+        }
+        for (const SectionJoint& joint : each ? std::span<const SectionJoint>(section_.joints) : std::span<const SectionJoint>()) draw(joints, joint.from), draw(joints, joint.to), lift(joints);
+        for (int k = 0; section_.pore_pressure && k <= 200; ++k) draw_water(columns, low, high, k / 200.0, water);
+        for (const SectionPoint& point : best_->surface.points) draw(surface, point);
+        for (Curve* curve : {&surface, &blocks, &water, &joints})
+            if (std::ranges::any_of(curve->x, [](double x) { return std::isfinite(x); })) chart.curves.push_back(std::move(*curve));
+        // Lengths are the same both ways, about: axes and titles take the rest.
+        const SectionPoint size = high - low;
+        chart.height = static_cast<std::int32_t>(std::clamp(1000 * size.y() / size.x() + 190, 400.0, 1600.0));
+        return chart;
+    }
+
+    /// The height below which there is pressure, by halving.
+    void draw_water(const SlopeColumns& columns, const SectionPoint& low, const SectionPoint& high, double part, Curve& water) const {
+        const double x = columns.left() + part * (columns.right() - columns.left());
+        double wet = low.y(), dry = high.y() + (high.y() - low.y());
+        const auto pressure = [&](double z) { return section_.pore_pressure({x, z}); };
+        const bool any = pressure(wet) > 0 && !(pressure(dry) > 0);
+        for (int i = 0; any && i < 50; ++i) (pressure(0.5 * (wet + dry)) > 0 ? wet : dry) = 0.5 * (wet + dry);
+        water.x.push_back(x);
+        water.y.push_back(any && wet <= high.y() ? wet : std::nan(""));
     }
 
     void keep_surface(std::int64_t number) {

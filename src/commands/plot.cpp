@@ -170,6 +170,15 @@ Chart chart_of(Session& session, const PlotView& view) {
     return chart;
 }
 
+/// A drawing as the bytes of a PNG file.
+std::string png_of(Session& session, const Drawing& drawing) {
+    if (!session.painter) {
+        std::error_code ignored;
+        session.painter = std::make_shared<Painter>(fs::read_symlink("/proc/self/exe", ignored).parent_path() / "kaya-painter");
+    }
+    return session.painter->png(drawing);
+}
+
 /// The picture as the bytes of its file; the suffix says which kind.
 std::string picture_of(Session& session, const PlotView& view, const std::string& suffix) {
     if (view.items.empty()) throw Diagnostic("there is nothing to draw", "name what the picture shows: plot add block");
@@ -178,19 +187,15 @@ std::string picture_of(Session& session, const PlotView& view, const std::string
     if (!chart && std::ranges::any_of(view.items, is_chart))
         throw Diagnostic("one picture shows either the model or curves", "write a second plot line for the curves");
     if (chart && suffix == ".svg") return svg_of(chart_of(session, view));
-    if (!session.painter) {
-        std::error_code ignored;
-        session.painter = std::make_shared<Painter>(fs::read_symlink("/proc/self/exe", ignored).parent_path() / "kaya-painter");
-    }
-    return session.painter->png(chart ? Drawing(chart_of(session, view)) : Drawing(scene_of(session, view)));
+    return png_of(session, chart ? Drawing(chart_of(session, view)) : Drawing(scene_of(session, view)));
 }
 
 bool has_curves(const PlotView& view) { return !view.items.empty() && view.items.front().kind >= PlotItem::Kind::histories; }
 
 /// Pictures are PNG files, curves also SVG: another suffix of an old deck becomes .png.
-std::string picture_name(Session& session, const PlotLine& line, bool curves) {
-    fs::path path(line.file);
-    if (line.file.empty()) {
+std::string picture_name(Session& session, const std::string& given, bool curves) {
+    fs::path path(given);
+    if (given.empty()) {
         const std::string stem = fs::path(session.deck).stem().string();
         path = fmt::format("{}-plot-{}.png", stem.empty() ? "kaya" : stem, ++session.plots.pictures);
     }
@@ -204,7 +209,7 @@ std::string picture_name(Session& session, const PlotLine& line, bool curves) {
 
 /// One picture at once, or a movie that begins with the next cycle.
 void write_picture(Session& session, const PlotView& view, const PlotLine& line) {
-    const std::string file = picture_name(session, line, has_curves(view));
+    const std::string file = picture_name(session, line.file, has_curves(view));
     if (line.interval == 0) {
         if (write_view(session, view, file)) session.output.say(fmt::format("picture: {}", file));
         return;
@@ -212,20 +217,30 @@ void write_picture(Session& session, const PlotView& view, const PlotLine& line)
     session.plots.movies.push_back({view, fs::path(file).replace_extension().string(), line.interval, session.model.clock.cycle, 0});
 }
 
-} // namespace
-
-bool write_view(Session& session, const PlotView& view, const std::string& file) {
-    std::string bytes;
+/// Writes what `bytes` gives. A picture is no reason to end a run: false, with a note, where there is none.
+bool write_bytes(Session& session, const std::string& file, const std::function<std::string()>& bytes) {
+    std::string content;
     try {
-        bytes = picture_of(session, view, fs::path(file).extension().string());
+        content = bytes();
     } catch (const Diagnostic& problem) {
         session.stop_if_interrupted();
-        // A picture is no reason to end a run.
         session.note_once(fmt::format("no picture: {}", problem.message), problem.hint);
         return false;
     }
-    write_whole_file(session.output_file(file), bytes);
+    write_whole_file(session.output_file(file), content);
     return true;
+}
+
+} // namespace
+
+bool write_view(Session& session, const PlotView& view, const std::string& file) {
+    return write_bytes(session, file, [&] { return picture_of(session, view, fs::path(file).extension().string()); });
+}
+
+void write_chart(Session& session, const Chart& chart, const std::string& given) {
+    const std::string file = picture_name(session, given, true);
+    if (write_bytes(session, file, [&] { return fs::path(file).extension() == ".svg" ? svg_of(chart) : png_of(session, Drawing(chart)); }))
+        session.output.say(fmt::format("picture: {}", file));
 }
 
 std::vector<lang::Plot::Item> with_script_values(Session& session, std::vector<lang::Plot::Item> words) {

@@ -72,6 +72,9 @@ std::vector<lang::Plot::Item> with_script_values(Session& session, std::vector<l
 /// Draws a view into a file whose suffix says which kind. False, with a note, when there is no picture: that is no reason to end a run.
 bool write_view(Session& session, const PlotView& view, const std::string& file);
 
+/// Draws curves into a PNG or SVG file and says so; the same where there is no picture. Another suffix becomes .png.
+void write_chart(Session& session, const Chart& chart, const std::string& file);
+
 /// To be called behind each cycle.
 void shoot_movies(Session& session);
 

@@ -51,13 +51,12 @@ void set_axis(vtkAxis* axis, const std::string& label, const std::vector<Curve>&
     axis->SetLabelOffset(static_cast<float>(font) * 0.4F);
 }
 
-void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t index, float width) {
+void add_piece(vtkChartXY* chart, const Curve& curve, std::size_t first, std::size_t end, bool in_legend, std::size_t index, float width) {
     static constexpr std::size_t order[] = {4, 5, 2, 6, 1, 0, 7, 3}; // the dark colours first: they stand on white
     vtkNew<vtkDoubleArray> x, y;
     x->SetName("x");
     y->SetName(curve.name.empty() ? "y" : curve.name.c_str());
-    for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
-        if (!std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i])) continue;
+    for (std::size_t i = first; i < end; ++i) {
         x->InsertNextValue(curve.x[i]);
         y->InsertNextValue(curve.y[i]);
     }
@@ -74,7 +73,22 @@ void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t index, float w
     const Colour c = named_colour(order[index % std::size(order)]);
     plot->GetPen()->SetColorF(c[0], c[1], c[2]);
     plot->SetWidth(width);
-    if (curve.name.empty()) plot->LegendVisibilityOff();
+    if (curve.name.empty() || !in_legend) plot->LegendVisibilityOff();
+}
+
+/// A gap where a number is missing: each piece is a plot of its own.
+void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t index, float width) {
+    const std::size_t size = std::min(curve.x.size(), curve.y.size());
+    const auto there = [&](std::size_t i) { return std::isfinite(curve.x[i]) && std::isfinite(curve.y[i]); };
+    bool any = false;
+    for (std::size_t first = 0; first < size;) {
+        std::size_t end = first;
+        while (end < size && there(end)) ++end;
+        if (end > first) add_piece(chart, curve, first, end, !any, index, width);
+        any = any || end > first;
+        first = end + 1;
+    }
+    if (!any) add_piece(chart, curve, 0, 0, true, index, width);
 }
 
 /// The circle of a net, with two of its winds on the axes: VTK shows no others.
