@@ -371,6 +371,22 @@ struct LimitEquilibrium {
     std::string file;                        ///< of a picture of the section
     Place place;
 };
+/// structure cable: a bolt or tendon
+struct StructureCable {
+    Vec3 first = Vec3::Zero(), last = Vec3::Zero();
+    std::int64_t segments = 10, property = 1;
+    double tension = 0;
+    bool anchor_first = false, anchor_last = false;
+    Place place;
+};
+/// structure property: what cables are made of
+struct StructureProperty {
+    struct Item { std::string name; double value = 0; };
+    std::int64_t number = 1;
+    std::vector<Item> items;
+    Place place;
+};
+struct StructureDelete { std::optional<std::int64_t> number; RangePhrase range; };
 struct Damp {
     std::string kind; ///< auto (=global), local, global, combined, rayleigh, none; empty: as it was
     std::optional<double> value;         ///< local 0.8

@@ -26,6 +26,7 @@ const std::vector<Recorded>& recorded() {
         {{"efriction"}, false, "of it, lost in slip and breaking"},
         {{"etouch"}, false, "of it, lost where touches change"},
         {{"ezone"}, false, "work put into zones"},
+        {{"ecable"}, false, "work put into cables: stored or lost"},
         {{"eerror"}, false, "what the account of energy does not explain"},
         {{"xdis", "xdisplacement"}, true, "displacement in x of the nearest gridpoint"},
         {{"ydis", "ydisplacement"}, true, "displacement in y of the nearest gridpoint"},
@@ -50,6 +51,9 @@ const std::vector<Recorded>& recorded() {
         {{"sdis", "sdisplacement"}, true, "shear displacement of the nearest sub-contact"},
         {{"nstr", "nstress"}, true, "normal stress of the nearest sub-contact, compression positive"},
         {{"sstr", "sstress"}, true, "shear stress of the nearest sub-contact"},
+        {{"cforce"}, true, "tension of the cable at the nearest cable node"},
+        {{"cslip"}, true, "slip of the cable there, past the rock towards its last end"},
+        {{"cbond"}, true, "force of the grout there, per length of cable"},
         {{"nfor", "nforce"}, true, "normal force of the nearest sub-contact, compression positive"},
         {{"sfor", "sforce"}, true, "shear force of the nearest sub-contact"},
     };

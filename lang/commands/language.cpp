@@ -6,7 +6,7 @@ namespace kaya::lang {
 
 const Language& classic() {
     static const Language language = {
-        {control(), geometry(), materials(), boundary(), history(), output(), solution(), slopes(), script(),
+        {control(), geometry(), materials(), boundary(), history(), output(), solution(), slopes(), structures(), script(),
          not_supported_yet()},
         range_elements(),
     };

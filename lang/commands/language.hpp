@@ -13,6 +13,7 @@ Family history();
 Family output();
 Family solution();
 Family slopes();
+Family structures();
 Family script();
 Family not_supported_yet(); ///< known words, refused
 

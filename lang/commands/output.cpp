@@ -50,6 +50,7 @@ const std::vector<Listed>& listed() {
         {{"state"}, "joints by joint model and state: sub-contacts and their area"},
         {{"stress"}, "zones: principal, mean and greatest shear stress"},
         {{Spelling{"stability", 4}}, "blocks that could leave their place: how, and their factor of safety", Behind::objects},
+        {{"structures", "cables", Spelling{"struct", 3}}, "cables: length, tension, slip; the nodes of one behind its number", Behind::number},
         {{"jset"}, "joint sets: mean orientation, faces, contacts"},
         {{"memory"}, "what the tables of the model take"},
         {{"version"}, "version of the program"},
@@ -127,9 +128,6 @@ CommandSpec list() {
                       },
                       item.help);
     }
-    for (const auto& [word, about] : std::initializer_list<std::pair<const char*, const char*>>{
-             {"structure", "cables, beams and liners"}})
-        entry.not_yet({Spelling{word, 3}}, about);
     entry.otherwise({text("@name").optional().spec}, [](Reader& reader, List& command) {
         if (!command.what.empty()) return read_behind(reader, command);
         if (reader.peek()->kind != WordKind::symbol) return false;

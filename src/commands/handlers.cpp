@@ -85,6 +85,9 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::TableCommand>(session, handlers, InCycle::runs);
     add<lang::WaterCommand>(session, handlers, InCycle::waits);
     add<lang::LimitEquilibrium>(session, handlers, InCycle::refused);
+    add<lang::StructureCable>(session, handlers, InCycle::waits);
+    add<lang::StructureProperty>(session, handlers, InCycle::waits);
+    add<lang::StructureDelete>(session, handlers, InCycle::waits);
 
     add<lang::HistoryAdd>(session, handlers, InCycle::waits);
     add<lang::HistoryLabel>(session, handlers, InCycle::runs);

@@ -82,6 +82,11 @@ void run(Session&, const lang::TableCommand&);
 void run(Session&, const lang::WaterCommand&);
 void run(Session&, const lang::LimitEquilibrium&);
 
+// structures.cpp
+void run(Session&, const lang::StructureCable&);
+void run(Session&, const lang::StructureProperty&);
+void run(Session&, const lang::StructureDelete&);
+
 // histories.cpp
 void run(Session&, const lang::HistoryAdd&);
 void run(Session&, const lang::HistoryLabel&);

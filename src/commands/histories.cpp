@@ -28,6 +28,8 @@ Kind kind_of(const Field& field) {
         return Kind::zone;
     case FieldTable::sub_contact:
         return Kind::sub_contact;
+    case FieldTable::cable_node:
+        return Kind::cable_node;
     case FieldTable::face:
     case FieldTable::contact:
     case FieldTable::corner:

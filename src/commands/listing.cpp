@@ -58,7 +58,7 @@ struct ListEntry {
     std::string_view word;
     std::string (*text)(Session&, const lang::List&);
 };
-constexpr std::array<ListEntry, 32> lists{{
+constexpr std::array<ListEntry, 33> lists{{
     {"blocks", list_blocks}, {"quality", list_block_quality},         {"contacts", list_contacts}, {"subcontacts", list_sub_contacts},
     {"gridpoints", list_gridpoints}, {"zones", list_zones},       {"prop", list_properties},
     {"jmodel", list_joint_models},   {"hist", list_histories},    {"time", list_time},
@@ -70,6 +70,7 @@ constexpr std::array<ListEntry, 32> lists{{
     {"state", list_states},          {"jset", list_joint_sets},   {"memory", list_memory},
     {"version", list_version},       {"faces", list_faces},       {"unbalanced", list_unbalanced},
     {"damping", list_damping},       {"information", list_information}, {"stability", list_stability},
+    {"structures", list_structures},
 }};
 
 } // namespace
@@ -209,7 +210,7 @@ std::string list_extremes(Session& session, const lang::List&) {
 std::string list_energy(Session& session, const lang::List&) {
     const auto& e = session.model.energy;
     TextTable table({"energy", "value"});
-    const std::array<std::pair<const char*, double>, 11> rows{{{"kinetic", e.kinetic},
+    std::vector<std::pair<const char*, double>> rows{{"kinetic", e.kinetic},
                                                               {"kinetic at the start", e.start},
                                                               {"work of gravity", e.gravity},
                                                               {"work of the boundary", e.boundary},
@@ -219,7 +220,8 @@ std::string list_energy(Session& session, const lang::List&) {
                                                               {"lost where touches change", e.joint_lost},
                                                               {"put into zones", e.zone_work},
                                                               {"made by changes of the time step", e.step_made},
-                                                              {"not accounted for", e.error()}}};
+                                                              {"not accounted for", e.error()}};
+    if (session.model.structures.any()) rows.insert(rows.end() - 2, {"put into cables", e.structure_work});
     for (const auto& [name, value] : rows) table.add({name, number_text(value)});
     return table.text();
 }

@@ -17,6 +17,7 @@ std::string list_block_quality(Session&, const lang::List&);
 std::string list_gridpoints(Session&, const lang::List&);
 std::string list_zones(Session&, const lang::List&);
 std::string list_stability(Session&, const lang::List&);
+std::string list_structures(Session&, const lang::List&);
 std::string list_faces(Session&, const lang::List&);
 std::string list_stresses(Session&, const lang::List&);
 std::string list_contacts(Session&, const lang::List&);

@@ -21,7 +21,7 @@ struct TableEntry {
     FieldTable fields;
     ObjectKind kind;
 };
-constexpr std::array<TableEntry, 7> entries{{
+constexpr std::array<TableEntry, 8> entries{{
     {"block", FieldTable::block, ObjectKind::block},
     {"gridpoint", FieldTable::gridpoint, ObjectKind::gridpoint},
     {"zone", FieldTable::zone, ObjectKind::zone},
@@ -29,6 +29,7 @@ constexpr std::array<TableEntry, 7> entries{{
     {"contact", FieldTable::contact, ObjectKind::contact},
     {"sub_contact", FieldTable::sub_contact, ObjectKind::sub_contact},
     {"corner", FieldTable::corner, ObjectKind::triangle}, // three rows for each triangle
+    {"cable_node", FieldTable::cable_node, ObjectKind::cable_node},
 }};
 
 std::string_view name_of(std::int32_t table) { return entries[static_cast<std::size_t>(table)].name; }
@@ -74,6 +75,8 @@ Span siblings(const Model& model, ScriptTable table, Row row) {
         const Span triangles = model.faces.triangles[model.triangles.face[row / 3]];
         return {3 * triangles.first, 3 * triangles.count};
     }
+    case ScriptTable::cable_node:
+        return model.structures.cables.nodes[model.structures.nodes.cable[row]];
     case ScriptTable::block:
     case ScriptTable::contact:
         break;
@@ -134,6 +137,8 @@ Row ModelWorld::row_of(Handle object) const {
         return model_.contacts.ids.row({object.slot, object.generation});
     case ScriptTable::sub_contact:
         return model_.sub_contacts.ids.row({object.slot, object.generation});
+    case ScriptTable::cable_node:
+        return node_of_cable(model_, static_cast<std::int32_t>(object.slot), static_cast<Row>(object.generation) - 1);
     case ScriptTable::gridpoint:
     case ScriptTable::zone:
     case ScriptTable::face:
@@ -168,7 +173,7 @@ Row ModelWorld::living_row(Handle object) const {
         throw Diagnostic(fmt::format("this {} is null", name_of(object.table)),
                          "test it against 0 (FISH) or nil (Lua) before use", Fault::run);
     const auto table = static_cast<ScriptTable>(object.table);
-    const bool lasting = table == ScriptTable::block || table == ScriptTable::contact || table == ScriptTable::sub_contact;
+    const bool lasting = table == ScriptTable::block || table == ScriptTable::contact || table == ScriptTable::sub_contact || table == ScriptTable::cable_node;
     throw Diagnostic(fmt::format("this {} no longer exists", name_of(object.table)),
                      lasting ? "it was deleted; find another one"
                              : "its block was deleted, cut, zoned or taken out since it was found; find it again",
@@ -187,6 +192,11 @@ Handle ModelWorld::handle(ScriptTable table, Row row) const {
         return from(model_.contacts.id[row]);
     case ScriptTable::sub_contact:
         return from(model_.sub_contacts.id[row]);
+    case ScriptTable::cable_node: {
+        const Row cable = model_.structures.nodes.cable[row];
+        return {static_cast<std::int32_t>(table), static_cast<std::uint32_t>(model_.structures.cables.number[cable]),
+                static_cast<std::uint32_t>(row - model_.structures.cables.nodes[cable].first) + 1};
+    }
     case ScriptTable::gridpoint:
     case ScriptTable::zone:
     case ScriptTable::face:
@@ -268,7 +278,8 @@ Handle ModelWorld::nearest(std::int32_t table, const Vec3& place) {
     const Row best = nearest_row(model_, kind, place);
     if (best != no_row && warn) {
         const double distance = distance_to(model_, kind, best, place);
-        const double size = block_size(model_, block_of(model_, kind, best));
+        const Row block = block_of(model_, kind, best);
+        const double size = block == no_row ? distance : block_size(model_, block);
         if (distance > size)
             warn(Diagnostic(fmt::format("the nearest {} is {:.6g} away from ({:.6g}, {:.6g}, {:.6g}), and its block is {:.6g} across",
                                         name_of(table), distance, place[0], place[1], place[2], size),

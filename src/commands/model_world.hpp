@@ -16,7 +16,7 @@
 namespace kaya {
 
 /// Numbers of the script tables, in the order of ModelWorld::tables().
-enum class ScriptTable : std::int32_t { block, gridpoint, zone, face, contact, sub_contact, corner };
+enum class ScriptTable : std::int32_t { block, gridpoint, zone, face, contact, sub_contact, corner, cable_node };
 
 ObjectKind object_kind(ScriptTable table);
 

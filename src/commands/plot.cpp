@@ -67,7 +67,10 @@ void add_item(Session& session, Scene& scene, const PlotItem& item, bool edges_o
             throw Diagnostic("stress is in zones, and no block has any", "'gen edge' makes zones");
         if (item.kind == PlotItem::Kind::crosses) add_crosses(scene, model, shown, item.scale);
         else if (item.kind == PlotItem::Kind::iso_surfaces) add_iso_surfaces(scene, model, shown, *find_colour_field(item.field.empty() ? "disp" : item.field), item.levels);
-        else if (item.kind == PlotItem::Kind::arrows) add_arrows(scene, model, shown, item.field == "velocity", item.scale);
+        else if (item.kind == PlotItem::Kind::cables) {
+            if (model.structures.cables.empty()) throw Diagnostic("there are no cables to draw", "'structure cable' makes them");
+            add_cables(scene, model, shown, item.field);
+        } else if (item.kind == PlotItem::Kind::arrows) add_arrows(scene, model, shown, item.field == "velocity", item.scale);
         else if (model.contacts.size() == 0) throw Diagnostic("there are no joints to draw yet", "contacts are found by 'cycle 0'");
         else add_joints(scene, model, shown, joint_field(session, item.field));
         if (edges_only) return; // an item of its own shows the blocks
@@ -89,7 +92,7 @@ Scene scene_of(Session& session, const PlotView& view) {
     scene.note = fmt::format("cycle {}, time {:.4g}", session.model.clock.cycle, session.model.clock.time);
     const auto has = [&](PlotItem::Kind kind) { return std::ranges::find(view.items, kind, &PlotItem::kind) != view.items.end(); };
     using enum PlotItem::Kind;
-    const bool outside = has(blocks), inside = has(joints) || has(arrows) || has(crosses) || has(iso_surfaces);
+    const bool outside = has(blocks), inside = has(joints) || has(arrows) || has(crosses) || has(iso_surfaces) || has(cables);
     for (const PlotItem& item : view.items) {
         if (item.deformed != 1) scene.note += fmt::format(", displacements {:g} times as large", item.deformed);
         add_item(session, scene, item, inside && outside);

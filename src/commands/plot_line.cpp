@@ -125,6 +125,12 @@ private:
             return true;
         }
         if (take({"principal", "tensor", "crosses", "cross"})) return take({"stress"}), begin(crosses);
+        if (take({"cable", "cables", "structure", "struct"})) {
+            begin(cables);
+            item().field = take({"slip"}) ? "slip" : "cable_force";
+            take({"force", "axial", "tension"});
+            return true;
+        }
         if (take({"iso", "isosurface", "iso-surface"})) {
             begin(iso_surfaces);
             take({"of"});

@@ -15,9 +15,9 @@ namespace kaya {
 
 /// One thing that a picture shows.
 struct PlotItem {
-    enum class Kind { blocks, joints, arrows, crosses, iso_surfaces, histories, tables, net }; ///< the model, then charts
+    enum class Kind { blocks, joints, arrows, crosses, iso_surfaces, cables, histories, tables, net }; ///< the model, then charts
     Kind kind = Kind::blocks;
-    std::string field;  ///< of the colours; of arrows: velocity or displacement
+    std::string field;  ///< of the colours; of arrows: velocity or displacement; of cables: slip or cable_force
     double scale = 0;   ///< of arrows and crosses
     std::vector<double> levels; ///< of iso-surfaces; none: five
     std::optional<CutPlane> cut;

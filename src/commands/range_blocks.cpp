@@ -160,7 +160,8 @@ RangeTest on_surface(const RangeElement& e, const RangeContext& context) {
         case ObjectKind::zone:
             return std::ranges::count_if(m.zones.gridpoints[row], [&](Row g) { return (*points)[g] != 0; }) >= 3;
         case ObjectKind::contact:
-        case ObjectKind::sub_contact: break;
+        case ObjectKind::sub_contact:
+        case ObjectKind::cable_node: break;
         }
         return false;
     };

@@ -29,7 +29,10 @@ inline Row contact_of(const Model& model, ObjectKind kind, Row row) {
 /// True when the block, or one of the two blocks of a contact, passes; or both of them.
 template <class Passes> RangeTest on_blocks(Passes passes, bool both = false) {
     return [passes, both](const Model& model, ObjectKind kind, Row row) {
-        if (!is_contact(kind)) return passes(model, block_of(model, kind, row));
+        if (!is_contact(kind)) {
+            const Row block = block_of(model, kind, row);
+            return block != no_row && passes(model, block);
+        }
         const Row contact = contact_of(model, kind, row);
         const bool one = passes(model, model.contacts.block1[contact]);
         const bool two = passes(model, model.contacts.block2[contact]);
@@ -66,6 +69,7 @@ template <class Passes> bool all_corners(const Model& model, ObjectKind kind, Ro
     }
     case ObjectKind::gridpoint:
     case ObjectKind::sub_contact:
+    case ObjectKind::cable_node:
         break;
     }
     return passes(reference_point(model, kind, row));

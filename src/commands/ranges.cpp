@@ -338,7 +338,7 @@ RangeTest range_test(const Model& model, const NamedRanges& named, const lang::R
 
 const char* plural_of(ObjectKind kind) {
     static constexpr std::array names{"blocks", "gridpoints", "faces",       "triangles",
-                                      "zones",  "contacts",   "sub-contacts"};
+                                      "zones",  "contacts",   "sub-contacts", "cable nodes"};
     return names[static_cast<std::size_t>(kind)];
 }
 

@@ -6,6 +6,7 @@
 
 #include "geometry/kept_part.hpp"
 #include "mechanics/contact_properties.hpp"
+#include "mechanics/run_cables.hpp"
 #include "model/joined.hpp"
 #include "model/joint_polygons.hpp"
 #include "model/measure.hpp"
@@ -82,6 +83,20 @@ private:
             if (material == model_.materials.end() || std::isnan(material->second.density))
                 throw Diagnostic(fmt::format("block {} has no density", model_.blocks.number[block]), "give it with `prop mat`; block theory needs weights");
             held.force += material->second.density * model_.blocks.volume[block] * model_.settings.gravity + block_load(model_, block);
+        }
+        add_cables();
+    }
+
+    /// Cables pull with the tension that they have.
+    void add_cables() {
+        if (model_.structures.cables.empty()) return;
+        take_cable_properties(model_);
+        std::vector<CableChain> chains;
+        run_cables(model_, chains);
+        const auto& nodes = model_.structures.nodes;
+        for (Row node = 0; node < static_cast<Row>(nodes.size()); ++node) {
+            const Row block = block_of_node(model_, node);
+            if (block != no_row) bodies_[body_of_[static_cast<std::size_t>(block)]].force += nodes.force[node];
         }
     }
 

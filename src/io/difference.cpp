@@ -37,6 +37,7 @@ public:
         path_ = before;
     }
     template <class Visit> void aside(Visit&& visit) { visit(); }
+    template <class Visit> void since(std::int32_t, bool, Visit&& visit) { visit(); }
 
 private:
     template <class Number> void add(const std::string& name, const Number* values, std::size_t count) {

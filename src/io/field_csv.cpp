@@ -22,7 +22,8 @@ std::string cell_of(const Model& model, const FieldValue& value) {
 
 const std::vector<FieldTableName>& field_table_names() {
     static const std::vector<FieldTableName> names{{FieldTable::global, "model"}, {FieldTable::block, "blocks"}, {FieldTable::gridpoint, "gridpoints"}, {FieldTable::face, "faces"},
-                                                   {FieldTable::zone, "zones"},   {FieldTable::contact, "contacts"}, {FieldTable::sub_contact, "sub-contacts"}};
+                                                   {FieldTable::zone, "zones"},   {FieldTable::contact, "contacts"}, {FieldTable::sub_contact, "sub-contacts"},
+                                                   {FieldTable::cable_node, "cable-nodes"}};
     return names;
 }
 

@@ -36,6 +36,7 @@ const char* object_name(Kind kind) {
     case Kind::zone: return "zone";
     case Kind::sub_contact: return "sub-contact";
     case Kind::block: return "block";
+    case Kind::cable_node: return "cable node";
     case Kind::global:
     case Kind::function: break;
     }

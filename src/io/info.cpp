@@ -48,9 +48,9 @@ std::string describe_save_file(const std::string& path) {
     Model model;
     const SaveExtras extras = restore_state(model, path);
     std::string text;
-    add_line(text, "file", fmt::format("{} (format {})", path, save_format_version));
+    add_line(text, "file", fmt::format("{} (format {})", path, extras.format));
     add_line(text, "written by", "kaya " + extras.program_version);
-    add_line(text, "read by", fmt::format("this program and later ones; none that is older than format {}", save_format_version));
+    add_line(text, "read by", fmt::format("this program and later ones; none that is older than format {}", extras.format));
     if (!extras.title.empty()) add_line(text, "title", extras.title);
     add_line(text, "cycle", std::to_string(model.clock.cycle));
     add_line(text, "time", fmt::format("{:g}{}, step {:g}", model.clock.time,

@@ -70,6 +70,11 @@ public:
         tree_.close_group();
     }
     template <class Visit> void aside(Visit&& visit) { visit(); }
+    template <class Visit> void since(std::int32_t format, bool, Visit&& visit) {
+        if (version >= format) visit();
+    }
+
+    std::int32_t version = 0; ///< of the file
 
 private:
     TreeReader& tree_;
@@ -91,8 +96,8 @@ std::string writer_of(TreeReader& tree) {
 
 /// What can be done about a file that this program does not read.
 Diagnostic other_format(const std::string& name, std::int32_t version, const std::string& writer) {
-    Diagnostic refusal = unusable(name, fmt::format("it has format {}{}, and this program reads format {}", version, writer,
-                                                    save_format_version));
+    Diagnostic refusal = unusable(name, fmt::format("it has format {}{}, and this program reads formats {} to {}", version, writer,
+                                                    first_kept_format, save_format_version));
     refusal.hint = version > save_format_version
                        ? "the model is as it was; restore it with the program that wrote it, or a later one"
                        : fmt::format("the model is as it was; formats before {} are older than the first release: run the deck again, "
@@ -110,13 +115,13 @@ SaveExtras restore_image(Model& model, std::string_view image, const std::string
     try {
         TreeReader tree(tree_image);
         RestoreArchive archive(tree);
-        std::int32_t version = 0;
         std::uint64_t hash = 0;
-        archive.value("format_version", version);
-        if (version != save_format_version)
-            throw other_format(name, version, writer_of(tree));
+        archive.value("format_version", archive.version);
+        if (archive.version < first_kept_format || archive.version > save_format_version)
+            throw other_format(name, archive.version, writer_of(tree));
         archive.value("state_hash", hash);
         visit_extras(archive, extras);
+        extras.format = archive.version;
         archive.section("model", [&] { visit_state(archive, fresh); });
         const std::string wrong = inconsistency(fresh);
         if (!wrong.empty()) throw unusable(name, wrong);

@@ -42,6 +42,7 @@ public:
         tree_.close_group();
     }
     template <class Visit> void aside(Visit&& visit) { visit(); }
+    template <class Visit> void since(std::int32_t, bool, Visit&& visit) { visit(); }
 
 private:
     TreeWriter& tree_;

@@ -11,7 +11,7 @@
 namespace kaya {
 
 /// Raised whenever a save file of today could not be read by the program of yesterday.
-inline constexpr std::int32_t save_format_version = 10;
+inline constexpr std::int32_t save_format_version = 11;
 /// The first format that is read for good: those before were of programs that were never released.
 inline constexpr std::int32_t first_kept_format = 10;
 
@@ -24,6 +24,7 @@ struct SaveExtras {
         std::string name;
         std::string content; ///< any bytes
     };
+    std::int32_t format = save_format_version; ///< of the file that it was read from
     std::string program_version;
     std::string title;
     std::vector<Item> scripts; ///< state of the script languages, by part

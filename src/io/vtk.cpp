@@ -121,12 +121,12 @@ std::string xml_text(const std::string& text) {
     return result;
 }
 
-/// `stem` is the name of the files before _N.vtu, without a folder: they stand beside the series.
-std::string series_text(const std::string& stem, const std::vector<double>& times) {
+/// `stem` is the name of the files before _N.vtu, without a folder: they stand beside the series, from number `first` on.
+std::string series_text(const std::string& stem, const std::vector<double>& times, std::size_t first) {
     std::string text = "<?xml version=\"1.0\"?>\n"
                        "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
                        "  <Collection>\n";
-    for (std::size_t number = 0; number < times.size(); ++number)
+    for (std::size_t number = first; number < times.size(); ++number)
         text += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}_{}.vtu\"/>\n", times[number],
                             xml_text(stem), number);
     return text + "  </Collection>\n</VTKFile>\n";
@@ -283,6 +283,28 @@ std::string vtk_sub_contacts(const Model& model, const HistoryNames& history) {
     return bytes_of(grid);
 }
 
+std::string vtk_cables(const Model& model) {
+    const auto& nodes = model.structures.nodes;
+    const auto rows = all_rows(nodes.size());
+    vtkNew<vtkUnstructuredGrid> grid;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const auto& position : nodes.position) points->InsertNextPoint(position.data());
+    grid->SetPoints(points);
+    grid->Allocate(static_cast<vtkIdType>(nodes.size()));
+    std::vector<Row> first_of_bar;
+    for (const Row row : rows) {
+        if (!has_bar(nodes, row)) continue;
+        const std::array<vtkIdType, 2> ids{row, row + 1};
+        grid->InsertNextCell(VTK_LINE, 2, ids.data());
+        first_of_bar.push_back(row);
+    }
+    add_fields(grid->GetPointData(), grid->GetFieldData(), model, FieldTable::cable_node, rows);
+    add_fields(grid->GetCellData(), grid->GetFieldData(), model, FieldTable::cable_node, first_of_bar);
+    add_time(grid, model.clock);
+    return bytes_of(grid);
+}
+
 std::vector<std::string> VtkSeries::write(const Model& model, const std::string& given_name,
                                           const HistoryNames& history) {
     std::filesystem::path path(given_name);
@@ -302,15 +324,24 @@ std::vector<std::string> VtkSeries::write(const Model& model, const std::string&
     };
     std::vector<File> files;
     const auto add_grid = [&](const char* kind, auto&& content) { files.push_back({fmt::format("{}_{}_{}.vtu", name, kind, number), content}); };
-    const auto add_series = [&](const char* ending, const char* kind) {
-        files.push_back({name + ending, [&times, text = fmt::format("{}_{}", stem, kind)] { return series_text(text, times); }});
+    const auto add_series = [&](const std::string& ending, const char* kind, std::size_t first = 0) {
+        files.push_back({name + ending, [&times, first, text = fmt::format("{}_{}", stem, kind)] { return series_text(text, times, first); }});
     };
     add_grid("blocks", [&] { return vtk_blocks(model); });
     add_grid("faces", [&] { return vtk_faces(model); });
     add_grid("joints", [&] { return vtk_joints(model, history); });
     add_grid("subcontacts", [&] { return vtk_sub_contacts(model, history); });
     add_series(".pvd", "blocks");
-    for (const char* kind : {"faces", "joints", "subcontacts"}) add_series(fmt::format("_{}.pvd", kind).c_str(), kind);
+    for (const char* kind : {"faces", "joints", "subcontacts"}) add_series(fmt::format("_{}.pvd", kind), kind);
+    // Once there were cables, each number has its file of them.
+    const auto with_cables = with_cables_.find(name);
+    const bool had_cables = with_cables != with_cables_.end() && with_cables->second < number;
+    const std::size_t first_with_cables = had_cables ? with_cables->second : number;
+    const bool cables = had_cables || !model.structures.cables.empty();
+    if (cables) {
+        add_grid("cables", [&] { return vtk_cables(model); });
+        add_series("_cables.pvd", "cables", first_with_cables);
+    }
     files.push_back({name + "_paraview.py", [&] { return paraview_script(stem); }});
     std::vector<std::string> paths;
     for (const auto& file : files) {
@@ -319,6 +350,7 @@ std::vector<std::string> VtkSeries::write(const Model& model, const std::string&
     }
     for (const auto& file : files) write_whole_file(file.path, file.content());
     times_[name] = std::move(times);
+    if (cables) with_cables_[name] = first_with_cables;
     return paths;
 }
 

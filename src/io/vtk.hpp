@@ -29,12 +29,14 @@ std::string vtk_joints(const Model& model, const HistoryNames& history = {});
 
 /// NAME_subcontacts_N.vtu: a vertex for each sub-contact, of corners and edges too. Cell data as those of joints.
 std::string vtk_sub_contacts(const Model& model, const HistoryNames& history = {});
+/// The bars of cables as lines.
+std::string vtk_cables(const Model& model);
 
 /// The series of one run: each name counts its writes from 0.
 class VtkSeries {
 public:
     /// Writes the files of the next number, then the series NAME.pvd (blocks), NAME_faces.pvd, NAME_joints.pvd and
-    /// NAME_subcontacts.pvd, and NAME_paraview.py, which opens them in ParaView. An ending .vtu or .pvd in the name is left out. A name that an
+    /// NAME_subcontacts.pvd (and NAME_cables.pvd where there are cables), and NAME_paraview.py, which opens them in ParaView. An ending .vtu or .pvd in the name is left out. A name that an
     /// earlier run used is begun anew: its files are replaced one after the other and its series list those of this run.
     /// Throws Diagnostic (Fault::run); files that were complete before stay so. Returns the paths.
     std::vector<std::string> write(const Model& model, const std::string& name, const HistoryNames& history = {});
@@ -43,6 +45,7 @@ public:
 
 private:
     std::map<std::string, std::vector<double>> times_; ///< model time of each write, by name
+    std::map<std::string, std::size_t> with_cables_;   ///< the first write with cables, by name
 };
 
 } // namespace kaya

@@ -2,6 +2,39 @@
 
 namespace kaya {
 
+namespace {
+
+/// The corners of the zone that a cable node lies in; none in a rigid block.
+const std::array<Row, 4>* corners_around(const Model& model, Row node, Row block) {
+    const Row zone = model.structures.nodes.zone[node];
+    return zone == no_row ? nullptr : &model.zones.gridpoints[model.blocks.zones[block].first + zone];
+}
+
+void list_cable_nodes(const Model& model, Adjacency& adjacency) {
+    const auto& nodes = model.structures.nodes;
+    const auto rows = static_cast<Row>(nodes.size());
+    const auto each = [&](auto visit) {
+        for (Row node = 0; node < rows; ++node) {
+            const Row block = block_of_node(model, node);
+            if (block != no_row) visit(node, block, corners_around(model, node, block));
+        }
+    };
+    adjacency.nodes_of_block = sorted_lists<NodeEntry>(model.blocks.size(), [&](auto add) {
+        each([&](Row node, Row block, const std::array<Row, 4>* corners) {
+            if (corners == nullptr) add(block, NodeEntry{node, 1});
+        });
+    });
+    adjacency.nodes_of_gridpoint = sorted_lists<NodeEntry>(model.gridpoints.size(), [&](auto add) {
+        each([&](Row node, Row, const std::array<Row, 4>* corners) {
+            for (std::size_t k = 0; corners != nullptr && k < 4; ++k)
+                if (nodes.weights[node][k] != 0) add((*corners)[k], NodeEntry{node, nodes.weights[node][k]});
+        });
+    });
+    for (Row node = 0; node < rows; ++node) adjacency.node_stiffness.push_back(node_stiffness(model, node));
+}
+
+} // namespace
+
 Adjacency make_adjacency(const Model& model) {
     Adjacency adjacency;
     const auto& subs = model.sub_contacts;
@@ -29,6 +62,7 @@ Adjacency make_adjacency(const Model& model) {
             }
     });
     adjacency.bodies = joined_bodies(model);
+    if (!model.structures.cables.empty()) list_cable_nodes(model, adjacency);
     return adjacency;
 }
 

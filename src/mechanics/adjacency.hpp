@@ -1,6 +1,7 @@
 // Who acts on whom: forces are gathered through these lists, in the order of their rows.
 #pragma once
 
+#include "mechanics/run_cables.hpp"
 #include "model/joined.hpp"
 #include "model/model.hpp"
 
@@ -42,10 +43,21 @@ struct ContactEntry {
     std::int32_t side; ///< 0 or 1
 };
 
+/// A cable node in a rigid block, or in a zone with a corner's part in it.
+struct NodeEntry {
+    Row node;
+    double weight;
+};
+
 struct Adjacency {
     Lists<SideEntry> of_gridpoint; ///< gridpoints of deformable blocks
     Lists<ContactEntry> of_block;  ///< rigid blocks
     JoinedBodies bodies;
+    Lists<NodeEntry> nodes_of_gridpoint; ///< cable nodes; no rows where there are no cables
+    Lists<NodeEntry> nodes_of_block;     ///< the same of rigid blocks; weight 1
+    std::vector<NodeStiffness> node_stiffness; ///< by cable node
+
+    bool has_cables() const { return !node_stiffness.empty(); }
 };
 
 Adjacency make_adjacency(const Model& model);

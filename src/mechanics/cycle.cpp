@@ -6,6 +6,7 @@
 #include "mechanics/contact_search.hpp"
 #include "mechanics/crushed_zones.hpp"
 #include "mechanics/phases.hpp"
+#include "mechanics/run_cables.hpp"
 #include "mechanics/sub_contact_order.hpp"
 #include "mechanics/take_over.hpp"
 #include "mechanics/ties.hpp"
@@ -32,10 +33,10 @@ constexpr double viscosity_rate = 0.0033;
 /// Cycles between two looks at all bodies while stiffnesses change little by little.
 constexpr std::int64_t follow_interval = 10;
 
-enum Phase { move, joint, zone, search, gather, step, script, phase_count };
+enum Phase { move, joint, zone, cable, search, gather, step, script, phase_count };
 
 std::vector<PhaseTime> phase_names() {
-    return {{"move bodies"},   {"contacts and joint models"}, {"zone models"},        {"search contacts"},
+    return {{"move bodies"},   {"contacts and joint models"}, {"zone models"}, {"cables"}, {"search contacts"},
             {"gather forces"}, {"time step limit"},           {"hooks and histories"}};
 }
 
@@ -98,6 +99,7 @@ struct Cycle::Scratch {
     TieLists ties;
     TimeStep step;
     JointForces joints;
+    std::vector<CableChain> cables;
     std::vector<PointRow> zone_forces;
     std::vector<PhaseTime> timing = phase_names();
 
@@ -124,6 +126,7 @@ const std::vector<PhaseTime>& Cycle::timing() const { return scratch_->timing; }
 
 void Cycle::prepare() {
     Scratch& s = *scratch_;
+    if (model_.structure_changed) place_cable_nodes(model_);
     find_contacts(model_, joints_);
     if (model_.properties_changed) {
         check_properties(model_, joints_);
@@ -134,6 +137,7 @@ void Cycle::prepare() {
         add_tie_frequencies(model_, s.ties);
     }
     if (model_.lists_changed || model_.properties_changed) {
+        take_cable_properties(model_);
         if (!model_.properties_changed) take_zone_laws();
         s.step.forget(); // properties may be others now
         make_lists();
@@ -149,6 +153,7 @@ void Cycle::prepare() {
     }
     if (model_.properties_changed) {
         drive_loads(model_, s.drives, hooks);
+        if (s.adjacency.has_cables()) model_.energy.structure_work += run_cables(model_, s.cables);
         // Forces of what is there already, so that the first step starts from them.
         gather_forces(model_, s.adjacency, s.ties, s.joints, s.laws.tiles, s.zone_forces);
         model_.clock.time_step = 0;
@@ -188,7 +193,7 @@ void Cycle::adapt_viscosity(const MotionSums& motion) {
 }
 
 void Cycle::keep_account(const DriveSums& driven, const MotionSums& motion, const JointSums& joint_sums,
-                         const ZoneSums& zone_sums, double inner_power) {
+                         const ZoneSums& zone_sums, double cable_work, double inner_power) {
     Energy& energy = model_.energy;
     // Velocities that were set from outside since the last step open the account anew by their energy.
     energy.start += motion.kinetic_before - driven.kinetic - energy.kinetic;
@@ -211,6 +216,7 @@ void Cycle::keep_account(const DriveSums& driven, const MotionSums& motion, cons
     energy.joint_friction += joint_sums.friction;
     energy.joint_lost += joint_sums.lost - joint_sums.returned;
     energy.zone_work += zone_sums.work;
+    energy.structure_work += cable_work;
     const Clock& clock = model_.clock;
     if (clock.last_step > 0) energy.step_made -= 0.25 * (clock.time_step - clock.last_step) * motion.inner_power_gain;
 }
@@ -243,6 +249,7 @@ void Cycle::advance() {
         sums.add(run_ties(model_, s.ties));
         return sums;
     });
+    const double cable_work = s.adjacency.has_cables() ? s.timed(cable, [&] { return run_cables(model_, s.cables); }) : 0;
     const bool may_grow = step_may_grow(clock);
     clock.time += clock.time_step;
     ++clock.cycle;
@@ -266,7 +273,7 @@ void Cycle::advance() {
 
     if (!std::isfinite(motion.kinetic) || !std::isfinite(clock.unbalanced_force)) throw motion_lost();
     adapt_viscosity(motion);
-    keep_account(driven, motion, joint_sums, zone_sums, inner_power);
+    keep_account(driven, motion, joint_sums, zone_sums, cable_work, inner_power);
     s.step.audit(model_);
     clock.last_step = clock.time_step;
     const bool follows = joint_sums.stiffness_changed || s.step.looks_ahead();

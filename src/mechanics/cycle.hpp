@@ -61,7 +61,7 @@ private:
     void take_zone_laws();
     void adapt_viscosity(const MotionSums& motion);
     void keep_account(const DriveSums& driven, const MotionSums& motion, const JointSums& joint_sums,
-                      const ZoneSums& zone_sums, double inner_power);
+                      const ZoneSums& zone_sums, double cable_work, double inner_power);
     void run_hooks(const std::vector<std::function<void()>>& list);
 
     Model& model_;

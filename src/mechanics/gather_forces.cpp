@@ -60,6 +60,9 @@ void add_body(const Model& model, const Adjacency& adjacency, const JointForces&
         acting += blocks.load[row].norm() + weight.norm();
         for (auto e = adjacency.of_block.begin(row); e != adjacency.of_block.end(row); ++e)
             acting += joints.of_contact[e->contact].norm();
+        if (adjacency.has_cables())
+            for (auto e = adjacency.nodes_of_block.begin(row); e != adjacency.nodes_of_block.end(row); ++e)
+                acting += model.structures.nodes.force[e->node].norm();
         fixed |= blocks.fixed[row];
     }
     if ((fixed & 7) != 7) balance.add(free_part(force, fixed), acting);
@@ -89,6 +92,9 @@ struct PointForces {
             add((e->side == 0 ? -e->weight : e->weight) * joints.of_sub_contact[e->sub_contact]);
         for (const auto& share : ties.shares(row))
             add(share.weight * (model.ties.force[share.tie] + model.ties.dashpot[share.tie]));
+        if (adjacency.has_cables())
+            for (auto e = adjacency.nodes_of_gridpoint.begin(row); e != adjacency.nodes_of_gridpoint.end(row); ++e)
+                add(e->weight * model.structures.nodes.force[e->node]);
         acting += model.gridpoints.load[row].norm() + weight(row).norm();
         return sum;
     }
@@ -178,6 +184,13 @@ double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& t
                     moment += arm.cross(force) + sign * joints.moment[e->contact];
                     acting += force.norm();
                 }
+                if (adjacency.has_cables())
+                    for (auto e = adjacency.nodes_of_block.begin(row); e != adjacency.nodes_of_block.end(row); ++e) {
+                        const Vec3& force = model.structures.nodes.force[e->node];
+                        sum += force;
+                        moment += (model.structures.nodes.position[e->node] - blocks.centroid[row]).cross(force);
+                        acting += force.norm();
+                    }
                 blocks.force[row] = sum;
                 blocks.moment[row] = moment;
                 part.inner_power += sum.dot(blocks.velocity[row]) + moment.dot(blocks.rotational_velocity[row]);

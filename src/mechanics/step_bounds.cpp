@@ -48,6 +48,13 @@ void spread(const Contacts& contacts, const std::vector<char>& from, std::vector
         if (from[contacts.block1[c]] || from[contacts.block2[c]]) to[contacts.block1[c]] = to[contacts.block2[c]] = 1;
 }
 
+void add_cable_node(const Model& model, const BodyFrame& frame, const NodeStiffness& stiffness, Row node, Mat6& matrix) {
+    SpringSums sums;
+    sums.normal.add(stiffness.along + stiffness.across, Vec3::Zero());
+    sums.shear.add(stiffness.across, Vec3::Zero());
+    add_springs(matrix, sums, direction_at(model, node), model.structures.nodes.position[node] - frame.centre, 1);
+}
+
 void mark_whole_bodies(const JoinedBodies& bodies, std::vector<char>& blocks) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const auto members = bodies.members(i);
@@ -167,6 +174,15 @@ double StepBounds::mobility(const Model& model, Row block, const Attachment& att
     return sum;
 }
 
+/// The same of a cable node in a zone. No share is needed: a cable holds no node stiffer than this whatever the others do.
+double StepBounds::mobility_of_node(const Model& model, Row node) const {
+    const auto& nodes = model.structures.nodes;
+    const auto& corners = model.zones.gridpoints[model.blocks.zones[block_of_node(model, node)].first + nodes.zone[node]];
+    double sum = 0;
+    for (std::size_t k = 0; k < 4; ++k) sum += std::abs(nodes.weights[node][k]) * root_of_gridpoint_[static_cast<std::size_t>(corners[k])];
+    return sum;
+}
+
 /// Whether the body on one side of a sub-contact can move; of rigid blocks whatever the sub-contact.
 bool StepBounds::moves(const Model& model, Row contact, Row sub_contact, int side) const {
     const Row block = block_of(model, contact, side);
@@ -231,6 +247,9 @@ Resistance StepBounds::of_block(const Model& model, const Adjacency& adjacency, 
     const auto add = [&](Row b) {
         for (auto e = adjacency.of_block.begin(b); e != adjacency.of_block.end(b); ++e)
             add_contact(model, frame, *e, shares, matrices);
+        if (adjacency.has_cables())
+            for (auto e = adjacency.nodes_of_block.begin(b); e != adjacency.nodes_of_block.end(b); ++e)
+                add_cable_node(model, frame, adjacency.node_stiffness[static_cast<std::size_t>(e->node)], e->node, matrices.elastic);
     };
     if (body_[row] == no_row) add(row);
     else
@@ -254,6 +273,11 @@ Resistance StepBounds::of_gridpoint(const Model& model, const Adjacency& adjacen
         sum.elastic += times * k.stiffer();
         if (damped_) sum.viscous += times * std::max(beta_[c].normal * k.normal, beta_[c].shear * k.shear);
     }
+    if (adjacency.has_cables())
+        for (auto e = adjacency.nodes_of_gridpoint.begin(row); e != adjacency.nodes_of_gridpoint.end(row); ++e) {
+            const NodeStiffness& k = adjacency.node_stiffness[static_cast<std::size_t>(e->node)];
+            sum.elastic += root * std::abs(e->weight) * mobility_of_node(model, e->node) * (k.along + k.across);
+        }
     return sum;
 }
 

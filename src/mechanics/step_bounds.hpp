@@ -98,6 +98,7 @@ private:
     double share(const Model& model, Row contact, Row sub_contact, int side, Shares shares) const;
     bool moves(const Model& model, Row contact, Row sub_contact, int side) const;
     double mobility(const Model& model, Row block, const Attachment& attachment) const;
+    double mobility_of_node(const Model& model, Row node) const;
     void add_contact(const Model& model, const BodyFrame& frame, const ContactEntry& entry, Shares shares,
                      Matrices& matrices) const;
     Resistance of_block(const Model& model, const Adjacency& adjacency, Row row, Shares shares) const;

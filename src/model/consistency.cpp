@@ -249,7 +249,7 @@ void check_histories(Findings& findings, const Model& model) {
         findings.require(history.number > before, "histories", k, "its number is not above the one before");
         findings.require(history.first_sample <= samples && history.values.size() == samples - history.first_sample,
                          "histories", k, "it has not as many values as there are samples");
-        findings.require(between(history.source.kind, HistorySource::Kind::global, HistorySource::Kind::function),
+        findings.require(between(history.source.kind, HistorySource::Kind::global, HistorySource::Kind::cable_node),
                          "histories", k, "its kind is unknown");
     }
 }
@@ -274,18 +274,40 @@ void check_drives(Findings& findings, const Model& model) {
     }
 }
 
+/// Blocks may be gone by now; a node whose block has its shape yet must have its zone.
+void check_cables(Findings& findings, const Model& model) {
+    const auto& [cables, nodes, properties, next_number] = model.structures;
+    check_spans(findings, "cables", "node", cables.nodes, nodes.cable);
+    for (std::size_t i = 0; i < cables.size() && findings.clean(); ++i) {
+        const std::int32_t before = i == 0 ? 0 : cables.number[i - 1];
+        findings.require(cables.number[i] > before && cables.number[i] < next_number, "cables", i, fmt::format("number {}", cables.number[i]));
+        findings.require(cables.nodes[i].count >= 2, "cables", i, "it has no bar");
+    }
+    for (std::size_t i = 0; i < nodes.size() && findings.clean(); ++i) {
+        const Row node = static_cast<Row>(i), block = block_of_node(model, node);
+        const bool same = block != no_row && model.blocks.shape[block] == nodes.shape[i];
+        const bool deformable = same && model.blocks.deformable[block] != 0;
+        findings.require(!same || (deformable ? inside(nodes.zone[i], static_cast<std::size_t>(model.blocks.zones[block].count))
+                                              : nodes.zone[i] == no_row),
+                         "cable_nodes", i, "its block has no such zone");
+        findings.require(!has_bar(nodes, node) || nodes.bar_length[i] > 0, "cable_nodes", i, "its bar has no length");
+    }
+}
+
 } // namespace
 
 std::string inconsistency(Model& model) {
     Findings findings;
     // Columns first: everything below reads as many rows as the table says.
-    model.tables([&](const char* name, auto& table) {
+    const auto check_columns = [&](const char* name, auto& table) {
         table.columns([&](const std::string& column_name, auto& column) {
             findings.require(column.size() == table.size(),
                              fmt::format("column {} of {} has {} rows of {}", column_name, name, column.size(),
                                          table.size()));
         });
-    });
+    };
+    model.tables(check_columns);
+    model.structure_tables(check_columns);
     findings.require(!model.group_names.empty() && model.group_names.front().empty(), "group 0 has a name");
     findings.require(!model.rollers.empty() && model.rollers.front().count == 0, "roller 0 holds something");
     for (const Roller& roller : model.rollers)
@@ -298,12 +320,13 @@ std::string inconsistency(Model& model) {
                      "the joint properties of new contacts are not there");
     // Counts go on from here: no run comes near these.
     findings.require(between<std::int64_t>(model.clock.cycle, 0, std::int64_t{1} << 53), fmt::format("{} cycles", model.clock.cycle));
-    for (const auto next : {model.next_block_number, model.next_shape_number, model.next_contact_number, model.next_sub_contact_number})
+    for (const auto next : {model.next_block_number, model.next_shape_number, model.next_contact_number, model.next_sub_contact_number,
+                            model.structures.next_cable_number})
         findings.require(between(next, 1, 2'000'000'000), fmt::format("{} is the next number", next));
     if (!findings.clean()) return findings.text();
 
     for (const auto check :
-         {check_blocks, check_geometry, check_excavated, check_contacts, check_sub_contacts, check_ties, check_histories, check_drives}) {
+         {check_blocks, check_geometry, check_excavated, check_contacts, check_sub_contacts, check_ties, check_histories, check_drives, check_cables}) {
         check(findings, model);
         if (!findings.clean()) break;
     }

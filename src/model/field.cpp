@@ -50,7 +50,7 @@ std::vector<Field> all_fields() {
     using namespace field_rows;
     std::vector<Field> all;
     for (const auto* table : {&global_fields(), &block_fields(), &gridpoint_fields(), &face_fields(), &zone_fields(),
-                              &contact_fields(), &sub_contact_fields(), &corner_fields()})
+                              &contact_fields(), &sub_contact_fields(), &corner_fields(), &cable_fields()})
         all.insert(all.end(), table->begin(), table->end());
     return all;
 }
@@ -100,6 +100,7 @@ std::size_t row_count(const Model& model, FieldTable table) {
     case FieldTable::contact: return model.contacts.size();
     case FieldTable::sub_contact: return model.sub_contacts.size();
     case FieldTable::corner: return 3 * model.triangles.size();
+    case FieldTable::cable_node: return model.structures.nodes.size();
     }
     return 0;
 }

@@ -11,7 +11,7 @@
 
 namespace kaya {
 
-enum class FieldTable { global, block, gridpoint, face, zone, contact, sub_contact, corner };
+enum class FieldTable { global, block, gridpoint, face, zone, contact, sub_contact, corner, cable_node };
 
 /// A link to a row of another table.
 struct Link {

@@ -75,6 +75,7 @@ const Fields& global_fields() {
          nullptr},
         {table, "touch_energy", "", "etouch", "energy", "lost where touches change", energy<&Energy::joint_lost>, nullptr},
         {table, "zone_work", "", "ezone", "energy", "put into zones", energy<&Energy::zone_work>, nullptr},
+        {table, "structure_work", "", "ecable", "energy", "put into cables: stored or lost", energy<&Energy::structure_work>, nullptr},
         {table, "step_energy", "", "", "energy", "made by changes of the time step", energy<&Energy::step_made>, nullptr},
         {table, "energy_error", "", "eerror", "energy", "what the account of energy does not explain", energy_error,
          nullptr},

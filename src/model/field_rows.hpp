@@ -21,6 +21,7 @@ const Fields& zone_fields();
 const Fields& contact_fields();
 const Fields& sub_contact_fields();
 const Fields& corner_fields();
+const Fields& cable_fields();
 
 /// The number in a value that a script gives. Throws Diagnostic when it is something else.
 double number(const FieldValue& value);

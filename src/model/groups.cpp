@@ -37,7 +37,8 @@ const Column<std::int32_t>* own_groups(const Model& model, ObjectKind kind) {
     case ObjectKind::contact: return &model.contacts.group;
     case ObjectKind::gridpoint:
     case ObjectKind::triangle:
-    case ObjectKind::sub_contact: break;
+    case ObjectKind::sub_contact:
+    case ObjectKind::cable_node: break;
     }
     return nullptr;
 }
@@ -54,11 +55,13 @@ std::int32_t group_of(const Model& model, ObjectKind kind, Row row) {
     case ObjectKind::block:
     case ObjectKind::gridpoint:
     case ObjectKind::face:
-    case ObjectKind::zone: break;
+    case ObjectKind::zone:
+    case ObjectKind::cable_node: break;
     }
     const auto* own = own_groups(model, kind);
     if (own != nullptr && (*own)[row] != 0) return (*own)[row];
-    return model.blocks.group[block_of(model, kind, row)];
+    const Row block = block_of(model, kind, row);
+    return block == no_row ? 0 : model.blocks.group[block];
 }
 
 } // namespace kaya

@@ -13,7 +13,7 @@ namespace kaya {
 /// What a history samples: a named quantity of the nearest row to a place, of the whole model, or a
 /// function of the deck.
 struct HistorySource {
-    enum class Kind : std::int32_t { global, gridpoint, zone, sub_contact, block, function };
+    enum class Kind : std::int32_t { global, gridpoint, zone, sub_contact, block, function, cable_node };
     Kind kind = Kind::global;
     std::string quantity; ///< field name ("shear_stress", "unbalanced_force") or function name
     Vec3 place = Vec3::Zero();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/blocks.hpp"
+#include "model/cables.hpp"
 #include "model/contacts.hpp"
 #include "model/drives.hpp"
 #include "model/energy.hpp"
@@ -54,6 +55,7 @@ struct Model {
     Ties ties;
     Drives drives;
     Excavated excavated; ///< blocks that were taken out and may be put back
+    Structures structures;
 
     std::map<std::int32_t, Material> materials;
     std::vector<JointProperties> joint_properties;
@@ -104,6 +106,11 @@ struct Model {
         visit("excavated_faces", excavated.faces);
         visit("excavated_triangles", excavated.triangles);
         visit("excavated_zones", excavated.zones);
+    }
+    /// The same of what stands in the rock.
+    template <class Visit> void structure_tables(Visit&& visit) {
+        visit("cables", structures.cables);
+        visit("cable_nodes", structures.nodes);
     }
 };
 

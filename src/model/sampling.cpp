@@ -33,6 +33,8 @@ KindInfo info_of(Kind kind) {
         return {FieldTable::sub_contact, ObjectKind::sub_contact, "sub-contact", "sub-contacts",
                 "make blocks that touch before this history"};
     case Kind::block: return {FieldTable::block, ObjectKind::block, "block", "blocks", "make blocks before this history"};
+    case Kind::cable_node:
+        return {FieldTable::cable_node, ObjectKind::cable_node, "cable node", "cables", "make cables (structure cable ...) before this history"};
     case Kind::global:
     case Kind::function: break;
     }
@@ -50,6 +52,7 @@ Span rows_of(const Model& model, Kind kind, Row block) {
 Row present_row(const Model& model, const HistorySource& source) {
     if (source.kind == Kind::sub_contact)
         return model.sub_contacts.ids.row({source.slot, source.generation});
+    if (source.kind == Kind::cable_node) return node_of_cable(model, static_cast<std::int32_t>(source.slot), source.offset);
     const Row block = model.blocks.ids.row({source.slot, source.generation});
     if (block == no_row || source.kind == Kind::block) return block;
     const Span span = rows_of(model, source.kind, block);
@@ -108,6 +111,13 @@ void locate(const Model& model, HistorySource& source) {
         source.generation = id.generation;
         return;
     }
+    if (source.kind == Kind::cable_node) {
+        const Row cable = model.structures.nodes.cable[source.row];
+        source.slot = static_cast<std::uint32_t>(model.structures.cables.number[cable]);
+        source.generation = 1;
+        source.offset = source.row - model.structures.cables.nodes[cable].first;
+        return;
+    }
     const Row block = block_of(model, info.object, source.row);
     source.slot = model.blocks.id[block].slot;
     source.generation = model.blocks.id[block].generation;
@@ -127,7 +137,8 @@ std::optional<SampledObject> sampled_object(const Model& model, const HistorySou
     object.name = fmt::format("{} {}", info.singular, std::get<std::int64_t>(number));
     object.place = reference_point(model, info.object, row);
     object.distance = (object.place - source.place).norm();
-    object.far = distance_to(model, info.object, row, source.place) > block_size(model, block_of(model, info.object, row));
+    const Row block = block_of(model, info.object, row);
+    object.far = block != no_row && distance_to(model, info.object, row, source.place) > block_size(model, block);
     return object;
 }
 

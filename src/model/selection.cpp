@@ -13,6 +13,7 @@ bool visible(const Model& model, ObjectKind kind, Row row) {
     const auto both_shown = [&](Row contact) {
         return shown(model.contacts.block1[contact]) && shown(model.contacts.block2[contact]);
     };
+    if (kind == ObjectKind::cable_node) return true; // cables are seen through the rock
     if (kind == ObjectKind::contact) return both_shown(row);
     if (kind == ObjectKind::sub_contact) return both_shown(model.sub_contacts.contact[row]);
     return shown(block_of(model, kind, row));
@@ -29,6 +30,7 @@ std::size_t count_of(const Model& model, ObjectKind kind) {
     case ObjectKind::zone: return model.zones.size();
     case ObjectKind::contact: return model.contacts.size();
     case ObjectKind::sub_contact: return model.sub_contacts.size();
+    case ObjectKind::cable_node: return model.structures.nodes.size();
     }
     return 0;
 }
@@ -52,6 +54,7 @@ Vec3 reference_point(const Model& model, ObjectKind kind, Row row) {
     case ObjectKind::zone: return zone_centroid(model, row);
     case ObjectKind::contact: return model.contacts.position[row];
     case ObjectKind::sub_contact: return model.sub_contacts.position[row];
+    case ObjectKind::cable_node: return model.structures.nodes.position[row];
     }
     return Vec3::Zero();
 }
@@ -65,6 +68,7 @@ Row block_of(const Model& model, ObjectKind kind, Row row) {
     case ObjectKind::zone: return model.zones.block[row];
     case ObjectKind::contact: return model.contacts.block1[row];
     case ObjectKind::sub_contact: return model.contacts.block1[model.sub_contacts.contact[row]];
+    case ObjectKind::cable_node: return block_of_node(model, row);
     }
     return no_row;
 }

@@ -10,7 +10,7 @@ namespace kaya {
 
 /// What kind of object a command acts on; it decides which point of the object is tested:
 /// centroid of blocks, zones and faces, position of gridpoints and contacts.
-enum class ObjectKind { block, gridpoint, face, triangle, zone, contact, sub_contact };
+enum class ObjectKind { block, gridpoint, face, triangle, zone, contact, sub_contact, cable_node };
 
 /// One test of a range, made by src/commands from the phrase in the deck. Ands and ors are folded in.
 using RangeTest = std::function<bool(const Model&, ObjectKind, Row)>;
@@ -25,7 +25,7 @@ std::size_t count_of(const Model& model, ObjectKind kind);
 /// The point that is tested.
 Vec3 reference_point(const Model& model, ObjectKind kind, Row row);
 
-/// The block that the object belongs to; of a contact its block1.
+/// The block that the object belongs to; of a contact its block1; no_row of a cable node outside of the rock.
 Row block_of(const Model& model, ObjectKind kind, Row row);
 
 /// Diagonal of the box around all gridpoints, at least 1e-30; tolerances are fractions of it.

@@ -17,6 +17,7 @@ namespace kaya {
 //   records(name, std::vector<S>&, visit)   visit(S&) is called for each, inside a section of its own
 //   section(name, visit)        visit() sees names of its own
 //   aside(visit)                what does not decide how a run goes on: the hash leaves it out
+//   since(format, used, visit)  what came with a save format: saves before it have none, and what is not used is not hashed
 //
 // The members of each struct are taken by structured binding: one that is added to the struct and
 // not here does not compile.
@@ -68,7 +69,8 @@ template <class Archive> void visit_state(Archive& archive, Clock& clock) {
 }
 
 template <class Archive> void visit_state(Archive& archive, Energy& energy) {
-    auto& [kinetic, start, gravity, boundary, damped, joint_work, joint_friction, joint_lost, zone_work, step_made, inner_power, behind] = energy;
+    auto& [kinetic, start, gravity, boundary, damped, joint_work, joint_friction, joint_lost, zone_work, structure_work, step_made, inner_power,
+           behind] = energy;
     archive.value("kinetic", kinetic);
     archive.value("start", start);
     archive.value("gravity", gravity);
@@ -78,6 +80,7 @@ template <class Archive> void visit_state(Archive& archive, Energy& energy) {
     archive.value("joint_friction", joint_friction);
     archive.value("joint_lost", joint_lost);
     archive.value("zone_work", zone_work);
+    archive.since(11, structure_work != 0, [&] { archive.value("structure_work", structure_work); });
     archive.value("step_made", step_made);
     archive.value("inner_power", inner_power);
     archive.value("behind", behind);
@@ -120,6 +123,21 @@ template <class Archive> void visit_state(Archive& archive, ZoneProperties& prop
         archive.value("value", number);
     });
     archive.aside([&] { archive.text("place", place); });
+}
+
+template <class Archive> void visit_state(Archive& archive, CableProperties& properties) {
+    auto& [area, young, density, grout_stiffness, grout_cohesion, grout_friction, grout_perimeter, yield_tension, yield_compression,
+           rupture_strain] = properties;
+    archive.value("area", area);
+    archive.value("young", young);
+    archive.value("density", density);
+    archive.value("grout_stiffness", grout_stiffness);
+    archive.value("grout_cohesion", grout_cohesion);
+    archive.value("grout_friction", grout_friction);
+    archive.value("grout_perimeter", grout_perimeter);
+    archive.value("yield_tension", yield_tension);
+    archive.value("yield_compression", yield_compression);
+    archive.value("rupture_strain", rupture_strain);
 }
 
 template <class Archive> void visit_state(Archive& archive, JointProperties& properties) {
@@ -255,11 +273,20 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
 }
 
 template <class Archive> void visit_state(Archive& archive, Model& model) {
-    auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, tied_pairs, ties, drives, excavated, materials, joint_properties,
+    auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, tied_pairs, ties, drives, excavated, structures, materials, joint_properties,
            zone_properties, joint_constitutive, group_names, time_functions, rollers, settings, clock, energy, histories, next_block_number, next_shape_number, next_contact_number,
            next_sub_contact_number, structure_changed, properties_changed, lists_changed, unreduced, forces_set, taken_over] = model;
     // The tables named above stand here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
+
+    archive.since(11, structures.any(), [&] {
+        model.structure_tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
+        visit_map(archive, "cable_properties", structures.properties, [&](std::int32_t& number, CableProperties& properties) {
+            archive.value("number", number);
+            visit_state(archive, properties);
+        });
+        archive.value("next_cable_number", structures.next_cable_number);
+    });
 
     visit_map(archive, "materials", materials, [&](std::int32_t& number, Material& material) {
         archive.value("number", number);

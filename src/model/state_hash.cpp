@@ -32,6 +32,9 @@ public:
         visit();
     }
     template <class Visit> void aside(Visit&&) {}
+    template <class Visit> void since(std::int32_t, bool used, Visit&& visit) {
+        if (used) visit();
+    }
 
     std::uint64_t digest() const { return hash_.value(); }
 

@@ -41,6 +41,8 @@ std::optional<ColourField> find_joint_field(const std::string& word);
 void add_blocks(Scene& scene, const Model& model, const Shown& shown, const std::optional<ColourField>& field);
 /// The faces on which blocks lie on each other, by the colours of a quantity; with no blocks in front of them.
 void add_joints(Scene& scene, const Model& model, const Shown& shown, const ColourField& field);
+/// Cables as lines, by the colours of a quantity of fields() of their nodes. They are seen through the blocks.
+void add_cables(Scene& scene, const Model& model, const Shown& shown, const std::string& field);
 /// Vectors of gridpoints (of rigid blocks: of blocks). `scale` 0: the longest is a twelfth of the model.
 void add_arrows(Scene& scene, const Model& model, const Shown& shown, bool velocity, double scale);
 

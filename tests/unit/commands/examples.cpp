@@ -31,6 +31,8 @@ group block wall range region 1
 group block roof range region 3
 group block column range region 4
 group block arch range region 2
+structure property 1 area 1e-4 young 2e11
+structure cable 0.5 0.5 1.5 0.5 0.5 0.5 segments 2
 range name nothing x 5
 range name top z 0.9 1.1
 range name bottom z -1 0

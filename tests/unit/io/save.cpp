@@ -212,7 +212,7 @@ TEST(Restore, AFileOfAnotherFormatNamesBoth) {
     const std::int32_t later = save_format_version + 1;
     tree.attribute("format_version", &later, 1);
     EXPECT_EQ(refused(with_trailer(tree.image())).message,
-              fmt::format("'x.sav' cannot be restored: it has format {}, and this program reads format {}", later,
+              fmt::format("'x.sav' cannot be restored: it has format {}, and this program reads formats 10 to {}", later,
                           save_format_version));
 }
 

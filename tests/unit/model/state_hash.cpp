@@ -40,6 +40,9 @@ public:
     }
     template <class Visit> void section(std::string_view, Visit&& visit) { visit(); }
     template <class Visit> void aside(Visit&&) {}
+    template <class Visit> void since(std::int32_t, bool used, Visit&& visit) {
+        if (used) visit();
+    }
 
     bool changed() const { return count_ > target_; }
 

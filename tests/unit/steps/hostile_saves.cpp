@@ -43,6 +43,9 @@ public:
         path_ = before;
     }
     template <class Visit> void aside(Visit&& visit) { visit(); }
+    template <class Visit> void since(std::int32_t, bool used, Visit&& visit) {
+        if (used) visit();
+    }
 
 private:
     template <class Number> void change(const std::string& name, Number* numbers, std::size_t count) {
@@ -109,8 +112,11 @@ bound zvel 0 range z -0.01 0.01
 bound stress 0 0 -1e3 0 0 0 range x 1.9 2.1
 table 1 0 0 1 1
 bound xload 1 hist table 1 range z 2.9 3.1
+structure property 1 area 1e-4 young 2e11 kbond 1e7 sbond 1e4
+structure cable 0.5 0.5 1.8 0.5 0.5 0.2 segments 6
 hist unbal
 hist zdis 0 0 2
+hist cforce 0.5 0.5 1
 cycle 20
 )";
 

@@ -1,0 +1,153 @@
+// Cables: bolts and tendons across blocks, as bars between nodes that grout holds in the rock. docs/theory/cables.md.
+#pragma once
+
+#include "model/blocks.hpp"
+#include "model/column.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace kaya {
+
+struct Model;
+
+/// What `structure property` gives to a number. A limit that is not given is infinite.
+struct CableProperties {
+    static constexpr double unlimited = std::numeric_limits<double>::infinity();
+    double area = 0;                   ///< of the cross section
+    double young = 0;                  ///< stress
+    double density = 0;                ///< mass/length^3
+    double grout_stiffness = 0;        ///< force per length of cable and length of slip
+    double grout_cohesion = unlimited; ///< force per length of cable
+    double grout_friction = 0;         ///< degrees
+    double grout_perimeter = 0;        ///< length
+    double yield_tension = unlimited;  ///< force
+    double yield_compression = unlimited;
+    double rupture_strain = unlimited; ///< plastic strain at which a bar breaks
+
+    double axial_stiffness() const { return area * young; } ///< force
+    bool operator==(const CableProperties&) const = default;
+};
+
+/// The names under which a deck gives them.
+struct CableProperty {
+    std::string_view name;
+    double CableProperties::*value;
+};
+const std::vector<CableProperty>& cable_properties();
+
+/// Bits of CableNodes::bar_state and CableNodes::grout_state: now, or at any time before.
+enum CableState : std::uint8_t { yields = 1, has_yielded = 2, broken = 4 };
+
+class Cables : public Table<Cables> {
+public:
+    Column<std::int32_t> number;   ///< what users see
+    Column<std::int32_t> property; ///< key of Structures::properties
+    Column<Span> nodes;            ///< contiguous and in the order of cables
+    Column<double> tension;        ///< that its bars get when its properties are known; 0 once they have it
+    Column<double> work;           ///< done on the cable by the rock: stored in it or lost
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("number", number);
+        visit("property", property);
+        visit("nodes", nodes);
+        visit("tension", tension);
+        visit("work", work);
+    }
+};
+
+/// Places of a cable, and of each the bar to the next one; the last node of a cable has none.
+class CableNodes : public Table<CableNodes> {
+public:
+    Column<Row> cable;
+    Column<BlockId> block;        ///< in which it lies; an id of none: outside of the rock
+    Column<std::int32_t> shape;   ///< Blocks::shape when it was placed there; it is placed anew when that is another
+    Column<Row> zone;             ///< counted from the first of its block; no_row in a rigid block
+    Column<std::array<double, 4>> weights; ///< of the zone's gridpoints, sum 1
+    Column<Vec3> local;           ///< in a rigid block: from its centroid, in its own axes
+    Column<std::uint8_t> anchored; ///< cannot slip
+    Column<Vec3> position;        ///< of the rock at the node
+    Column<double> share;         ///< length of cable whose grout acts at the node
+    Column<double> slip;          ///< of the cable past the rock, towards its end
+    Column<double> slip_lost;     ///< of it, what does not go back
+    Column<double> grout;         ///< force of the rock on the cable along it
+    Column<std::uint8_t> grout_state;
+    Column<Vec3> force;           ///< on the rock
+    Column<double> bar_length;    ///< without force
+    Column<double> bar_yield;     ///< plastic elongation
+    Column<double> bar_force;     ///< tension positive
+    Column<std::uint8_t> bar_state;
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("cable", cable);
+        visit("block", block);
+        visit("shape", shape);
+        visit("zone", zone);
+        visit("weights", weights);
+        visit("local", local);
+        visit("anchored", anchored);
+        visit("position", position);
+        visit("share", share);
+        visit("slip", slip);
+        visit("slip_lost", slip_lost);
+        visit("grout", grout);
+        visit("grout_state", grout_state);
+        visit("force", force);
+        visit("bar_length", bar_length);
+        visit("bar_yield", bar_yield);
+        visit("bar_force", bar_force);
+        visit("bar_state", bar_state);
+    }
+};
+
+/// What stands in the rock.
+struct Structures {
+    Cables cables;
+    CableNodes nodes;
+    std::map<std::int32_t, CableProperties> properties;
+    std::int32_t next_cable_number = 1;
+
+    bool any() const { return !cables.empty() || !properties.empty(); }
+};
+
+/// A straight cable to be made.
+struct NewCable {
+    Vec3 first = Vec3::Zero(), last = Vec3::Zero();
+    std::int32_t segments = 10;
+    std::int32_t property = 1;
+    double tension = 0;             ///< force in all bars when it is made
+    bool anchor_first = false, anchor_last = false;
+};
+
+/// Makes it and places its nodes in the blocks. Returns its row. Its ends must differ.
+Row make_cable(Model& model, const NewCable& wanted);
+
+/// Takes cables out, given by ascending rows.
+void delete_cables(Model& model, const std::vector<Row>& cables);
+
+/// Gives new cables their tension. Throws Diagnostic when the properties of a cable are not there or have no stiffness.
+void take_cable_properties(Model& model);
+
+/// Puts nodes into the blocks and zones at their places where their block is gone or has got another shape.
+void place_cable_nodes(Model& model);
+
+/// The row of the block that a node lies in; no_row when it is outside of the rock.
+Row block_of_node(const Model& model, Row node);
+
+/// The row of a cable's node, counted from its first; no_row when there is none.
+Row node_of_cable(const Model& model, std::int32_t number, Row offset);
+
+/// Where the rock at a node is now; of a node outside of the rock its last place.
+Vec3 place_of_node(const Model& model, Row node);
+
+/// Whether it has a bar to the next node; the last one of a cable has none.
+bool has_bar(const CableNodes& nodes, Row node);
+
+/// Force in the cable at a node: the mean of the bars on both sides; at an end that of its one bar.
+double cable_force(const Model& model, Row node);
+
+} // namespace kaya
