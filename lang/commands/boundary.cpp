@@ -259,12 +259,20 @@ CommandSpec water() {
                   "pressure at the origin of coordinates; where it would be negative it is 0");
     entry.keyword({"gradient"}, vector("gx gy gz").unit("stress/length"), &WaterCommand::gradient,
                   "change of the pressure with x, y and z");
+    const auto file = text("file");
+    entry.special({"ground"}, {file.spec},
+                  [file](Reader& reader, WaterCommand& w) {
+                      w.kind = "ground";
+                      w.file = reader.text(file.spec);
+                  },
+                  "hydrostatic pressure below the surface of a file, as `cut ground` reads it; beyond its edge it goes on level");
+    entry.keyword({"shift"}, vector("dx dy dz").unit("length"), &WaterCommand::origin, "moves that surface");
     entry.action({"off"}, [](WaterCommand& w) { w.kind = "off"; }, "no water any more");
     entry.finish([](const Reader& reader, WaterCommand& w) {
         if (w.kind.empty())
-            incomplete_line(reader, "water does not say where it is", "expected: table, pressure or off");
+            incomplete_line(reader, "water does not say where it is", "expected: table, ground, pressure or off");
     });
-    entry.right("water table 0 0 10").right("water table 0 0 10 normal 0.1 0 1 density 1025");
+    entry.right("water ground 'hill.xyz' shift 0 0 -2").right("water table 0 0 10").right("water table 0 0 10 normal 0.1 0 1 density 1025");
     entry.right("water pressure 5e3").right("water pp 1e5 gradient 0 0 -1e4").right("water off");
     entry.wrong("water", "water does not say where it is");
     entry.wrong("water table 0 0", "a number is missing after '0'");

@@ -115,6 +115,15 @@ struct TunnelCommand {
     RangePhrase range;
     Place place;
 };
+/// cut ground: along a ground surface.
+struct CutGround {
+    std::string file;
+    Vec3 shift = Vec3::Zero();
+    std::optional<std::int64_t> id; ///< of the faces that are cut
+    std::optional<std::int64_t> region; ///< of the blocks below
+    RangePhrase range;
+    Place place;
+};
 /// Cuts each block into equal parts along x, y and z.
 struct Densify {
     std::array<std::int64_t, 3> parts{1, 1, 1};
@@ -287,6 +296,7 @@ struct WaterCommand {
     std::string kind;
     Vec3 origin = Vec3::Zero(), normal = Vec3(0, 0, 1), gradient = Vec3::Zero();
     double density = 1000, pressure = 0;
+    std::string file; ///< of the ground surface that is the water table
     Place place;
 };
 struct Reset { std::vector<std::string> what; }; ///< time hist disp vel jdisp energy damp

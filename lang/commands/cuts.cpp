@@ -97,6 +97,23 @@ CommandSpec tunnel() {
     return entry;
 }
 
+CommandSpec cut_ground() {
+    Entry<CutGround> entry({"cut"}, {"ground"});
+    entry.help("cuts visible blocks along a ground surface; nothing is taken away");
+    entry.argument(text("file").help("of the surface: .stl, .obj, .ply, .asc, or lines of x y z"), &CutGround::file);
+    entry.keyword({"shift"}, vector("dx dy dz").unit("length"), &CutGround::shift, "moves the surface first");
+    entry.keyword({"id"}, integer("n").at_least(1).at_most(1e9), &CutGround::id, "joint set number of the faces; the next free one if not given");
+    entry.keyword({"region"}, integer("n").at_least(1), &CutGround::region, "region number of what lies below");
+    entry.range(&CutGround::range);
+    entry.place(&CutGround::place);
+    entry.right("cut ground 'hill.xyz'").right("cut ground 'hill.xyz' shift 0 0 -0.2 region 3 id 7 range group wall");
+    entry.wrong("cut", "a word is missing after 'cut'");
+    entry.wrong("cut ground", "a word is missing after 'ground'");
+    entry.wrong("cut ground 'hill.xyz' shfit 0 0 1", "'shfit' is not a keyword of cut ground");
+    entry.wrong("cut ground 'hill.xyz' shift 0 0", "a number is missing after '0'");
+    return entry;
+}
+
 CommandSpec densify() {
     Entry<Densify> entry({"densify", "density"});
     entry.help("cuts each block into equal parts along x, y and z");
@@ -140,6 +157,6 @@ CommandSpec join_contact() {
 
 } // namespace
 
-std::vector<CommandSpec> cut_commands() { return {joint_set(), tunnel(), densify(), join(), join_contact()}; }
+std::vector<CommandSpec> cut_commands() { return {joint_set(), tunnel(), cut_ground(), densify(), join(), join_contact()}; }
 
 } // namespace kaya::lang

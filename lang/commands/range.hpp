@@ -39,9 +39,10 @@ struct RangeElement {
         aspect_ratio, ///< low..high, extent over thickness of a block
         leader,       ///< low..high, number of the first block of a body
         polygon,      ///< vertices; distance from its plane
-        ellipse       ///< centre, half axes end2 and normal; distance from its plane
+        ellipse,      ///< centre, half axes end2 and normal; distance from its plane
+        ground        ///< above (side 1) or below (-1) the ground surface of the file name, moved by centre
     };
-    static constexpr Kind last_kind = Kind::ellipse;
+    static constexpr Kind last_kind = Kind::ground;
     Kind kind = Kind::x;
     double low = 0, high = 0;
     Vec3 centre = Vec3::Zero(), end2 = Vec3::Zero(), normal = Vec3::UnitZ();

@@ -183,6 +183,26 @@ void orientation(Keywords<RangePhrase>& table) {
                   "faces and contacts of an orientation", words);
 }
 
+void ground(Keywords<RangePhrase>& table) {
+    static const std::vector<KeywordSpec> words = [] {
+        Keywords<RangeElement> list;
+        list.action({"above"}, [](RangeElement& e) { e.side = 1; }, "what lies above the surface");
+        list.action({"below"}, [](RangeElement& e) { e.side = -1; }, "what lies below it");
+        list.keyword({"shift"}, vector("dx dy dz").unit("length"), &RangeElement::centre, "moves the surface");
+        return std::move(list).list();
+    }();
+    const auto file = text("file");
+    table.special({"ground"}, {file.spec},
+                  [file](Reader& reader, RangePhrase& phrase) {
+                      add(reader, phrase, Kind::ground);
+                      RangeElement& element = phrase.elements.back();
+                      element.name = reader.text(file.spec);
+                      read_keywords(reader, words, &element);
+                      if (element.side == 0) lacks_part(reader, "ground", words, "the ground needs above or below", "write: ground 'file' above");
+                  },
+                  "above or below a ground surface; what lies outside of its plan is neither", words);
+}
+
 /// A plane figure while its words are read.
 struct FigureText {
     std::vector<Vec3> vertices;
@@ -297,6 +317,7 @@ void space_elements(Keywords<RangePhrase>& table) {
 
 void figure_elements(Keywords<RangePhrase>& table) {
     orientation(table);
+    ground(table);
     figures(table);
 }
 

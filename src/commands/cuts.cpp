@@ -1,8 +1,10 @@
 // jset, tunnel, densify, join: cutting blocks that are there, and putting them together.
+#include "commands/ground.hpp"
 #include "commands/handlers.hpp"
 #include "commands/long_work.hpp"
 
 #include "geometry/block_cuts.hpp"
+#include "geometry/ground_cuts.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/cut_joints.hpp"
 #include "model/build.hpp"
@@ -147,6 +149,48 @@ void run(Session& session, const lang::TunnelCommand& command) {
             if (cut.inside[i]) region[pieces[i]] = static_cast<std::int32_t>(command.region);
         for (const int block : cut.swallowed)
             region[rows[static_cast<std::size_t>(block)]] = static_cast<std::int32_t>(command.region);
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+Ground ground_of(Session& session, const std::string& file, const Vec3& shift, const Place& place) {
+    try {
+        Ground ground = read_ground(session.input_file(file).string());
+        if (!shift.isZero()) ground.move(shift);
+        return ground;
+    } catch (Diagnostic& mistake) {
+        mistake.at(place);
+        throw;
+    }
+}
+
+void run(Session& session, const lang::CutGround& command) {
+    const Ground ground = ground_of(session, command.file, command.shift, command.place);
+    const std::vector<Row> rows = rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+    if (rows.empty()) return;
+    try {
+        Model& model = session.model;
+        const double thinnest = thinnest_part * model_size(model);
+        const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(model);
+        LongWork work(session, "cut ground");
+        const GroundCut cut = cut_by_ground(shapes_of(model, rows), ground, id, thinnest, std::ref(work));
+        const auto pieces = apply(session, rows, cut.blocks, thinnest, fmt::format("ground, joint set {}", id));
+        if (cut.blocks.parents.empty()) {
+            session.warn(Diagnostic("no block was cut by this surface", "look at its place: list blocks shows those of the blocks").at(command.place));
+            return;
+        }
+        // What lies on one side stays one body.
+        for (std::size_t i = 0; i < pieces.size();) {
+            std::array<std::vector<Row>, 2> sides;
+            const int parent = cut.blocks.pieces[i].parent;
+            for (; i < pieces.size() && cut.blocks.pieces[i].parent == parent; ++i) sides[cut.above[i] ? 1 : 0].push_back(pieces[i]);
+            for (const auto& side : sides)
+                if (side.size() > 1) join_pairs(model, touching_pairs(model, side));
+        }
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            if (command.region && !cut.above[i]) model.blocks.region[pieces[i]] = static_cast<std::int32_t>(*command.region);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;

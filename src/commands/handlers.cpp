@@ -50,6 +50,7 @@ void register_handlers(Session& session, lang::Handlers& handlers) {
     add<lang::Import>(session, handlers, InCycle::waits);
     add<lang::Export>(session, handlers, InCycle::waits);
     add<lang::TunnelCommand>(session, handlers, InCycle::waits);
+    add<lang::CutGround>(session, handlers, InCycle::waits);
     add<lang::Densify>(session, handlers, InCycle::waits);
     add<lang::Mark>(session, handlers, InCycle::runs);
     add<lang::MarkJoint>(session, handlers, InCycle::waits);

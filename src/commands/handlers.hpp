@@ -35,6 +35,7 @@ void run(Session&, const lang::Export&);
 // cuts.cpp
 void run(Session&, const lang::JointSetCommand&);
 void run(Session&, const lang::TunnelCommand&);
+void run(Session&, const lang::CutGround&);
 void run(Session&, const lang::Densify&);
 void run(Session&, const lang::Join&);
 void run(Session&, const lang::JoinContact&);

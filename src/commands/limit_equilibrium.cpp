@@ -94,7 +94,8 @@ public:
         section_.crack_depth = command.crack;
         section_.crack_water = command.crack_water;
         section_.pressure_ratio = command.pressure_ratio;
-        const double density = session.model.settings.water == Water::table ? session.model.settings.water_value : 1000;
+        const bool has_density = session.model.settings.water == Water::table || session.model.settings.water == Water::ground;
+        const double density = has_density ? session.model.settings.water_value : 1000;
         section_.water_weight = density * session.model.settings.gravity.norm();
         if (command.water_table) add_water_table(session, *command.water_table, section_);
     }
@@ -190,7 +191,7 @@ private:
         for (const SectionJoint& joint : each ? std::span<const SectionJoint>(section_.joints) : std::span<const SectionJoint>()) draw(joints, joint.from), draw(joints, joint.to), lift(joints);
         for (int k = 0; section_.pore_pressure && k <= 200; ++k) draw_water(columns, low, high, k / 200.0, water);
         for (const SectionPoint& point : best_->surface.points) draw(surface, point);
-        for (Curve* curve : {&surface, &blocks, &water, &joints})
+        for (Curve* curve : {&blocks, &joints, &water, &surface}) // the surface on top
             if (std::ranges::any_of(curve->x, [](double x) { return std::isfinite(x); })) chart.curves.push_back(std::move(*curve));
         // Lengths are the same both ways, about: axes and titles take the rest.
         const SectionPoint size = high - low;

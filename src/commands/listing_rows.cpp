@@ -105,7 +105,7 @@ std::string list_blocks(Session& session, const lang::List& command) {
 std::string list_excavated(Session& session, const lang::List& command) {
     const Model kept = excavated_model(session.model);
     if (kept.blocks.empty()) return "no excavated blocks";
-    const auto test = range_test(kept, session.ranges, command.range, ObjectKind::block, {&session.joints, true});
+    const auto test = range_test(kept, session.ranges, command.range, ObjectKind::block, session.range_extras(true));
     return blocks_text(kept, select(kept, ObjectKind::block, test), command);
 }
 

@@ -127,6 +127,22 @@ RangeTest in_ellipse(const RangeElement& e, const RangeContext& context) {
     });
 }
 
+RangeTest by_ground(const RangeElement& e, const RangeContext& context) {
+    if (!context.extras.ground) throw std::logic_error("a range of a ground surface without a reader");
+    try {
+        const auto ground = std::make_shared<Ground>(context.extras.ground(e.name));
+        if (!e.centre.isZero()) ground->move(e.centre);
+        const double side = e.side, edge = context.tolerance;
+        return on_place(context, [ground, side, edge](const Vec3& p) {
+            const auto height = ground->height(p.x(), p.y());
+            return height && side * (p.z() - *height) >= -edge;
+        });
+    } catch (Diagnostic& wrong) {
+        wrong.at(e.place);
+        throw;
+    }
+}
+
 RangeTest by_orientation(const RangeElement& e, const RangeContext& context) {
     // As wide as rounding makes equal normals different.
     const double least = std::cos(e.radius1 * std::numbers::pi / 180) - 1e-9;

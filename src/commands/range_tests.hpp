@@ -94,6 +94,7 @@ RangeTest by_plane(const lang::RangeElement& e, const RangeContext& context);
 RangeTest in_sphere(const lang::RangeElement& e, const RangeContext& context);
 RangeTest in_cylinder(const lang::RangeElement& e, const RangeContext& context);
 RangeTest in_polygon(const lang::RangeElement& e, const RangeContext& context);
+RangeTest by_ground(const lang::RangeElement& e, const RangeContext& context);
 RangeTest in_ellipse(const lang::RangeElement& e, const RangeContext& context);
 RangeTest by_orientation(const lang::RangeElement& e, const RangeContext& context);
 

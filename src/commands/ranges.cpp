@@ -277,6 +277,8 @@ RangeTest element_test(const RangeElement& e, RangeContext& context) {
         return in_polygon(e, context);
     case Kind::ellipse:
         return in_ellipse(e, context);
+    case Kind::ground:
+        return by_ground(e, context);
     }
     throw std::logic_error("a range element of no known kind");
 }
@@ -325,7 +327,7 @@ bool has_element(const NamedRanges& named, const lang::RangePhrase& phrase, Kind
 
 bool asks_for_objects(const NamedRanges& named, const lang::RangePhrase& phrase) {
     static const std::set<Kind> places{Kind::x,      Kind::y,        Kind::z,       Kind::box,    Kind::plane,
-                                       Kind::sphere, Kind::cylinder, Kind::polygon, Kind::ellipse};
+                                       Kind::sphere, Kind::cylinder, Kind::polygon, Kind::ellipse, Kind::ground};
     return any_element(named, phrase, [](Kind kind) { return !places.contains(kind); });
 }
 

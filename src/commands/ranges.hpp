@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lang/commands/range.hpp"
+#include "geometry/ground.hpp"
 #include "model/selection.hpp"
 
 #include <map>
@@ -17,6 +18,7 @@ using NamedRanges = std::map<std::string, lang::RangePhrase>;
 /// What some elements need besides.
 struct RangeExtras {
     const JointRegistry* joints = nullptr; ///< for states of joint models
+    std::function<Ground(const std::string&)> ground = {}; ///< reads the file of a ground surface
     bool excavated = false;                ///< the model is that of the blocks that fill can put back
 };
 

@@ -72,7 +72,7 @@ void run(Session& session, const lang::Excavate& command) {
 
 void run(Session& session, const lang::Fill& command) {
     const Model kept = excavated_model(session.model);
-    const auto test = range_test(kept, session.ranges, command.range, ObjectKind::block, {&session.joints, true});
+    const auto test = range_test(kept, session.ranges, command.range, ObjectKind::block, session.range_extras(true));
     const auto rows = select(kept, ObjectKind::block, test);
     if (rows.empty())
         return session.warn(Diagnostic(kept.blocks.empty()

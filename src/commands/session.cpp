@@ -242,10 +242,14 @@ std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& ra
     return rows;
 }
 
+RangeExtras Session::range_extras(bool excavated) {
+    return {.joints = &joints, .ground = [this](const std::string& file) { return read_ground(input_file(file).string()); }, .excavated = excavated};
+}
+
 RangeTest Session::test_of(ObjectKind kind, const lang::RangePhrase& range) {
     // What lies on the surface is told by contacts.
     if (has_element(ranges, range, lang::RangeElement::Kind::surface)) find_contacts(model, joints);
-    RangeTest test = range_test(model, ranges, range, kind, {&joints, false});
+    RangeTest test = range_test(model, ranges, range, kind, range_extras(false));
     if (!test) return test;
     constexpr int rows_between = 256; // two looks whether the user wants to stop
     return [this, test = std::move(test), left = rows_between](const Model& of, ObjectKind of_kind, Row row) mutable {

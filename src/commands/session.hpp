@@ -70,6 +70,8 @@ public:
 
     /// The test of a range, of objects of that kind. Throws Diagnostic at the element that is wrong.
     RangeTest test_of(ObjectKind kind, const lang::RangePhrase& range);
+    /// What range elements read beside the model; `excavated`: the model is that of the blocks that fill can put back.
+    RangeExtras range_extras(bool excavated);
     /// Visible rows in a range, ascending. Warns when the range picks none.
     std::vector<Row> pick(ObjectKind kind, const lang::RangePhrase& range);
     /// The same, hidden blocks and their parts included.

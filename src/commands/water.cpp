@@ -1,4 +1,5 @@
 // water: a table or a field of pressure in joints.
+#include "commands/ground.hpp"
 #include "commands/handlers.hpp"
 
 #include <algorithm>
@@ -17,6 +18,15 @@ void run(Session& session, const lang::WaterCommand& command) {
         settings.water = Water::field;
         settings.water_value = command.pressure;
         settings.water_direction = command.gradient;
+        return;
+    }
+    if (command.kind == "ground") {
+        const Vec3& down = settings.gravity;
+        if (down.x() != 0 || down.y() != 0 || down.z() > 0)
+            throw Diagnostic("below a ground surface water needs gravity along -z", "write for example: gravity 0 0 -9.81").at(command.place);
+        session.model.water_ground = ground_of(session, command.file, command.origin, command.place);
+        settings.water = Water::ground;
+        settings.water_value = command.density;
         return;
     }
     const double length = command.normal.norm();

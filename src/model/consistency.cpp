@@ -315,7 +315,8 @@ std::string inconsistency(Model& model) {
     for (std::size_t i = 0; i < model.gridpoints.size(); ++i)
         findings.require(inside(model.gridpoints.roller[i], model.rollers.size()), "gridpoints", i, "its roller is not there");
     findings.require(between(model.settings.damping, Damping::none, Damping::rayleigh), "the damping is unknown");
-    findings.require(between(model.settings.water, Water::none, Water::points), "the kind of water is unknown");
+    findings.require(between(model.settings.water, Water::none, Water::ground), "the kind of water is unknown");
+    findings.require(model.settings.water != Water::ground || !model.water_ground.empty(), "the water table is not there");
     findings.require(inside_or_none(model.settings.default_properties, model.joint_properties.size()),
                      "the joint properties of new contacts are not there");
     // Counts go on from here: no run comes near these.

@@ -9,6 +9,7 @@
 #include "model/history.hpp"
 #include "model/materials.hpp"
 #include "model/settings.hpp"
+#include "geometry/ground.hpp"
 #include "model/ties.hpp"
 
 #include <array>
@@ -64,6 +65,7 @@ struct Model {
     std::vector<std::string> group_names{""};
     std::vector<TimeFunction> time_functions; ///< of drives
     std::vector<Roller> rollers{Roller{}};    ///< the first holds nothing
+    Ground water_ground;                      ///< the water table, where the settings take water from it
 
     Settings settings;
     Clock clock;

@@ -15,7 +15,8 @@ enum class Water : std::int32_t {
     none,  ///< nobody touches SubContacts::pore_pressure
     table, ///< hydrostatic below a plane
     field, ///< linear in space
-    points ///< of the gridpoints beside, Gridpoints::pore_pressure
+    points, ///< of the gridpoints beside, Gridpoints::pore_pressure
+    ground ///< hydrostatic below Model::water_ground
 };
 
 /// Density scaling: which bodies have another mass in the equation of motion than in their weight.

@@ -274,7 +274,7 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
 
 template <class Archive> void visit_state(Archive& archive, Model& model) {
     auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, tied_pairs, ties, drives, excavated, structures, materials, joint_properties,
-           zone_properties, joint_constitutive, group_names, time_functions, rollers, settings, clock, energy, histories, next_block_number, next_shape_number, next_contact_number,
+           zone_properties, joint_constitutive, group_names, time_functions, rollers, water_ground, settings, clock, energy, histories, next_block_number, next_shape_number, next_contact_number,
            next_sub_contact_number, structure_changed, properties_changed, lists_changed, unreduced, forces_set, taken_over] = model;
     // The tables named above stand here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
@@ -300,6 +300,15 @@ template <class Archive> void visit_state(Archive& archive, Model& model) {
         archive.text("model", name);
     });
     archive.records("group_names", group_names, [&](std::string& name) { archive.text("name", name); });
+    archive.since(11, !water_ground.empty(), [&] {
+        Column<Vec3> places(water_ground.corners());
+        Column<std::array<int, 3>> sides(water_ground.triangles());
+        archive.section("water_ground", [&] {
+            archive.column("corners", places);
+            archive.column("triangles", sides);
+        });
+        if (places != water_ground.corners() || sides != water_ground.triangles()) water_ground = Ground::restored(std::move(places), std::move(sides));
+    });
     archive.records("time_functions", time_functions,
                     [&](TimeFunction& function) { visit_state(archive, function); });
     archive.records("rollers", rollers, [&](Roller& roller) {

@@ -12,8 +12,8 @@ public:
 
     /// Below a table, or of a field; not where gridpoints have it.
     double at(const Vec3& place) const;
-    /// The same before negative pressures are taken as 0: linear in space.
-    double unlimited_at(const Vec3& place) const { return at_origin_ + gradient_.dot(place); }
+    /// The same before negative pressures are taken as 0: linear in space, but below a ground surface.
+    double unlimited_at(const Vec3& place) const;
     double at_gridpoint(Row gridpoint) const;
     /// Mean of the zone's gridpoints.
     double of_zone(Row zone) const;
@@ -22,6 +22,7 @@ private:
     const Model& model_;
     double at_origin_ = 0; ///< linear in space, but for what would be negative
     Vec3 gradient_ = Vec3::Zero();
+    double weight_ = 0; ///< of the water below a ground surface
 };
 
 } // namespace kaya

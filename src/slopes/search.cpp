@@ -1,5 +1,7 @@
 #include "slopes/search.hpp"
 
+#include "slopes/joint_surfaces.hpp"
+
 #include "base/stop_point.hpp"
 
 #include <algorithm>
@@ -39,6 +41,13 @@ public:
     }
     bool slides(const SlipSurface& surface, bool right) const {
         return search_.entry || search_.exit ? (surface.points.front().y() > surface.points.back().y()) == right : true;
+    }
+
+    /// Whether its ends and its depth are as asked for.
+    bool allows(const SlipSurface& surface, bool right) const {
+        const Ends way = ways()[right ? 0 : 1];
+        const auto within = [](double x, const std::array<double, 2>& limits) { return x >= limits[0] && x <= limits[1]; };
+        return within(surface.points.front().x(), way.left) && within(surface.points.back().x(), way.right) && depth_of(surface) >= least_depth_;
     }
 
     double factor(const SlipSurface& surface, SliceMethod method) const {
@@ -217,8 +226,16 @@ std::optional<FoundSurface> weakest_polyline(const SlopeColumns& columns, const 
     SurfaceSearch by_forces = asked;
     if (needs_circle(asked.method)) by_forces.method = SliceMethod::spencer;
     const Search search(columns, by_forces);
+    const auto along_joint = weakest_along_joints(columns, no_answer, [&](const SlipSurface& surface) {
+        const bool right = surface.points.front().y() > surface.points.back().y();
+        return search.allows(surface, right) ? search.factor(surface, by_forces.method) : no_answer;
+    });
+    const auto with_joints = [&](std::optional<FoundSurface> other) {
+        if (!along_joint || (other && other->answer.factor <= along_joint->factor)) return other;
+        return found(search, along_joint->surface, by_forces.method);
+    };
     std::vector<Candidate> circles;
-    if (!best_circle(search, &circles)) return std::nullopt;
+    if (!best_circle(search, &circles)) return with_joints(std::nullopt);
     const std::size_t inner = static_cast<std::size_t>(std::max(3, asked.corners)) - 2;
     std::optional<Candidate> best;
     for (const bool right : {true, false}) {
@@ -277,8 +294,7 @@ std::optional<FoundSurface> weakest_polyline(const SlopeColumns& columns, const 
             if (!best || end.factor < best->factor) best = std::move(end);
         }
     }
-    if (!best) return std::nullopt;
-    return found(search, search.polyline(best->x), by_forces.method);
+    return with_joints(best ? found(search, search.polyline(best->x), by_forces.method) : std::nullopt);
 }
 
 } // namespace kaya

@@ -135,5 +135,39 @@ TEST(SurfaceSearch, AWeakLayerIsFollowed) {
     EXPECT_LT(polyline->answer.factor, 0.97 * circle->answer.factor);
 }
 
+
+/// A weak joint that dips gently out of a slope, and a fault behind the crest.
+SlopeSection on_a_weak_layer() {
+    SlopeSection section = slope();
+    section.strengths.push_back(Strength::coulomb(0, 8));
+    section.strengths.push_back(Strength::coulomb(0, 20));
+    section.strengths[0] = Strength::coulomb(60e3, 30);
+    section.joints.push_back({{0, 0}, {20, 1}, 1});
+    section.joints.push_back({{20, 1}, {28, 1.4}, 1}); // in two parts, as two blocks have it
+    section.joints.push_back({{28, 1.4}, {33, 10}, 2});
+    return section;
+}
+
+TEST(WeakestPolyline, FollowsAWeakLayerAndAFault) {
+    const SlopeSection section = on_a_weak_layer();
+    const SlopeColumns columns(section);
+    SurfaceSearch search;
+    const auto found = weakest_polyline(columns, search);
+    ASSERT_TRUE(found);
+    const SlipSurface along{{{0, 0}, {28, 1.4}, {33, 10}}, {}};
+    const auto body = body_above(columns, along, search.slices);
+    ASSERT_TRUE(body);
+    const auto exact = factor_of_safety(*body, SliceMethod::spencer);
+    ASSERT_TRUE(exact);
+    EXPECT_LE(found->answer.factor, 1.0001 * exact->factor);
+    EXPECT_GT(found->answer.factor, 0.8 * exact->factor);
+    // Without the joints the rock alone stands far better.
+    SlopeSection sound = section;
+    sound.joints.clear();
+    const auto other = weakest_polyline(SlopeColumns(sound), search);
+    ASSERT_TRUE(other);
+    EXPECT_GT(other->answer.factor, 2 * found->answer.factor);
+}
+
 } // namespace
 } // namespace kaya

@@ -1,0 +1,185 @@
+#include "slopes/joint_surfaces.hpp"
+
+#include "base/stop_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlopt.hpp>
+#include <vector>
+
+namespace kaya {
+
+namespace {
+
+constexpr std::size_t most_lines = 8; ///< joints that are looked at, the longest ones
+constexpr int net = 12;               ///< places of one leg that are tried first
+
+/// Joints of one line in the section, from left to right.
+struct Line {
+    SectionPoint from, to;
+    double length() const { return (to - from).norm(); }
+    bool upright() const { return !(to.x() - from.x() > 1e-6 * length()); }
+    double at(double x) const { return from.y() + (to.y() - from.y()) * (x - from.x()) / (to.x() - from.x()); }
+};
+
+double cross(const SectionPoint& a, const SectionPoint& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+std::vector<Line> lines_of(const SlopeColumns& columns) {
+    const double near = 1e-6 * (columns.right() - columns.left());
+    std::vector<Line> lines;
+    for (const SectionJoint& joint : columns.section().joints) {
+        Line line{joint.from, joint.to};
+        if (line.to.x() < line.from.x() || (line.to.x() == line.from.x() && line.to.y() < line.from.y())) std::swap(line.from, line.to);
+        if (!(line.length() > near)) continue;
+        const auto same = std::ranges::find_if(lines, [&](const Line& other) {
+            const SectionPoint way = (other.to - other.from).normalized();
+            return std::abs(cross(way, line.from - other.from)) < near && std::abs(cross(way, line.to - other.from)) < near;
+        });
+        if (same == lines.end()) {
+            lines.push_back(line);
+            continue;
+        }
+        const SectionPoint way = (same->to - same->from).normalized();
+        if ((line.from - same->from).dot(way) < 0) same->from = line.from;
+        if ((line.to - same->to).dot(way) > 0) same->to = line.to;
+    }
+    std::ranges::stable_sort(lines, std::ranges::greater(), &Line::length);
+    if (lines.size() > most_lines) lines.resize(most_lines);
+    return lines;
+}
+
+/// How a surface leaves its joint at one end.
+struct Leg {
+    enum class Kind { daylight, joint, straight };
+    Kind kind = Kind::straight;
+    SectionPoint corner = SectionPoint::Zero(), end = SectionPoint::Zero(); ///< where it leaves and where it comes to the ground; of a straight leg not known yet
+};
+
+class JointSearch {
+public:
+    JointSearch(const SlopeColumns& columns, double no_answer, const std::function<double(const SlipSurface&)>& factor)
+        : columns_(columns), no_answer_(no_answer), factor_(factor), lines_(lines_of(columns)), near_(1e-6 * (columns.right() - columns.left())) {}
+
+    std::optional<JointSurface> weakest() {
+        for (const Line& base : lines_) {
+            stop_point();
+            if (base.upright()) continue;
+            const auto left = legs(base, false), right = legs(base, true);
+            for (const Leg& a : left)
+                for (const Leg& b : right) look(base, a, b);
+        }
+        return best_;
+    }
+
+private:
+    std::vector<Leg> legs(const Line& base, bool right) const {
+        std::vector<Leg> all{{}};
+        const SectionPoint end = right ? base.to : base.from;
+        const auto ground = columns_.ground_at(end.x(), right ? SlopeColumns::Side::left : SlopeColumns::Side::right);
+        if (ground && std::abs(*ground - end.y()) < 1e3 * near_) all.push_back({Leg::Kind::daylight, end, end});
+        for (const Line& other : lines_) {
+            if (&other == &base || other.upright()) continue;
+            const SectionPoint way = base.to - base.from, leg = other.to - other.from;
+            const double across = cross(way, leg);
+            if (std::abs(across) < 1e-9 * way.norm() * leg.norm()) continue;
+            const double part = cross(other.from - base.from, leg) / across;
+            if (part < -1e-6 || part > 1 + 1e-6) continue;
+            const SectionPoint corner = base.from + part * way, top = right ? other.to : other.from;
+            const auto height = columns_.ground_at(top.x(), right ? SlopeColumns::Side::left : SlopeColumns::Side::right);
+            const bool onward = right ? top.x() > corner.x() + near_ : top.x() < corner.x() - near_;
+            if (onward && height && std::abs(*height - top.y()) < 1e3 * near_) all.push_back({Leg::Kind::joint, corner, SectionPoint(top.x(), *height)});
+        }
+        return all;
+    }
+
+    std::optional<SlipSurface> surface(const Line& base, Leg a, Leg b, const std::vector<double>& x) const {
+        std::size_t next = 0;
+        // A straight leg: where it leaves the joint, and how far from there it reaches the ground.
+        const auto place = [&](Leg& leg, bool right) {
+            if (leg.kind != Leg::Kind::straight) return true;
+            const double at = x[next++], end = at + (right ? 1 : -1) * x[next++];
+            const auto ground = columns_.ground_at(end, right ? SlopeColumns::Side::left : SlopeColumns::Side::right);
+            if (!ground) return false;
+            leg.corner = {at, base.at(at)};
+            leg.end = {end, *ground};
+            return true;
+        };
+        if (!place(a, false) || !place(b, true) || !(b.corner.x() - a.corner.x() > near_)) return std::nullopt;
+        SlipSurface found;
+        for (const SectionPoint& point : {a.end, a.corner, b.corner, b.end})
+            if (found.points.empty() || point.x() - found.points.back().x() > near_) found.points.push_back(point);
+        for (std::size_t k = 1; k + 1 < found.points.size(); ++k)
+            if (cross(found.points[k] - found.points[k - 1], found.points[k + 1] - found.points[k]) < -near_ * near_) return std::nullopt;
+        return found.points.size() < 2 ? std::nullopt : std::optional(found);
+    }
+
+    double value(const Line& base, const Leg& a, const Leg& b, const std::vector<double>& x) {
+        const auto trial = surface(base, a, b, x);
+        const double factor = trial ? factor_(*trial) : no_answer_;
+        if (factor < no_answer_ && (!best_ || factor < best_->factor)) best_ = {factor, *trial};
+        return factor;
+    }
+
+    void look(const Line& base, const Leg& a, const Leg& b) {
+        std::vector<double> low, high;
+        const double width = columns_.right() - columns_.left();
+        for (const Leg* leg : {&a, &b})
+            if (leg->kind == Leg::Kind::straight) {
+                low.insert(low.end(), {base.from.x(), 0});
+                high.insert(high.end(), {base.to.x(), 0.5 * width});
+            }
+        if (low.empty()) {
+            value(base, a, b, {});
+            return;
+        }
+        // A net of all places, then downhill from the best.
+        const int steps = low.size() == 2 ? net : net / 2;
+        std::vector<int> at(low.size(), 0);
+        std::vector<double> x(low.size()), start;
+        double least = no_answer_;
+        for (bool more = true; more;) {
+            for (std::size_t k = 0; k < x.size(); ++k) {
+                const double part = (at[k] + 0.5) / steps;
+                x[k] = low[k] + (high[k] - low[k]) * (k % 2 == 0 ? part : part * part); // legs are rather short
+            }
+            if (const double factor = value(base, a, b, x); factor < least) least = factor, start = x;
+            more = false;
+            for (std::size_t k = 0; k < at.size() && !more; ++k) {
+                more = ++at[k] < steps;
+                if (!more) at[k] = 0;
+            }
+        }
+        if (start.empty()) return;
+        const Objective objective = [&](const std::vector<double>& to) { return value(base, a, b, to); };
+        nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(x.size()));
+        optimiser.set_min_objective([](const std::vector<double>& to, std::vector<double>&, void* data) { return (*static_cast<const Objective*>(data))(to); },
+                                    const_cast<Objective*>(&objective));
+        optimiser.set_lower_bounds(low);
+        optimiser.set_upper_bounds(high);
+        std::vector<double> first(x.size());
+        for (std::size_t k = 0; k < x.size(); ++k) first[k] = 0.5 * (high[k] - low[k]) / steps;
+        optimiser.set_initial_step(first);
+        optimiser.set_maxeval(300);
+        optimiser.set_ftol_rel(1e-5);
+        try {
+            optimiser.optimize(start, least);
+        } catch (const nlopt::roundoff_limited&) {
+        }
+    }
+
+    using Objective = std::function<double(const std::vector<double>&)>;
+    const SlopeColumns& columns_;
+    double no_answer_;
+    const std::function<double(const SlipSurface&)>& factor_;
+    std::vector<Line> lines_;
+    double near_;
+    std::optional<JointSurface> best_;
+};
+
+} // namespace
+
+std::optional<JointSurface> weakest_along_joints(const SlopeColumns& columns, double no_answer, const std::function<double(const SlipSurface&)>& factor) {
+    return JointSearch(columns, no_answer, factor).weakest();
+}
+
+} // namespace kaya
