@@ -2,84 +2,25 @@
 
 #include "base/counted.hpp"
 
+#include "commands/failure_watch.hpp"
 #include "commands/handlers.hpp"
 #include "commands/materials.hpp"
+#include "commands/progress.hpp"
+#include "commands/stability.hpp"
+#include "commands/strength_reduction.hpp"
 
 #include "mechanics/contact_table.hpp"
 #include "mechanics/zone_laws.hpp"
 #include "model/measure.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 #include <utility>
 
 namespace kaya {
 
 namespace {
-
-using Reduced = lang::Solve::Reduced;
-
-/// How a property gets weaker by a factor: the name that it begins with, and the unit that it then has.
-struct Strength {
-    std::string_view name, unit;
-    double (*divided)(double value, double factor);
-    Reduced kind;
-};
-
-double divided(double value, double factor) { return value / factor; }
-
-double with_tangent_divided(double degrees, double factor) {
-    constexpr double radian = std::numbers::pi / 180;
-    return std::atan(std::tan(degrees * radian) / factor) / radian;
-}
-
-constexpr std::array<Strength, 3> strengths{{
-    {"friction", "angle", with_tangent_divided, Reduced::friction},
-    {"cohesion", "stress", divided, Reduced::cohesion},
-    {"tension", "stress", divided, Reduced::tension},
-}};
-
-/// A law with this property divides its strength by it, and nothing else of it is touched.
-constexpr std::string_view own_factor = "strength-factor";
-
-/// What a command asks to be reduced.
-class Asked {
-public:
-    explicit Asked(const lang::Solve& command) {
-        const auto names = [](const std::vector<Reduced>& words, Reduced word) { return std::ranges::find(words, word) != words.end(); };
-        const auto& in = command.included;
-        const auto choose = [&](std::initializer_list<Reduced> group) {
-            const bool any = std::ranges::any_of(group, [&](Reduced word) { return names(in, word); });
-            for (const Reduced word : group) asked_[static_cast<std::size_t>(word)] = (!any || names(in, word)) && !names(command.excluded, word);
-        };
-        choose({Reduced::joints, Reduced::zones});
-        choose({Reduced::friction, Reduced::cohesion, Reduced::tension});
-    }
-    bool operator()(Reduced word) const { return asked_[static_cast<std::size_t>(word)]; }
-
-private:
-    std::array<bool, 5> asked_{};
-};
-
-/// Values of a joint model with the strength divided; none when it has no strength.
-std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<double> values, double factor, const Asked& asked) {
-    if (const auto own = std::ranges::find(joint.properties, own_factor, &LawTable::Property::name); own != joint.properties.end()) {
-        values[static_cast<std::size_t>(own - joint.properties.begin())] *= factor;
-        return values;
-    }
-    bool any = false;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto& property = joint.properties[i];
-        const auto found = std::ranges::find_if(strengths, [&](const Strength& strength) { return property.name.starts_with(strength.name) && property.unit == strength.unit; });
-        if (found == strengths.end() || !asked(found->kind)) continue;
-        values[i] = found->divided(values[i], factor);
-        any = true;
-    }
-    return any ? std::optional(values) : std::nullopt;
-}
 
 /// Below this the model counts as at rest when the command does not say.
 constexpr double default_ratio = 1e-5;
@@ -94,14 +35,19 @@ constexpr double calm = 1e-3;
 constexpr int spans = 12;
 constexpr double gain = 0.1;
 constexpr int most_without_gain = 2;
+/// Part of a span over which a trial is watched for motion that goes on.
+constexpr double window_part = 2.0 / 3;
 /// Factors beyond which nobody looks.
 constexpr double largest = 64;
+/// A bracket that begins with a guess has this half width, and is widened so many times as much each time.
+constexpr double first_width = 0.03, widening = 4;
 
 /// Trials of one model; each begins with the model as it was in the beginning, and so does what comes after the last.
 class Trials {
 public:
     Trials(Session& session, const lang::Solve& command, const Limits& limits)
-        : session_(session), asked_(command), file_(command.file), keep_(command.keep), ratio_(limits.ratio.value_or(default_ratio)) {
+        : session_(session), asked_(command), file_(command.file), keep_(command.keep), ratio_(limits.ratio.value_or(default_ratio)),
+          progress_(session.output, session.model, {}) {
         session.cycle->prepare(); // contacts must have their properties
         check_strengths(command.place);
         if (session.model.settings.damping == Damping::none)
@@ -109,6 +55,7 @@ public:
                              "write before it, for example: damp local")
                 .at(command.place);
         start_ = session.model;
+        start_.settings.energy = true; // a failing trial is known by its account
         start_.unreduced = static_cast<std::uint8_t>((asked_(Reduced::friction) ? 0 : keep_friction) | (asked_(Reduced::cohesion) ? 0 : keep_cohesion) |
                                                      (asked_(Reduced::tension) ? 0 : keep_tension));
         try {
@@ -122,6 +69,7 @@ public:
     ~Trials() {
         go_back(keep_ && failed_ ? *failed_ : start_);
         session_.model.unreduced = 0;
+        session_.model.settings.energy = energy_;
     }
     Trials(const Trials&) = delete;
     Trials& operator=(const Trials&) = delete;
@@ -130,35 +78,36 @@ public:
     /// fails when its unbalanced force does not get smaller from one span to the next. Begins where the last trial that
     /// stood with less came to rest, or where the first one began.
     bool stands(double factor) {
+        progress_.expect(fmt::format("strength divided by {:.6g}", factor), seconds_left());
+        ++trials_;
         const bool warm = warm_ && stable_ && factor > stable_factor_;
         go_back(warm ? *stable_ : start_);
         whole_ = warm ? stable_whole_ : std::vector<std::vector<double>>();
         // A model that does not stand as it is must not begin to slide on the way to more strength.
         const double first = warm ? stable_factor_ : factor > 1 ? 1 : 0.5 * factor;
-        std::int64_t cycles = 0;
+        Outcome outcome;
         // Step by step: joints that are past their peak do not get it back, and a blow carries them over it.
-        for (int step = 1; step < lowering_steps; ++step) {
-            lower(first * std::pow(factor / first, static_cast<double>(step) / lowering_steps));
-            cycles += warm_ ? advance_span(session_, std::max<std::int64_t>(1, span_ / (2 * lowering_steps)), 0).cycles : advance_span(session_, span_ / 2, calm).cycles;
+        for (int step = 1; step < lowering_steps && !outcome.tired; ++step) {
+            const double lowered = first * std::pow(factor / first, static_cast<double>(step) / lowering_steps);
+            lower(lowered);
+            if (warm_)
+                outcome.cycles += run(std::max<std::int64_t>(1, span_ / (2 * lowering_steps)), 0).cycles;
+            else
+                settle(outcome, lowered, calm, nullptr);
         }
-        lower(factor);
-        bool at_rest = false;
-        std::optional<MovingBody> moving;
-        double least = INFINITY;
-        for (int i = 0, without_gain = 0; i < spans && without_gain <= most_without_gain; ++i) {
-            if (session_.model.joint_properties.size() > whole_.size()) lower(factor);
-            const RestSpan span = advance_span(session_, span_, ratio_);
-            cycles += span.cycles;
-            at_rest = span.at_rest;
-            moving = span.moving;
-            if (at_rest || moving) break;
-            without_gain = span.mean_ratio > (1 - gain) * least ? without_gain + 1 : 0;
-            least = std::min(least, span.mean_ratio);
+        if (!outcome.tired) {
+            lower(factor);
+            session_.cycle->prepare();
+            FailureWatch watch(session_.model, *session_.cycle, static_cast<std::int64_t>(window_part * static_cast<double>(span_)));
+            settle(outcome, factor, ratio_, patient_ ? nullptr : &watch);
         }
+        const bool at_rest = outcome.at_rest;
         session_.output.say(fmt::format("strength divided by {:.6g}: {} after {}, ratio {:.3e}{}", factor,
-                                        at_rest ? "stands" : "fails", counted(cycles, "cycle"), session_.model.clock.average_ratio,
-                                        moving ? "; " + body_text(session_.model, *moving) + " moves on" : ""));
-        if (!at_rest && !file_.empty()) run(session_, lang::Save{file_});
+                                        at_rest ? "stands" : "fails", counted(outcome.cycles, "cycle"), session_.model.clock.average_ratio,
+                                        outcome.moving    ? "; " + body_text(session_.model, *outcome.moving) + " moves on"
+                                        : outcome.goes_on ? "; it moves on and does not slow down"
+                                                          : ""));
+        if (!at_rest && !file_.empty()) kaya::run(session_, lang::Save{file_});
         if (at_rest) {
             if (!stable_ || factor > stable_factor_) {
                 lower(factor); // what is new
@@ -166,19 +115,57 @@ public:
             }
         } else {
             mechanism_ = mechanism_text(factor);
+            failed_early_ = outcome.goes_on;
             if (keep_) failed_ = session_.model;
         }
         return at_rest;
     }
 
-    /// From now on each trial begins where the first one did.
-    void begin_anew() { warm_ = false; }
+    /// How many more trials there will be, for the person who waits.
+    void expect(int more) { expected_ = more; }
+    /// Whether the last trial that failed was ended because motion went on; a restraint far softer than all that a span knows, as a bolt
+    /// across a joint that slips, may still have stopped it.
+    bool failed_early() const { return failed_early_; }
+    /// From now on no trial ends early.
+    void be_patient() { patient_ = true; }
+    /// From now on each trial begins where the first one did, and none ends early.
+    void begin_anew() { warm_ = false, patient_ = true; }
     /// Whether the last trial that stood began anywhere else than the first.
     bool has_warm_answer() const { return warm_ && stable_.has_value(); }
     /// What moved in the last trial that failed; "" when none did.
     const std::string& mechanism() const { return mechanism_; }
 
 private:
+    RestSpan run(std::int64_t cycles, double ratio, FailureWatch* watch = nullptr) { return advance_span(session_, cycles, ratio, watch, &progress_); }
+
+    /// How a trial stands so far.
+    struct Outcome {
+        std::int64_t cycles = 0;
+        bool at_rest = false, tired = false, goes_on = false; ///< tired: the force out of balance does not get smaller
+        std::optional<MovingBody> moving;
+    };
+
+    /// Cycles until the model is at rest or fails.
+    void settle(Outcome& outcome, double factor, double ratio, FailureWatch* watch) {
+        double least = INFINITY;
+        for (int i = 0, without_gain = 0; i < spans && without_gain <= most_without_gain; ++i) {
+            if (session_.model.joint_properties.size() > whole_.size()) lower(factor);
+            const RestSpan span = run(span_, ratio, watch);
+            outcome.cycles += span.cycles;
+            outcome.at_rest = span.at_rest, outcome.goes_on = span.fails, outcome.moving = span.moving;
+            if (span.at_rest || span.moving || span.fails) return;
+            without_gain = span.mean_ratio > (1 - gain) * least ? without_gain + 1 : 0;
+            least = std::min(least, span.mean_ratio);
+        }
+        outcome.tired = true;
+    }
+
+    /// At the rate of the trials so far; none where that is not known.
+    std::optional<double> seconds_left() const {
+        if (trials_ == 0 || expected_ == 0) return std::nullopt;
+        return progress_.seconds() / trials_ * expected_;
+    }
+
     /// All strengths are those of the beginning, divided by the factor.
     void lower(double factor) {
         learn_whole_values();
@@ -259,14 +246,13 @@ private:
         for (Stress& stress : model.zones.stress) stress *= 0.5;
         initialise_sub_contacts(model, session_.joints, std::vector<char>(model.sub_contacts.size(), 1));
         model.properties_changed = true;
-        const RestSpan span = advance_span(session_, patience, ratio_);
-        if (!span.at_rest)
-            throw Diagnostic(fmt::format("with joints that cannot fail the model is not at rest after {} cycles: the ratio "
-                                         "is {:.3e}",
-                                         span.cycles, model.clock.average_ratio),
-                             "hold it so that only joints can let it go, or give a larger `ratio`, or the `cycles` of a span")
-                .at(place);
-        return std::max(span.cycles, shortest_span);
+        progress_.expect("how long the model takes to come to rest", std::nullopt);
+        const RestSpan span = run(patience, ratio_);
+        if (span.at_rest) return std::max(span.cycles, shortest_span);
+        throw Diagnostic(fmt::format("with joints that cannot fail the model is not at rest after {} cycles: the ratio is {:.3e}", span.cycles,
+                                     model.clock.average_ratio),
+                         "hold it so that only joints can let it go, or give a larger `ratio`, or the `cycles` of a span")
+            .at(place);
     }
 
     Session& session_;
@@ -274,13 +260,16 @@ private:
     std::string file_;
     bool keep_;
     double ratio_;
+    bool energy_ = session_.model.settings.energy; ///< as the deck has it
+    Progress progress_;
     Model start_;
     std::optional<Model> stable_, failed_; ///< ends of trials
     double stable_factor_ = 0;
     std::vector<std::vector<double>> whole_, stable_whole_; ///< values of the property sets before they are divided, now and at stable_
-    bool warm_ = true;
+    bool warm_ = true, patient_ = false, failed_early_ = false;
     std::string mechanism_;
     std::int64_t span_ = 0;
+    int trials_ = 0, expected_ = 0;
 };
 
 /// Factors where the model stands and where it fails.
@@ -313,8 +302,37 @@ Bracket found_bracket(Trials& trials) {
     return {0, 1 / largest};
 }
 
+/// From a guess outward; a side that was not found is 0 or infinite.
+Bracket bracket_around(Trials& trials, double guess) {
+    double width = first_width;
+    Bracket bracket{guess * (1 - width), guess * (1 + width)};
+    if (trials.stands(bracket.stands)) {
+        for (; bracket.fails < largest; width *= widening, bracket.stands = bracket.fails, bracket.fails *= 1 + width)
+            if (!trials.stands(bracket.fails)) return bracket;
+        return {bracket.stands, INFINITY};
+    }
+    for (bracket.fails = bracket.stands; bracket.fails > 1 / largest; bracket.fails = bracket.stands) {
+        width = std::min(0.5, width * widening);
+        bracket.stands = bracket.fails * (1 - width);
+        if (trials.stands(bracket.stands)) return bracket;
+    }
+    return {0, bracket.fails};
+}
+
+/// What is known before the first trial: the factor of the weakest block by block theory, else the one that `limit equilibrium` or an
+/// earlier search has found. 0 where neither is there.
+double guessed_factor(Session& session) {
+    constexpr double least = 0.1, most = 10;
+    double guess = INFINITY;
+    for (const BodyStability& body : stability_of(session.model, session.joints))
+        if (!body.fixed && body.answer.factor) guess = std::min(guess, *body.answer.factor);
+    if (!std::isfinite(guess)) guess = session.model.clock.factor_of_safety;
+    return guess >= least && guess <= most ? guess : 0;
+}
+
 Bracket narrowed(Trials& trials, Bracket bracket, double resolution) {
     while (bracket.fails - bracket.stands > resolution * bracket.stands) {
+        trials.expect(1 + static_cast<int>(std::ceil(std::log2((bracket.fails / bracket.stands - 1) / resolution))));
         const double middle = 0.5 * (bracket.stands + bracket.fails);
         (trials.stands(middle) ? bracket.stands : bracket.fails) = middle;
     }
@@ -323,10 +341,25 @@ Bracket narrowed(Trials& trials, Bracket bracket, double resolution) {
 
 bool closed(const Bracket& bracket) { return bracket.stands > 0 && std::isfinite(bracket.fails); }
 
-/// The answer must not depend on the way to it: the factor with which the model stands is tried again from the beginning. Where it
-/// fails then, the search goes on from there, each trial from the beginning.
+/// A model that stands where a hasty trial failed: the search goes on upward.
+Bracket bracket_above(Trials& trials, double stands, double resolution) {
+    Bracket bracket{stands, stands};
+    for (double width = widening * resolution; bracket.fails < largest; width *= 2) {
+        bracket.stands = bracket.fails;
+        bracket.fails *= 1 + width;
+        if (!trials.stands(bracket.fails)) return narrowed(trials, bracket, resolution);
+    }
+    return {bracket.fails, INFINITY};
+}
+
+/// The answer must not depend on haste, nor on the way to it. The factor with which the model fails is tried again, to the end, where that
+/// trial had ended early; the one with which it stands is tried again from the beginning. Where either gives another answer the search goes on from there.
 Bracket confirmed(Trials& trials, Bracket bracket, double resolution) {
-    if (!trials.has_warm_answer()) return bracket;
+    if (trials.failed_early()) {
+        trials.be_patient();
+        if (trials.stands(bracket.fails)) bracket = bracket_above(trials, bracket.fails, resolution);
+    }
+    if (!trials.has_warm_answer() || !closed(bracket)) return bracket;
     trials.begin_anew();
     if (trials.stands(bracket.stands)) return bracket;
     for (bracket.fails = bracket.stands; bracket.stands > 1 / largest; bracket.fails = bracket.stands) {
@@ -340,9 +373,11 @@ Bracket confirmed(Trials& trials, Bracket bracket, double resolution) {
 
 void find_factor_of_safety(Session& session, const lang::Solve& command, const Limits& limits) {
     Bracket bracket;
+    const double guess = command.bracket ? 0 : guessed_factor(session);
+    if (guess > 0) session.output.say(fmt::format("the search begins at a factor of {:.4g}", guess));
     {
         Trials trials(session, command, limits);
-        bracket = command.bracket ? given_bracket(trials, command) : found_bracket(trials);
+        bracket = command.bracket ? given_bracket(trials, command) : guess > 0 ? bracket_around(trials, guess) : found_bracket(trials);
         if (closed(bracket)) bracket = confirmed(trials, narrowed(trials, bracket, command.resolution), command.resolution);
         if (!trials.mechanism().empty()) session.output.say(trials.mechanism());
     }

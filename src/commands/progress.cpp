@@ -34,9 +34,10 @@ std::string duration_text(double seconds) {
 
 Progress::Progress(Output& output, const Model& model, const Target& target)
     : output_(output), model_(model), target_(target), start_(std::chrono::steady_clock::now()),
-      first_cycle_(model.clock.cycle), first_time_(model.clock.time) {}
+      first_time_(model.clock.time) {}
 
 bool Progress::advanced() {
+    ++done_;
     if (--until_look_ > 0) return false;
     look();
     until_look_ = stride_;
@@ -62,9 +63,14 @@ void Progress::look() {
         output_.say(line());
 }
 
+void Progress::expect(std::string task, std::optional<double> seconds_left) {
+    target_.task = std::move(task);
+    target_.seconds = seconds_left ? std::optional(seconds_ + *seconds_left) : std::nullopt;
+}
+
 double Progress::left() const {
-    const double cycles = static_cast<double>(model_.clock.cycle - first_cycle_);
-    if (cycles <= 0) return -1;
+    const auto cycles = static_cast<double>(done_);
+    if (done_ == 0) return -1;
     double left = -1;
     if (target_.cycle) left = seconds_ / cycles * static_cast<double>(*target_.cycle - model_.clock.cycle);
     const double passed = model_.clock.time - first_time_;
@@ -72,13 +78,15 @@ double Progress::left() const {
         const double by_time = seconds_ / passed * (*target_.time - model_.clock.time);
         left = left < 0 ? by_time : std::min(left, by_time);
     }
+    if (target_.seconds) left = std::max(0.0, *target_.seconds - seconds_);
     return left;
 }
 
 std::string Progress::line() const {
     const auto& clock = model_.clock;
-    const double rate = static_cast<double>(clock.cycle - first_cycle_) / std::max(seconds_, 1e-9);
-    std::string text = fmt::format("cycle {}", clock.cycle);
+    const double rate = static_cast<double>(done_) / std::max(seconds_, 1e-9);
+    std::string text = target_.task.empty() ? "" : target_.task + "  ";
+    text += fmt::format("cycle {}", clock.cycle);
     if (target_.cycle) text += fmt::format(" of {}", *target_.cycle);
     text += fmt::format("  time {}  ratio {:.2e}  {:.0f} cycles/s", time_text(model_),
                         clock.average_ratio, rate);
@@ -90,10 +98,9 @@ void Progress::finish() {
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     output_.end_refresh();
     const auto& clock = model_.clock;
-    const std::int64_t cycles = clock.cycle - first_cycle_;
     output_.say(fmt::format("cycle {}  time {}  ratio {:.2e}  ({} in {:.2f} s, {:.0f} cycles/s)",
-                            clock.cycle, time_text(model_), clock.average_ratio, counted(cycles, "cycle"), seconds_,
-                            static_cast<double>(cycles) / std::max(seconds_, 1e-9)));
+                            clock.cycle, time_text(model_), clock.average_ratio, counted(done_, "cycle"), seconds_,
+                            static_cast<double>(done_) / std::max(seconds_, 1e-9)));
     if (const std::string scaling = scaling_text(model_); !scaling.empty()) output_.say(scaling);
 }
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace kaya {
 
@@ -14,6 +15,8 @@ namespace kaya {
 struct Target {
     std::optional<std::int64_t> cycle; ///< number of the last cycle
     std::optional<double> time;        ///< model time
+    std::string task = {};             ///< what the run does, in front of the line
+    std::optional<double> seconds = {}; ///< since the start of the run
 };
 
 /// Shows cycle, time, ratio, cycles per second and time left: in place, five times a second, on a
@@ -24,6 +27,9 @@ public:
 
     /// To be called after each cycle. Looks at the clock seldom enough to cost nothing; returns whether it did.
     bool advanced();
+
+    /// Another task of the same run, and how long the run will still take where that is known.
+    void expect(std::string task, std::optional<double> seconds_left);
 
     /// Seconds since the start, at the last look at the clock.
     double seconds() const { return seconds_; }
@@ -40,7 +46,7 @@ private:
     const Model& model_;
     Target target_;
     std::chrono::steady_clock::time_point start_;
-    std::int64_t first_cycle_;
+    std::int64_t done_ = 0; ///< cycles; a search for a factor of safety goes back to earlier ones
     double first_time_;
     std::int64_t until_look_ = 1, stride_ = 1; ///< cycles
     double seconds_ = 0, shown_ = 0;

@@ -2,6 +2,7 @@
 
 #include "base/counted.hpp"
 
+#include "commands/failure_watch.hpp"
 #include "commands/handlers.hpp"
 #include "commands/materials.hpp"
 #include "commands/plot_views.hpp"
@@ -173,7 +174,7 @@ bool settle_forces(Session& session) {
     return model.properties_changed;
 }
 
-RestSpan advance_span(Session& session, std::int64_t cycles, double ratio) {
+RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, FailureWatch* watch, Progress* progress) {
     make_ready(session);
     session.rescue.begins();
     RestSpan span;
@@ -186,7 +187,12 @@ RestSpan advance_span(Session& session, std::int64_t cycles, double ratio) {
         session.stop_behind_cycle();
         ++span.cycles;
         sum += now.average_ratio;
+        if (progress) progress->advanced();
         at_ratio = now.average_ratio <= ratio;
+        if (watch && watch->look()) {
+            span.fails = true;
+            break;
+        }
         const auto answer = confirmation.look(session.model, cycles, at_ratio);
         span.at_rest = answer == Confirmation::Answer::rest;
         if (answer == Confirmation::Answer::wait) continue;

@@ -11,6 +11,9 @@
 
 namespace kaya {
 
+class FailureWatch;
+class Progress;
+
 /// Where a run stops: at the first of these that is reached.
 struct Limits {
     std::optional<std::int64_t> cycles; ///< from now on
@@ -33,11 +36,12 @@ struct RestSpan {
     double mean_ratio = 0;   ///< average ratio of unbalanced force, over the cycles
     std::int64_t cycles = 0; ///< that were run
     std::optional<MovingBody> moving; ///< the ratio was reached, but this body moves on
+    bool fails = false;               ///< the watch for failure says so; the span ended there
 };
 
-/// Cycles without a word, until the average ratio is not above `ratio` and no body gains displacement any more, or that
-/// many cycles are done; looking at bodies may take more.
-RestSpan advance_span(Session& session, std::int64_t cycles, double ratio);
+/// Cycles until the average ratio is not above `ratio` and no body gains displacement any more, or that
+/// many cycles are done; looking at bodies may take more. A watch sees every cycle.
+RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, FailureWatch* watch, Progress* progress);
 
 /// Gives joints a cohesion and a tensile strength that nothing reaches, for as long as it lives. Contacts must have their
 /// properties: Cycle::prepare.

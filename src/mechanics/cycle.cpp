@@ -12,6 +12,7 @@
 #include "mechanics/ties.hpp"
 #include "mechanics/time_step.hpp"
 #include "mechanics/zone_laws.hpp"
+#include "model/measure.hpp"
 #include "model/sampling.hpp"
 
 #include <algorithm>
@@ -123,6 +124,23 @@ Cycle::Cycle(Model& model, JointRegistry& joints)
 Cycle::~Cycle() = default;
 
 const std::vector<PhaseTime>& Cycle::timing() const { return scratch_->timing; }
+
+double Cycle::energy_in_zones() const {
+    double sum = 0;
+    for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
+        if (!model_.blocks.deformable[b]) continue;
+        const auto [lambda, two_shear] = scratch_->elastic[b];
+        if (!(two_shear > 0)) continue;
+        const Span zones = model_.blocks.zones[b];
+        for (Row z = zones.first; z < zones.end(); ++z) {
+            const Stress& s = model_.zones.stress[z];
+            const double mean = (s[0] + s[1] + s[2]) / 3;
+            const double deviator = (s.head<3>().array() - mean).square().sum() + 2 * s.tail<3>().squaredNorm();
+            sum += zone_volume(model_, z) * (mean * mean / (2 * (lambda + two_shear / 3)) + deviator / (2 * two_shear));
+        }
+    }
+    return sum;
+}
 
 void Cycle::prepare() {
     Scratch& s = *scratch_;

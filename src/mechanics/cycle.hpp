@@ -52,6 +52,9 @@ public:
 
     const std::vector<PhaseTime>& timing() const;
 
+    /// Elastic energy of all zones by their stress, as of the last prepare(): p^2/(2 K) + s:s/(4 G) per volume.
+    double energy_in_zones() const;
+
     Hooks hooks;
 
 private:

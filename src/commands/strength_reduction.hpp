@@ -1,0 +1,28 @@
+// What a factor of safety divides: strengths of joint models, by their properties.
+#pragma once
+
+#include "joints/joint_model.hpp"
+#include "lang/commands/commands.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace kaya {
+
+using Reduced = lang::Solve::Reduced;
+
+/// What a command asks to be reduced.
+class Asked {
+public:
+    explicit Asked(const lang::Solve& command);
+    bool operator()(Reduced word) const { return asked_[static_cast<std::size_t>(word)]; }
+
+private:
+    std::array<bool, 5> asked_{};
+};
+
+/// Values of a joint model with the strength divided; none when it has no strength.
+std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<double> values, double factor, const Asked& asked);
+
+} // namespace kaya
