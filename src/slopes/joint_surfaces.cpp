@@ -105,6 +105,9 @@ private:
             return true;
         };
         if (!place(a, false) || !place(b, true) || !(b.corner.x() - a.corner.x() > near_)) return std::nullopt;
+        // An upright leg would be no part of the surface, which would then end below the ground.
+        const auto upright = [&](const Leg& leg) { return leg.kind != Leg::Kind::daylight && std::abs(leg.end.x() - leg.corner.x()) <= near_; };
+        if (upright(a) || upright(b)) return std::nullopt;
         SlipSurface found;
         for (const SectionPoint& point : {a.end, a.corner, b.corner, b.end})
             if (found.points.empty() || point.x() - found.points.back().x() > near_) found.points.push_back(point);

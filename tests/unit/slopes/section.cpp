@@ -161,6 +161,10 @@ TEST(WeakestPolyline, FollowsAWeakLayerAndAFault) {
     ASSERT_TRUE(exact);
     EXPECT_LE(found->answer.factor, 1.0001 * exact->factor);
     EXPECT_GT(found->answer.factor, 0.8 * exact->factor);
+    // Both ends lie on the ground, and not where one joint meets the other below it.
+    const SectionPoint last = found->surface.points.back(), first = found->surface.points.front();
+    EXPECT_NEAR(*columns.ground_at(last.x(), SlopeColumns::Side::left), last.y(), 1e-6);
+    EXPECT_NEAR(*columns.ground_at(first.x()), first.y(), 1e-6);
     // Without the joints the rock alone stands far better.
     SlopeSection sound = section;
     sound.joints.clear();
