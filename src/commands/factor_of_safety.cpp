@@ -35,8 +35,8 @@ constexpr double calm = 1e-3;
 constexpr int spans = 12;
 constexpr double gain = 0.1;
 constexpr int most_without_gain = 2;
-/// Part of a span over which a trial is watched for motion that goes on.
-constexpr double window_part = 2.0 / 3;
+/// Spans over which a trial is watched for motion that goes on.
+constexpr double window_part = 2.0 / 3, patient_window_part = 2;
 /// Factors beyond which nobody looks.
 constexpr double largest = 64;
 /// A bracket that begins with a guess has this half width, and is widened so many times as much each time.
@@ -98,8 +98,9 @@ public:
         if (!outcome.tired) {
             lower(factor);
             session_.cycle->prepare();
-            FailureWatch watch(session_.model, *session_.cycle, static_cast<std::int64_t>(window_part * static_cast<double>(span_)));
-            settle(outcome, factor, ratio_, patient_ ? nullptr : &watch);
+            FailureWatch watch(session_.model, *session_.cycle, static_cast<std::int64_t>((patient_ ? patient_window_part : window_part) * static_cast<double>(span_)));
+            // A bolt across a joint that slips is far softer than all that a span knows: nobody can tell how long a block goes on.
+            settle(outcome, factor, ratio_, patient_ && !session_.model.structures.cables.empty() ? nullptr : &watch);
         }
         const bool at_rest = outcome.at_rest;
         session_.output.say(fmt::format("strength divided by {:.6g}: {} after {}, ratio {:.3e}{}", factor,
@@ -123,12 +124,11 @@ public:
 
     /// How many more trials there will be, for the person who waits.
     void expect(int more) { expected_ = more; }
-    /// Whether the last trial that failed was ended because motion went on; a restraint far softer than all that a span knows, as a bolt
-    /// across a joint that slips, may still have stopped it.
+    /// Whether the last trial that failed was ended because motion went on.
     bool failed_early() const { return failed_early_; }
-    /// From now on no trial ends early.
+    /// From now on trials are watched over three times as many cycles before they end early.
     void be_patient() { patient_ = true; }
-    /// From now on each trial begins where the first one did, and none ends early.
+    /// From now on each trial begins where the first one did, and none ends in haste.
     void begin_anew() { warm_ = false, patient_ = true; }
     /// Whether the last trial that stood began anywhere else than the first.
     bool has_warm_answer() const { return warm_ && stable_.has_value(); }

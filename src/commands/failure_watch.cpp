@@ -3,6 +3,7 @@
 #include "mechanics/cycle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -16,6 +17,8 @@ constexpr double straight = 0.98;
 constexpr double kept = 0.98;
 /// The force out of balance falls where it loses more than this part of its mean in a window, and the slope is so many times its standard error.
 constexpr double noticed = 1e-6, sure = 2;
+/// It has come to its end where it falls by less than this part of what it fell by before, and so much of it will be left.
+constexpr double slowing = 0.9, remaining = 0.5;
 /// Part of the bodies that are looked at which must move so.
 constexpr double most = 0.9;
 /// The fastest of all bodies that are looked at: one of so many.
@@ -72,7 +75,14 @@ bool FailureWatch::force_falls() const {
         scatter += off * off;
     }
     const double error = std::sqrt(scatter / (n - 2) / spread);
-    return slope < -sure * error && slope * n < -noticed * mean;
+    if (!(slope < -sure * error && slope * n < -noticed * mean)) return false;
+
+    // It falls, but less and less: where does it end, if the falls from third to third go on as a geometric series?
+    std::array<double, 3> thirds{};
+    for (std::size_t i = 0; i < intervals; ++i) thirds[i / third] += looks_[i + 1].ratio / third;
+    const double before = thirds[0] - thirds[1], lately = thirds[1] - thirds[2];
+    if (!(before > 0 && lately >= 0 && lately < slowing * before)) return true;
+    return thirds[2] - lately * lately / (before - lately) < remaining * thirds[2];
 }
 
 bool FailureWatch::goes_on() const {

@@ -13,7 +13,7 @@ class Cycle;
 
 /// Looks at a model eighteen times in a window of cycles. It fails where, over the window,
 ///   kinetic energy does not fall,
-///   the force out of balance does not fall: what gains strength by slip, or a bolt that takes up load, makes it fall,
+///   the force out of balance does not fall toward nothing, as it does where joints gain strength by slip or a bolt takes up load,
 ///   the hundredth of all rigid blocks and gridpoints that goes farthest goes in one direction, at a speed that does not fall, and
 ///   the work of gravity and loads is lost in friction, plastic flow, damping and motion: no more than a tenth of it is stored.
 /// docs/theory/stopping.md. The account of energy must be on (Settings::energy).
