@@ -16,11 +16,12 @@ bool is_handle(const World& world, const Handle& handle) {
 }
 
 void* pack_handle(const Handle& handle) {
-    if (handle.table < 0 || handle.table >= 64 || handle.slot >> slot_bits ||
+    if (handle.table < 0 || handle.table >= 16 || handle.slot >> slot_bits ||
         handle.generation >> generation_bits)
         throw Diagnostic("an object of the model cannot be named by a script: its number is too large", {},
                          Fault::own);
-    const std::uintptr_t bits = static_cast<std::uintptr_t>(handle.table) << (slot_bits + generation_bits) |
+    const std::uintptr_t bits = static_cast<std::uintptr_t>(handle.table) << (slot_bits + generation_bits + model_bits) |
+                                static_cast<std::uintptr_t>(handle.model) << (slot_bits + generation_bits) |
                                 static_cast<std::uintptr_t>(handle.generation) << slot_bits | handle.slot;
     return reinterpret_cast<void*>(bits);
 }

@@ -113,11 +113,23 @@ int set_property(lua_State* L) {
     return 0;
 }
 
-void push_numbers(lua_State* L, const std::vector<double>& numbers) {
+void push_numbers(lua_State* L, std::span<const double> numbers) {
     lua_createtable(L, static_cast<int>(numbers.size()), 0);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         lua_pushnumber(L, numbers[i]);
         lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+    }
+}
+
+/// Numbers under that name, and the least, greatest and last of them, in the table at the top of the stack.
+void set_samples(lua_State* L, const char* name, std::span<const double> values) {
+    push_numbers(L, values);
+    lua_setfield(L, -2, name);
+    if (values.empty()) return;
+    const auto [least, greatest] = std::ranges::minmax(values);
+    for (const auto& [key, value] : {std::pair{"minimum", least}, std::pair{"maximum", greatest}, std::pair{"last", values.back()}}) {
+        lua_pushnumber(L, value);
+        lua_setfield(L, -2, key);
     }
 }
 
@@ -128,16 +140,9 @@ int history(lua_State* L) {
     if (!samples)
         throw Diagnostic(fmt::format("there is no history '{}'", name), "name it by its number or its label: list hist", Fault::run);
     lua_newtable(L);
-    push_numbers(L, samples->values);
-    lua_setfield(L, -2, "values");
     push_numbers(L, samples->times);
     lua_setfield(L, -2, "times");
-    if (samples->values.empty()) return 1;
-    const auto [least, greatest] = std::ranges::minmax(samples->values);
-    for (const auto& [key, value] : {std::pair{"minimum", least}, std::pair{"maximum", greatest}, std::pair{"last", samples->values.back()}}) {
-        lua_pushnumber(L, value);
-        lua_setfield(L, -2, key);
-    }
+    set_samples(L, "values", samples->values);
     return 1;
 }
 
@@ -272,12 +277,76 @@ Place calling_place(lua_State* L) {
     return {};
 }
 
-int command(lua_State* L) {
+/// Runs command lines; leaves why the last of them that cycles came to its end, or nil, behind what they printed if that is
+/// caught.
+int run_lines(lua_State* L, const char* function, bool caught) {
     Machine& machine = machine_of(L);
-    const std::string text = text_argument(L, 1, "command");
+    World& world = machine.world;
+    const std::string text = text_argument(L, 1, function);
     const Place place = calling_place(L);
-    if (!machine.restoring) machine.world.command(text, place ? place.source->name : "", place.line);
+    std::string printed, before = std::exchange(world.stopped_by, {});
+    if (!machine.restoring) printed = world.command(text, place ? place.source->name : "", place.line, caught);
+    if (caught) lua_pushlstring(L, printed.data(), printed.size());
+    if (world.stopped_by.empty())
+        lua_pushnil(L);
+    else
+        lua_pushlstring(L, world.stopped_by.data(), world.stopped_by.size());
+    if (world.stopped_by.empty()) world.stopped_by = std::move(before);
+    return caught ? 2 : 1;
+}
+
+int command(lua_State* L) { return run_lines(L, "command", false); }
+int capture(lua_State* L) { return run_lines(L, "capture", true); }
+
+/// (number of a table): its x and y, and the least, greatest and last y
+int read_table(lua_State* L) {
+    const std::int64_t number = integer_argument(L, 1, "tables");
+    const Tables& all = machine_of(L).tables;
+    const auto found = all.find(number);
+    if (found == all.end()) {
+        lua_pushnil(L);
+        return 1;
+    }
+    std::vector<double> x, y;
+    for (const auto& point : found->second.points) {
+        x.push_back(point.x);
+        y.push_back(point.y);
+    }
+    lua_newtable(L);
+    push_numbers(L, x);
+    lua_setfield(L, -2, "x");
+    set_samples(L, "y", y);
+    return 1;
+}
+
+/// (number of a table, x values, y values)
+int write_table(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::int64_t number = integer_argument(L, 1, "tables");
+    Table table;
+    for (lua_Integer i = 1; i <= static_cast<lua_Integer>(lua_rawlen(L, 2)); ++i) {
+        lua_rawgeti(L, 2, i);
+        lua_rawgeti(L, 3, i);
+        if (lua_type(L, -1) != LUA_TNUMBER || lua_type(L, -2) != LUA_TNUMBER)
+            throw Diagnostic(fmt::format("point {} of table {} is not two numbers", i, number), "give x and y the same number of numbers", Fault::run);
+        table.insert(lua_tonumber(L, -2), lua_tonumber(L, -1));
+        lua_pop(L, 2);
+    }
+    if (lua_rawlen(L, 3) != lua_rawlen(L, 2))
+        throw Diagnostic(fmt::format("table {} is given {} x and {} y", number, lua_rawlen(L, 2), lua_rawlen(L, 3)), "give as many of both", Fault::run);
+    if (machine.restoring) return 0;
+    table.name = machine.tables[number].name;
+    machine.tables[number] = std::move(table);
     return 0;
+}
+
+/// (number of a table, x): y on straight lines between its points
+int table_value(lua_State* L) {
+    const std::int64_t number = integer_argument(L, 1, "tables");
+    const auto found = machine_of(L).tables.find(number);
+    if (found == machine_of(L).tables.end()) throw Diagnostic(fmt::format("there is no table {}", number), {}, Fault::run);
+    lua_pushnumber(L, found->second.at(number_argument(L, 2, "at")));
+    return 1;
 }
 
 int add_hook(lua_State* L) {
@@ -344,7 +413,7 @@ int fail(lua_State* L) {
     throw Diagnostic(text_argument(L, 1, "fail"), text_argument(L, 2, "fail"), Fault::run);
 }
 
-constexpr std::array<luaL_Reg, 31> natives{{
+constexpr std::array<luaL_Reg, 35> natives{{
     {"fail", guarded<fail>},
     {"tables", guarded<tables>},
     {"list", guarded<list>},
@@ -371,6 +440,10 @@ constexpr std::array<luaL_Reg, 31> natives{{
     {"restoring", guarded<restoring>},
     {"stopping", guarded<stopping>},
     {"command", guarded<command>},
+    {"capture", guarded<capture>},
+    {"read_table", guarded<read_table>},
+    {"write_table", guarded<write_table>},
+    {"table_value", guarded<table_value>},
     {"add_hook", guarded<add_hook>},
     {"remove_hook", guarded<remove_hook>},
     {"name_history", guarded<name_history>},

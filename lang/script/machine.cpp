@@ -77,6 +77,7 @@ Machine::Machine(World& the_world, Options the_options)
         add_mathematics(*this);
         add_texts(*this);
         add_tables(*this);
+        add_run_functions(*this);
         add_ranges(*this);
         add_files(*this);
         add_accessors(*this);

@@ -83,6 +83,7 @@ struct Machine {
     bool restoring = false;
     bool stopping = false;   ///< the user has asked for it; until the outermost call has ended
     int depth = 0;           ///< calls into Lua that are open
+    int awaited = 0;         ///< commands and cycles that wait for what a script gives
     int levels_before = 0;   ///< stack levels of Lua that belong to outer calls
     bool registered = false; ///< a chunk made a hook or a history: it must be kept
 };

@@ -6,6 +6,7 @@
 #include "lang/script/machine.hpp"
 #include "lang/script/values.hpp"
 
+#include <fmt/format.h>
 #include <iterator>
 
 namespace kaya::script {
@@ -131,7 +132,6 @@ constexpr Alias aliases[] = {
     {"block.contact.extra", "c_extra"},
     {"block.contact.model", "c_model"},
     {"block.contact.prop", "c_prop"},
-    {"block.contact.subcontactlist", "c_cx"},
     {"block.subcontact.id", "cx_id"},
     {"block.subcontact.next", "cx_next"},
     {"block.subcontact.near", "cx_near"},
@@ -231,6 +231,7 @@ constexpr List lists[] = {
     {"block.gplist", "gridpoint", "block"},
     {"block.zonelist", "zone", "block"},
     {"block.facelist", "face", "block"},
+    {"block.contact.subcontactlist", "sub_contact", "contact"},
 };
 
 const List& list_of(lua_State* L) { return lists[static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)))]; }
@@ -266,7 +267,7 @@ int list_children(lua_State* L) {
     const bool pointer = lua_type(L, 1) == LUA_TLIGHTUSERDATA;
     const Handle owner = pointer ? unpack_handle(lua_touserdata(L, 1)) : Handle{};
     if (!pointer || owner.table != parent)
-        fail_argument(L, 1, list_of(L).name.data(), "a pointer to a block");
+        fail_argument(L, 1, list_of(L).name.data(), fmt::format("a pointer to a {}", list_of(L).parent).c_str());
     lua_newtable(L);
     lua_Integer count = 0;
     for (Handle child = world.first_child(owner, table); child.generation != 0; child = world.next(child)) {

@@ -173,7 +173,7 @@ int command(lua_State* L) {
     }
     const std::string chunk = source && source->first ? source->first.source->name : "";
     const std::string text = text_argument(L, 1, "command");
-    if (!machine.restoring) machine.world.command(text, chunk, static_cast<int>(lua_tointeger(L, 2)));
+    if (!machine.restoring) machine.world.command(text, chunk, static_cast<int>(lua_tointeger(L, 2)), false);
     return 0;
 }
 

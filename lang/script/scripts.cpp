@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <fmt/format.h>
+#include <stdexcept>
 
 namespace kaya::script {
 
@@ -22,12 +23,6 @@ public:
         lua.store(nullptr);
         machine = std::make_unique<Machine>(world, std::move(options));
         lua.store(machine->lua);
-    }
-
-    void refuse_inside_function(const char* what) const {
-        if (machine->depth > 0)
-            throw Diagnostic(fmt::format("'{}' would remove the function that runs it", what),
-                             "write it on a line of the deck", Fault::run);
     }
 
     std::unique_ptr<Machine> machine;
@@ -58,6 +53,18 @@ public:
 private:
     lua_State* lua_;
     int level_;
+};
+
+/// As long as it lives, somebody waits for what a script gives.
+class Awaited {
+public:
+    explicit Awaited(Machine& machine) : count_(machine.awaited) { ++count_; }
+    ~Awaited() { --count_; }
+    Awaited(const Awaited&) = delete;
+    Awaited& operator=(const Awaited&) = delete;
+
+private:
+    int& count_;
 };
 
 /// Errors without a place in a script get that of the command.
@@ -100,6 +107,7 @@ void Scripts::run_lua_file(const std::filesystem::path& file, const Place& place
 Value Scripts::value(const std::string& expression, const Place& place) {
     lua_State* L = impl_->machine->lua;
     const StackLevel level(L);
+    const Awaited awaited(*impl_->machine);
     return placed(place, [&] {
         push_expression(*impl_->machine, expression, place);
         call_protected(L, 0, 1);
@@ -197,6 +205,7 @@ void Scripts::run_hooks(Moment moment, std::int64_t cycle) {
     Machine& machine = *impl_->machine;
     lua_State* L = machine.lua;
     const StackLevel level(L);
+    const Awaited awaited(machine);
     const auto of_fish = machine.fish.hooks; // a function may define or replace another one
     for (const auto& hook : of_fish) {
         if (static_cast<Moment>(hook.moment) != moment || cycle % hook.interval != 0) continue;
@@ -236,20 +245,32 @@ ScriptState Scripts::state() {
 }
 
 void Scripts::restore(const ScriptState& state) {
-    impl_->refuse_inside_function("restore");
     clear();
     const StackLevel level(impl_->machine->lua);
     restore_state(*impl_->machine, state);
 }
 
 void Scripts::clear() {
-    impl_->refuse_inside_function("new");
+    if (running()) throw std::logic_error("a running script cannot be removed");
     Machine& old = *impl_->machine;
     const auto sink = old.sink;
     const auto deck_folders = old.deck_folders;
     impl_->renew(old.world, old.options);
     impl_->machine->sink = sink;
     impl_->machine->deck_folders = deck_folders;
+}
+
+bool Scripts::running() const { return impl_->machine->depth > 0; }
+
+void Scripts::refuse_while_awaited(const char* what) const {
+    if (impl_->machine->awaited > 0)
+        throw Diagnostic(fmt::format("'{}' cannot be given here: a command or a cycle waits for what the function gives", what),
+                         "call the function on a line of its own, as @name, or from a Lua chunk", Fault::run);
+}
+
+void Scripts::change_model(const ScriptState* state) {
+    const StackLevel level(impl_->machine->lua);
+    script::change_model(*impl_->machine, state);
 }
 
 } // namespace kaya::script

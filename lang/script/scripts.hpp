@@ -105,6 +105,15 @@ public:
     /// `new`: forgets all variables, functions, hooks and tables.
     void clear();
 
+    /// A script runs, which outlives the model that it throws away: restore and clear are not for it, but what follows.
+    bool running() const;
+    /// Throws Diagnostic when the running script cannot replace the model: a command or a cycle waits for what it gives.
+    void refuse_while_awaited(const char* what) const;
+    /// The model is another one, and the scripts stay: what belonged to its objects goes, and handles of them are dead; with
+    /// a state, what belongs to the objects of that comes, and tables of numbers that are not there. Throws Diagnostic, with
+    /// nothing changed, when the state is damaged.
+    void change_model(const ScriptState* state = nullptr);
+
 private:
     class Impl;
     std::unique_ptr<Impl> impl_;

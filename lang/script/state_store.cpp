@@ -80,7 +80,7 @@ private:
             lua_pushlstring(lua_, name.data(), name.size());
             lua_rawget(lua_, -2);
             StoredValue value;
-            if (take(value, 0)) result.emplace_back(name, std::move(value));
+            if (take(value, 0)) result.emplace_back(name, anchor == machine_.anchors.globals ? for_fish(value) : value);
             lua_pop(lua_, 1);
         }
         lua_pop(lua_, 1);
@@ -93,7 +93,19 @@ private:
         if (lua_isfunction(lua_, -1) || (lua_type(lua_, -1) == LUA_TUSERDATA && !is_vector(lua_, -1)))
             return false;
         std::visit([&](auto&& plain) { value = plain; }, value_at(lua_, -1, "a variable"));
+        if (is_stale(value)) value = std::monostate{};
         return true;
+    }
+
+    /// FISH has 0 where Lua has nothing.
+    static StoredValue for_fish(const StoredValue& value) {
+        return std::holds_alternative<std::monostate>(value) ? StoredValue(std::int64_t{0}) : value;
+    }
+
+    /// A file does not say of which model a pointer was: one of a model that is gone would point anywhere.
+    bool is_stale(const StoredValue& value) const {
+        const auto* handle = std::get_if<Handle>(&value);
+        return handle != nullptr && handle->generation != 0 && !is_of_this_model(machine_.world, *handle);
     }
 
     bool take_table(StoredValue& value, int depth) {
@@ -134,7 +146,7 @@ private:
             lua_rawgeti(lua_, -1, i);
             StoredValue element;
             take(element, depth + 1);
-            object.values.push_back(std::move(element));
+            object.values.push_back(for_fish(element));
             lua_pop(lua_, 1);
         }
     }
@@ -148,7 +160,7 @@ private:
             lua_pushvalue(lua_, -2);
             take(key, depth + 1);
             lua_pop(lua_, 1);
-            keys.push_back(std::move(key));
+            if (!std::holds_alternative<std::monostate>(key)) keys.push_back(std::move(key));
         }
         std::sort(keys.begin(), keys.end(), before);
         for (auto& key : keys) {
@@ -204,6 +216,13 @@ public:
         named(machine_.anchors.environment, state_.lua_globals);
         machine_.tables = state_.tables;
         machine_.random.state = state_.random;
+    }
+
+    /// Only what belongs to objects of the model, and tables that are not there.
+    void read_beside_scripts() {
+        check();
+        named(machine_.anchors.extras, state_.extras);
+        machine_.tables.insert(state_.tables.begin(), state_.tables.end());
     }
 
 private:
@@ -280,6 +299,11 @@ private:
     void push(const StoredValue& stored) {
         if (const auto* reference = std::get_if<ObjectReference>(&stored))
             return push_object(reference->index);
+        if (const auto* stored_handle = std::get_if<Handle>(&stored)) {
+            Handle handle = *stored_handle;
+            handle.model = machine_.world.model_number;
+            return push_lua_value(lua_, Value(handle));
+        }
         std::visit(
             [&](const auto& plain) {
                 if constexpr (!std::is_same_v<std::decay_t<decltype(plain)>, ObjectReference>)
@@ -373,5 +397,26 @@ private:
 ScriptState stored_state(Machine& machine) { return StateWriter(machine).write(); }
 
 void restore_state(Machine& machine, const ScriptState& state) { StateReader(machine, state).read(); }
+
+void change_model(Machine& machine, const ScriptState* state) {
+    lua_State* L = machine.lua;
+    World& world = machine.world;
+    const std::uint8_t number_before = world.model_number;
+    const Tables tables_before = machine.tables;
+    push_anchor(L, machine.anchors.extras);
+    lua_newtable(L);
+    lua_rawseti(L, LUA_REGISTRYINDEX, machine.anchors.extras);
+    world.model_number = static_cast<std::uint8_t>((number_before + 1) % World::model_numbers);
+    try {
+        if (state != nullptr) StateReader(machine, *state).read_beside_scripts();
+    } catch (...) {
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, LUA_REGISTRYINDEX, machine.anchors.extras);
+        world.model_number = number_before;
+        machine.tables = tables_before;
+        throw;
+    }
+    lua_pop(L, 1);
+}
 
 } // namespace kaya::script

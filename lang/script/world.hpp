@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -19,6 +20,7 @@ struct Handle {
     std::int32_t table = 0;
     std::uint32_t slot = 0;
     std::uint32_t generation = 0; ///< 0: null
+    std::uint8_t model = 0;       ///< World::model_number when it was given out
     bool operator==(const Handle&) const = default;
 };
 
@@ -90,12 +92,19 @@ public:
 
     /// Samples of a history, by its label or number; nothing when there is none.
     struct Samples {
-        std::vector<double> values, times;
+        std::span<const double> values, times; ///< as long as nothing cycles and no history comes or goes
     };
     virtual std::optional<Samples> history(const std::string& name) = 0;
 
-    /// Runs command lines (`command ... endcommand`, Lua's command[[...]]).
-    virtual void command(const std::string& text, const std::string& chunk, int line) = 0;
+    /// Runs command lines (`command ... endcommand`, Lua's command[[...]]). What they print goes to the user, or comes back
+    /// when it is `caught`.
+    virtual std::string command(const std::string& text, const std::string& chunk, int line, bool caught) = 0;
+
+    std::string stopped_by; ///< why the last command that cycled came to its end, in words; "" before the first
+
+    /// Counts models that were thrown away while a script ran, modulo what a handle can hold: handles of others are dead.
+    std::uint8_t model_number = 0;
+    static constexpr unsigned model_numbers = 128;
 };
 
 } // namespace kaya::script

@@ -74,6 +74,36 @@ void load_joint_models(Session& session, Model& model) {
     wake_objects(session, model);
 }
 
+/// Histories and boundary conditions of a saved model name functions, which a script that restores it must have: those of the
+/// file would take the place of the ones that are running.
+void refuse_missing_functions(Session& session, const Model& model, const std::string& file) {
+    const auto look_for = [&](const std::string& expression, const std::string& who) {
+        const std::string name = expression.substr(0, expression.find_first_of("( "));
+        if (session.scripts->knows(name)) return;
+        throw Diagnostic(fmt::format("{} of '{}' asks for @{}, which is not defined here", who, file, name),
+                         "a script that restores a model goes on with its own functions: define it before, or restore on a line of the deck", Fault::run);
+    };
+    for (const History& history : model.histories.all)
+        if (history.source.kind == HistorySource::Kind::function) look_for(history.source.quantity, fmt::format("history {}", history.number));
+    for (const TimeFunction& function : model.time_functions)
+        if (function.kind == TimeFunction::Kind::script) look_for(function.script, "a boundary condition");
+}
+
+/// The scripts of a file with its model, which is given back when they cannot be had.
+void restore_scripts(Session& session, Model& model, const script::ScriptState& scripts) {
+    const script::ScriptState scripts_before = session.scripts->state();
+    std::swap(session.model, model);
+    session.world.rows_moved();
+    try {
+        session.scripts->restore(scripts);
+    } catch (...) {
+        std::swap(session.model, model);
+        session.world.rows_moved();
+        session.scripts->restore(scripts_before);
+        throw;
+    }
+}
+
 } // namespace
 
 SaveExtras session_extras(Session& session) {
@@ -114,6 +144,8 @@ void run(Session& session, const lang::Save& command) {
 
 void run(Session& session, const lang::Restore& command) {
     // All that can fail comes first; the session is as it was then.
+    const bool by_script = session.scripts->running(); // which goes on with the other model
+    if (by_script) session.scripts->refuse_while_awaited("restore");
     Model model;
     const std::string file = saved_file(session, command.file);
     session.gate->may_read(file);
@@ -122,16 +154,13 @@ void run(Session& session, const lang::Restore& command) {
     NamedRanges ranges = ranges_from_text(part(extras, part_ranges));
     const script::ScriptState scripts = script::from_bytes(part(extras, part_scripts));
 
-    const script::ScriptState scripts_before = session.scripts->state();
-    std::swap(session.model, model);
-    session.world.rows_moved();
-    try {
-        session.scripts->restore(scripts);
-    } catch (...) {
+    if (by_script) {
+        refuse_missing_functions(session, model, file);
+        session.scripts->change_model(&scripts);
         std::swap(session.model, model);
         session.world.rows_moved();
-        session.scripts->restore(scripts_before);
-        throw;
+    } else {
+        restore_scripts(session, model, scripts);
     }
     session.ranges = std::move(ranges);
     session.title = extras.title;

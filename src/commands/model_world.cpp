@@ -128,7 +128,7 @@ ModelWorld::ModelWorld(Model& model, JointRegistry& joints)
 }
 
 Row ModelWorld::row_of(Handle object) const {
-    if (object.generation == 0) return no_row;
+    if (object.generation == 0 || object.model != model_number) return no_row;
     const auto table = static_cast<ScriptTable>(object.table);
     switch (table) {
     case ScriptTable::block:
@@ -175,7 +175,8 @@ Row ModelWorld::living_row(Handle object) const {
     const auto table = static_cast<ScriptTable>(object.table);
     const bool lasting = table == ScriptTable::block || table == ScriptTable::contact || table == ScriptTable::sub_contact || table == ScriptTable::cable_node;
     throw Diagnostic(fmt::format("this {} no longer exists", name_of(object.table)),
-                     lasting ? "it was deleted; find another one"
+                     object.model != model_number ? "it belonged to a model that was replaced since (new, restore); find it again"
+                     : lasting ? "it was deleted; find another one"
                              : "its block was deleted, cut, zoned or taken out since it was found; find it again",
                      Fault::run);
 }
@@ -183,7 +184,7 @@ Row ModelWorld::living_row(Handle object) const {
 Handle ModelWorld::handle(ScriptTable table, Row row) const {
     if (row == no_row) return {static_cast<std::int32_t>(table), 0, 0};
     const auto from = [&](auto id) {
-        return Handle{static_cast<std::int32_t>(table), id.slot, id.generation};
+        return Handle{static_cast<std::int32_t>(table), id.slot, id.generation, model_number};
     };
     switch (table) {
     case ScriptTable::block:
@@ -195,7 +196,7 @@ Handle ModelWorld::handle(ScriptTable table, Row row) const {
     case ScriptTable::cable_node: {
         const Row cable = model_.structures.nodes.cable[row];
         return {static_cast<std::int32_t>(table), static_cast<std::uint32_t>(model_.structures.cables.number[cable]),
-                static_cast<std::uint32_t>(row - model_.structures.cables.nodes[cable].first) + 1};
+                static_cast<std::uint32_t>(row - model_.structures.cables.nodes[cable].first) + 1, model_number};
     }
     case ScriptTable::gridpoint:
     case ScriptTable::zone:
@@ -205,7 +206,7 @@ Handle ModelWorld::handle(ScriptTable table, Row row) const {
     }
     const Row block = block_of(model_, table, row);
     return {static_cast<std::int32_t>(table), static_cast<std::uint32_t>(model_.blocks.shape[block]),
-            static_cast<std::uint32_t>(row - rows_of_shape(model_, table, block).first) + 1};
+            static_cast<std::uint32_t>(row - rows_of_shape(model_, table, block).first) + 1, model_number};
 }
 
 Value ModelWorld::script_value(const FieldValue& value) const {
@@ -330,13 +331,11 @@ std::optional<script::World::Samples> ModelWorld::history(const std::string& nam
         return history.label == name || std::to_string(history.number) == name;
     });
     if (found == all.all.end()) return std::nullopt;
-    Samples samples{found->values, {}};
-    for (std::size_t i = found->first_sample; i < all.time.size(); ++i) samples.times.push_back(all.time[i]);
-    return samples;
+    return Samples{found->values, std::span(all.time).subspan(std::min(found->first_sample, all.time.size()))};
 }
 
-void ModelWorld::command(const std::string& text, const std::string& chunk, int line) {
-    run_command(text, chunk, line);
+std::string ModelWorld::command(const std::string& text, const std::string& chunk, int line, bool caught) {
+    return run_command(text, chunk, line, caught);
 }
 
 } // namespace kaya

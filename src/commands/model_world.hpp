@@ -47,7 +47,7 @@ public:
     void set_global(std::size_t index, const script::Value& value) override;
     double reduce(std::int32_t table, std::size_t field, std::string_view how) override;
     std::optional<Samples> history(const std::string& name) override;
-    void command(const std::string& text, const std::string& chunk, int line) override;
+    std::string command(const std::string& text, const std::string& chunk, int line, bool caught) override;
 
     /// Blocks have come, gone or moved in their table.
     void rows_moved() {
@@ -59,7 +59,7 @@ public:
     void forget_ranges() { range_tests_.clear(); }
 
     /// What `command` does; given by the session.
-    std::function<void(const std::string& text, const std::string& chunk, int line)> run_command;
+    std::function<std::string(const std::string& text, const std::string& chunk, int line, bool caught)> run_command;
     std::function<void(const std::string&)> note; ///< said once; given by the session
     std::function<void(Diagnostic)> warn; ///< of a place that is far from everything; given by the session
     /// The phrase of a named range and its test; null and nothing when there is none. Given by the session.

@@ -144,7 +144,7 @@ double ModelWorld::material_value(std::int64_t number, const std::string& word) 
 /// The command itself, so that its checks and its way to the contacts are the same.
 void ModelWorld::set_material_value(std::int64_t number, const std::string& word, double value) {
     const bool joint = word.starts_with('j');
-    run_command(fmt::format("prop {} {} {} {}", joint ? "jmat" : "mat", number, word, value), "script", 1);
+    run_command(fmt::format("prop {} {} {} {}", joint ? "jmat" : "mat", number, word, value), "script", 1, false);
 }
 
 } // namespace kaya

@@ -50,8 +50,22 @@ void Output::write(std::FILE* stream, std::string_view text, const std::string& 
 void Output::print(std::string_view text) {
     end_refresh();
     while (text.ends_with('\n')) text.remove_suffix(1);
+    if (caught_ != nullptr) {
+        caught_->append(text);
+        caught_->push_back('\n');
+        return;
+    }
     write(results_, text, "the standard output");
     if (log_ != nullptr) write(log_, text, "the log file " + log_name_);
+}
+
+Output::Caught::~Caught() {
+    output_.caught_ = outer_;
+    if (text_.empty()) return;
+    try {
+        output_.print(text_);
+    } catch (const Diagnostic&) { // the end of the run says that results cannot be written
+    }
 }
 
 void Output::message(const Diagnostic& diagnostic) {

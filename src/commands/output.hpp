@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace kaya {
 
@@ -44,6 +45,23 @@ public:
     void stop_log();
     bool logging() const { return log_ != nullptr; }
 
+    /// As long as it lives, what is printed is kept and does not go out. What nobody takes is printed in the end.
+    class Caught {
+    public:
+        explicit Caught(Output& output) : output_(output), outer_(std::exchange(output.caught_, &text_)) {}
+        ~Caught();
+        Caught(const Caught&) = delete;
+        Caught& operator=(const Caught&) = delete;
+        std::string take() { return std::exchange(text_, {}); }
+
+    private:
+        Output& output_;
+        std::string* outer_;
+        std::string text_;
+    };
+
+    bool is_caught() const { return caught_ != nullptr; }
+
     /// Hands everything to the system; throws Diagnostic when the results did not reach their place.
     void flush();
 
@@ -58,6 +76,7 @@ private:
     std::string log_name_;
     bool terminal_ = false;
     bool colour_ = false;
+    std::string* caught_ = nullptr; ///< what takes results now; null: the stream
     std::size_t refreshed_ = 0; ///< width of the progress line that stands there
 };
 

@@ -76,7 +76,9 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
     scripts = std::make_unique<script::Scripts>(world, script_options);
     scripts->on_print([this](const std::string& line) { output.print(line); });
     scripts->on_require([this] { return interpreter.searched(); });
-    world.run_command = [this](const std::string& text, const std::string& chunk, int line) {
+    world.run_command = [this](const std::string& text, const std::string& chunk, int line, bool caught) {
+        std::optional<Output::Caught> printed;
+        if (caught) printed.emplace(output);
         ++commands_of_scripts_;
         try {
             interpreter.run_text(text, chunk, line);
@@ -85,6 +87,7 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
             throw;
         }
         --commands_of_scripts_;
+        return printed ? printed->take() : std::string{};
     };
 
     world.note = [this](const std::string& message) { note_once(message); };
@@ -179,7 +182,7 @@ void Session::show_command(const lang::BoundCommand& command) {
     if (!options.echo && !output.logging()) return;
     const std::string text = command.text();
     const std::string line = fmt::format("{}> {}", here(), text.substr(0, text.find('\n')));
-    if (options.echo)
+    if (options.echo && !output.is_caught())
         output.print(line);
     else
         output.log_only(line);
@@ -309,13 +312,16 @@ std::string Session::symbol_text(const std::string& expression) {
 }
 
 void Session::clear() {
+    const bool by_script = scripts->running(); // which goes on in the new model
+    if (by_script) scripts->refuse_while_awaited("new");
     model = Model{};
     ranges.clear();
-    scripts->clear();
+    if (by_script) scripts->change_model();
+    else scripts->clear();
     world.rows_moved();
     title.clear();
     property_places.clear();
-    said_once.clear();
+    if (!by_script) said_once.clear();
     rescue.saved();
     make_cycle();
 }

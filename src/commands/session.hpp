@@ -96,7 +96,8 @@ public:
     /// Shows a note at the running command, the first time that it is said.
     void note_once(const std::string& message, const std::string& hint = {});
 
-    /// Back to the state of a new session; settings of the program (threads, log) stay.
+    /// Back to the state of a new session; settings of the program (threads, log) stay, and so do scripts when one of them
+    /// asks for it.
     void clear();
 
     Options options;

@@ -78,7 +78,7 @@ void run(Session& session, const lang::CycleCommand& command) {
     Limits limits;
     limits.cycles = command.cycles;
     limits.time = command.time;
-    advance_until(session, limits);
+    session.world.stopped_by = advance_until(session, limits);
 }
 
 void run(Session& session, const lang::Solve& command) {
@@ -100,7 +100,8 @@ void run(Session& session, const lang::Solve& command) {
         session.output.say("solve elastic: stopped by " + advance_until(session, limits));
     }
     RestWatch watch(session.model);
-    session.output.say("solve: stopped by " + advance_until(session, limits, &watch));
+    session.world.stopped_by = advance_until(session, limits, &watch);
+    session.output.say("solve: stopped by " + session.world.stopped_by);
     tell_rest(session, watch, command.place);
 }
 

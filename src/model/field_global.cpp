@@ -43,6 +43,9 @@ template <auto rows, FieldTable to> FieldValue head(const Model& model, Row) {
     return Link{to, (model.*rows).empty() ? no_row : 0};
 }
 
+/// The block that was made last: new rows stand at the end.
+FieldValue last_block(const Model& model, Row) { return Link{FieldTable::block, static_cast<Row>(model.blocks.size()) - 1}; }
+
 } // namespace
 
 const Fields& global_fields() {
@@ -105,6 +108,7 @@ const Fields& global_fields() {
         {table, "sub_contact_count", "", "", "-", "number of sub-contacts", count<&Model::sub_contacts>, nullptr},
         {table, "first_block", "block_head", "", "-", "first block of the list that b_next walks",
          head<&Model::blocks, FieldTable::block>, nullptr},
+        {table, "last_block", "last_block", "", "-", "block that was made last, the last part of a concave one", last_block, nullptr},
         {table, "first_contact", "contact_head", "", "-", "first contact of the list that c_next walks",
          head<&Model::contacts, FieldTable::contact>, nullptr},
     };

@@ -203,6 +203,7 @@ library.io = refusing({
 library.require = native.require
 library.vector = native.vector
 library.command = native.command
+library.capture = native.capture
 library.nearest = native.nearest
 library.count = native.count
 library.property = native.property
@@ -217,9 +218,51 @@ for word, way in next, { sum = "sum", minimum = "minimum", maximum = "maximum", 
     library[word] = function(table_name, field) return native.reduce(table_name, field, way) end
 end
 
+-- A file name as a word of a command.
+local function quoted(name)
+    if type(name) ~= "string" then
+        native.fail("a model is saved and restored by the name of a file", "write it in quotes")
+    end
+    return "'" .. name:gsub("'", "''") .. "'"
+end
+
+local calls = {
+    reset = function() native.command("new") end,
+    save = function(name) native.command("save " .. quoted(name)) end,
+    restore = function(name) native.command("restore " .. quoted(name)) end,
+}
+
 library.model = setmetatable({}, {
-    __index = native.read_model,
+    __index = function(model, name) return calls[name] or native.read_model(model, name) end,
     __newindex = native.write_model,
+    __metatable = false,
+})
+
+-- Numbered tables: tables[1].y, tables[1]:at(0.5), tables[2] = { x = {...}, y = {...} } or { {x, y}, ... }.
+library.tables = setmetatable({}, {
+    __index = function(_, number)
+        local found = native.read_table(number)
+        if found then
+            found.at = function(_, x) return native.table_value(number, x) end
+        end
+        return found
+    end,
+    __newindex = function(_, number, points)
+        if type(points) ~= "table" then
+            native.fail("a table is made of points", "write tables[1] = { x = {...}, y = {...} }, or { {x, y}, ... }")
+        end
+        local x, y = points.x, points.y
+        if type(x) ~= "table" or type(y) ~= "table" then
+            x, y = {}, {}
+            for i, point in ipairs(points) do
+                if type(point) ~= "table" then
+                    native.fail("point " .. i .. " of table " .. tostring(number) .. " is not { x, y }", "write { {0, 1}, {2, 3} }")
+                end
+                x[i], y[i] = point[1] or false, point[2] or false
+            end
+        end
+        native.write_table(number, x, y)
+    end,
     __metatable = false,
 })
 

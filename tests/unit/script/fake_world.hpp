@@ -96,9 +96,9 @@ public:
         return table == block ? 1 : table == contact ? contacts_ : normal_force.size();
     }
     Handle at(std::int32_t table, std::size_t index) override {
-        return {table, static_cast<std::uint32_t>(index), generation};
+        return {table, static_cast<std::uint32_t>(index), generation, model_number};
     }
-    bool alive(Handle object) override { return object.generation == generation; }
+    bool alive(Handle object) override { return object.generation == generation && object.model == model_number; }
     Handle next(Handle object) override {
         check(object);
         const std::size_t row = object.slot + 1;
@@ -129,7 +129,7 @@ public:
     std::vector<std::pair<std::string, double>> properties_set;
     std::optional<Samples> history(const std::string& name) override {
         if (name != "tau") return std::nullopt;
-        return Samples{{1, 5, 3}, {0.1, 0.2, 0.3}};
+        return Samples{tau, tau_times};
     }
     Value property(Handle object, const std::string& name) override {
         check(object);
@@ -152,10 +152,13 @@ public:
         for (const double force : normal_force) sum += force;
         return how == "sum" ? sum : sum / static_cast<double>(normal_force.size());
     }
-    void command(const std::string& text, const std::string& chunk, int line) override {
+    std::string command(const std::string& text, const std::string& chunk, int line, bool caught) override {
         commands.push_back({text, chunk, line});
+        if (text.starts_with("solve")) stopped_by = "100 cycles";
         if (on_command) on_command(text);
+        return caught ? "printed\n" : "";
     }
+    std::vector<double> tau{1, 5, 3}, tau_times{0.1, 0.2, 0.3};
 
     std::uint32_t generation = 1;
     Vec3 velocity = Vec3::Zero(), asked = Vec3::Zero();

@@ -117,12 +117,66 @@ TEST(ScriptState, clear_forgets_everything) {
     EXPECT_EQ(s.printed.back(), "still here");
 }
 
-TEST(ScriptState, a_function_cannot_remove_itself) {
+TEST(ScriptState, a_function_outlives_the_model_that_it_throws_away) {
     Stage s;
-    s.fish("def f\n command\n new\n endcommand\nend");
-    s.world.on_command = [&](const std::string&) { s.scripts.clear(); };
-    EXPECT_THAT(message_of([&] { s.scripts.call("f"); }),
-                HasSubstr("'new' would remove the function that runs it"));
+    s.fish("def f\n p = contact_head\n c_extra(p) = 5\n n = 1\n command\n new\n endcommand\n n = n + 1\n q = contact_head\n x = c_extra(q)\nend");
+    s.scripts.tables()[3].set(1, 2);
+    s.world.on_command = [&](const std::string&) {
+        EXPECT_TRUE(s.scripts.running());
+        s.scripts.refuse_while_awaited("new");
+        s.scripts.change_model();
+    };
+    s.scripts.call("f");
+    EXPECT_FALSE(s.scripts.running());
+    EXPECT_EQ(s.scripts.value("n"), Value(std::int64_t{2}));
+    EXPECT_EQ(s.scripts.value("x"), Value(std::int64_t{0})); // it belonged to an object of the model that is gone
+    EXPECT_EQ(s.scripts.tables().at(3).points.size(), 1u);
+    // The pointer of before names the same row of the other model, and is not taken for it.
+    const auto old = std::get<Handle>(s.scripts.value("p")), present = std::get<Handle>(s.scripts.value("q"));
+    EXPECT_EQ(old.slot, present.slot);
+    EXPECT_NE(old.model, present.model);
+    // Nor does a file take it for one: it is saved as nothing.
+    Stage other;
+    other.scripts.restore(from_bytes(to_bytes(s.scripts.state())));
+    EXPECT_EQ(other.scripts.value("p"), Value(std::int64_t{0}));
+    EXPECT_TRUE(std::holds_alternative<Handle>(other.scripts.value("q")));
+}
+
+TEST(ScriptState, what_a_command_waits_for_cannot_change_the_model) {
+    Stage s;
+    s.fish("def f\n command\n new\n endcommand\n f = 1\nend");
+    s.world.on_command = [&](const std::string&) { s.scripts.refuse_while_awaited("new"); };
+    EXPECT_EQ(message_of([&] { s.scripts.call("f"); }), "no error");
+    EXPECT_THAT(message_of([&] { s.scripts.value("f"); }), HasSubstr("'new' cannot be given here"));
+    EXPECT_THAT(message_of([&] { s.scripts.number("f"); }), HasSubstr("'new' cannot be given here"));
+    s.scripts.add_fish_hook("f", Moment::after_cycle, 1, {});
+    EXPECT_THAT(message_of([&] { s.scripts.run_hooks(Moment::after_cycle, 1); }), HasSubstr("'new' cannot be given here"));
+}
+
+TEST(ScriptState, of_a_saved_model_comes_what_belongs_to_objects_and_missing_tables) {
+    Stage first;
+    first.lua("n = 7");
+    first.fish("def f\n c_extra(contact_head) = 5\n n = 7\nend");
+    first.scripts.call("f");
+    first.scripts.tables()[1].set(0, 1);
+    first.scripts.tables()[2].set(0, 1);
+    const ScriptState saved = first.scripts.state();
+    Stage s;
+    s.fish("def g\n g = c_extra(contact_head)\nend\n");
+    s.fish("def h\n n = 1\nend");
+    s.scripts.call("h");
+    s.scripts.tables()[1].set(0, 9);
+    s.scripts.change_model(&saved);
+    EXPECT_EQ(s.scripts.value("g"), Value(std::int64_t{5}));
+    EXPECT_EQ(s.scripts.value("n"), Value(std::int64_t{1}));
+    EXPECT_FALSE(s.scripts.knows("f"));
+    EXPECT_EQ(s.scripts.tables().at(1).at(0), 9);
+    EXPECT_EQ(s.scripts.tables().at(2).at(0), 1);
+
+    ScriptState damaged = saved;
+    damaged.extras = {{"c_extra", ObjectReference{99}}};
+    EXPECT_THAT(message_of([&] { s.scripts.change_model(&damaged); }), HasSubstr("damaged"));
+    EXPECT_EQ(s.scripts.value("g"), Value(std::int64_t{5})); // as it was
 }
 
 TEST(ScriptState, damaged_bytes_are_refused_wherever_they_end) {
