@@ -4,6 +4,8 @@
 #include "lang/commands/language.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 
 namespace kaya::lang {
 
@@ -21,6 +23,17 @@ const std::vector<Spelling> velocity_words[6] = {
 
 Argument<double> velocity_argument(std::size_t component) {
     return component < 3 ? real("v").unit("velocity") : real("v").unit("angle in radians/time");
+}
+
+Vec3 read_direction(Reader& reader, const ArgumentSpec& spec) {
+    const Word* word = reader.peek();
+    const Vec3 direction = reader.vector(spec);
+    const double length = direction.norm();
+    if (!reader.wildcards() && !(length > 0 && std::isfinite(length)))
+        throw Diagnostic(fmt::format("({:g}, {:g}, {:g}) is not a direction", direction[0], direction[1], direction[2]),
+                         "give a vector of any length but 0, such as 1 1 0")
+            .at(word->place);
+    return direction;
 }
 
 /// Kinds of `hist`: each makes what is left of the line a factor that changes with time.
@@ -83,6 +96,20 @@ template <class Command> void add_velocities(Entry<Command>& entry, std::string_
                       [i](Command& c) -> auto& { return c.velocity[i]; }, i < 3 ? help : spin);
 }
 
+/// A value along a direction; several of them add up.
+template <class Command>
+void add_directed(Entry<Command>& entry, std::vector<Spelling> words, const Argument<double>& value, std::vector<Directed> Command::*member,
+                  std::string_view help) {
+    const auto direction = vector("dx dy dz");
+    entry.special(std::move(words), {value.spec, direction.spec},
+                  [=](Reader& reader, Command& command) {
+                      Directed one{reader.real(value.spec), {}};
+                      one.direction = read_direction(reader, direction.spec);
+                      (command.*member).push_back(one);
+                  },
+                  help);
+}
+
 template <class Values> bool any(const Values& values) {
     for (const auto& value : values)
         if (value) return true;
@@ -123,20 +150,23 @@ CommandSpec bound() {
                      "lets go what is held in this direction, with the force that has held it as a load");
     entry.keyword({"nvel", "nvelocity"}, real("v").unit("velocity"), &Boundary::normal_velocity,
                   "velocity along the outward normals of faces that is held; their planes stay free");
+    add_directed(entry, {"dvel", "dvelocity"}, real("v").unit("velocity"), &Boundary::directed_velocity,
+                 "velocity along a direction that is held; the plane at right angles to it stays free");
+    add_directed(entry, {"dload"}, real("f").unit("force"), &Boundary::directed_load, "force along a direction, added at every vertex");
     entry.not_yet({"ff", "freefield"}, "free fields at the sides of a model");
     entry.not_yet({"pp"}, "pore pressure at a boundary: see initialize pp and water");
     entry.not_yet({"point", "nload", "sload"}, "loads on faces");
     entry.not_yet({"temperature", "flux"}, "heat and flow");
     entry.range(&Boundary::range);
     entry.finish([](const Reader& reader, Boundary& b) {
-        const bool driven = b.stress || any(b.velocity) || any(b.load);
+        const bool driven = b.stress || any(b.velocity) || any(b.load) || !b.directed_load.empty();
         const std::array<double, 6> none{};
         const bool gradient = b.x_gradient != none || b.y_gradient != none || b.z_gradient != none;
         if (gradient && !b.stress)
             incomplete_line(reader, "a gradient of stress needs the stress at the origin",
                             "write: bound stress sxx syy szz sxy sxz syz xgrad ...");
         const auto none_of = [](const auto& words) { return std::ranges::none_of(words, [](bool word) { return word; }); };
-        const bool silent = none_of(b.quiet) && none_of(b.reaction) && !b.normal_velocity;
+        const bool silent = none_of(b.quiet) && none_of(b.reaction) && !b.normal_velocity && b.directed_velocity.empty();
         if (!driven && !any(b.free) && silent)
             incomplete_line(reader, "bound does not say what acts on the boundary",
                             "expected: xvel, xload, xfree, xvisc, xreac (or y, z), nvel or stress");
@@ -150,6 +180,10 @@ CommandSpec bound() {
     entry.right("bound zreaction range z -0.1 0.1").right("bound nvel 0 range x -0.1 0.1");
     entry.right("bound xvel 0.2 hist sine 5 range region 1").right("bound xvel 1 hist table 3 range z 0");
     entry.right("bound str 0 0 -1e6 0 0 0 hist @wave range z 10");
+    entry.right("bound dvel 0 1 0 1 range x 0").right("bound dload -1e3 1 0 2 hist sine 5 range region 1");
+    entry.wrong("bound dvel 0 0 0 0", "(0, 0, 0) is not a direction");
+    entry.wrong("bound dload 5 1 0", "a number is missing after '0'");
+    entry.wrong("bound dvel 1 0 0 1 hist sine 5", "hist has nothing to multiply");
     entry.wrong("bound", "bound does not say what acts on the boundary");
     entry.wrong("bound xvel range x 0", "'range' stands where a number must be");
     entry.wrong("bound ff", "'boundary ff' is known, but kaya does not support it yet");
@@ -176,16 +210,29 @@ CommandSpec apply() {
         entry.keyword({load[i]}, real("f").unit(i < 3 ? "force" : "moment"),
                       [i](Apply& a) -> auto& { return a.load[i]; },
                       i < 3 ? "force added at the centroid of each rigid block" : "moment added to each rigid block");
+    add_directed(entry, {"dvel", "dvelocity"}, real("v").unit("velocity"), &Apply::directed_velocity,
+                 "velocity of the blocks along a direction that is held");
+    add_directed(entry, {"dload"}, real("f").unit("force"), &Apply::directed_load, "force along a direction, added to each rigid block");
+    add_directed(entry, {"dmoment"}, real("m").unit("moment"), &Apply::directed_moment, "moment about a direction, added to each rigid block");
+    entry.keyword({"at"}, vector("x y z").unit("length"), &Apply::at, "place of one block where the forces of the line act; its centroid if not given");
     add_multiplier(entry);
     entry.range(&Apply::range);
     entry.finish([](const Reader& reader, Apply& a) {
-        if (!any(a.velocity) && !any(a.load))
+        const bool forces = std::any_of(a.load.begin(), a.load.begin() + 3, [](const auto& force) { return force.has_value(); }) || !a.directed_load.empty();
+        const bool multiplied = any(a.velocity) || any(a.load) || !a.directed_load.empty() || !a.directed_moment.empty();
+        if (!multiplied && a.directed_velocity.empty())
             incomplete_line(reader, "apply does not say what acts on the blocks",
-                            "expected: xvel, rxvel, xload or xmoment (or y, z)");
+                            "expected: xvel, rxvel, xload or xmoment (or y, z), dvel, dload or dmoment");
+        if (a.at && !forces) incomplete_line(reader, "at has no force to place", "give xload (or y, z) or dload; a moment has no place");
+        if (a.multiplier && !multiplied) incomplete_line(reader, "hist has nothing to multiply", "give xvel (or y, z), a load or a moment");
     });
     entry.right("apply xvel 0.8 range region 2").right("apply xvel 1 hist table 1 range z -1 0");
     entry.right("apply zload -1e4 hist sine 2 range group block").right("apply rzvel 0.1 range id 3");
-    entry.right("apply xrvel 0 zrvel 0.1 range id 3");
+    entry.right("apply xrvel 0 zrvel 0.1 range id 3").right("apply dvel 0 1 1 0 range id 3");
+    entry.right("apply zload -500 at 0.2 0.5 1 range id 1").right("apply dload 5e3 1 0 1 dmoment 20 0 1 0 range region 2");
+    entry.wrong("apply at 0 0 1 range id 3", "apply does not say what acts on the blocks");
+    entry.wrong("apply xmoment 5 at 0 0 1 range id 3", "at has no force to place");
+    entry.wrong("apply dload 1 0 0 0", "(0, 0, 0) is not a direction");
     entry.wrong("apply", "apply does not say what acts on the blocks");
     entry.wrong("apply xvel", "a number is missing after 'xvel'");
     entry.wrong("apply xvle 1", "'xvle' is not a keyword of apply");
@@ -202,6 +249,14 @@ template <class Command> Entry<Command> components(std::vector<Spelling> words) 
                  "only translation, in all directions");
     entry.action({"rotation"}, [](Command& c) { c.components[3] = c.components[4] = c.components[5] = true; },
                  "only rotation, about all axes");
+    return entry;
+}
+
+Entry<Fix> directions(Entry<Fix> entry) {
+    const auto direction = vector("dx dy dz");
+    entry.special({"direction"}, {direction.spec},
+                  [=](Reader& reader, Fix& fix) { fix.directions.push_back(read_direction(reader, direction.spec)); },
+                  "only translation along this direction; the word may be repeated");
     return entry;
 }
 
@@ -289,20 +344,24 @@ Family boundary() {
             {
                 bound(),
                 apply(),
-                components<Fix>({"fix"})
+                directions(components<Fix>({"fix"}))
                     .help("holds blocks where they are, or some components of their motion")
                     .range(&Fix::range)
                     .right("fix")
                     .right("fix range z -0.1 0")
                     .right("fix region 1")
                     .right("fix xvel rotation range id 2")
+                    .right("fix direction 1 0 1 range id 3")
+                    .wrong("fix direction 0 0 0", "(0, 0, 0) is not a direction")
                     .wrong("fix range z a", "'a' stands where a number must be")
                     .wrong("fix reigon 1", "'reigon' is not a keyword of fix"),
                 components<Free>({"free"})
+                    .action({"direction", "directions"}, [](Free& f) { f.directions = true; }, "only the directions that `fix direction` and dvel hold")
                     .help("lets fixed blocks move again")
                     .range(&Free::range)
                     .right("free")
                     .right("free range id 3 5")
+                    .right("free direction range id 3")
                     .wrong("free range id 1.5", "id takes a whole number, not 1.5"),
                 Entry<Gravity>({"gravity"})
                     .help("acceleration of gravity, the same everywhere")

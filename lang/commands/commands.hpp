@@ -92,6 +92,9 @@ struct PolyTunnel {
     double radius = 1, boundary = 4, ratio = 1;
     std::array<double, 2> length{-10, 10}; ///< begin and end along the axis
     std::int64_t radial = 1, tangential = 1, axial = 1;
+    bool core = true;
+    std::optional<std::int64_t> core_region; ///< that of the rings if not given
+    std::string core_group;
     BlockOptions options;
     Place place;
 };
@@ -231,8 +234,21 @@ struct ZoneAveraging { bool on = true; };
 
 // --- boundary and initial conditions --------------------------------------------------------------
 /// Components x, y, z of translation and of rotation; none: all.
-struct Fix { std::array<bool, 6> components{}; RangePhrase range; };
-struct Free { std::array<bool, 6> components{}; RangePhrase range; };
+struct Fix {
+    std::array<bool, 6> components{};
+    std::vector<Vec3> directions; ///< of translation
+    RangePhrase range;
+};
+struct Free {
+    std::array<bool, 6> components{};
+    bool directions = false;
+    RangePhrase range;
+};
+/// A velocity, force or moment along a direction of any length.
+struct Directed {
+    double value = 0;
+    Vec3 direction = Vec3::Zero();
+};
 struct Gravity { Vec3 value = Vec3::Zero(); };
 /// hist sine f [t] | cosine f [t] | impulse f [t] | table n | @name: what a load or velocity is multiplied by.
 struct Multiplier {
@@ -254,12 +270,15 @@ struct Boundary {
     std::array<bool, 5> quiet{};                    ///< xviscous yviscous zviscous nviscous sviscous
     std::array<bool, 3> reaction{};                 ///< xreaction yreaction zreaction
     std::optional<double> normal_velocity;          ///< nvel
+    std::vector<Directed> directed_velocity, directed_load; ///< dvel dload
     RangePhrase range;
     Place place;
 };
 struct Apply {
     std::array<std::optional<double>, 6> velocity; ///< of whole blocks
     std::array<std::optional<double>, 6> load;     ///< force through the centroid and moment, added
+    std::vector<Directed> directed_velocity, directed_load, directed_moment; ///< dvel dload dmoment
+    std::optional<Vec3> at;                        ///< where the forces act; the centroid if not given
     std::optional<Multiplier> multiplier;
     RangePhrase range;
     Place place;

@@ -267,9 +267,27 @@ CommandSpec poly_tunnel() {
                   "from the wall to the outline in radii, 4 if not given");
     entry.keyword({"ratio"}, real("ratio").above(0), &PolyTunnel::ratio,
                   "thickness of each ring over that of the ring inside it, 1 if not given");
+    Keywords<PolyTunnel> cores;
+    cores.action({"off"}, [](PolyTunnel& tunnel) { tunnel.core = false; }, "the hole stays empty");
+    cores.keyword({"region"}, integer("n").at_least(0), &PolyTunnel::core_region, "region number of the core, that of the rings if not given");
+    cores.keyword({"group"}, text("name"), &PolyTunnel::core_group, "group of the core");
+    const auto kinds = std::move(cores).list();
+    entry.special({"core"}, {},
+                  [kinds](Reader& reader, PolyTunnel& tunnel) {
+                      const Word* word = reader.peek();
+                      if (!word) reader.missing({.name = "off, region or group", .kind = ArgumentKind::text});
+                      const KeywordSpec* kind = word->kind == WordKind::word ? find_keyword(kinds, word->folded) : nullptr;
+                      if (!kind) reader.unknown("a word of the core", {"off", "region", "group"});
+                      reader.take();
+                      kind->read(reader, &tunnel);
+                  },
+                  "the rock in the hole, one block for each along the axis", kinds);
     block_options(entry);
     entry.right("poly tunnel").right("poly tunnel radius 2 length 0 5 radial 4 tangential 2 axial 3 ratio 1.5");
-    entry.right("poly region 1 tunnel dip 10 dd 90 org 0 0 -20 radius 3 boundary 6");
+    entry.right("poly region 1 tunnel dip 10 dd 90 org 0 0 -20 radius 3 boundary 6").right("poly tunnel core off");
+    entry.right("poly tunnel radius 2 core region 2 core group excavation");
+    entry.wrong("poly tunnel core", "a word is missing after 'core'");
+    entry.wrong("poly tunnel core of", "'of' is not a word of the core");
     entry.wrong("poly tunnel radius 0", "radius must be greater than 0, not 0");
     entry.wrong("poly tunnel radial 0", "radial must be at least 1, not 0");
     entry.wrong("poly tunnel length 5", "a number is missing after '5'");

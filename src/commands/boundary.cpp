@@ -8,8 +8,10 @@
 #include "mechanics/boundary.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/face_conditions.hpp"
+#include "mechanics/held_directions.hpp"
 #include "mechanics/rotation.hpp"
 #include "model/measure.hpp"
+#include "model/nearest.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +22,11 @@ namespace kaya {
 namespace {
 
 constexpr std::array axis_names{"x", "y", "z"};
+constexpr std::uint8_t all_axes = fix_x | fix_y | fix_z;
+
+template <class List> bool any(const List& list) {
+    return std::ranges::any_of(list, [](const auto& value) { return bool(value); });
+}
 
 StressField stress_field(const lang::Boundary& command) {
     const auto stress = [](const std::array<double, 6>& six) { return Stress(six.data()); };
@@ -217,21 +224,21 @@ constexpr std::array<ResetEntry, 7> resets{{
 
 void run(Session& session, const lang::Fix& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
-    fix_blocks(session.model, blocks, bits_of(command.components));
+    for (const Vec3& direction : command.directions) hold_direction(session.model, {blocks, {}}, direction, 0);
+    if (any(command.components) || command.directions.empty()) fix_blocks(session.model, blocks, bits_of(command.components));
     warn_of_held_loads(session, blocks, command.range.place);
 }
 
 void run(Session& session, const lang::Free& command) {
-    free_blocks(session.model, session.pick(ObjectKind::block, command.range), bits_of(command.components));
+    const auto blocks = session.pick(ObjectKind::block, command.range);
+    const std::uint8_t bits = command.directions && !any(command.components) ? 0 : bits_of(command.components);
+    if (bits != 0) free_blocks(session.model, blocks, bits);
+    if (command.directions || (bits & all_axes) == all_axes) free_directions(session.model, {blocks, {}});
 }
 
 void run(Session& session, const lang::Gravity& command) { session.model.settings.gravity = command.value; }
 
 namespace {
-
-template <class List> bool any(const List& list) {
-    return std::ranges::any_of(list, [](const auto& value) { return bool(value); });
-}
 
 bool on_faces(const lang::Boundary& command) { return any(command.quiet) || command.normal_velocity; }
 
@@ -239,7 +246,8 @@ void bound(Session& session, const lang::Boundary& command) {
     auto& model = session.model;
     const auto function = time_function(session, command.multiplier);
     std::vector<Row> points, triangles;
-    if (any(command.load) || command.stress || on_faces(command)) points = session.pick(ObjectKind::gridpoint, command.range);
+    const bool loads = any(command.load) || !command.directed_load.empty() || command.stress;
+    if (loads || on_faces(command)) points = session.pick(ObjectKind::gridpoint, command.range);
     if (on_faces(command) && !points.empty()) triangles = triangles_in_range(session, command, points);
     if (any(command.reaction)) put_reactions(session, command);
     if (any(command.velocity) || any(command.free)) {
@@ -250,15 +258,26 @@ void bound(Session& session, const lang::Boundary& command) {
         }
         const auto axes = static_cast<std::uint8_t>(command.free[0] | command.free[1] << 1 | command.free[2] << 2);
         if (axes != 0) free_faces(model, bodies.gridpoints, axes);
+        if (axes == all_axes) free_directions(model, bodies);
+    }
+    if (!command.directed_velocity.empty()) {
+        const Bodies bodies = pick_bodies(session, command.range);
+        for (const auto& [speed, direction] : command.directed_velocity) hold_direction(model, bodies, direction, speed);
     }
     if (!triangles.empty()) put_on_faces(session, command, triangles);
-    if (points.empty() || (!any(command.load) && !command.stress)) return;
+    if (points.empty() || !loads) return;
     for (int axis = 0; axis < 3; ++axis) {
         if (!command.load[axis]) continue;
         add_load(model, points, axis, *command.load[axis], function);
         // Repeated loads add up, at every gridpoint: the number shows what the total became.
         session.output.say(fmt::format("{}load {} added at {}", axis_names[axis],
                                        number_text(*command.load[axis]), counted(points.size(), "gridpoint")));
+    }
+    for (const auto& [force, direction] : command.directed_load) {
+        const Vec3 vector = force * direction.normalized();
+        for (int axis = 0; axis < 3; ++axis)
+            if (vector[axis] != 0) add_load(model, points, axis, vector[axis], function);
+        session.output.say(fmt::format("load {} along {} added at {}", number_text(force), place_text(direction.normalized()), counted(points.size(), "gridpoint")));
     }
     if (command.stress) {
         find_contacts(model, session.joints); // they tell which faces are exterior
@@ -280,11 +299,50 @@ void run(Session& session, const lang::Boundary& command) {
     bound(session, command);
 }
 
+namespace {
+
+using Vec6 = std::array<double, 6>;
+
+/// Force and moment of a line.
+Vec6 load_of(const lang::Apply& command) {
+    Vec6 sum{};
+    for (std::size_t k = 0; k < 6; ++k) sum[k] = command.load[k].value_or(0);
+    const auto add = [&](const std::vector<lang::Directed>& all, std::size_t first) {
+        for (const auto& [value, direction] : all) {
+            const Vec3 vector = value * direction.normalized();
+            for (std::size_t k = 0; k < 3; ++k) sum[first + k] += vector[static_cast<Eigen::Index>(k)];
+        }
+    };
+    add(command.directed_load, 0);
+    add(command.directed_moment, 3);
+    return sum;
+}
+
+/// One place is a place of one block, and lies in or on it.
+void check_place_of_load(Session& session, const lang::Apply& command, const std::vector<Row>& blocks) {
+    const Model& model = session.model;
+    if (blocks.size() > 1)
+        throw Diagnostic(fmt::format("{} are in range, and a force acts at a place of one", counted(blocks.size(), "block")),
+                         "pick one block, e.g. with range id n")
+            .at(command.place);
+    const Row b = blocks.front();
+    const double away = distance_to(model, ObjectKind::block, b, *command.at);
+    constexpr double on_it = 1e-3; // of the size of the block: places are given before it has moved a little
+    if (away > on_it * block_size(model, b))
+        session.warn(Diagnostic(fmt::format("{} is {} away from block {}, which is loaded there", place_text(*command.at), number_text(away),
+                                            model.blocks.number[b]),
+                                "the force acts on it as if by a rigid arm")
+                         .at(command.place));
+}
+
+} // namespace
+
 void run(Session& session, const lang::Apply& command) {
     auto& model = session.model;
     const auto function = time_function(session, command.multiplier);
     const auto blocks = session.pick(ObjectKind::block, command.range);
-    const bool loaded = std::ranges::any_of(command.load, [](const auto& load) { return load.has_value(); });
+    const Vec6 load = load_of(command);
+    const bool loaded = any(command.load) || !command.directed_load.empty() || !command.directed_moment.empty();
     if (loaded)
         for (const Row b : blocks)
             if (model.blocks.deformable[b])
@@ -292,10 +350,14 @@ void run(Session& session, const lang::Apply& command) {
                                              model.blocks.number[b]),
                                  "load its gridpoints with bound, or take it out of the range")
                     .at(command.place);
-    for (int k = 0; k < components; ++k) {
+    if (command.at && !blocks.empty()) check_place_of_load(session, command, blocks);
+    for (int k = 0; k < components; ++k)
         if (command.velocity[k]) prescribe_velocity(model, {blocks, {}}, k, *command.velocity[k], function);
-        if (command.load[k]) add_block_load(model, blocks, k, *command.load[k], function);
-    }
+    for (const auto& [speed, direction] : command.directed_velocity) hold_direction(model, {blocks, {}}, direction, speed);
+    for (int k = command.at ? 3 : 0; k < components; ++k)
+        if (load[static_cast<std::size_t>(k)] != 0) add_block_load(model, blocks, k, load[static_cast<std::size_t>(k)], function);
+    if (command.at)
+        for (const Row b : blocks) add_load_at(model, b, *command.at, {load[0], load[1], load[2]}, function);
     if (loaded) warn_of_held_loads(session, blocks, command.place);
 }
 

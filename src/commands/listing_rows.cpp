@@ -18,11 +18,14 @@ std::string numbers(const Vec3& v) {
     return fmt::format("{}, {}, {}", number_text(v[0]), number_text(v[1]), number_text(v[2]));
 }
 
-std::string fixity_text(std::uint8_t fixed) {
+std::string fixity_text(const Model& model, std::uint8_t fixed, std::int32_t roller) {
     static constexpr std::array names{"x", "y", "z", "rx", "ry", "rz"};
     std::string text;
+    const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
     for (std::size_t i = 0; i < names.size(); ++i)
-        if ((fixed & (1u << i)) != 0) text += fmt::format("{}{}", text.empty() ? "" : " ", names[i]);
+        if ((fixed & (1u << i)) != 0) add(names[i]);
+    const Roller& held = model.rollers[static_cast<std::size_t>(roller)];
+    for (std::int32_t k = 0; k < held.count; ++k) add(numbers(held.direction[static_cast<std::size_t>(k)]));
     return text.empty() ? "-" : text;
 }
 
@@ -70,7 +73,7 @@ std::string blocks_text(const Model& model, const std::vector<Row>& rows, const 
                     number_text(blocks.volume[row]),
                     std::to_string(blocks.gridpoints[row].count),
                     std::to_string(blocks.zones[row].count),
-                    blocks.deformable[row] ? "-" : fixity_text(blocks.fixed[row])};
+                    blocks.deformable[row] ? "-" : fixity_text(model, blocks.fixed[row], model.gridpoints.roller[blocks.gridpoints[row].first])};
         });
 }
 
@@ -120,7 +123,7 @@ std::string list_gridpoints(Session& session, const lang::List& command) {
                                  numbers(points.displacement[row]),
                                  numbers(gridpoint_velocity(session.model, row)),
                                  numbers(points.force[row]),
-                                 fixity_text(points.fixed[row])};
+                                 fixity_text(session.model, points.fixed[row], points.roller[row])};
                      });
 }
 
@@ -132,13 +135,13 @@ std::string list_boundary(Session& session, const lang::List& command) {
         const Row block = points.block[row];
         const bool rigid = !session.model.blocks.deformable[block];
         const std::uint8_t held = rigid ? session.model.blocks.fixed[block] : points.fixed[row];
-        if (held == 0 && points.load[row].isZero()) continue;
+        if (held == 0 && points.roller[row] == 0 && points.load[row].isZero()) continue;
         if (table.size() == longest_table) {
             ++more;
             continue;
         }
         table.add({std::to_string(row + 1), std::to_string(session.model.blocks.number[block]),
-                   numbers(points.position[row]), fixity_text(held), numbers(gridpoint_velocity(session.model, row)),
+                   numbers(points.position[row]), fixity_text(session.model, held, points.roller[row]), numbers(gridpoint_velocity(session.model, row)),
                    numbers(points.load[row])});
     }
     if (table.size() == 0) return "no boundary conditions";

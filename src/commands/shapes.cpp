@@ -3,6 +3,7 @@
 
 #include "geometry/shapes.hpp"
 #include "model/build.hpp"
+#include "model/groups.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -116,22 +117,37 @@ void run(Session& session, const lang::PolyDrum& command) {
     });
 }
 
+namespace {
+
+TunnelBlocks tunnel_of(const lang::PolyTunnel& command) {
+    TunnelBlocks tunnel;
+    tunnel.dip = command.dip;
+    tunnel.dip_direction = command.dip_direction;
+    tunnel.origin = command.origin;
+    tunnel.radius = command.radius;
+    tunnel.begin = command.length[0];
+    tunnel.end = command.length[1];
+    tunnel.radial = static_cast<int>(command.radial);
+    tunnel.tangential = static_cast<int>(command.tangential);
+    tunnel.axial = static_cast<int>(command.axial);
+    tunnel.boundary = command.boundary;
+    tunnel.ratio = command.ratio;
+    return tunnel;
+}
+
+} // namespace
+
 void run(Session& session, const lang::PolyTunnel& command) {
-    make(session, command, [&] {
-        TunnelBlocks tunnel;
-        tunnel.dip = command.dip;
-        tunnel.dip_direction = command.dip_direction;
-        tunnel.origin = command.origin;
-        tunnel.radius = command.radius;
-        tunnel.begin = command.length[0];
-        tunnel.end = command.length[1];
-        tunnel.radial = static_cast<int>(command.radial);
-        tunnel.tangential = static_cast<int>(command.tangential);
-        tunnel.axial = static_cast<int>(command.axial);
-        tunnel.boundary = command.boundary;
-        tunnel.ratio = command.ratio;
-        return make_tunnel(tunnel);
-    });
+    const TunnelBlocks tunnel = tunnel_of(command);
+    make(session, command, [&] { return make_tunnel(tunnel); });
+    if (!command.core) return;
+    lang::PolyTunnel core = command;
+    core.options.region = command.core_region.value_or(command.options.region);
+    const auto first = static_cast<Row>(session.model.blocks.size());
+    make(session, core, [&] { return make_tunnel_core(tunnel); });
+    if (command.core_group.empty()) return;
+    const std::int32_t group = make_group(session.model, command.core_group);
+    for (Row b = first; b < static_cast<Row>(session.model.blocks.size()); ++b) session.model.blocks.group[b] = group;
 }
 
 } // namespace kaya

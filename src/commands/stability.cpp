@@ -102,7 +102,7 @@ private:
 
     /// Whether a velocity is prescribed anywhere on it.
     bool is_held(Row block) const {
-        if (!model_.blocks.deformable[block]) return (model_.blocks.fixed[block] & (fix_x | fix_y | fix_z)) != 0;
+        if (!model_.blocks.deformable[block]) return (model_.blocks.fixed[block] & (fix_x | fix_y | fix_z)) != 0 || model_.gridpoints.roller[model_.blocks.gridpoints[block].first] != 0;
         const Span points = model_.blocks.gridpoints[block];
         for (Row g = points.first; g < points.end(); ++g)
             if (model_.gridpoints.fixed[g] != 0 || model_.gridpoints.roller[g] != 0) return true;

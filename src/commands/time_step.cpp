@@ -13,15 +13,15 @@ namespace {
 bool is_driven(const Model& model) {
     const auto& blocks = model.blocks;
     const auto& points = model.gridpoints;
-    const auto moves = [](unsigned fixed, const Vec3& velocity) {
+    const auto moves = [&](unsigned fixed, std::int32_t roller, const Vec3& velocity) {
         for (int k = 0; k < 3; ++k)
             if ((fixed & (1u << k)) && velocity[k] != 0) return true;
-        return false;
+        return !model.rollers[static_cast<std::size_t>(roller)].speed.isZero(0);
     };
     for (std::size_t b = 0; b < blocks.size(); ++b)
-        if (!blocks.deformable[b] && moves(blocks.fixed[b], blocks.velocity[b])) return true;
+        if (!blocks.deformable[b] && moves(blocks.fixed[b], points.roller[blocks.gridpoints[b].first], blocks.velocity[b])) return true;
     for (std::size_t g = 0; g < points.size(); ++g)
-        if (blocks.deformable[points.block[g]] && moves(points.fixed[g], points.velocity[g])) return true;
+        if (blocks.deformable[points.block[g]] && moves(points.fixed[g], points.roller[g], points.velocity[g])) return true;
     return false;
 }
 

@@ -156,47 +156,81 @@ Polyhedron make_drum(const Drum& drum) {
     return single(loops);
 }
 
-std::vector<Polyhedron> make_tunnel(const TunnelBlocks& tunnel) {
-    need_positive(tunnel.radius, "tunnel's radius");
-    need_positive(tunnel.boundary, "distance from the tunnel's wall to the outline");
-    need_positive(tunnel.ratio, "ratio of ring thicknesses");
-    need_positive(std::abs(tunnel.end - tunnel.begin), "tunnel's length");
-    need_at_least(tunnel.radial, 1, "blocks along the radius");
-    need_at_least(tunnel.tangential, 1, "blocks around 45 degrees");
-    need_at_least(tunnel.axial, 1, "blocks along the axis");
-    constexpr double most_blocks = 5e6;
-    if (const double count = 8.0 * tunnel.tangential * tunnel.radial * tunnel.axial; count > most_blocks)
-        throw Diagnostic(fmt::format("this would make {:g} blocks, more than {:g}", count, most_blocks),
-                         "there are 8 times tangential in each ring, and radial times axial rings");
-    const double degree = std::numbers::pi / 180;
-    const Vec3 level(std::sin(tunnel.dip_direction * degree), std::cos(tunnel.dip_direction * degree), 0);
-    const Vec3 axis = std::cos(tunnel.dip * degree) * level - std::sin(tunnel.dip * degree) * Vec3::UnitZ();
-    const Vec3 across = level.cross(Vec3::UnitZ()), up = across.cross(axis);
+namespace {
 
-    const int steps = 8 * tunnel.tangential;
-    const double outline = tunnel.radius * (1 + tunnel.boundary);
-    const std::vector<double> shares = ring_shares(tunnel.radial, tunnel.ratio);
-    const auto corner = [&](int ring, int step, int slice) -> Vec3 {
-        step %= steps;
-        const double angle = 2 * std::numbers::pi * step / steps;
-        const Eigen::Vector2d inner = tunnel.radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-        const Eigen::Vector2d outer = outline * on_square(step, tunnel.tangential);
-        const Eigen::Vector2d p = inner + shares[ring] * (outer - inner);
-        const double along = tunnel.begin + (tunnel.end - tunnel.begin) * slice / tunnel.axial;
-        return tunnel.origin + p.x() * across + p.y() * up + along * axis;
-    };
+/// Corners of a tunnel's blocks, in rings from the wall (0) to the outline, steps around the axis and slices along it.
+class TunnelGrid {
+public:
+    explicit TunnelGrid(const TunnelBlocks& tunnel) : tunnel_(tunnel), steps_(8 * tunnel.tangential) {
+        need_positive(tunnel.radius, "tunnel's radius");
+        need_positive(tunnel.boundary, "distance from the tunnel's wall to the outline");
+        need_positive(tunnel.ratio, "ratio of ring thicknesses");
+        need_positive(std::abs(tunnel.end - tunnel.begin), "tunnel's length");
+        need_at_least(tunnel.radial, 1, "blocks along the radius");
+        need_at_least(tunnel.tangential, 1, "blocks around 45 degrees");
+        need_at_least(tunnel.axial, 1, "blocks along the axis");
+        constexpr double most_blocks = 5e6;
+        if (const double count = 8.0 * tunnel.tangential * tunnel.radial * tunnel.axial; count > most_blocks)
+            throw Diagnostic(fmt::format("this would make {:g} blocks, more than {:g}", count, most_blocks),
+                             "there are 8 times tangential in each ring, and radial times axial rings");
+        const double degree = std::numbers::pi / 180;
+        const Vec3 level(std::sin(tunnel.dip_direction * degree), std::cos(tunnel.dip_direction * degree), 0);
+        axis_ = std::cos(tunnel.dip * degree) * level - std::sin(tunnel.dip * degree) * Vec3::UnitZ();
+        across_ = level.cross(Vec3::UnitZ());
+        up_ = across_.cross(axis_);
+        shares_ = ring_shares(tunnel.radial, tunnel.ratio);
+    }
+
+    int steps() const { return steps_; }
+    Vec3 corner(int ring, int step, int slice) const {
+        step %= steps_;
+        const double angle = 2 * std::numbers::pi * step / steps_;
+        const double outline = tunnel_.radius * (1 + tunnel_.boundary);
+        const Eigen::Vector2d inner = tunnel_.radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+        const Eigen::Vector2d outer = outline * on_square(step, tunnel_.tangential);
+        const Eigen::Vector2d p = inner + shares_[ring] * (outer - inner);
+        const double along = tunnel_.begin + (tunnel_.end - tunnel_.begin) * slice / tunnel_.axial;
+        return tunnel_.origin + p.x() * across_ + p.y() * up_ + along * axis_;
+    }
+
+private:
+    const TunnelBlocks& tunnel_;
+    int steps_;
+    Vec3 axis_, across_, up_;
+    std::vector<double> shares_;
+};
+
+void append_prism(std::vector<Polyhedron>& blocks, const std::array<std::vector<Vec3>, 2>& ends) {
+    const Solid solid = make_prism(ends[0], ends[1]);
+    blocks.insert(blocks.end(), solid.parts.begin(), solid.parts.end());
+}
+
+} // namespace
+
+std::vector<Polyhedron> make_tunnel(const TunnelBlocks& tunnel) {
+    const TunnelGrid grid(tunnel);
     std::vector<Polyhedron> blocks;
     for (int slice = 0; slice < tunnel.axial; ++slice)
-        for (int step = 0; step < steps; ++step)
+        for (int step = 0; step < grid.steps(); ++step)
             for (int ring = 0; ring < tunnel.radial; ++ring) {
                 std::array<std::vector<Vec3>, 2> ends;
                 for (int end = 0; end < 2; ++end)
-                    ends[end] = {corner(ring, step, slice + end), corner(ring + 1, step, slice + end),
-                                 corner(ring + 1, step + 1, slice + end),
-                                 corner(ring, step + 1, slice + end)};
-                Solid solid = make_prism(ends[0], ends[1]);
-                blocks.insert(blocks.end(), solid.parts.begin(), solid.parts.end());
+                    ends[end] = {grid.corner(ring, step, slice + end), grid.corner(ring + 1, step, slice + end),
+                                 grid.corner(ring + 1, step + 1, slice + end), grid.corner(ring, step + 1, slice + end)};
+                append_prism(blocks, ends);
             }
+    return blocks;
+}
+
+std::vector<Polyhedron> make_tunnel_core(const TunnelBlocks& tunnel) {
+    const TunnelGrid grid(tunnel);
+    std::vector<Polyhedron> blocks;
+    for (int slice = 0; slice < tunnel.axial; ++slice) {
+        std::array<std::vector<Vec3>, 2> ends;
+        for (int end = 0; end < 2; ++end)
+            for (int step = 0; step < grid.steps(); ++step) ends[end].push_back(grid.corner(0, step, slice + end));
+        append_prism(blocks, ends);
+    }
     return blocks;
 }
 

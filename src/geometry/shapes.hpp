@@ -41,5 +41,7 @@ struct TunnelBlocks {
     double ratio = 1;                          ///< thickness of each ring over that of the ring inside it
 };
 std::vector<Polyhedron> make_tunnel(const TunnelBlocks& tunnel);
+/// The rock in its hole: a prism for each slice along the axis, whose sides lie on the blocks of the first ring.
+std::vector<Polyhedron> make_tunnel_core(const TunnelBlocks& tunnel);
 
 } // namespace kaya

@@ -281,6 +281,13 @@ void add_block_load(Model& model, const std::vector<Row>& rows, int component, d
     sums.finish();
 }
 
+void add_load_at(Model& model, Row block, const Vec3& place, const Vec3& force, std::int32_t function) {
+    LoadSums sums(model, function);
+    for (int axis = 0; axis < 3; ++axis)
+        if (force[axis] != 0) sums.at_place(block, place, axis, force[axis]);
+    sums.finish();
+}
+
 Stress StressField::at(const Vec3& place) const {
     Stress s = at_origin;
     for (int k = 0; k < 3; ++k) s += place[k] * gradient[k];

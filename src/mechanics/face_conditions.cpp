@@ -1,60 +1,12 @@
 #include "mechanics/face_conditions.hpp"
 
+#include "mechanics/held_directions.hpp"
 #include "mechanics/surfaces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 namespace kaya {
-
-namespace {
-
-/// Rollers by what they are, so that gridpoints of one face share one.
-class RollerRows {
-public:
-    explicit RollerRows(Model& model) : rollers_(model.rollers) {
-        for (std::size_t i = 0; i < rollers_.size(); ++i) rows_.emplace(key(rollers_[i]), static_cast<std::int32_t>(i));
-    }
-    std::int32_t row(const Roller& roller) {
-        const auto [at, fresh] = rows_.emplace(key(roller), static_cast<std::int32_t>(rollers_.size()));
-        if (fresh) rollers_.push_back(roller);
-        return at->second;
-    }
-
-private:
-    using Key = std::array<double, 12>;
-    static Key key(const Roller& roller) {
-        Key numbers{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            for (int axis = 0; axis < 3; ++axis) numbers[3 * k + static_cast<std::size_t>(axis)] = roller.direction[k][axis];
-            numbers[9 + k] = roller.speed[static_cast<Eigen::Index>(k)];
-        }
-        return numbers;
-    }
-    std::vector<Roller>& rollers_;
-    std::map<Key, std::int32_t> rows_;
-};
-
-/// Normals that differ by less are one direction.
-constexpr double parallel = 1e-3;
-
-} // namespace
-
-void add_direction(Roller& roller, Vec3 direction, double speed) {
-    if (roller.count == 3) return;
-    for (std::int32_t k = 0; k < roller.count; ++k) {
-        const Vec3& known = roller.direction[static_cast<std::size_t>(k)];
-        const double along = direction.dot(known);
-        direction -= along * known;
-        speed -= along * roller.speed[k];
-    }
-    const double length = direction.norm();
-    if (length < parallel) return;
-    roller.direction[static_cast<std::size_t>(roller.count)] = direction / length;
-    roller.speed[roller.count] = speed / length;
-    ++roller.count;
-}
 
 std::size_t make_quiet(Model& model, const std::vector<Row>& triangles, std::uint8_t bits) {
     std::size_t count = 0;
@@ -79,9 +31,7 @@ std::size_t hold_normals(Model& model, const std::vector<Row>& triangles, double
     }
     RollerRows rows(model);
     for (auto& [g, roller] : held) {
-        const Roller before = model.rollers[static_cast<std::size_t>(model.gridpoints.roller[g])];
-        for (std::int32_t k = 0; k < before.count; ++k)
-            add_direction(roller, before.direction[static_cast<std::size_t>(k)], before.speed[k]);
+        add_directions(roller, model.rollers[static_cast<std::size_t>(model.gridpoints.roller[g])]);
         model.gridpoints.roller[g] = rows.row(roller);
     }
     model.properties_changed = true;

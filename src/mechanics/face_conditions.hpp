@@ -12,9 +12,6 @@ namespace kaya {
 /// Returns how many there were.
 std::size_t make_quiet(Model& model, const std::vector<Row>& triangles, std::uint8_t bits);
 
-/// Adds a direction to a roller when it is another than those that it has, at right angles to them.
-void add_direction(Roller& roller, Vec3 direction, double speed);
-
 /// Holds the velocity of gridpoints of deformable blocks along the outward normals of the triangles' faces. A gridpoint
 /// on faces that look in different directions is held along each. What was held in the same direction before is
 /// replaced. Returns how many gridpoints are held.

@@ -1,4 +1,5 @@
 #include "base/reduce.hpp"
+#include "mechanics/held_directions.hpp"
 #include "mechanics/phases.hpp"
 #include "mechanics/ties.hpp"
 
@@ -40,10 +41,11 @@ void combine(Balance& sum, const Balance& part) {
     sum.inner_power += part.inner_power;
 }
 
-/// The components that may move.
-Vec3 free_part(Vec3 force, std::uint8_t fixed) {
+/// The components that may move, without those along directions that are held.
+Vec3 free_part(Vec3 force, std::uint8_t fixed, const Roller& roller) {
     for (int k = 0; k < 3; ++k)
         if (fixed & (1 << k)) force[k] = 0;
+    if (roller.count != 0) force += roller_change(roller, force, fixed, Vec3::Zero());
     return force;
 }
 
@@ -65,7 +67,7 @@ void add_body(const Model& model, const Adjacency& adjacency, const JointForces&
                 acting += model.structures.nodes.force[e->node].norm();
         fixed |= blocks.fixed[row];
     }
-    if ((fixed & 7) != 7) balance.add(free_part(force, fixed), acting);
+    if ((fixed & 7) != 7) balance.add(free_part(force, fixed, roller_of_body(model, members)), acting);
 }
 
 /// Forces on gridpoints, and the sum of the sizes of all that act on one.
@@ -104,9 +106,7 @@ struct PointForces {
 /// What is out of balance on a point; `force` is the sum of all forces.
 void add_point(const Vec3& force, std::uint8_t fixed, const Roller& roller, double acting, Balance& balance) {
     if ((fixed & 7) == 7) return;
-    Vec3 unbalanced = free_part(force, fixed);
-    if (roller.count != 0) unbalanced += roller_change(roller, unbalanced, fixed, Vec3::Zero());
-    balance.add(unbalanced, acting);
+    balance.add(free_part(force, fixed, roller), acting);
 }
 
 /// Gridpoints that are tied to each other count as one.
@@ -196,7 +196,8 @@ double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& t
                 part.inner_power += sum.dot(blocks.velocity[row]) + moment.dot(blocks.rotational_velocity[row]);
                 const Vec3 weight = blocks.mass[row] * gravity;
                 if ((blocks.fixed[row] & 7) != 7 && blocks.body[row] == 0)
-                    part.add(free_part(sum + blocks.load[row] + weight, blocks.fixed[row]),
+                    part.add(free_part(sum + blocks.load[row] + weight, blocks.fixed[row],
+                                       roller_of(model, row)),
                              acting + blocks.load[row].norm() + weight.norm());
             }
             return part;

@@ -1,5 +1,6 @@
 #include "mechanics/look_ahead.hpp"
 
+#include "mechanics/held_directions.hpp"
 #include "base/parallel.hpp"
 
 #include <Eigen/Geometry>
@@ -128,12 +129,13 @@ void LookAhead::take(const Model& model, const std::vector<Batch>& batches) {
 void LookAhead::find_motions(const Model& model, const Adjacency& adjacency, double step) {
     const auto& blocks = model.blocks;
     motions_.resize(blocks.size());
-    const auto advance = [&](const Vec3& centre, double mass, double inertial, const Mat3& inertia, unsigned fixed, Row b,
+    const auto advance = [&](const Vec3& centre, double mass, double inertial, const Mat3& inertia, unsigned fixed, const Roller& roller, Row b,
                              const Vec3& velocity, const Vec3& force, const Vec3& moment) {
         Motion motion{centre, velocity, blocks.rotational_velocity[b]};
         if (inertial > 0) {
             motion.velocity += free_part(step / inertial * (force + mass * model.settings.gravity), fixed);
             motion.spin += free_part(step * inertia.inverse() * moment, fixed / fix_rx);
+            if (roller.count != 0) motion.velocity += roller_change(roller, motion.velocity, static_cast<std::uint8_t>(fixed), roller.speed);
         }
         return motion;
     };
@@ -146,7 +148,7 @@ void LookAhead::find_motions(const Model& model, const Adjacency& adjacency, dou
             const double inertial = blocks.inertial_mass[b];
             motions_[b] = advance(blocks.centroid[b], blocks.mass[b], inertial,
                                   inertial / blocks.volume[b] * (turn * blocks.inertia[b] * turn.transpose()),
-                                  blocks.fixed[b], b, blocks.velocity[b], blocks.force[b] + blocks.load[b],
+                                  blocks.fixed[b], roller_of(model, b), b, blocks.velocity[b], blocks.force[b] + blocks.load[b],
                                   blocks.moment[b] + blocks.torque[b]);
         }
     });
@@ -164,7 +166,7 @@ void LookAhead::find_motions(const Model& model, const Adjacency& adjacency, dou
         }
         velocity = blocks.velocity[lead] + blocks.rotational_velocity[lead].cross(body.centroid - blocks.centroid[lead]);
         const double factor = blocks.mass[lead] > 0 ? blocks.inertial_mass[lead] / blocks.mass[lead] : 0;
-        const Motion motion = advance(body.centroid, body.mass, factor * body.mass, factor * body.inertia, fixed, lead, velocity, force, moment);
+        const Motion motion = advance(body.centroid, body.mass, factor * body.mass, factor * body.inertia, fixed, roller_of_body(model, members), lead, velocity, force, moment);
         for (const Row b : members) motions_[b] = motion;
     }
 }

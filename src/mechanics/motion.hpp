@@ -38,21 +38,33 @@ inline Lanes prescribed(unsigned bits) {
     return Eigen::Map<const Lanes, Eigen::Aligned32>(of[bits & 7u]);
 }
 
-/// Moves a velocity by force, load and weight for a step.
+/// Moves a velocity by force, load and weight for a step. A roller, if there is one, keeps it on its way; what it pushes is
+/// the boundary's work.
 inline void advance_velocity(Vec3& velocity, const Vec3& force, const Vec3& load, const Lanes& weight, double mass,
                              double step, unsigned held_bits, const DampingFactors& damping, Vec3& last_force,
-                             MotionLanes& sums) {
+                             MotionLanes& sums, const Roller* roller = nullptr) {
     const Lanes before = lanes(velocity), loads = lanes(load), inner = lanes(force), whole = inner + loads + weight;
     Lanes after = damping.advance(before, whole, step / mass, last_force);
     const Lanes held = prescribed(held_bits);
     if (held_bits != 0)
         for (int k = 0; k < lane_count; ++k) after[k] = held[k] != 0 ? before[k] : after[k];
     store(velocity, after);
+    Lanes support = Lanes::Zero();
+    if (roller != nullptr) {
+        const Vec3 change = roller_change(*roller, velocity, static_cast<std::uint8_t>(held_bits), roller->speed);
+        velocity += change;
+        support = mass * lanes(change);
+        after = lanes(velocity);
+    }
     sums.add_power(inner, before, after);
     const Lanes mean = 0.5 * (before + after);
     sums.gravity += weight * mean * step;
     // What the step's forces do not explain of the change of momentum was done by the support, or by damping.
-    const Lanes rest = (mass * (after - before) - whole * step) * mean;
+    Lanes rest = (mass * (after - before) - whole * step) * mean;
+    if (roller != nullptr) {
+        rest -= support * mean;
+        sums.boundary += support * mean;
+    }
     sums.boundary += loads * mean * step + held * rest;
     sums.damped -= (1 - held) * rest;
     sums.kinetic_before += 0.5 * mass * before * before;

@@ -1,4 +1,5 @@
 #include "base/reduce.hpp"
+#include "mechanics/held_directions.hpp"
 #include "mechanics/motion.hpp"
 #include "mechanics/rotation.hpp"
 #include "mechanics/triple.hpp"
@@ -81,6 +82,7 @@ struct RigidBody {
     Vec3 &velocity, &spin, &momentum;
     Vec3 &last_force, &last_moment; ///< for combined damping
     Quaternion& orientation;
+    const Roller* roller; ///< of directions that are held; null: there are none
 };
 
 /// Work of forces that keep their directions on points that turn with a body: force times way. It is that between the
@@ -101,7 +103,7 @@ inline void advance(const RigidBody& body, const Settings& settings, const Clock
     const double step = clock.time_step, kick = clock.kick();
     Vec3& w = body.spin;
     advance_velocity(body.velocity, body.force, body.load, body.mass * lanes(settings.gravity), body.inertial_mass, kick,
-                     fixed & (fix_x | fix_y | fix_z), damping, body.last_force, sums);
+                     fixed & (fix_x | fix_y | fix_z), damping, body.last_force, sums, body.roller);
 
     // Moments act on the angular momentum; its viscous part decays like the velocity.
     Vec3& momentum = body.momentum;
@@ -156,9 +158,11 @@ void move_block(Model& model, std::size_t b, const DampingFactors& damping, Moti
     auto& blocks = model.blocks;
     if (blocks.fixed[b] == fix_all && blocks.velocity[b].isZero(0) && blocks.rotational_velocity[b].isZero(0)) return;
     const double mass = blocks.inertial_mass[b], step = model.clock.time_step;
+    const Roller& roller = roller_of(model, static_cast<Row>(b));
     advance({blocks.mass[b], mass, blocks.inertia[b], mass / blocks.volume[b], blocks.fixed[b], blocks.force[b], blocks.load[b],
              blocks.moment[b], blocks.torque[b], blocks.load_arms[b], blocks.velocity[b], blocks.rotational_velocity[b],
-             blocks.angular_momentum[b], blocks.last_force[b], blocks.last_moment[b], blocks.orientation[b]},
+             blocks.angular_momentum[b], blocks.last_force[b], blocks.last_moment[b], blocks.orientation[b],
+             roller.count == 0 ? nullptr : &roller},
             model.settings, model.clock, damping, sums);
     const Vec3 way = blocks.velocity[b] * step;
     blocks.displacement[b] += way;
@@ -200,6 +204,7 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
             }
     if (fixed == fix_all && velocity.isZero(0) && spin.isZero(0)) return;
 
+    const Roller roller = roller_of_body(model, members);
     const Quaternion before = blocks.orientation[first];
     const Mat3 axes = quaternion(before).toRotationMatrix();
     Quaternion after = before;
@@ -208,7 +213,8 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
     const double factor = blocks.mass[first] > 0 ? blocks.inertial_mass[first] / blocks.mass[first] : 1;
     const Mat3 inertia = axes.transpose() * body.inertia * axes, own_arms = axes.transpose() * arms;
     advance({body.mass, factor * body.mass, inertia, factor, fixed, force, load, moment, torque, own_arms, velocity, spin,
-             blocks.angular_momentum[first], blocks.last_force[first], blocks.last_moment[first], after},
+             blocks.angular_momentum[first], blocks.last_force[first], blocks.last_moment[first], after,
+             roller.count == 0 ? nullptr : &roller},
             model.settings, model.clock, damping, sums);
     const Rotor turn = rotor(after) * rotor(before).conjugate();
     for (const Row b : members) {

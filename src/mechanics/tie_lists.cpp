@@ -1,4 +1,4 @@
-#include "mechanics/face_conditions.hpp"
+#include "mechanics/held_directions.hpp"
 #include "mechanics/ties.hpp"
 
 #include <Eigen/Geometry>
@@ -64,11 +64,7 @@ void TieLists::find_groups(const Model& model) {
         if (i == members_.size() || leader[members_[i]] != leader[members_[i - 1]]) start_.push_back(i);
     for (std::size_t i = 0; i < groups(); ++i) {
         Roller held;
-        for (const Row g : members(i)) {
-            const Roller& one = model.rollers[static_cast<std::size_t>(points.roller[g])];
-            for (std::int32_t k = 0; k < one.count; ++k)
-                add_direction(held, one.direction[static_cast<std::size_t>(k)], one.speed[k]);
-        }
+        for (const Row g : members(i)) add_directions(held, model.rollers[static_cast<std::size_t>(points.roller[g])]);
         rollers_.push_back(held);
     }
 }

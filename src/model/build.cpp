@@ -41,6 +41,7 @@ std::vector<std::array<int, 3>> fan(const Polyhedron& p, const std::vector<int>&
 void give_zones(Model& model, Row block, const Polyhedron& shape, const TetMesh& mesh) {
     auto& blocks = model.blocks;
     blocks.shape[block] = model.next_shape_number++;
+    const std::int32_t roller = model.gridpoints.roller[blocks.gridpoints[block].first]; // of the vertices till now
     const Row g0 = append(model.gridpoints, mesh.points.size());
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
         model.gridpoints.block[g0 + i] = block;
@@ -49,6 +50,7 @@ void give_zones(Model& model, Row block, const Polyhedron& shape, const TetMesh&
             blocks.velocity[block] + blocks.rotational_velocity[block].cross(mesh.points[i] - blocks.centroid[block]);
         model.gridpoints.displacement[g0 + i] = Vec3::Zero();
         model.gridpoints.fixed[g0 + i] = blocks.fixed[block] & (fix_x | fix_y | fix_z);
+        model.gridpoints.roller[g0 + i] = roller;
     }
     blocks.gridpoints[block] = {g0, static_cast<Row>(mesh.points.size())};
 

@@ -20,6 +20,7 @@ constexpr double same_plane = 1e-9;
 struct Parent {
     NewBlock options;
     std::uint8_t hidden, fixed;
+    std::int32_t roller = 0; ///< of a rigid block that is held along a direction
     FaceTriangles face_triangles;
     double face_edge, volume, density;
     Vec3 centroid, velocity, rotational_velocity, displacement, load, torque;
@@ -31,6 +32,7 @@ struct Parent {
     std::vector<Side> sides; ///< faces that are in a group of their own
 
     Parent(const Model& model, Row b) : Parent(model.blocks, b) {
+        if (!model.blocks.deformable[b]) roller = model.gridpoints.roller[model.blocks.gridpoints[b].first];
         for (Row f = model.blocks.faces[b].first; f < model.blocks.faces[b].end(); ++f)
             if (model.faces.group[f] != 0)
                 sides.push_back({face_area_vector(model, f).normalized(), face_centroid(model, f), model.faces.group[f]});
@@ -68,6 +70,7 @@ struct Parent {
         blocks.torque[b] = mass.volume / volume * torque;
         blocks.load_arms[b] = mass.volume / volume * load_arms;
         give_shape(model, b, piece);
+        for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g) model.gridpoints.roller[g] = roller;
         for (Row f = blocks.faces[b].first; !sides.empty() && f < blocks.faces[b].end(); ++f) {
             const Vec3 normal = face_area_vector(model, f).normalized(), place = face_centroid(model, f);
             for (const Side& side : sides)

@@ -197,7 +197,7 @@ std::string boundary_table(const Model& model) {
     std::size_t blocks = 0, points = 0, rollers = 0, loaded = 0;
     Vec3 load = Vec3::Zero();
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-        blocks += !model.blocks.deformable[b] && model.blocks.fixed[b] != 0;
+        blocks += !model.blocks.deformable[b] && (model.blocks.fixed[b] != 0 || model.gridpoints.roller[model.blocks.gridpoints[b].first] != 0);
         load += block_load(model, static_cast<Row>(b));
     }
     for (std::size_t g = 0; g < model.gridpoints.size(); ++g) {

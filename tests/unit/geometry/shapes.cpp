@@ -143,6 +143,9 @@ TEST(Shapes, TunnelFillsTheSquareAroundTheHole) {
     EXPECT_EQ(blocks.size(), 3u * 16 * 2);
     const double hole = 0.5 * 16 * 4 * std::sin(2 * std::numbers::pi / 16);
     EXPECT_NEAR(volume_of(blocks), 20 * (20 * 20 - hole), 1e-9);
+    const auto core = make_tunnel_core(tunnel);
+    EXPECT_EQ(core.size(), 2u);
+    EXPECT_NEAR(volume_of(core), 20 * hole, 1e-9);
     tunnel.axial = 0;
     EXPECT_EQ(message_of([&] { make_tunnel(tunnel); }),
               "the number of blocks along the axis is 0, less than 1");
