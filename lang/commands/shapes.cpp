@@ -287,7 +287,7 @@ CommandSpec poly_tunnel() {
     entry.right("poly region 1 tunnel dip 10 dd 90 org 0 0 -20 radius 3 boundary 6").right("poly tunnel core off");
     entry.right("poly tunnel radius 2 core region 2 core group excavation");
     entry.wrong("poly tunnel core", "a word is missing after 'core'");
-    entry.wrong("poly tunnel core of", "'of' is not a word of the core");
+    entry.wrong("poly tunnel core rgion 2", "'rgion' is not a word of the core");
     entry.wrong("poly tunnel radius 0", "radius must be greater than 0, not 0");
     entry.wrong("poly tunnel radial 0", "radial must be at least 1, not 0");
     entry.wrong("poly tunnel length 5", "a number is missing after '5'");

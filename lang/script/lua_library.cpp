@@ -9,6 +9,7 @@
 #include "lang/script/values.hpp"
 
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace kaya::script {
@@ -327,7 +328,8 @@ int write_table(lua_State* L) {
     for (lua_Integer i = 1; i <= static_cast<lua_Integer>(lua_rawlen(L, 2)); ++i) {
         lua_rawgeti(L, 2, i);
         lua_rawgeti(L, 3, i);
-        if (lua_type(L, -1) != LUA_TNUMBER || lua_type(L, -2) != LUA_TNUMBER)
+        const bool numbers = lua_type(L, -1) == LUA_TNUMBER && lua_type(L, -2) == LUA_TNUMBER;
+        if (!numbers || !std::isfinite(lua_tonumber(L, -1)) || !std::isfinite(lua_tonumber(L, -2)))
             throw Diagnostic(fmt::format("point {} of table {} is not two numbers", i, number), "give x and y the same number of numbers", Fault::run);
         table.insert(lua_tonumber(L, -2), lua_tonumber(L, -1));
         lua_pop(L, 2);

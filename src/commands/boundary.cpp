@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace kaya {
@@ -315,6 +316,8 @@ Vec6 load_of(const lang::Apply& command) {
     };
     add(command.directed_load, 0);
     add(command.directed_moment, 3);
+    if (!std::ranges::all_of(sum, [](double part) { return std::isfinite(part); }))
+        throw Diagnostic("the loads of the line add up to more than a number can hold").at(command.place);
     return sum;
 }
 
