@@ -12,6 +12,10 @@ function formulas.closure(v, stress) -- (2.22)
     return stress * most / (formulas.kni * most + stress)
 end
 
+function formulas.maximum_of_closure(closure, stress) -- (2.22), solved for V_m
+    return stress * closure / (stress - formulas.kni * closure)
+end
+
 function formulas.stress_of_closure(v, closure)
     return formulas.kni * closure / (1 - closure / formulas.maximum_closure(v))
 end

@@ -1,16 +1,35 @@
--- The page of results: thesis, closed form, what the runs gave, error. Each row is also a comparison that stops the run
--- when its error is too large.
-local formulas, verify = require "formulas", require "verify"
+-- The page of results: a line that says how many rows are right, then thesis, closed form, what the runs gave and error for
+-- each table with its picture, and what is wrong in print. Each row is also a comparison that stops the run when its
+-- error is too large.
+local formulas, verify, chart = require "formulas", require "verify", require "chart"
 local report = {}
 
-local sections = {} -- in order: {title, note, head, rows}
+local sections = {} -- in order: {title, note, head, rows, picture}
+local kinds = {}    -- in order: {name, tolerance, rows, worst}
 
-local function section(title, note, head)
+-- `picture` is {file, x, y}: what its rows are drawn as.
+local function section(title, note, head, picture)
     for _, s in ipairs(sections) do
         if s.title == title then return s end
     end
-    sections[#sections + 1] = { title = title, note = note, head = head, rows = {} }
+    picture.line = { "closed form", x = {}, y = {} }
+    picture.points = { { "kaya", x = {}, y = {} }, { "empirical", x = {}, y = {} }, { "numerical", x = {}, y = {} } }
+    sections[#sections + 1] = { title = title, note = note, head = head, rows = {}, picture = picture }
     return sections[#sections]
+end
+
+local function count(name, tolerance, error)
+    local kind
+    for _, known in ipairs(kinds) do
+        if known.name == name then kind = known end
+    end
+    if not kind then
+        kind = { name = name, tolerance = tolerance, rows = 0, good = 0, worst = 0 }
+        kinds[#kinds + 1] = kind
+    end
+    kind.rows = kind.rows + 1
+    if error <= tolerance then kind.good = kind.good + 1 end
+    kind.worst = math.max(kind.worst, error)
 end
 
 -- The row of verification that a table belongs to (docs/verification.md).
@@ -20,14 +39,31 @@ local function case(test)
     return ("%s table %s at %g"):format(case_of[test.table.table] or "J6", test.table.table, test.row[1])
 end
 
+-- Without a minus sign in front of nothing.
+local function percent(value)
+    local text = ("%.3f"):format(100 * value)
+    return text == "-0.000" and "0.000" or text
+end
+
+-- What the picture of a table shows of a row.
+local function draw(into, x, closed_form, ours, empirical, numerical)
+    local function put(set, y) set.x[#set.x + 1], set.y[#set.y + 1] = x, y end
+    local points = into.picture.points
+    put(into.picture.line, closed_form)
+    put(points[1], ours)
+    put(points[2], empirical)
+    put(points[3], numerical)
+end
+
 -- `columns`: texts between the first column and the closed form.
-local function compare(into, test, columns, quantity, ours, closed_form, format, tolerance, more)
+local function compare(into, test, columns, kind, quantity, ours, closed_form, format, tolerance, more)
     verify.relative(case(test), quantity, ours, closed_form, tolerance)
+    count(kind, tolerance, math.abs(ours / closed_form - 1))
     local cells = { ("%g"):format(test.row[1]) }
     for _, text in ipairs(columns) do cells[#cells + 1] = text end
     cells[#cells + 1] = format:format(closed_form)
     cells[#cells + 1] = format:format(ours)
-    cells[#cells + 1] = ("%.3f"):format(100 * (ours / closed_form - 1))
+    cells[#cells + 1] = percent(ours / closed_form - 1)
     for _, text in ipairs(more or {}) do cells[#cells + 1] = text end
     into.rows[#into.rows + 1] = cells
 end
@@ -38,10 +74,12 @@ local function closures(tests, stress)
         local into = section("Table " .. tab.table .. ": closure",
             ("Closure in mm at a normal stress of %g MPa, and the maximum closure V_m that it belongs to. The thesis gives "):format(
                 stress) .. "V_m, read off a graph.",
-            { tab.label, "thesis V_m, empirical", "thesis V_m, numerical", "V_m (2.25)", "closure (2.22)", "kaya", "error, %" })
-        compare(into, test, { ("%.3f"):format(test.row[2]), ("%.3f"):format(test.row[3]),
-            ("%.4f"):format(1e3 * formulas.maximum_closure(test.values)) }, "closure, mm", 1e3 * test.closed,
-            1e3 * formulas.closure(test.values, stress), "%.5f", 0.001)
+            { tab.label, "thesis V_m, empirical", "thesis V_m, numerical", "V_m (2.25)", "closure (2.22)", "kaya", "error, %" },
+            { file = "thesis-table-" .. tab.table .. ".svg", x = tab.label, y = "V_m, mm" })
+        local most = 1e3 * formulas.maximum_closure(test.values)
+        compare(into, test, { ("%.3f"):format(test.row[2]), ("%.3f"):format(test.row[3]), ("%.4f"):format(most) }, "closures",
+            "closure, mm", 1e3 * test.closed, 1e3 * formulas.closure(test.values, stress), "%.5f", 0.001)
+        draw(into, test.row[1], most, 1e3 * formulas.maximum_of_closure(test.closed, stress), test.row[2], test.row[3])
     end
 end
 
@@ -49,9 +87,12 @@ local function stiffnesses(tests)
     for _, test in ipairs(tests) do
         local into = section("Table 4.5: normal stiffness", "Tangent stiffness in MPa/m at a closure. The thesis has its "
             .. "two columns exchanged: the one headed numerical is (2.23) with V_m rounded to 0.209 mm.",
-            { "closure, mm", "thesis, empirical", "thesis, numerical", "(2.23)", "kaya", "error, %" })
-        compare(into, test, { ("%d"):format(test.row[2]), ("%d"):format(test.row[3]) }, "normal stiffness, MPa/m",
-            test.stiffness, formulas.normal_stiffness(test.values, test.closure), "%.0f", 0.005)
+            { "closure, mm", "thesis, empirical", "thesis, numerical", "(2.23)", "kaya", "error, %" },
+            { file = "thesis-table-4.5.svg", x = "closure, mm", y = "normal stiffness, GPa/m" })
+        local expected = formulas.normal_stiffness(test.values, test.closure)
+        compare(into, test, { ("%d"):format(test.row[2]), ("%d"):format(test.row[3]) }, "normal stiffnesses",
+            "normal stiffness, MPa/m", test.stiffness, expected, "%.0f", 0.005)
+        draw(into, test.row[1], 1e-3 * expected, 1e-3 * test.stiffness, 1e-3 * test.row[2], 1e-3 * test.row[3])
     end
 end
 
@@ -59,26 +100,60 @@ local function peaks(tests)
     for _, test in ipairs(tests) do
         local into = section("Table " .. test.table.table .. ": peak shear strength",
             "Shear stress in MPa at the peak, and the displacement at which it came.",
-            { test.table.label, "thesis, empirical", "thesis, numerical", "(2.5)", "kaya", "error, %", "at, mm", "(2.15), mm" })
-        compare(into, test, { ("%.2f"):format(test.row[2]), ("%.2f"):format(test.row[3]) }, "peak shear stress, MPa",
-            test.peak, formulas.peak(test.values), "%.4f", 0.005,
+            { test.table.label, "thesis, empirical", "thesis, numerical", "(2.5)", "kaya", "error, %", "at, mm", "(2.15), mm" },
+            { file = "thesis-table-" .. test.table.table .. ".svg", x = test.table.label, y = "peak shear stress, MPa" })
+        local expected = formulas.peak(test.values)
+        compare(into, test, { ("%.2f"):format(test.row[2]), ("%.2f"):format(test.row[3]) }, "peak strengths",
+            "peak shear stress, MPa", test.peak, expected, "%.4f", 0.005,
             { ("%.3f"):format(1e3 * test.at), ("%.3f"):format(1e3 * formulas.peak_displacement(test.values)) })
         verify.absolute(case(test),
             "largest excess over the law at the normal stress of the moment", test.above, 0, 1e-9)
+        draw(into, test.row[1], expected, test.peak, test.row[2], test.row[3])
     end
 end
 
 local function residuals(tests)
     for _, test in ipairs(tests) do
         local into = section("Table 4.7, the second: residual shear strength",
-            "Shear stress in MPa after 100 times the displacement of the peak.",
-            { test.table.label, "thesis, empirical", "thesis, numerical", "sigma_n tan(phi_r)", "kaya", "error, %" })
-        compare(into, test, { ("%.2f"):format(test.row[2]), ("%.2f"):format(test.row[3]) }, "residual shear stress, MPa",
-            test.residual, formulas.residual(test.values), "%.4f", 0.005)
+            "Shear stress in MPa after 100 times the displacement of the peak..",
+            { test.table.label, "thesis, empirical", "thesis, numerical", "sigma_n tan(phi_r)", "kaya", "error, %" }, {})
+        compare(into, test, { ("%.2f"):format(test.row[2]), ("%.2f"):format(test.row[3]) }, "residual strengths",
+            "residual shear stress, MPa", test.residual, formulas.residual(test.values), "%.4f", 0.005)
     end
 end
 
 local function line(cells) return "| " .. table.concat(cells, " | ") .. " |\n" end
+
+-- "79 of 79 rows within ..."
+local function summary()
+    local rows, good, parts = 0, 0, {}
+    for _, kind in ipairs(kinds) do
+        rows, good = rows + kind.rows, good + kind.good
+        parts[#parts + 1] = ("%d %s within %g %% (worst %.2g %%)"):format(kind.good, kind.name, 100 * kind.tolerance, 100 * kind.worst)
+    end
+    return ("**%d of %d rows within their tolerance**: %s."):format(good, rows, table.concat(parts, ", "))
+end
+
+local function table_4_11(file)
+    local thesis = require "thesis"
+    file:write("\n## Table 4.11: shear stiffness, not run\n\n",
+        "Tangent shear stiffness in MPa/m over shear displacement. No box is sheared for it: no hyperbola (2.27), (2.28) gives its numbers. ",
+        "For any such law 1/sqrt(K_s) is a straight line over the displacement; the printed numbers make it rise ever faster. ",
+        "The last column is how much it rises from the row before.\n\n",
+        line({ "shear, mm", "thesis, empirical", "thesis, numerical", "1/sqrt(K_s) of empirical, 1e-3", "rises by, 1e-3" }), "|---|---|---|---|---|\n")
+    local before
+    for _, r in ipairs(thesis.shear_stiffness.rows) do
+        local root = 1e3 / math.sqrt(r[2])
+        file:write(line({ ("%.2f"):format(r[1]), ("%d"):format(r[2]), ("%d"):format(r[3]), ("%.2f"):format(root),
+            before and ("%.2f"):format(root - before) or "" }))
+        before = root
+    end
+end
+
+local function misprints(file)
+    file:write("\n## In print\n\nWhat a reader of chapter 4 meets, found by computing each table again:\n\n")
+    for _, sentence in ipairs(require("thesis").misprints) do file:write("* ", sentence, "\n") end
+end
 
 function report.write(file_name, stated_stress, closing, stiffening, sheared, wearing)
     closures(closing, stated_stress)
@@ -87,12 +162,19 @@ function report.write(file_name, stated_stress, closing, stiffening, sheared, we
     residuals(wearing)
     local file = assert(io.open(file_name, "w"))
     file:write("# Tables 4.2 to 4.10 of the thesis\n\nKoçal (2008), chapter 4, beside the closed forms of ",
-        "docs/joint-models/barton-bandis.md and shear box runs of kaya. Errors are those of kaya against the closed form.\n")
+        "docs/joint-models/barton-bandis.md and shear box runs of kaya. Errors are those of kaya against the closed form.\n\n", summary(), "\n")
     for _, s in ipairs(sections) do
         file:write("\n## ", s.title, "\n\n", s.note, "\n\n", line(s.head), "|", ("---|"):rep(#s.head), "\n")
         for _, cells in ipairs(s.rows) do file:write(line(cells)) end
+        if s.picture.file then
+            chart.write(s.picture.file, s.title, s.picture.x, s.picture.y, s.picture.line, s.picture.points)
+            file:write("\n![", s.title, "](", s.picture.file, ")\n")
+        end
     end
+    table_4_11(file)
+    misprints(file)
     file:close()
+    print((summary():gsub("%*", "")))
     local f = require("figure").new("Shear box, normal stress 0.5 to 10 MPa", "shear displacement, mm", "shear stress, MPa")
     for _, test in ipairs(sheared) do
         if test.table.varies == "stress" and test.row[1] % 5 < 1 then

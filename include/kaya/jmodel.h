@@ -24,6 +24,9 @@
  * they must not write to anything but the columns of the batch. The other functions are called from
  * one thread at a time.
  *
+ * Arithmetic. The engine rounds to the nearest number and keeps the very small ones. A library that changes that, by its own
+ * hand or because it was linked with -ffast-math, has its changes undone behind each call, and its user is told.
+ *
  * Errors. `run` and `initialise` return -1, or the row at which they failed, after writing a sentence
  * to batch->message. Do not throw across this interface; what is thrown all the same is caught, and is
  * reported with the name of the model. So is a force, a stiffness or a history value that is not finite.
@@ -38,15 +41,18 @@
 extern "C" {
 #endif
 
-/* A library made for another interface version is refused, with both numbers. The number grows with every
- * change that a library can see: a member added, moved or gone, another type, another limit, another meaning. The
- * names of members stay, and new ones come last, so that a source made for an older version compiles again.
- * 1: batches. 2: objects, tables, `row`. */
-#define KAYA_JMODEL_INTERFACE 2
+/* The number grows with every change that a library can see: a member added, another limit. Members never move, keep
+ * their names and meanings, and new ones come last: a library that was built for an older version, from
+ * KAYA_JMODEL_OLDEST on, still loads, and a source made for one compiles again. A library made for a newer version than
+ * the program's is refused, with both numbers.
+ * 1: batches. 2: objects, tables, `row`. 3: places and fields, values of objects, wider limits. */
+#define KAYA_JMODEL_INTERFACE 3
+#define KAYA_JMODEL_OLDEST 2
 
-#define KAYA_JMODEL_MAX_PROPERTIES 64 /* properties of one model, at most */
-#define KAYA_JMODEL_MAX_HISTORY 16    /* history variables of one model, at most */
-#define KAYA_JMODEL_MAX_STATES 16     /* state names of one model, at most */
+#define KAYA_JMODEL_MAX_PROPERTIES 256 /* properties of one model, at most */
+#define KAYA_JMODEL_MAX_HISTORY 64     /* history variables of one model, at most */
+#define KAYA_JMODEL_MAX_STATES 32      /* state names of one model, at most */
+#define KAYA_JMODEL_MAX_FIELDS 8       /* fields of one model, at most */
 #define KAYA_JMODEL_MESSAGE 256       /* bytes of a message, with the closing zero */
 
 /* One property, in the order of the values that `run` gets. Only `name` must not be NULL. */
@@ -68,6 +74,17 @@ typedef struct kaya_jhistory {
     const char* unit;
     const char* help;
 } kaya_jhistory;
+
+/* A number of each sub-contact that comes from outside, and that the model only reads: a temperature, a degree of
+ * saturation, a roughness that is not the same everywhere. A field with the name of a property of the model is that
+ * property, where a sub-contact has a value of its own; another starts as `initial`. Users set it by its name, as they set
+ * a history variable; it is saved and hashed. Only `name` must not be NULL. */
+typedef struct kaya_jfield {
+    const char* name; /* "temperature"; or a property: "jrc" */
+    const char* unit;
+    const char* help;
+    double initial; /* before anything is set; not looked at for a property */
+} kaya_jfield;
 
 /* What a model keeps of a sub-contact when numbers will not do: an object that begins with this struct.
  * The engine copies, moves, saves and deletes it with the sub-contact and never looks inside. Most models
@@ -95,7 +112,8 @@ typedef struct kaya_jtables {
     double (*slope)(const void* table, double x); /* to the right of x; 0 beyond the ends */
 } kaya_jtables;
 
-/* The sub-contacts of one call. Columns marked "in" must not be written. No two columns overlap. */
+/* The sub-contacts of one call. Columns marked "in" must not be written: a model that does so is refused when it is
+ * tried before the run. No two columns overlap. */
 typedef struct kaya_jbatch {
     size_t n;
     const double* properties;      /* in: the values, in the order of the property table */
@@ -118,13 +136,24 @@ typedef struct kaya_jbatch {
     kaya_jobject** object; /* in, out: the object of row i or NULL; NULL for a model without `restore` */
     const kaya_jtables* tables; /* in: may be NULL, when there is no deck */
     size_t row; /* out: a model that works row by row writes here where it is; a crash is reported with it */
+
+    /* From interface 3 on. */
+    const double* const* field; /* in: field[k][i] is field k of row i; NULL for a model without fields */
+    const double* position[3];  /* in: NULL without KAYA_JMODEL_NEEDS_PLACE, as the next two */
+    const double* normal[3];    /* in: unit vector from block 1 to block 2 */
+    const int32_t* block[2];    /* in: the numbers of block 1 and block 2, as users see them */
 } kaya_jbatch;
+
+/* What a model may ask for. */
+#define KAYA_JMODEL_NEEDS_PLACE 1u /* the columns position, normal and block */
 
 /* Last members that a model leaves out are NULL, in C by the language, in C++ by this. */
 #ifdef __cplusplus
 #define KAYA_JMODEL_NONE = NULL
+#define KAYA_JMODEL_ZERO = 0
 #else
 #define KAYA_JMODEL_NONE
+#define KAYA_JMODEL_ZERO
 #endif
 
 /* `name`, `initialise`, `run` and `max_stiffness` must not be NULL; neither must a table whose count
@@ -161,6 +190,16 @@ typedef struct kaya_jmodel {
      * writing a sentence to message (KAYA_JMODEL_MESSAGE bytes). NULL: the model keeps no objects. */
     kaya_jobject* (*restore)(const double* properties, const void* bytes, size_t count,
                              char* message) KAYA_JMODEL_NONE;
+
+    /* From interface 3 on. */
+    const kaya_jfield* fields KAYA_JMODEL_NONE;
+    size_t field_count KAYA_JMODEL_ZERO;
+    uint32_t needs KAYA_JMODEL_ZERO; /* KAYA_JMODEL_NEEDS_... */
+
+    /* For a model whose objects have properties of their own: what the object holds of property `property`, and a value for
+     * it; 0 when the object takes it. NULL: users see and set what the deck gives alone. */
+    double (*object_value)(const kaya_jobject* object, size_t property) KAYA_JMODEL_NONE;
+    int (*set_object_value)(kaya_jobject* object, size_t property, double value) KAYA_JMODEL_NONE;
 } kaya_jmodel;
 
 #if defined(_WIN32)

@@ -75,6 +75,13 @@ CommandSpec history_add() {
                       },
                       item.help);
     }
+    entry.special({"jprop", "jproperty"}, {text("name").spec, place.spec},
+                  [=](Reader& reader, HistoryAdd& history) {
+                      const Place at = reader.previous().place;
+                      const std::string own = reader.text(text("name").spec);
+                      history.items.push_back({"jprop " + own, reader.vector(place.spec), at});
+                  },
+                  "what the nearest sub-contact has for itself by that name: history of its joint model, a field, a property that its object holds");
     entry.keyword({"ncyc", "ncycle", Spelling{"nstep", 1}}, integer("n").at_least(1), &HistoryAdd::interval,
                   "cycles from one record to the next, for all histories");
     entry.place(&HistoryAdd::place);
@@ -99,6 +106,8 @@ CommandSpec history_add() {
         .right("his xvel (0,0,1)")
         .right("hist szz 0 0 0.1")
         .right("hist ncyc 100");
+    entry.right("hist jprop 'slip' 0 0 0");
+    entry.wrong("hist jprop slip 0 0", "a number is missing after '0'");
     entry.wrong("hist", "history does not say what to record");
     entry.wrong("hist xdis 0 0", "a number is missing after '0'");
     entry.wrong("hist xids 0 0 0", "'xids' is not a keyword of history");

@@ -1,5 +1,6 @@
 #include "lang/script/joint_script_state.hpp"
 
+#include "lang/script/joint_script_names.hpp"
 #include "lang/script/lua_headers.hpp"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 
 namespace kaya::script {
@@ -36,10 +38,18 @@ std::string underscored(std::string name) {
 
 [[noreturn]] void fail(const std::string& what) { throw std::runtime_error(what); }
 
+/// Raw, so that what a script did to the table does not matter.
 void set_number(lua_State* L, const char* field, double value) {
+    lua_pushstring(L, field);
     lua_pushnumber(L, value);
-    lua_setfield(L, -2, field);
+    lua_rawset(L, -3);
 }
+
+/// What run() finds in a row; the header says what they mean.
+constexpr const char* row_fields[] = {
+    "area", "normal_disp", "normal_disp_inc", "pore_pressure", "normal_force", "normal_stiffness", "shear_stiffness", "frictional_work",
+    "time_step", "shear_disp_x", "shear_disp_y", "shear_disp_z", "shear_disp_inc_x", "shear_disp_inc_y", "shear_disp_inc_z",
+    "shear_force_x", "shear_force_y", "shear_force_z", "state"};
 
 std::string text_field(lua_State* L, const char* field, const char* otherwise) {
     lua_getfield(L, -1, field);
@@ -87,6 +97,7 @@ JointScriptTable::Property property_on_stack(lua_State* L) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     JointScriptTable::Property p{first_text(L, "properties"), "", "-", "", std::nan(""), -infinity, infinity, false};
     if (lua_type(L, -1) != LUA_TTABLE) return p;
+    refuse_other_names(L, fmt::format("the entry of property '{}'", p.name), {"unit", "help", "initial", "minimum", "maximum", "optional"});
     lua_rawgeti(L, -1, 2);
     if (lua_type(L, -1) == LUA_TSTRING) p.aliases = lua_tostring(L, -1);
     lua_pop(L, 1);
@@ -99,10 +110,6 @@ JointScriptTable::Property property_on_stack(lua_State* L) {
     p.optional = lua_toboolean(L, -1) != 0;
     lua_pop(L, 1);
     return p;
-}
-
-int refuse_global(lua_State* L) {
-    return luaL_error(L, "'%s' is not local: a joint model keeps nothing but its history", luaL_checkstring(L, 2));
 }
 
 } // namespace
@@ -135,9 +142,11 @@ JointScriptState::JointScriptState(const std::string& text, const std::string& f
         lua_setglobal(lua_, "table_slope");
         if (luaL_loadbufferx(lua_, text.data(), text.size(), ("@" + file).c_str(), "t") != LUA_OK)
             fail(lua_tostring(lua_, -1));
+        lua_pushvalue(lua_, -1);
+        chunk_ = luaL_ref(lua_, LUA_REGISTRYINDEX);
         call(0, 1);
         read_table();
-        protect_globals();
+        freeze();
     } catch (...) {
         lua_close(lua_);
         throw;
@@ -146,18 +155,32 @@ JointScriptState::JointScriptState(const std::string& text, const std::string& f
 
 JointScriptState::~JointScriptState() { lua_close(lua_); }
 
-/// A global that is set while rows run would make a row depend on those before it.
-void JointScriptState::protect_globals() {
+void JointScriptState::freeze() {
+    push_freezer(lua_);
+    lua_rawgeti(lua_, LUA_REGISTRYINDEX, chunk_);
     lua_pushglobaltable(lua_);
-    lua_newtable(lua_);
-    lua_pushcfunction(lua_, refuse_global);
-    lua_setfield(lua_, -2, "__newindex");
-    lua_setmetatable(lua_, -2);
+    lua_rawgeti(lua_, LUA_REGISTRYINDEX, model_);
+    luaL_requiref(lua_, LUA_DBLIBNAME, luaopen_debug, 0);
+    call(4, 1);
+    changed_ = luaL_ref(lua_, LUA_REGISTRYINDEX);
+}
+
+/// Throws when a local variable outside of the functions has another value than when the file was read.
+void JointScriptState::refuse_change() {
+    lua_rawgeti(lua_, LUA_REGISTRYINDEX, changed_);
+    call(0, 1);
+    const std::string name = lua_isstring(lua_, -1) ? lua_tostring(lua_, -1) : "";
     lua_pop(lua_, 1);
+    if (!name.empty())
+        fail(fmt::format("'{}' is changed by the functions of the model and would be kept from call to call: a joint model keeps nothing "
+                         "but its history",
+                         name));
 }
 
 void JointScriptState::read_table() {
     if (lua_type(lua_, -1) != LUA_TTABLE) fail("the file must return a table");
+    refuse_other_names(lua_, "the table of the model",
+                       {"name", "title", "version", "properties", "history", "states", "initialise", "run", "check", "stiffness"});
     table_.name = text_field(lua_, "name", "");
     if (table_.name.empty()) fail("'name' is missing");
     table_.title = text_field(lua_, "title", "");
@@ -166,6 +189,7 @@ void JointScriptState::read_table() {
     each_entry(lua_, "history", [this] {
         JointScriptTable::Kept kept{first_text(lua_, "history"), "-", ""};
         if (lua_type(lua_, -1) == LUA_TTABLE) {
+            refuse_other_names(lua_, fmt::format("the entry of history '{}'", kept.name), {"unit", "help"});
             kept.unit = text_field(lua_, "unit", "-");
             kept.help = text_field(lua_, "help", "");
         }
@@ -186,10 +210,37 @@ void JointScriptState::read_table() {
         lua_pop(lua_, 1);
     }
     model_ = luaL_ref(lua_, LUA_REGISTRYINDEX);
-    for (int* place : {&row_, &values_, &kept_}) {
-        lua_newtable(lua_);
-        *place = luaL_ref(lua_, LUA_REGISTRYINDEX);
+    lua_newtable(lua_);
+    for (const char* field : row_fields) set_number(lua_, field, 0);
+    close_names(lua_, "the row");
+    row_ = luaL_ref(lua_, LUA_REGISTRYINDEX);
+    lua_newtable(lua_);
+    for (const auto& name : spellings_) set_number(lua_, name.c_str(), 0);
+    close_names(lua_, "the history");
+    kept_ = luaL_ref(lua_, LUA_REGISTRYINDEX);
+    lua_newtable(lua_);
+    values_ = luaL_ref(lua_, LUA_REGISTRYINDEX);
+    set_property_names();
+}
+
+/// By each of their words, also with _ for -.
+void JointScriptState::set_property_names() {
+    names_of_properties_.clear();
+    for (const auto& p : table_.properties) {
+        std::vector<std::string> words{p.name, underscored(p.name)};
+        std::istringstream aliases(p.aliases);
+        for (std::string word; aliases >> word;) words.insert(words.end(), {word, underscored(word)});
+        std::sort(words.begin(), words.end());
+        words.erase(std::unique(words.begin(), words.end()), words.end());
+        names_of_properties_.push_back(std::move(words));
     }
+    const std::vector<double> zeros(table_.properties.size(), 0);
+    set_values(zeros.data());
+    lua_rawgeti(lua_, LUA_REGISTRYINDEX, values_);
+    close_names(lua_, "the list of properties");
+    push_view(lua_, "the list of properties");
+    view_ = luaL_ref(lua_, LUA_REGISTRYINDEX);
+    lua_pop(lua_, 1);
 }
 
 void JointScriptState::call(int arguments, int results) {
@@ -202,10 +253,8 @@ void JointScriptState::call(int arguments, int results) {
 
 void JointScriptState::set_values(const double* values) {
     lua_rawgeti(lua_, LUA_REGISTRYINDEX, values_);
-    for (std::size_t k = 0; k < table_.properties.size(); ++k) {
-        set_number(lua_, table_.properties[k].name.c_str(), values[k]);
-        set_number(lua_, underscored(table_.properties[k].name).c_str(), values[k]);
-    }
+    for (std::size_t k = 0; k < table_.properties.size(); ++k)
+        for (const auto& word : names_of_properties_[k]) set_number(lua_, word.c_str(), values[k]);
     lua_pop(lua_, 1);
 }
 
@@ -228,16 +277,18 @@ void JointScriptState::push_row(const kaya_jbatch& b, std::size_t i) {
         set_number(lua_, inc[k], b.shear_disp_inc[k][i]);
         set_number(lua_, force[k], b.shear_force[k][i]);
     }
+    lua_pushstring(lua_, "state");
     lua_pushinteger(lua_, b.state[i]);
-    lua_setfield(lua_, -2, "state");
-    lua_rawgeti(lua_, LUA_REGISTRYINDEX, values_);
+    lua_rawset(lua_, -3);
+    lua_rawgeti(lua_, LUA_REGISTRYINDEX, view_);
     lua_rawgeti(lua_, LUA_REGISTRYINDEX, kept_);
     for (std::size_t k = 0; k < spellings_.size(); ++k) set_number(lua_, spellings_[k].c_str(), b.history[k][i]);
 }
 
 void JointScriptState::take_row(kaya_jbatch& b, std::size_t i) {
     const auto number = [this](const char* field) {
-        lua_getfield(lua_, -1, field);
+        lua_pushstring(lua_, field);
+        lua_rawget(lua_, -2);
         int is_number = 0;
         const double value = lua_tonumberx(lua_, -1, &is_number);
         lua_pop(lua_, 1);
@@ -287,6 +338,7 @@ ptrdiff_t JointScriptState::rows(kaya_jbatch& batch, const char* function) {
             call(3, 0);
             take_row(batch, i);
         }
+        refuse_change();
         batch_ = nullptr;
         return -1;
     } catch (const std::exception& mistake) {
@@ -304,7 +356,7 @@ std::string JointScriptState::check(const double* values) {
     lua_remove(lua_, -2);
     std::string sentence;
     if (type == LUA_TFUNCTION) {
-        lua_rawgeti(lua_, LUA_REGISTRYINDEX, values_);
+        lua_rawgeti(lua_, LUA_REGISTRYINDEX, view_);
         call(1, 1);
         if (const char* text = lua_tostring(lua_, -1)) sentence = text;
     }
@@ -317,7 +369,7 @@ void JointScriptState::stiffness(const double* values, double& normal, double& s
     lua_rawgeti(lua_, LUA_REGISTRYINDEX, model_);
     lua_getfield(lua_, -1, "stiffness");
     lua_remove(lua_, -2);
-    lua_rawgeti(lua_, LUA_REGISTRYINDEX, values_);
+    lua_rawgeti(lua_, LUA_REGISTRYINDEX, view_);
     call(1, 2);
     if (!lua_isnumber(lua_, -2) || !lua_isnumber(lua_, -1)) {
         lua_settop(lua_, 0);

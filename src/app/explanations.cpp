@@ -106,7 +106,7 @@ constexpr Explanation explanations[] = {
      "A joint model is a shared library NAME.so beside the program, in a folder of --joints or of KAYA_JOINTS, or\n"
      "beside the deck. 'jmodel load FILE' takes one by its path."},
     {"joint-model-version", "a joint model for another version of the interface",
-     "The library was compiled against another include/kaya/jmodel.h. Compile it again."},
+     "Libraries of older interfaces load, from version 2 on. A newer one wants a newer program."},
     {"joint-model-table", "the table of a joint model is wrong",
      "The library was found, and what it says about itself cannot be right; the message names the entry. This is a\n"
      "mistake in the joint model, not in the deck."},
@@ -116,6 +116,15 @@ constexpr Explanation explanations[] = {
     {"joint-model-failed", "a joint model failed while it ran",
      "It threw an exception, or left a number that is not finite. The message says at which contact, in which cycle.\n"
      "Large overlaps from too long a step, or properties that do not fit together, are the usual reasons."},
+    {"joint-model-trespass", "a joint model writes where it must not",
+     "It was tried on one sub-contact whose columns lie between fences. It wrote to what it may only read, or beside its\n"
+     "columns. In a run that would spoil other sub-contacts, or memory that the program needs later."},
+    {"joint-model-arithmetic", "a model changes how the processor computes",
+     "It rounds in another way, cuts very small numbers to 0, or asks for an end at a division by 0, and leaves it so. The\n"
+     "program puts that back, since all results behind it would differ, and with threads differently. -ffast-math does it."},
+    {"joint-model-other-file", "the file of a joint model is another one than when the model was saved",
+     "A save file keeps path and SHA-256 of a joint model that was loaded by its path. The run goes on with what is there\n"
+     "now; if only the build is new, nothing is wrong."},
     {"zone-model-unknown", "a zone model that is not there",
      "Zone models are found by name in the folder 'zones' beside that of the joint models, or by the path of a library. The\n"
      "message lists those that are there. Constitutive number 1 is elastic, 2 is mohr-coulomb."},

@@ -1,5 +1,7 @@
 #include "app/interrupt.hpp"
 
+#include "joints/crash_report.hpp"
+
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -21,6 +23,7 @@ constexpr itimerval patience{{0, 0}, {0, 700'000}}, none{};
 /// end. What cycles has been kept in its time.
 void end_if_deaf(int) {
     const Session* session = listening.load();
+    tell_whom_it_waits_for();
     if (session == nullptr || !session->is_deaf()) return;
     constexpr char message[] = "error: stopped by the user inside of one call into Lua's library that did not come to its end\n";
     if (::ftrylockfile(stdout) == 0) ::fflush_unlocked(stdout);
@@ -28,12 +31,12 @@ void end_if_deaf(int) {
     std::_Exit(static_cast<int>(Fault::run));
 }
 
-/// Only what a signal handler may do: lock-free atomics, and giving the signal its old meaning back.
+/// Only what a signal handler may do: lock-free atomics, and letting a second signal end the program.
 void stop(int signal) {
     asked = true;
     if (Session* session = listening.load(); session != nullptr) session->interrupt();
     ::setitimer(ITIMER_REAL, &patience, nullptr);
-    std::signal(signal, SIG_DFL);
+    std::signal(signal, end_at_once);
 }
 
 } // namespace
@@ -53,7 +56,7 @@ InterruptGuard::InterruptGuard(Session& session)
 bool InterruptGuard::was_asked() { return asked; }
 
 InterruptGuard::~InterruptGuard() {
-    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGINT, end_at_once);
     std::signal(SIGTERM, SIG_DFL);
     listening = nullptr;
 }

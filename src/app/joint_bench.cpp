@@ -63,6 +63,10 @@ int carry_out(Order& order, const std::vector<fs::path>& folders) {
     JointRegistry registry;
     registry.set_path(folders);
     understand_lua_models(registry);
+    registry.tables().set_source([missed = order.bench.missed_tables](const std::string& name) {
+        missed->insert(name);
+        return std::nullopt;
+    });
     const auto report = run_bench(registry, order.bench);
     fmt::print("{}{}\n", report.text, order.no_picture ? "" : draw(report.figure));
     return report.doubtful || (order.strict && report.odd) ? static_cast<int>(Fault::run) : 0;

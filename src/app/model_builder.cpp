@@ -1,5 +1,6 @@
 #include "app/model_builder.hpp"
 
+#include "app/adapter_cache.hpp"
 #include "base/diagnostic.hpp"
 #include "joints/joint_model.hpp"
 
@@ -9,6 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fstream>
+#include <future>
+#include <memory>
 #include <regex>
 #include <set>
 #include <spawn.h>
@@ -100,35 +103,56 @@ std::string all_text(const std::vector<fs::path>& sources) {
     return all;
 }
 
-Words compiler_line(const BuildOrder& order, const fs::path& include, const fs::path& library) {
-    const std::string text = all_text(order.sources);
+/// What all lines of one library begin with, and what its objects are linked with.
+struct Lines {
+    Words compiler, flags;
+    Words of_sources; ///< folders and macros that the adapter does without
+    Words of_user; ///< words that the user has given
+
+    Words compile(const fs::path& source, const fs::path& object, bool own = true) const {
+        Words line = compiler;
+        if (own) line.insert(line.end(), of_sources.begin(), of_sources.end());
+        line.insert(line.end(), flags.begin(), flags.end());
+        line.insert(line.end(), of_user.begin(), of_user.end());
+        line.insert(line.end(), {"-c", source.string(), "-o", object.string()});
+        return line;
+    }
+    Words link(const std::vector<fs::path>& objects, const fs::path& library) const {
+        Words line = compiler;
+        line.insert(line.end(), {"-shared"});
+        for (const auto& object : objects) line.push_back(object.string());
+        line.insert(line.end(), of_user.begin(), of_user.end());
+        line.insert(line.end(), {"-o", library.string()});
+        return line;
+    }
+};
+
+Lines lines_of(const BuildOrder& order, const std::string& text, const fs::path& include) {
     const bool native = is_native(text);
-    Words words = compiler_words(order.compiler);
-    const auto add = [&](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
-    add({fmt::format("-std={}", native ? "gnu++20" : order.standard), "-O3", "-march=native", "-ffp-contract=off",
-         "-fno-math-errno", "-fno-trapping-math", "-shared", "-fPIC", "-fvisibility=hidden"});
+    Lines lines;
+    lines.compiler = compiler_words(order.compiler);
+    lines.of_user = order.flags;
+    const auto add = [&](std::initializer_list<std::string> more) { lines.flags.insert(lines.flags.end(), more); };
+    add({fmt::format("-std={}", native ? "gnu++20" : order.standard), "-O3", "-march=native", "-ffp-contract=off", "-fno-math-errno",
+         "-fno-trapping-math", "-fPIC", "-fvisibility=hidden"});
     std::set<fs::path> folders;
     for (const auto& source : order.sources) folders.insert(source.has_parent_path() ? source.parent_path() : ".");
-    for (const auto& folder : folders) add({"-I", folder.string()});
+    for (const auto& folder : folders) lines.of_sources.insert(lines.of_sources.end(), {"-I", folder.string()});
     if (!native) {
         add({"-I", (include / "kaya/compat").string()});
-        for (const auto& macro : export_macros(text)) add({"-D" + macro});
+        for (const auto& macro : export_macros(text)) lines.of_sources.push_back("-D" + macro);
         if (returns_std_string(text)) add({"-DKAYA_COMPAT_STD_STRING"});
         if (order.displacement_at_end) add({"-DKAYA_COMPAT_DISPLACEMENT_AT_END"});
         if (!order.as_it_is) add({"-include", "kaya/compat/msvc.h"});
     }
     add({"-I", include.string()});
-    words.insert(words.end(), order.flags.begin(), order.flags.end());
-    for (const auto& source : order.sources) add({source.string()});
-    if (!native) add({(include / "kaya/compat/adapter.cpp").string()});
-    add({"-o", library.string()});
-    return words;
+    return lines;
 }
 
-/// A library that is being made; it is gone when nobody wants it.
+/// A file that is being made; it is gone when nobody wants it.
 class Draft {
 public:
-    explicit Draft(const fs::path& folder) : file(folder / fmt::format(".kaya-jmodel-{}.so", getpid())) {}
+    Draft(const fs::path& folder, const std::string& ending) : file(folder / fmt::format(".kaya-jmodel-{}{}", getpid(), ending)) {}
     ~Draft() {
         std::error_code ignored;
         fs::remove(file, ignored);
@@ -137,6 +161,49 @@ public:
     Draft& operator=(const Draft&) = delete;
     const fs::path file;
 };
+
+/// Compiles and links. The adapter, which says nothing, is compiled beside the sources, or taken from an earlier build.
+void compile(const BuildOrder& order, const fs::path& include, const fs::path& library) {
+    const std::string text = all_text(order.sources);
+    const Lines lines = lines_of(order, text, include);
+    const auto run = [&](const Words& line) {
+        if (order.show) fmt::print(stderr, "{}\n", fmt::join(line, " "));
+        std::fflush(nullptr);
+        return run_program(line);
+    };
+    const auto refuse = [&](const fs::path& what, int status) {
+        throw Diagnostic(fmt::format("{} does not compile (status {} of {})", what.string(), status, lines.compiler.front()),
+                         "the messages of the compiler are above");
+    };
+    const Draft adapter_draft(order.folder, "-adapter.o");
+    const fs::path adapter_source = include / "kaya/compat/adapter.cpp";
+    int adapter_status = 0;
+    std::future<fs::path> adapter;
+    if (!is_native(text)) {
+        const AdapterCache cache(lines.compile(adapter_source, "", false), include);
+        adapter = std::async(std::launch::async, [&, cache] {
+            return cache.object(adapter_draft.file, [&](const fs::path& object) {
+                adapter_status = run(lines.compile(adapter_source, object, false));
+                return adapter_status == 0;
+            });
+        });
+    }
+    std::vector<std::unique_ptr<Draft>> drafts;
+    std::vector<fs::path> objects;
+    for (const auto& source : order.sources) {
+        drafts.push_back(std::make_unique<Draft>(order.folder, fmt::format("-{}.o", drafts.size())));
+        objects.push_back(drafts.back()->file);
+        if (const int status = run(lines.compile(source, objects.back())); status != 0) {
+            if (adapter.valid()) adapter.wait();
+            refuse(source, status);
+        }
+    }
+    if (adapter.valid()) {
+        objects.push_back(adapter.get());
+        if (objects.back().empty()) refuse(adapter_source, adapter_status);
+    }
+    if (const int status = run(lines.link(objects, library)); status != 0) refuse(order.sources.front(), status);
+}
 
 } // namespace
 
@@ -173,14 +240,8 @@ fs::path include_folder(const fs::path& program_folder) {
 fs::path build_model(const BuildOrder& order, const fs::path& include) {
     if (!fs::is_directory(order.folder))
         throw Diagnostic(fmt::format("there is no folder {}", order.folder.string()), "make it, or give another one");
-    const Draft draft(order.folder);
-    const Words line = compiler_line(order, include, draft.file);
-    if (order.show) fmt::print(stderr, "{}\n", fmt::join(line, " "));
-    std::fflush(nullptr);
-    if (const int status = run_program(line); status != 0)
-        throw Diagnostic(fmt::format("{} does not compile (status {} of {})", order.sources.front().string(), status,
-                                     line.front()),
-                         "the messages of the compiler are above");
+    const Draft draft(order.folder, ".so");
+    compile(order, include, draft.file);
     std::string name;
     {
         JointRegistry registry;

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <memory>
+#include <optional>
 
 namespace kaya {
 
@@ -144,23 +145,41 @@ void add_model_commands(CLI::App& app, const fs::path& program_folder,
         };
     });
 
-    const auto add_new = [&](const char* command, const char* help, auto write, const char* after) {
+    struct Writing {
+        std::vector<fs::path> (*write)(const NewModel&);
+        const char* after; ///< what to do with it
+    };
+    const auto add_new = [&](const char* command, const char* help, Writing native, std::optional<Writing> lua, auto names_taken) {
         auto name = std::make_shared<std::string>();
+        auto in_lua = std::make_shared<bool>(false);
         auto* making = app.add_subcommand(command, help);
         making->add_option("name", *name, "its name")->required();
-        making->callback([name, write, after, &chosen] {
-            chosen = [name, write, after] {
-                for (const auto& file : write(*name, ".")) fmt::print("{}\n", file.string());
-                fmt::print(fmt::runtime(after), *name);
+        if (lua) making->add_flag("--lua", *in_lua, "in Lua, which needs no compiler");
+        making->callback([=, &chosen] {
+            chosen = [=] {
+                const Writing& writing = *in_lua ? *lua : native;
+                for (const auto& file : writing.write({*name, ".", names_taken(joint_folders())})) fmt::print("{}\n", file.string());
+                fmt::print(fmt::runtime(writing.after), *name);
                 return 0;
             };
         });
     };
-    add_new("new-jmodel", "write a joint model to begin with: source, deck, test and page", write_new_joint_model,
-            "build it:  kaya jmodel build {0}/{0}.cpp --into {0}\ntest it:   kaya {0}/test-{0}.3dd\n");
-    add_new("new-zmodel", "write a zone model to begin with: source, path, test and page", write_new_zone_model,
+    add_new("new-jmodel", "write a joint model to begin with: source, deck, test and page",
+            {write_new_joint_model, "build it:  kaya jmodel build {0}/{0}.cpp --into {0}\ntest it:   kaya {0}/test-{0}.3dd\n"},
+            Writing{write_new_lua_model, "test it:   kaya --joints {0} {0}/test-{0}.3dd\n"}, [](const auto& folders) {
+                JointRegistry registry;
+                registry.set_path(folders);
+                return registry.available();
+            });
+    add_new("new-zmodel", "write a zone model to begin with: source, path, test and page",
+            {write_new_zone_model,
             "build it:  kaya zmodel build {0}/{0}.cpp --into {0}\ntry it:    kaya ztest {0}/{0}.so {0}/triaxial.csv bulk=4e9 shear=3e9 "
-            "strength=2e7\ntest it:   kaya {0}/test-{0}.3dd\n");
+            "strength=2e7\ntest it:   kaya {0}/test-{0}.3dd\n"},
+            std::nullopt, [](const auto& folders) {
+                ZoneModels models;
+                models.set_path(folders);
+                return models.available();
+            });
 
     auto* plugin = app.add_subcommand("plugin", "look at joint and zone models");
     plugin->require_subcommand(1);

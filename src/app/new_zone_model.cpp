@@ -161,8 +161,6 @@ add_test(NAME @NAME@
 
 } // namespace
 
-std::vector<std::filesystem::path> write_new_zone_model(const std::string& name, const std::filesystem::path& in) {
-    return write_templates(templates, name, in);
-}
+std::vector<std::filesystem::path> write_new_zone_model(const NewModel& model) { return write_templates(templates, model); }
 
 } // namespace kaya

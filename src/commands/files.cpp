@@ -1,6 +1,8 @@
 // save, restore, hist write, vtk write; files are written into the current folder unless they name another.
 #include "base/hash.hpp"
 #include "commands/handlers.hpp"
+#include "commands/joint_files.hpp"
+#include "commands/joint_values.hpp"
 #include "commands/run_cycles.hpp"
 #include "commands/save_session.hpp"
 #include "commands/saved_ranges.hpp"
@@ -9,6 +11,7 @@
 #include "io/save.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace kaya {
@@ -18,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Parts of a save file that belong to the session.
-constexpr std::string_view part_scripts = "scripts", part_ranges = "named ranges";
+constexpr std::string_view part_scripts = "scripts", part_ranges = "named ranges", part_joints = "joint models";
 
 std::string save_name(const std::string& name) {
     return fs::path(name).has_extension() ? name : name + std::string(save_ending);
@@ -41,6 +44,12 @@ const std::string& part(const SaveExtras& extras, std::string_view name) {
     return found->content;
 }
 
+/// Saves of format 10, and those of models whose laws are all found by name, have no such part.
+std::vector<JointFile> saved_joint_files(const SaveExtras& extras) {
+    const auto found = std::ranges::find(extras.scripts, part_joints, &SaveExtras::Item::name);
+    return found == extras.scripts.end() ? std::vector<JointFile>{} : joint_files_from_text(found->content);
+}
+
 /// What joint models keep as objects was restored as bytes; the models make objects of them.
 void wake_objects(Session& session, Model& model) {
     if (!model.sub_contacts.keeps_objects) return;
@@ -55,12 +64,12 @@ void wake_objects(Session& session, Model& model) {
 }
 
 /// A saved model runs on with the joint models that it had: they must be here, with the same properties.
-void load_joint_models(Session& session, Model& model) {
+void load_joint_models(Session& session, Model& model, const std::vector<JointFile>& files, const std::string& save_file) {
     for (auto& set : model.joint_properties) {
         if (set.model.find('/') != std::string::npos)
             throw Diagnostic(fmt::format("the save file names the joint model '{}' by a path", set.model),
                              "kaya saves names of joint models alone; the file was changed", Fault::run);
-        const auto& properties = session.joints.get(set.model).properties;
+        const auto& properties = find_saved_model(session, set.model, files, save_file).properties;
         // Properties that the model has got since have the value with which it does what it did.
         while (set.values.size() < properties.size() && properties[set.values.size()].has_default()) set.values.push_back(properties[set.values.size()].initial);
         if (properties.size() != set.values.size())
@@ -112,6 +121,8 @@ SaveExtras session_extras(Session& session) {
     extras.title = session.title;
     extras.scripts.push_back({std::string(part_scripts), script::to_bytes(session.scripts->state())});
     extras.scripts.push_back({std::string(part_ranges), ranges_text(session.ranges)});
+    if (const auto files = joint_files(session); !files.empty())
+        extras.scripts.push_back({std::string(part_joints), joint_files_text(files)});
     for (const auto& source : session.sources)
         extras.decks.push_back({source->name, fmt::format("{}\n", fmt::join(source->lines, "\n"))});
     return extras;
@@ -150,7 +161,7 @@ void run(Session& session, const lang::Restore& command) {
     const std::string file = saved_file(session, command.file);
     session.gate->may_read(file);
     const SaveExtras extras = restore_state(model, file);
-    load_joint_models(session, model);
+    load_joint_models(session, model, saved_joint_files(extras), file);
     NamedRanges ranges = ranges_from_text(part(extras, part_ranges));
     const script::ScriptState scripts = script::from_bytes(part(extras, part_scripts));
 
@@ -184,10 +195,13 @@ void run(Session& session, const lang::HistoryWrite& command) {
 }
 
 void run(Session& session, const lang::VtkWrite& command) {
-    HistoryNames history;
+    OwnValues values;
     for (const auto& joint : session.joints.loaded())
-        for (const auto& variable : joint->history) history[joint->name].push_back(variable.name);
-    session.vtk.write(session.model, command.file, history);
+        for (auto& value : joint_values(*joint))
+            values[joint->name][value.name] = [of = std::move(value.of)](const Model& model, Row row) {
+                return of(model, row).value_or(std::nan(""));
+            };
+    session.vtk.write(session.model, command.file, values);
 }
 
 void run(Session& session, const lang::Ignored& command) {

@@ -1,5 +1,6 @@
 // hist: adding, labelling, writing.
 #include "commands/handlers.hpp"
+#include "commands/joint_values.hpp"
 #include "commands/text_table.hpp"
 
 #include "mechanics/contact_properties.hpp"
@@ -67,6 +68,12 @@ HistorySource source_of(Session& session, const lang::HistoryItem& item) {
                              near.empty() ? "define it before it is recorded"
                                           : fmt::format("did you mean '@{}'?", near));
         }
+        return source;
+    }
+    if (constexpr std::string_view own = "jprop "; item.word.starts_with(own)) {
+        find_contacts(session.model, session.joints);
+        source.kind = Kind::sub_contact;
+        source.quantity = recorded_name(session, item.word.substr(own.size()), item.place);
         return source;
     }
     const auto rate = std::ranges::find(rates, std::string_view(item.word), &Rate::word);

@@ -1,4 +1,5 @@
 // Lists of objects: one line for each row of a table that the range picks.
+#include "commands/joint_values.hpp"
 #include "commands/listing.hpp"
 
 #include "mechanics/contact_properties.hpp"
@@ -211,7 +212,7 @@ std::string list_contacts(Session& session, const lang::List& command) {
         });
 }
 
-/// What the joint model of one sub-contact remembers: `list subcontacts 7`.
+/// What one sub-contact has for itself: `list subcontacts 7`.
 std::string history_text(Session& session, std::int64_t number) {
     const auto& points = session.model.sub_contacts;
     const auto found = std::ranges::find(points.number, static_cast<std::int32_t>(number));
@@ -220,9 +221,10 @@ std::string history_text(Session& session, std::int64_t number) {
     const JointProperties* properties = properties_of(session.model, points.contact[row]);
     const JointModel* joint = properties == nullptr ? nullptr : session.joints.find(properties->model);
     if (joint == nullptr) return {};
-    TextTable table({"history variable", "value", "unit", "meaning"});
-    for (std::size_t k = 0; k < joint->history.size() && static_cast<std::int32_t>(k) < points.history_columns; ++k)
-        table.add({joint->history[k].name, number_text(points.history[k][row]), joint->history[k].unit, joint->history[k].help});
+    TextTable table({"own value", "value", "unit", "meaning"});
+    for (const auto& value : joint_values(*joint))
+        if (const auto own = value.of(session.model, static_cast<Row>(row)))
+            table.add({value.name, number_text(*own), value.unit, value.help});
     return table.size() == 0 ? std::string() : fmt::format("\n{}", table.text());
 }
 

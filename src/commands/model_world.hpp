@@ -70,6 +70,10 @@ public:
 private:
     /// The history variable of that name, of the joint model of a sub-contact; null when there is none.
     double* history_value(Row sub_contact, const std::string& name);
+    /// What a sub-contact has for itself by that name: history, a field, a property that its object holds.
+    std::optional<double> own_value(Row sub_contact, const std::string& name);
+    /// False when it has nothing of that name that can be set.
+    bool set_own_value(Row sub_contact, const std::string& name, double value);
     Row row_of(script::Handle object) const; ///< no_row when it is gone
     /// What belongs to a block is known by the number of the block's shape and its place in the shape: it outlives whatever
     /// happens to other blocks.

@@ -88,8 +88,10 @@ const JointProperties& set_of(const Model& model, Row contact) {
     };
     for (const auto& property : joint.properties) add(property.name);
     for (const auto& variable : joint.history) add(variable.name);
+    for (const auto& field : joint.fields)
+        if (!field.property) add(field.name);
     const auto meant = did_you_mean(name, names);
-    throw Diagnostic(fmt::format("joint model '{}' has no property or history variable '{}'", joint.name, name),
+    throw Diagnostic(fmt::format("joint model '{}' has no property, history variable or field '{}'", joint.name, name),
                      meant.empty() ? "it has: " + list : fmt::format("did you mean '{}'?", meant), Fault::run);
 }
 
@@ -102,18 +104,49 @@ double* ModelWorld::history_value(Row sub_contact, const std::string& name) {
     return nullptr;
 }
 
+bool ModelWorld::set_own_value(Row sub_contact, const std::string& name, double value) {
+    auto& subs = model_.sub_contacts;
+    if (!std::isfinite(value)) throw Diagnostic(fmt::format("'{}' cannot be {}", name, value), "give a number", Fault::run);
+    if (double* variable = history_value(sub_contact, name)) {
+        *variable = value;
+        return true;
+    }
+    const JointModel& joint = joints_.get(set_of(model_, subs.contact[sub_contact]).model);
+    const auto property = joint.find_property(name);
+    if (const auto field = joint.find_field(name)) {
+        if (property) {
+            const auto& p = joint.properties[*property];
+            if (value < p.minimum || value > p.maximum)
+                throw Diagnostic(fmt::format("'{}' is {}, outside of its limits {} and {}", p.name, value, p.minimum, p.maximum),
+                                 "give a value within them", Fault::run);
+        }
+        subs.keep_fields(joint.fields.size());
+        subs.set_field(*field, sub_contact, value);
+        return true;
+    }
+    if (!property) fail_property(joint, name);
+    return subs.keeps_objects && joint.set_object_value(subs.object[static_cast<std::size_t>(sub_contact)], *property, value);
+}
+
 void ModelWorld::set_property(script::Handle object, const std::string& name, double value) {
     const Row row = living_row(object);
-    if (static_cast<ScriptTable>(object.table) == ScriptTable::sub_contact) {
-        if (double* variable = history_value(row, name)) {
-            *variable = value;
-            return;
-        }
-        const JointModel& joint = joints_.get(set_of(model_, model_.sub_contacts.contact[row]).model);
-        if (!joint.find_property(name)) fail_property(joint, name);
-    }
+    if (static_cast<ScriptTable>(object.table) == ScriptTable::sub_contact && set_own_value(row, name, value)) return;
     throw Diagnostic(fmt::format("'{}' belongs to all that has this material", name),
                      "set it by a command: jmodel, prop jmat or prop mat", Fault::run);
+}
+
+std::optional<double> ModelWorld::own_value(Row sub_contact, const std::string& name) {
+    if (const double* variable = history_value(sub_contact, name)) return *variable;
+    const auto& subs = model_.sub_contacts;
+    const JointProperties& set = set_of(model_, subs.contact[sub_contact]);
+    const JointModel& joint = joints_.get(set.model);
+    const auto field = joint.find_field(name);
+    if (field && static_cast<std::int32_t>(*field) < subs.field_columns && (subs.field_set[sub_contact] >> *field & 1u))
+        return subs.field[*field][sub_contact];
+    if (field && !joint.fields[*field].property) return joint.fields[*field].initial;
+    const auto property = joint.find_property(name);
+    if (!property || !subs.keeps_objects) return std::nullopt;
+    return joint.object_value(subs.object[static_cast<std::size_t>(sub_contact)], *property);
 }
 
 script::Value ModelWorld::property(script::Handle object, const std::string& name) {
@@ -121,18 +154,20 @@ script::Value ModelWorld::property(script::Handle object, const std::string& nam
     const auto table = static_cast<ScriptTable>(object.table);
     if (table == ScriptTable::zone)
         return kaya::material_value(model_, joints_, model_.blocks.material[model_.zones.block[row]], name);
+    if (table == ScriptTable::sub_contact)
+        if (const auto own = own_value(row, name)) return *own;
     const Row contact = table == ScriptTable::contact ? row : model_.sub_contacts.contact[row];
     const JointProperties& set = set_of(model_, contact);
     const JointModel& joint = joints_.get(set.model);
     const auto found = joint.find_property(name);
-    if (!found) {
-        const double* variable = table == ScriptTable::sub_contact ? history_value(row, name) : nullptr;
-        if (variable == nullptr) fail_property(joint, name);
-        return *variable;
-    }
+    if (!found) fail_property(joint, name);
     if (joint.keeps_objects() && note)
-        note(fmt::format("'{}' of joint model '{}' is what the deck gave: the model keeps its own for each sub-contact", name,
-                         joint.name));
+        note(table == ScriptTable::sub_contact
+                 ? fmt::format("'{}' of joint model '{}' is what the deck gave: the model keeps its own for each sub-contact, and does "
+                               "not show it",
+                               name, joint.name)
+                 : fmt::format("'{}' of a contact is what the deck gave; joint model '{}' keeps its own for each sub-contact", name,
+                               joint.name));
     const double value = set.values[*found];
     return std::isnan(value) ? 0.0 : value;
 }

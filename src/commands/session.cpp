@@ -3,10 +3,12 @@
 #include "base/parallel.hpp"
 #include "commands/deck_review.hpp"
 #include "commands/handlers.hpp"
+#include "commands/joint_values.hpp"
 #include "commands/lua_joint_models.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/fish/compiler.hpp"
 #include "mechanics/contact_properties.hpp"
+#include "joints/arithmetic.hpp"
 #include "lang/script/value_text.hpp"
 
 #include <algorithm>
@@ -108,6 +110,7 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
     interpreter.on_warning = [this](const Diagnostic& warning) { warn(warning); };
     interpreter.before_command = [this](const lang::BoundCommand& command) { show_command(command); };
     interpreter.after_command = [this](const lang::BoundCommand& command) {
+        tell_of_arithmetic();
         const bool calls = command.spec->flow == lang::Flow::call; // the commands of the file stand for it
         if (executed && commands_of_scripts_ == 0 && !calls) executed(command, Completion{});
         if (commands_of_scripts_ == 0) stopped_behind_.reset(); // a script has caught it
@@ -148,7 +151,10 @@ void Session::make_cycle() {
         if (found == tables.end()) throw Diagnostic(fmt::format("there is no table {}", number), {}, Fault::run);
         return found->second.at(x);
     };
-    cycle->hooks.script_value = [this](const std::string& expression) { return scripts->number(expression); };
+    cycle->hooks.script_value = [this](const std::string& expression) {
+        const auto own = recorded_own_value(*this, expression);
+        return own ? *own : scripts->number(expression);
+    };
 }
 
 lang::Ended Session::run_deck(const std::string& file) {
@@ -221,6 +227,20 @@ void Session::warn(Diagnostic warning) {
     ++warnings;
     if (warning_texts.size() < 100) warning_texts.push_back(render(warning));
     output.message(warning);
+}
+
+void Session::tell_of_arithmetic() {
+    const auto tell = [this](const LawTable& law, const char* noun) {
+        if (law.arithmetic() == 0 || !said_once.insert("arithmetic:" + law.file.string()).second) return;
+        Diagnostic warning(fmt::format("{} '{}' changes {}; the program puts it back behind each call", noun, law.name,
+                                       text_of_changes(law.arithmetic())),
+                           fmt::format("build it without -ffast-math and -Ofast, and without calls that change the rounding: {}",
+                                       law.file.string()));
+        warning.code = "joint-model-arithmetic";
+        warn(std::move(warning));
+    };
+    for (const auto& law : joints.loaded()) tell(*law, joint_law.noun);
+    for (const auto& law : joints.zones.loaded()) tell(*law, zone_law.noun);
 }
 
 void Session::note_once(const std::string& message, const std::string& hint) {

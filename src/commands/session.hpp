@@ -68,6 +68,9 @@ public:
     /// added when it has none.
     void warn(Diagnostic warning);
 
+    /// Warns once of each joint or zone model that changes how the processor computes; it was put back.
+    void tell_of_arithmetic();
+
     /// The test of a range, of objects of that kind. Throws Diagnostic at the element that is wrong.
     RangeTest test_of(ObjectKind kind, const lang::RangePhrase& range);
     /// What range elements read beside the model; `excavated`: the model is that of the blocks that fill can put back.

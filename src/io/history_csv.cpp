@@ -55,7 +55,8 @@ std::string column_title(const History& history) {
     const auto& source = history.source;
     const std::string head = fmt::format("{}:{}", history.number, history.label);
     if (source.kind == Kind::function) return fmt::format("{} [script {}]", head, source.quantity);
-    const std::string_view unit = sampled_field(source)->unit;
+    const Field* field = sampled_field(source);
+    const std::string_view unit = field ? field->unit : "-"; // what a joint model keeps has the unit that its table says
     const std::string name = history.label == source.quantity ? "" : source.quantity + ", ";
     const char* rate = source.rate ? "/time" : "";
     if (source.kind == Kind::global) return fmt::format("{} [{}{}{}]", head, name, unit, rate);

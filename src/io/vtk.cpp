@@ -74,9 +74,9 @@ std::vector<Row> all_rows(std::size_t count) {
     return rows;
 }
 
-void add_sub_contacts(vtkFieldData* target, vtkFieldData* whole, const Model& model, const std::vector<Row>& rows, const HistoryNames& history) {
+void add_sub_contacts(vtkFieldData* target, vtkFieldData* whole, const Model& model, const std::vector<Row>& rows, const OwnValues& own) {
     add_fields(target, whole, model, FieldTable::sub_contact, rows);
-    add_joint_history(target, model, history, rows);
+    add_own_values(target, model, own, rows);
 }
 
 /// VTK's order of a symmetric tensor is xx yy zz xy yz xz, ours xx yy zz xy xz yz.
@@ -235,7 +235,7 @@ std::string vtk_faces(const Model& model) {
     return bytes_of(grid);
 }
 
-std::string vtk_joints(const Model& model, const HistoryNames& history) {
+std::string vtk_joints(const Model& model, const OwnValues& own) {
     vtkNew<vtkUnstructuredGrid> grid;
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
@@ -256,14 +256,14 @@ std::string vtk_joints(const Model& model, const HistoryNames& history) {
         }
     }
     grid->SetPoints(points);
-    add_sub_contacts(grid->GetPointData(), grid->GetFieldData(), model, sub_of_point, history);
-    add_sub_contacts(grid->GetCellData(), grid->GetFieldData(), model, sub_of_cell, history);
+    add_sub_contacts(grid->GetPointData(), grid->GetFieldData(), model, sub_of_point, own);
+    add_sub_contacts(grid->GetCellData(), grid->GetFieldData(), model, sub_of_cell, own);
     add_fields(grid->GetCellData(), grid->GetFieldData(), model, FieldTable::contact, contact_of_cell, "contact_");
     add_time(grid, model.clock);
     return bytes_of(grid);
 }
 
-std::string vtk_sub_contacts(const Model& model, const HistoryNames& history) {
+std::string vtk_sub_contacts(const Model& model, const OwnValues& own) {
     const auto rows = all_rows(model.sub_contacts.size());
     vtkNew<vtkUnstructuredGrid> grid;
     vtkNew<vtkPoints> points;
@@ -277,7 +277,7 @@ std::string vtk_sub_contacts(const Model& model, const HistoryNames& history) {
         contacts.push_back(model.sub_contacts.contact[row]);
     }
     grid->SetPoints(points);
-    add_sub_contacts(grid->GetCellData(), grid->GetFieldData(), model, rows, history);
+    add_sub_contacts(grid->GetCellData(), grid->GetFieldData(), model, rows, own);
     add_fields(grid->GetCellData(), grid->GetFieldData(), model, FieldTable::contact, contacts, "contact_");
     add_time(grid, model.clock);
     return bytes_of(grid);
@@ -306,7 +306,7 @@ std::string vtk_cables(const Model& model) {
 }
 
 std::vector<std::string> VtkSeries::write(const Model& model, const std::string& given_name,
-                                          const HistoryNames& history) {
+                                          const OwnValues& own) {
     std::filesystem::path path(given_name);
     if (path.extension() == ".vtu" || path.extension() == ".pvd") path.replace_extension();
     const std::string name = path.string(), stem = path.filename().string();
@@ -329,8 +329,8 @@ std::vector<std::string> VtkSeries::write(const Model& model, const std::string&
     };
     add_grid("blocks", [&] { return vtk_blocks(model); });
     add_grid("faces", [&] { return vtk_faces(model); });
-    add_grid("joints", [&] { return vtk_joints(model, history); });
-    add_grid("subcontacts", [&] { return vtk_sub_contacts(model, history); });
+    add_grid("joints", [&] { return vtk_joints(model, own); });
+    add_grid("subcontacts", [&] { return vtk_sub_contacts(model, own); });
     add_series(".pvd", "blocks");
     for (const char* kind : {"faces", "joints", "subcontacts"}) add_series(fmt::format("_{}.pvd", kind), kind);
     // Once there were cables, each number has its file of them.

@@ -5,14 +5,15 @@
 #include "model/model.hpp"
 
 #include <functional>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace kaya {
 
-/// What joint models remember of each sub-contact, by the names of the models.
-using HistoryNames = std::map<std::string, std::vector<std::string>>;
+/// What sub-contacts have for themselves, by the name of their joint model and of the value; NaN: this one has none.
+using OwnValues = std::map<std::string, std::map<std::string, std::function<double(const Model&, Row)>>>;
 
 /// Files of unstructured grids as bytes. Arrays are the fields of model/field.hpp by their names, each with its kind of quantity where
 /// VTK keeps units (docs/results.md). Field data: time, cycle, and NAME_names for each array NAME of texts.
@@ -25,10 +26,10 @@ std::string vtk_faces(const Model& model);
 
 /// NAME_joints_N.vtu: polygons where two faces lie on each other. Point data and cell data: the nearest sub-contact, with jmodel_NAME for
 /// what its joint model remembers. Cell data also contact_NAME of the contact.
-std::string vtk_joints(const Model& model, const HistoryNames& history = {});
+std::string vtk_joints(const Model& model, const OwnValues& own = {});
 
 /// NAME_subcontacts_N.vtu: a vertex for each sub-contact, of corners and edges too. Cell data as those of joints.
-std::string vtk_sub_contacts(const Model& model, const HistoryNames& history = {});
+std::string vtk_sub_contacts(const Model& model, const OwnValues& own = {});
 /// The bars of cables as lines.
 std::string vtk_cables(const Model& model);
 
@@ -39,7 +40,7 @@ public:
     /// NAME_subcontacts.pvd (and NAME_cables.pvd where there are cables), and NAME_paraview.py, which opens them in ParaView. An ending .vtu or .pvd in the name is left out. A name that an
     /// earlier run used is begun anew: its files are replaced one after the other and its series list those of this run.
     /// Throws Diagnostic (Fault::run); files that were complete before stay so. Returns the paths.
-    std::vector<std::string> write(const Model& model, const std::string& name, const HistoryNames& history = {});
+    std::vector<std::string> write(const Model& model, const std::string& name, const OwnValues& own = {});
 
     std::function<void(const std::string&)> before_writing; ///< may refuse a file; asked before the first is written
 

@@ -102,20 +102,19 @@ void add_fields(vtkFieldData* target, vtkFieldData* whole, const Model& model, F
     }
 }
 
-void add_joint_history(vtkFieldData* target, const Model& model, const HistoryNames& history, std::span<const Row> rows) {
-    const auto& sub = model.sub_contacts;
+void add_own_values(vtkFieldData* target, const Model& model, const OwnValues& own, std::span<const Row> rows) {
     std::set<std::string> names;
     for (const auto& properties : model.joint_properties)
-        if (const auto found = history.find(properties.model); found != history.end()) names.insert(found->second.begin(), found->second.end());
+        if (const auto found = own.find(properties.model); found != own.end())
+            for (const auto& [name, value] : found->second) names.insert(name);
     for (const auto& name : names) {
         vtkNew<vtkDoubleArray> array;
         array->SetName(("jmodel_" + name).c_str());
         for (const Row row : rows) {
-            const Row set = row == no_row ? no_row : model.contacts.properties[static_cast<std::size_t>(sub.contact[static_cast<std::size_t>(row)])];
-            const auto found = set == no_row ? history.end() : history.find(model.joint_properties[static_cast<std::size_t>(set)].model);
-            const auto column = found == history.end() ? 0 : std::ranges::find(found->second, name) - found->second.begin();
-            const bool kept = found != history.end() && column < std::ssize(found->second) && column < sub.history_columns;
-            array->InsertNextValue(kept ? sub.history[static_cast<std::size_t>(column)][static_cast<std::size_t>(row)] : none);
+            const Row set = row == no_row ? no_row : model.contacts.properties[static_cast<std::size_t>(model.sub_contacts.contact[static_cast<std::size_t>(row)])];
+            const auto joint = set == no_row ? own.end() : own.find(model.joint_properties[static_cast<std::size_t>(set)].model);
+            const bool known = joint != own.end() && joint->second.contains(name);
+            array->InsertNextValue(known ? joint->second.at(name)(model, row) : none);
         }
         target->AddArray(array);
     }

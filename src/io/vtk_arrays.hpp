@@ -23,6 +23,6 @@ void set_unit(vtkDataArray* array, std::string_view unit);
 void add_fields(vtkFieldData* target, vtkFieldData* whole, const Model& model, FieldTable table, std::span<const Row> rows, std::string_view prefix = "");
 
 /// jmodel_NAME for each variable that a joint model remembers of sub-contacts; NaN where a model has none of that name.
-void add_joint_history(vtkFieldData* target, const Model& model, const HistoryNames& history, std::span<const Row> rows);
+void add_own_values(vtkFieldData* target, const Model& model, const OwnValues& own, std::span<const Row> rows);
 
 } // namespace kaya

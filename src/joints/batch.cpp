@@ -1,5 +1,6 @@
 #include "joints/batch.hpp"
 
+#include "joints/arithmetic.hpp"
 #include "joints/crash_report.hpp"
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 #include <cstring>
 #include <exception>
 #include <fmt/format.h>
+#include <iterator>
+#include <utility>
 
 namespace kaya {
 
@@ -52,6 +55,57 @@ BatchFailure thrown_failure(const JointModel& model, const char* what) {
                            model.name, what)};
 }
 
+/// What a model may only read, as sums that no likely change leaves as they are. In a cycle those are the properties,
+/// which all batches share; the columns are looked at when the model is tried and when it initialises.
+class ReadOnly {
+public:
+    ReadOnly(const JointModel& model, const kaya_jbatch& batch, Guard guard) : columns_(guard == Guard::all) {
+        each(model, batch, [this](std::size_t k, const char*, std::uint64_t sum) {
+            sums_[k] = sum;
+            return false;
+        });
+    }
+    /// The name of the first that is not as it was, or NULL.
+    const char* changed(const JointModel& model, const kaya_jbatch& batch) const {
+        const char* name = nullptr;
+        each(model, batch, [&](std::size_t k, const char* of, std::uint64_t sum) {
+            if (sums_[k] != sum) name = of;
+            return name != nullptr;
+        });
+        return name;
+    }
+
+private:
+    static std::uint64_t sum_of(const double* column, std::size_t n) {
+        std::uint64_t sum = 0;
+        for (std::size_t i = 0; i < n; ++i) sum = (sum ^ std::bit_cast<std::uint64_t>(column[i])) * 0x9e37'79b9'7f4a'7c15u;
+        return sum;
+    }
+    /// Until visit() says that it is enough.
+    template <class Visit> void each(const JointModel& model, const kaya_jbatch& b, Visit visit) const {
+        if (visit(0, "properties", sum_of(b.properties, model.properties.size())) || !columns_) return;
+        const std::pair<const char*, const double*> columns[] = {
+            {"area", b.area},
+            {"normal_disp", b.normal_disp},
+            {"normal_disp_inc", b.normal_disp_inc},
+            {"shear_disp", b.shear_disp[0]},
+            {"shear_disp", b.shear_disp[1]},
+            {"shear_disp", b.shear_disp[2]},
+            {"shear_disp_inc", b.shear_disp_inc[0]},
+            {"shear_disp_inc", b.shear_disp_inc[1]},
+            {"shear_disp_inc", b.shear_disp_inc[2]},
+            {"pore_pressure", b.pore_pressure},
+        };
+        static_assert(std::size(columns) + 1 == count);
+        for (std::size_t k = 0; k < std::size(columns); ++k)
+            if (visit(k + 1, columns[k].first, sum_of(columns[k].second, b.n))) return;
+    }
+
+    static constexpr std::size_t count = 11;
+    bool columns_;
+    std::uint64_t sums_[count] = {};
+};
+
 std::optional<BatchFailure> call(const JointModel& model, const std::function<ptrdiff_t(kaya_jbatch*)>& function,
                                  kaya_jbatch& batch, const std::int32_t* numbers, const char* what, Guard guard) {
     batch.message[0] = '\0';
@@ -59,7 +113,9 @@ std::optional<BatchFailure> call(const JointModel& model, const std::function<pt
         return BatchFailure{0, fmt::format("joint model {} keeps objects, and here is no room for them", model.name)};
     batch.row = batch.n; // a model that works row by row will say where it is
     ptrdiff_t row = -1;
-    const AtWork at_work(model.name.c_str(), model.file.c_str(), what, &batch, numbers);
+    const AtWork at_work(model.who(), what, &batch, numbers);
+    ArithmeticGuard arithmetic; // puts back also behind what is thrown
+    const ReadOnly read_only(model, batch, guard);
     try {
         row = function(&batch);
     } catch (const std::exception& thrown) {
@@ -67,6 +123,9 @@ std::optional<BatchFailure> call(const JointModel& model, const std::function<pt
     } catch (...) {
         return thrown_failure(model, "not a std::exception");
     }
+    model.note_arithmetic(arithmetic.put_back());
+    if (const char* changed = read_only.changed(model, batch))
+        return BatchFailure{0, fmt::format("joint model {} wrote to '{}', which it may only read", model.name, changed), true};
     if (row == -1) return unusable_output(model, batch, guard);
     if (row < 0 || static_cast<std::size_t>(row) >= batch.n)
         return BatchFailure{

@@ -12,6 +12,7 @@ namespace kaya {
 struct BatchFailure {
     std::size_t row;
     std::string message;
+    bool trespass = false; ///< it wrote where it must not
 };
 
 /// What is looked at of that which a joint model gives back.

@@ -1,9 +1,17 @@
 #include "joints/crash_report.hpp"
 
+#include "base/diagnostic.hpp"
+
 #include <atomic>
 #include <csignal>
 #include <cstddef>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <iterator>
+#include <map>
+#include <mutex>
+#include <tuple>
 #include <unistd.h>
 
 namespace kaya {
@@ -17,6 +25,41 @@ namespace {
 
 thread_local const CrashReport::Call* volatile at_work = nullptr;
 std::atomic<bool> reporting = false;
+
+/// The call that began last, in any thread.
+std::atomic<const Called*> called_last = nullptr;
+std::atomic<const char*> last_work = nullptr;
+
+/// What a thread is at, for other threads to see.
+struct alignas(64) Desk {
+    std::atomic<bool> taken = false;
+    std::atomic<const Called*> who = nullptr;
+    std::atomic<const char*> what = nullptr;
+};
+Desk desks[256];
+
+/// The desk of this thread; none where there are more threads than desks.
+struct DeskLease {
+    Desk* desk = nullptr;
+    DeskLease() {
+        for (Desk& each : desks) {
+            bool free = false;
+            if (!each.taken.compare_exchange_strong(free, true)) continue;
+            desk = &each;
+            return;
+        }
+    }
+    ~DeskLease() {
+        if (desk == nullptr) return;
+        desk->who = nullptr;
+        desk->taken = false;
+    }
+};
+
+Desk* own_desk() {
+    thread_local const DeskLease lease;
+    return lease.desk;
+}
 
 /// A stack for the handler, in case that the thread's own is full. It goes with the thread.
 struct SpareStack {
@@ -68,13 +111,16 @@ private:
     std::size_t length_ = 0;
 };
 
-const char* name_of(int signal) {
+/// Behind "it" or "the program".
+const char* deed_of(int signal, int code) {
     switch (signal) {
-    case SIGSEGV: return "it used memory that is not its own (SIGSEGV)";
-    case SIGBUS: return "it used memory that is not there (SIGBUS)";
-    case SIGFPE: return "it divided a whole number by zero (SIGFPE)";
-    case SIGILL: return "it met an instruction that this machine does not have (SIGILL)";
-    default: return "it gave up (SIGABRT)";
+    case SIGSEGV: return " used memory that is not its own (SIGSEGV)";
+    case SIGBUS: return " used memory that is not there (SIGBUS)";
+    case SIGFPE:
+        return code == FPE_INTDIV ? " divided a whole number by zero (SIGFPE)"
+                                  : " asked to be stopped by arithmetic without a result, and met some (SIGFPE)";
+    case SIGILL: return " met an instruction that this machine does not have (SIGILL)";
+    default: return " gave up (SIGABRT)";
     }
 }
 
@@ -91,43 +137,118 @@ void add_place(Sentence& sentence, const kaya_jbatch& batch, const std::int32_t*
         sentence << ", between " << what << number(0) << " and " << what << number(batch.n - 1);
 }
 
-void report(int signal) {
+constexpr const char* what_is_left = "\n  the program ends here; files that were saved before are whole\n";
+
+void report(int signal, siginfo_t* info, void*) {
     // The old meaning comes back first: a second crash, in here or after it, ends the program.
     std::signal(signal, SIG_DFL);
+    const char* deed = deed_of(signal, info->si_code);
+    Sentence sentence;
     if (const CrashReport::Call* call = at_work) {
-        Sentence sentence;
-        sentence << "\nerror: " << call->noun << " '" << call->model << "' crashed in " << call->what;
+        sentence << "\nerror: " << call->who->noun << " '" << call->who->name.c_str() << "' crashed in " << call->what;
         if (call->batch) add_place(sentence, *call->batch, call->numbers);
-        sentence << ": " << name_of(signal) << "\n  its library: " << call->file
-                 << "\n  the program ends here; files that were saved before are whole\n";
+        sentence << ": it" << deed << "\n  its library: " << call->who->file.c_str() << what_is_left;
+        sentence.write();
+    } else if (const Called* last = called_last.load()) {
+        sentence << "\nerror: the program" << deed << "; called last was " << last->noun << " '" << last->name.c_str() << "', in "
+                 << last_work.load() << "\n  its library: " << last->file.c_str()
+                 << "\n  a model that writes past its columns, or goes on in a thread of its own, does harm behind its call; 'kaya jtest' looks for that"
+                 << what_is_left;
         sentence.write();
     }
     raise(signal);
 }
 
+/// exit() runs this in the thread that called it.
+void refuse_exit() {
+    const CrashReport::Call* call = at_work;
+    if (call == nullptr) return;
+    Sentence sentence;
+    sentence << "\nerror: " << call->who->noun << " '" << call->who->name.c_str() << "' ended the program by exit() in " << call->what;
+    if (call->batch) add_place(sentence, *call->batch, call->numbers);
+    sentence << "\n  its library: " << call->who->file.c_str()
+             << "\n  a model that fails returns the row and writes a sentence to batch->message" << what_is_left;
+    if (::ftrylockfile(stdout) == 0) ::fflush_unlocked(stdout);
+    sentence.write();
+    std::_Exit(static_cast<int>(Fault::run));
+}
+
+/// The models that are at work in all threads, each once; false when there are none.
+bool add_models_at_work(Sentence& sentence) {
+    const Called* said[std::size(desks)];
+    std::size_t count = 0;
+    for (const Desk& desk : desks) {
+        const Called* who = desk.who.load();
+        if (who == nullptr) continue;
+        bool again = false;
+        for (std::size_t k = 0; k < count; ++k) again = again || said[k] == who;
+        if (again) continue;
+        said[count++] = who;
+        sentence << (count > 1 ? ", " : "") << who->noun << " '" << who->name.c_str() << "' (" << desk.what.load() << " of "
+                 << who->file.c_str() << ")";
+    }
+    return count > 0;
+}
+
 } // namespace
+
+const Called* called(const std::string& name, const std::string& file, const char* noun) {
+    static std::mutex lock;
+    static auto* const all = new std::map<std::tuple<std::string, std::string, std::string>, Called>; // outlives all exits
+    const std::lock_guard guard(lock);
+    return &all->try_emplace({name, file, noun}, Called{name, file, noun}).first->second;
+}
+
+void end_at_once(int signal) {
+    std::signal(signal, SIG_DFL);
+    Sentence sentence;
+    sentence << "\nstopped in ";
+    if (add_models_at_work(sentence)) {
+        sentence << "\n";
+        sentence.write();
+    }
+    raise(signal);
+}
+
+void tell_whom_it_waits_for() {
+    Sentence sentence;
+    sentence << "\nwaiting for ";
+    if (!add_models_at_work(sentence)) return;
+    sentence << ", which does not come back; Ctrl-C again ends the program\n";
+    sentence.write();
+}
 
 void report_crashes() {
     if (reporting.exchange(true)) return;
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
         struct sigaction action {};
-        action.sa_handler = report;
-        action.sa_flags = SA_ONSTACK | SA_NODEFER;
+        action.sa_sigaction = report;
+        action.sa_flags = SA_ONSTACK | SA_NODEFER | SA_SIGINFO;
         sigemptyset(&action.sa_mask);
         sigaction(signal, &action, nullptr);
     }
+    if (std::signal(SIGINT, end_at_once) == SIG_IGN) std::signal(SIGINT, SIG_IGN);
+    std::atexit(refuse_exit);
 }
 
-AtWork::AtWork(const char* model, const char* file, const char* what, const kaya_jbatch* batch,
-               const std::int32_t* numbers, const char* noun)
-    : call_{model, file, what, batch, numbers, noun}, before_(at_work) {
+AtWork::AtWork(const Called* who, const char* what, const kaya_jbatch* batch, const std::int32_t* numbers)
+    : call_{who, what, batch, numbers}, before_(at_work) {
     if (reporting.load(std::memory_order_relaxed)) {
         thread_local SpareStack spare;
         static_cast<void>(spare);
     }
     at_work = &call_;
+    called_last.store(who, std::memory_order_relaxed);
+    last_work.store(what, std::memory_order_relaxed);
+    if (Desk* desk = own_desk()) {
+        desk->what.store(what, std::memory_order_relaxed);
+        desk->who.store(who, std::memory_order_release);
+    }
 }
 
-AtWork::~AtWork() { at_work = before_; }
+AtWork::~AtWork() {
+    at_work = before_;
+    if (Desk* desk = own_desk()) desk->who.store(before_ ? before_->who : nullptr, std::memory_order_relaxed);
+}
 
 } // namespace kaya

@@ -1,24 +1,41 @@
-// Says which joint model or zone model was at work when the program crashes.
+// Says which joint model or zone model was at work when the program crashes, ends or does not come back.
 #pragma once
 
 #include "kaya/jmodel.h"
 
 #include <cstdint>
+#include <string>
 
 namespace kaya {
 
+/// A law whose functions are called. It lives as long as the program, so that a report can name it at any time.
+struct Called {
+    std::string name, file;
+    const char* noun; ///< "joint model"
+};
+
+/// The same one for the same three texts. Not for signal handlers.
+const Called* called(const std::string& name, const std::string& file, const char* noun);
+
 /// From now on a crash (a bad address, a division by zero, abort(), a stack that is full) is reported on the
-/// standard error before it ends the program, when a joint model is at work in the thread that crashed: its name and
-/// file, what it was doing, and the sub-contact. Without a joint model at work nothing is said and nothing changes.
+/// standard error before it ends the program: the model that is at work in the thread that crashed, with its file, what it
+/// was doing and the sub-contact; or else the model that was called last, which may have spoilt memory that is used later.
+/// A model that calls exit() ends the program with status 2 and a message. Ctrl-C names the models that are at work.
+/// Where no model has been called yet nothing is said and nothing changes.
 void report_crashes();
 
-/// While it lives, a joint model is at work in this thread. Costs a few stores; nothing is allocated.
+/// For a signal handler: ends the program by the signal, after naming the models that are at work.
+void end_at_once(int signal);
+
+/// For a signal handler: says that the program waits for the models that are at work, if there are any.
+void tell_whom_it_waits_for();
+
+/// While it lives, a law is at work in this thread. Costs a few stores; nothing is allocated.
 class AtWork {
 public:
-    /// `what` is "run", "initialise", ...; all texts must outlive this. `batch` may be NULL; `numbers` are those of its
-    /// rows that users see, NULL: the report gives rows.
-    AtWork(const char* model, const char* file, const char* what, const kaya_jbatch* batch = nullptr,
-           const std::int32_t* numbers = nullptr, const char* noun = "joint model");
+    /// `what` is "run", "initialise", ...; it must outlive all reports, as literals do. `batch` may be NULL; `numbers` are
+    /// those of its rows that users see, NULL: the report gives rows.
+    AtWork(const Called* who, const char* what, const kaya_jbatch* batch = nullptr, const std::int32_t* numbers = nullptr);
     ~AtWork();
     AtWork(const AtWork&) = delete;
     AtWork& operator=(const AtWork&) = delete;
@@ -26,10 +43,10 @@ public:
 private:
     friend struct CrashReport;
     struct Call {
-        const char *model, *file, *what;
+        const Called* who;
+        const char* what;
         const kaya_jbatch* batch;
         const std::int32_t* numbers;
-        const char* noun;
     } call_;
     const Call* before_;
 };

@@ -41,6 +41,16 @@ public:
     JointModel(const kaya_jmodel* descriptor, std::filesystem::path file, std::shared_ptr<void> owner,
                JointFunctions functions);
 
+    /// A number of each sub-contact that is set from outside.
+    struct Field {
+        std::string name, unit, help;
+        double initial;
+        std::optional<std::size_t> property; ///< whose value it has until it is set
+    };
+    std::vector<Field> fields;
+    std::optional<std::size_t> find_field(std::string_view word) const;
+    bool needs_place() const { return (descriptor_.needs & KAYA_JMODEL_NEEDS_PLACE) != 0; }
+
     std::vector<std::size_t> vectors; ///< first of three history variables that are a vector in the plane
 
     /// A sentence that says what is wrong with the values, or empty.
@@ -52,7 +62,15 @@ public:
     JointStiffness initial_stiffness(const std::vector<double>& values) const;
 
     /// Whether it keeps an object of each sub-contact: then a batch needs the column of objects.
-    bool keeps_objects() const { return descriptor_->restore != nullptr; }
+    bool keeps_objects() const { return descriptor_.restore != nullptr; }
+
+    /// What an object holds of a property; nullopt when the model does not say. Throws Diagnostic when the model throws.
+    std::optional<double> object_value(const JointObject& object, std::size_t property) const;
+    /// Gives an object a value; false when it does not take it.
+    bool set_object_value(JointObject& object, std::size_t property, double value) const;
+
+    /// Whether it says what its objects hold of its properties.
+    bool shows_objects() const { return keeps_objects() && descriptor_.object_value != nullptr; }
 
     /// The object that gave these bytes. Throws Diagnostic (Fault::run) when the model cannot make it.
     JointObject restore_object(const std::vector<double>& values, std::string_view bytes) const;
@@ -60,13 +78,14 @@ public:
     /// The tables of the deck, for batches; NULL where there is none.
     const kaya_jtables* tables = nullptr;
 
-    const kaya_jmodel& descriptor() const { return *descriptor_; }
+    const kaya_jmodel& descriptor() const { return descriptor_; }
     const JointFunctions& functions() const { return functions_; }
 
 private:
     void find_vectors();
+    void read_fields();
 
-    const kaya_jmodel* descriptor_;
+    kaya_jmodel descriptor_;
     std::shared_ptr<void> library_; ///< keeps it loaded
     JointFunctions functions_;
 };
@@ -104,6 +123,9 @@ public:
     const JointModel* find(std::string_view name) const; ///< among the loaded ones
     std::vector<std::string> available() const;          ///< loaded or in the folders, sorted
     const std::vector<std::unique_ptr<JointModel>>& loaded() const { return models_; }
+
+    /// Whether a loaded model came by the path of its file, which a name alone does not find again.
+    bool is_by_path(const JointModel& model) const;
 
     /// What loaded models see of the deck's tables.
     JointTables& tables() { return *tables_; }

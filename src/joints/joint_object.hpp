@@ -34,6 +34,7 @@ public:
     bool is_asleep() const;
 
     kaya_jobject** address() { return &object_; }
+    const kaya_jobject* get() const { return object_; }
 
 private:
     kaya_jobject* object_ = nullptr;

@@ -1,18 +1,21 @@
 #include "joints/law_table.hpp"
 
 #include "base/diagnostic.hpp"
+#include "joints/crash_report.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <fmt/format.h>
 #include <map>
 #include <sstream>
 
 namespace kaya {
 
-const LawKind joint_law{"joint model", "kaya_joint_model", "kaya/jmodel.h", "joint-model", KAYA_JMODEL_INTERFACE};
-const LawKind zone_law{"zone model", "kaya_zone_model", "kaya/zmodel.h", "zone-model", KAYA_ZMODEL_INTERFACE};
+const LawKind joint_law{"joint model", "kaya_joint_model", "kaya/jmodel.h", "joint-model", KAYA_JMODEL_INTERFACE, KAYA_JMODEL_OLDEST};
+const LawKind zone_law{"zone model", "kaya_zone_model", "kaya/zmodel.h", "zone-model", KAYA_ZMODEL_INTERFACE, KAYA_ZMODEL_INTERFACE};
 
 namespace {
 
@@ -37,6 +40,10 @@ bool is_keyword(std::string_view word) {
     return !word.empty() && word.front() >= 'a' && word.front() <= 'z' &&
            std::all_of(word.begin(), word.end(), allowed);
 }
+
+/// Bytes of a descriptor of its interface version: members are only ever added at the end.
+std::size_t size_of_version(const kaya_jmodel& d) { return d.interface_version == 2 ? offsetof(kaya_jmodel, fields) : sizeof d; }
+std::size_t size_of_version(const kaya_zmodel& d) { return sizeof d; }
 
 std::uint32_t reduction_of(const kaya_jproperty&) { return KAYA_ZREDUCE_NONE; }
 std::uint32_t reduction_of(const kaya_zproperty& p) { return p.reduction; }
@@ -70,17 +77,22 @@ void LawTable::refuse(const LawKind& kind, const std::string& what) const {
     throw error;
 }
 
-template <class Descriptor> void LawTable::refuse_other_interface(const LawKind& kind, const Descriptor* d) const {
+template <class Descriptor> Descriptor LawTable::understood(const LawKind& kind, const Descriptor* d) const {
     if (!d) refuse(kind, fmt::format("{}() returned NULL", kind.entry_point));
-    if (d->interface_version != kind.interface_version) {
+    if (d->interface_version < kind.oldest_version || d->interface_version > kind.interface_version) {
+        const bool newer = d->interface_version > kind.interface_version;
         Diagnostic error(fmt::format("{} {} was built for interface version {}, this program has version {}", kind.noun,
                                      file.string(), d->interface_version, kind.interface_version),
-                         fmt::format("build the model again with the {} of this program", kind.header));
+                         newer ? "take a newer program, or build the model with the header of this one"
+                               : fmt::format("build the model again with the {} of this program", kind.header));
         error.code = fmt::format("{}-version", kind.code);
         throw error;
     }
-    if (d->size != sizeof(Descriptor))
-        refuse(kind, fmt::format("its size is {} bytes, it must be {}", d->size, sizeof(Descriptor)));
+    const std::size_t size = size_of_version(*d);
+    if (d->size != size) refuse(kind, fmt::format("its size is {} bytes, it must be {}", d->size, size));
+    Descriptor copy{};
+    std::memcpy(&copy, d, size);
+    return copy;
 }
 
 template <class Descriptor> void LawTable::read_table(const LawKind& kind, const Descriptor& d) {
@@ -105,6 +117,7 @@ template <class Descriptor> void LawTable::read_table(const LawKind& kind, const
         refuse(kind, fmt::format("'{}' cannot be typed as the name of a {}: use lower-case letters, digits, hyphens and "
                                  "underscores, a letter first",
                                  name, kind.noun));
+    who_ = called(name, file.string(), kind.noun);
     for (std::size_t i = 0; i < d.property_count; ++i) {
         const auto& p = d.properties[i];
         if (!p.name) refuse(kind, fmt::format("property {} has no name", i + 1));
@@ -135,8 +148,8 @@ template <class Descriptor> void LawTable::read_table(const LawKind& kind, const
     refuse_if(repeated(states, "states"));
 }
 
-template void LawTable::refuse_other_interface(const LawKind&, const kaya_jmodel*) const;
-template void LawTable::refuse_other_interface(const LawKind&, const kaya_zmodel*) const;
+template kaya_jmodel LawTable::understood(const LawKind&, const kaya_jmodel*) const;
+template kaya_zmodel LawTable::understood(const LawKind&, const kaya_zmodel*) const;
 template void LawTable::read_table(const LawKind&, const kaya_jmodel&);
 template void LawTable::read_table(const LawKind&, const kaya_zmodel&);
 

@@ -4,13 +4,17 @@
 
 #include "kaya/zmodel.h"
 
+#include <atomic>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace kaya {
+
+struct Called;
 
 /// The two kinds of law.
 struct LawKind {
@@ -19,6 +23,7 @@ struct LawKind {
     const char* header;        ///< "kaya/jmodel.h"
     const char* code;          ///< beginning of the codes of messages: "joint-model"
     unsigned interface_version;
+    unsigned oldest_version;   ///< of libraries that still load
 };
 extern const LawKind joint_law, zone_law;
 
@@ -51,20 +56,34 @@ public:
     /// Properties that must be given and are not.
     std::vector<std::string> missing(const std::vector<double>& values) const;
 
+    /// Its name for reports of crashes.
+    const Called* who() const { return who_; }
+
+    /// Notes what it has changed of the processor's arithmetic (ArithmeticChange), in any thread, and gives what was noted.
+    void note_arithmetic(unsigned changes) const {
+        if (changes != 0) *arithmetic_ |= changes;
+    }
+    unsigned arithmetic() const { return *arithmetic_; }
+
 protected:
     explicit LawTable(std::filesystem::path from) : file(std::move(from)) {}
 
-    /// Throws Diagnostic when version or size are others than those of this program: the rest lies elsewhere then.
-    template <class Descriptor> void refuse_other_interface(const LawKind& kind, const Descriptor* descriptor) const;
+    /// A copy of the descriptor; what came after its interface version is 0. Throws Diagnostic when it was made for a
+    /// version that this program does not understand, or has not the size of its version: the rest lies elsewhere then.
+    template <class Descriptor> Descriptor understood(const LawKind& kind, const Descriptor* descriptor) const;
 
     /// Checks and copies the table. Throws Diagnostic that says which entry is wrong.
     template <class Descriptor> void read_table(const LawKind& kind, const Descriptor& descriptor);
 
     [[noreturn]] void refuse(const LawKind& kind, const std::string& what) const;
+
+private:
+    const Called* who_ = nullptr;
+    std::shared_ptr<std::atomic<unsigned>> arithmetic_ = std::make_shared<std::atomic<unsigned>>(0u);
 };
 
-extern template void LawTable::refuse_other_interface(const LawKind&, const kaya_jmodel*) const;
-extern template void LawTable::refuse_other_interface(const LawKind&, const kaya_zmodel*) const;
+extern template kaya_jmodel LawTable::understood(const LawKind&, const kaya_jmodel*) const;
+extern template kaya_zmodel LawTable::understood(const LawKind&, const kaya_zmodel*) const;
 extern template void LawTable::read_table(const LawKind&, const kaya_jmodel&);
 extern template void LawTable::read_table(const LawKind&, const kaya_zmodel&);
 

@@ -2,6 +2,7 @@
 #include "joints/joint_model.hpp"
 
 #include "base/diagnostic.hpp"
+#include "joints/arithmetic.hpp"
 #include "joints/crash_report.hpp"
 #include "joints/library_file.hpp"
 
@@ -124,10 +125,12 @@ std::unique_ptr<JointModel> JointRegistry::open(const fs::path& file) const {
     if (before_loading) before_loading(file);
     if (maker == makers_.end()) refuse_other_files(file);
     if (maker != makers_.end()) return maker->second(file);
+    const AtWork at_work(called(file.filename().string(), file.string(), joint_law.noun), joint_law.entry_point);
+    ArithmeticGuard arithmetic; // a library that was linked with -ffast-math changes it when it is loaded
     const auto library = open_library(file);
-    const std::string name = file.filename().string();
-    const AtWork at_work(name.c_str(), file.c_str(), "kaya_joint_model()");
-    return std::make_unique<JointModel>(descriptor_of(library.get(), file), file, library);
+    auto model = std::make_unique<JointModel>(descriptor_of(library.get(), file), file, library);
+    model->note_arithmetic(arithmetic.put_back());
+    return model;
 }
 
 std::string JointRegistry::keyword_of(std::string_view word) {
@@ -199,6 +202,11 @@ const JointModel* JointRegistry::find(std::string_view name) const {
     for (const auto& model : models_)
         if (model->name == keyword) return model.get();
     return nullptr;
+}
+
+bool JointRegistry::is_by_path(const JointModel& model) const {
+    const auto file = file_of(model.name);
+    return (!file || !same_file(*file, model.file)) && !stem_of_3dec(model.file);
 }
 
 std::optional<fs::path> JointRegistry::file_of(const std::string& keyword) const {

@@ -1,10 +1,12 @@
 #include "joints/stiffness_trial.hpp"
 
-#include "joints/batch.hpp"
+#include "base/diagnostic.hpp"
+#include "joints/lone_row.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace kaya {
 
@@ -18,6 +20,7 @@ struct Bench {
     std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> columns{};
     JointObject object;
+    LoneColumns others;
 
     kaya_jbatch batch(const JointModel& model, const std::vector<double>& values) {
         for (std::size_t k = 0; k < history.size(); ++k) columns[k] = &history[k];
@@ -42,9 +45,22 @@ struct Bench {
         b.history = columns.data();
         b.object = model.keeps_objects() ? object.address() : nullptr;
         b.tables = model.tables;
+        others.add_to(b, model);
         return b;
     }
 };
+
+} // namespace
+
+namespace {
+
+void refuse_trespass(const JointModel& model, const BatchFailure& failure) {
+    if (!failure.trespass) return;
+    Diagnostic error(failure.message, fmt::format("it was tried on one sub-contact before the run; correct its source: {}", model.file.string()),
+                     Fault::run);
+    error.code = "joint-model-trespass";
+    throw error;
+}
 
 } // namespace
 
@@ -53,14 +69,19 @@ std::optional<StiffnessTrial> try_stiffness(const JointModel& model, const std::
     constexpr double ways[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4};
     Bench bench;
     auto batch = bench.batch(model, values);
-    if (initialise_batch(model, batch)) return std::nullopt;
+    if (const auto failure = initialise_fenced(model, batch)) {
+        refuse_trespass(model, *failure);
+        return std::nullopt;
+    }
     std::optional<StiffnessTrial> worst;
     // One step; false when the model refuses it.
     const auto reported = [&] { return std::max(bench.normal_stiffness, bench.shear_stiffness); };
     const auto advance = [&](const char* resists, double& place, double& step, double way, const double& force) {
         const double before = force, reported_before = reported();
         step = way;
-        const bool well = !run_batch(model, batch);
+        const auto failure = run_fenced(model, batch);
+        if (failure) refuse_trespass(model, *failure);
+        const bool well = !failure;
         place += step;
         step = 0;
         if (!well) return false;

@@ -16,7 +16,7 @@ struct StiffnessTrial {
 };
 
 /// Closes and shears a sub-contact in turn by ever larger steps and gives the worst of them; nullopt when the model fails
-/// at once. A later failure ends the trial: it is found again, with its place, when the model runs.
+/// at once. Throws Diagnostic (Fault::run) when it writes where it must not. A later failure ends the trial: it is found again, with its place, when the model runs.
 std::optional<StiffnessTrial> try_stiffness(const JointModel& model, const std::vector<double>& values);
 
 } // namespace kaya

@@ -1,6 +1,7 @@
 #include "joints/zone_model.hpp"
 
 #include "base/diagnostic.hpp"
+#include "joints/arithmetic.hpp"
 #include "joints/crash_report.hpp"
 #include "joints/library_file.hpp"
 
@@ -50,6 +51,8 @@ std::unique_ptr<ZoneModel> open(const fs::path& file) {
     if (const auto fault = fault_of_loading(file, zone_law.entry_point); !fault.empty())
         refuse("zone-model-crashes", fmt::format("zone model {} {}", file.string(), fault),
                "look at what its source does before anything is asked of it: static objects, the functions that describe it");
+    const AtWork at_work(called(file.filename().string(), file.string(), zone_law.noun), zone_law.entry_point);
+    ArithmeticGuard arithmetic; // a library that was linked with -ffast-math changes it when it is loaded
     void* handle = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle) refuse("zone-model-not-a-library", fmt::format("{} could not be loaded", file.string()), dlerror());
     const std::shared_ptr<void> library(handle, [](void* h) { dlclose(h); });
@@ -59,9 +62,9 @@ std::unique_ptr<ZoneModel> open(const fs::path& file) {
         refuse("zone-model-no-entry",
                fmt::format("{} is not a zone model: it has no function {}", file.string(), zone_law.entry_point),
                "include kaya/zmodel.h and define that function with C linkage");
-    const std::string name = file.filename().string();
-    const AtWork at_work(name.c_str(), file.c_str(), "kaya_zone_model()", nullptr, nullptr, zone_law.noun);
-    return std::make_unique<ZoneModel>(entry(), file, library);
+    auto model = std::make_unique<ZoneModel>(entry(), file, library);
+    model->note_arithmetic(arithmetic.put_back());
+    return model;
 }
 
 bool all_finite(const double* column, std::size_t n) {
@@ -79,9 +82,9 @@ std::optional<ZoneFailure> not_finite(const std::string& model, const std::strin
 
 } // namespace
 
-ZoneModel::ZoneModel(const kaya_zmodel* d, fs::path from, std::shared_ptr<void> library)
-    : LawTable(std::move(from)), descriptor_(d), library_(std::move(library)) {
-    refuse_other_interface(zone_law, d);
+ZoneModel::ZoneModel(const kaya_zmodel* descriptor, fs::path from, std::shared_ptr<void> library)
+    : LawTable(std::move(from)), descriptor_(understood(zone_law, descriptor)), library_(std::move(library)) {
+    const kaya_zmodel* d = &descriptor_;
     const std::pair<const char*, bool> parts[] = {
         {"name", d->name != nullptr}, {"run", d->run != nullptr}, {"moduli", d->moduli != nullptr}};
     for (const auto& [part, is_there] : parts)
@@ -90,9 +93,9 @@ ZoneModel::ZoneModel(const kaya_zmodel* d, fs::path from, std::shared_ptr<void> 
 }
 
 std::string ZoneModel::check(const std::vector<double>& values) const {
-    if (!descriptor_->check) return {};
+    if (!descriptor_.check) return {};
     try {
-        const char* complaint = descriptor_->check(values.data());
+        const char* complaint = descriptor_.check(values.data());
         return complaint ? complaint : "";
     } catch (const std::exception& thrown) {
         return fmt::format("zone model {} threw an exception from check(): {}", name, thrown.what());
@@ -105,7 +108,7 @@ ZoneModuli ZoneModel::moduli(const std::vector<double>& values) const {
     ZoneModuli moduli{std::nan(""), std::nan("")};
     std::string reason;
     try {
-        descriptor_->moduli(values.data(), &moduli.bulk, &moduli.shear);
+        descriptor_.moduli(values.data(), &moduli.bulk, &moduli.shear);
     } catch (const std::exception& thrown) {
         reason = fmt::format("it threw an exception: {}", thrown.what());
     } catch (...) {
@@ -126,15 +129,17 @@ std::optional<ZoneFailure> ZoneModel::run(kaya_zbatch& batch) const {
     batch.message[0] = '\0';
     batch.row = batch.n;
     batch.tables = tables;
-    const AtWork at_work(name.c_str(), file.c_str(), "run", nullptr, nullptr, zone_law.noun);
+    const AtWork at_work(who(), "run");
+    ArithmeticGuard arithmetic;
     ptrdiff_t row = -1;
     try {
-        row = descriptor_->run(&batch);
+        row = descriptor_.run(&batch);
     } catch (const std::exception& thrown) {
         return ZoneFailure{0, fmt::format("zone model {} threw an exception in a batch that begins here: {}", name, thrown.what())};
     } catch (...) {
         return ZoneFailure{0, fmt::format("zone model {} threw what is no std::exception in a batch that begins here", name)};
     }
+    note_arithmetic(arithmetic.put_back());
     if (row == -1) {
         static constexpr const char* stresses[6] = {"xx stress", "yy stress", "zz stress", "xy stress", "xz stress", "yz stress"};
         for (int k = 0; k < 6; ++k)

@@ -28,7 +28,7 @@ public:
     ZoneModel(const kaya_zmodel* descriptor, std::filesystem::path file, std::shared_ptr<void> library);
 
     /// Whether volume strain and the plastic change of the mean stress are averaged over neighbours.
-    bool flows() const { return descriptor_->flows != 0; }
+    bool flows() const { return descriptor_.flows != 0; }
 
     /// A sentence that says what is wrong with the values, or empty.
     std::string check(const std::vector<double>& values) const;
@@ -42,7 +42,7 @@ public:
     const kaya_jtables* tables = nullptr; ///< of the deck; NULL where there is none
 
 private:
-    const kaya_zmodel* descriptor_;
+    kaya_zmodel descriptor_;
     std::shared_ptr<void> library_;
 };
 

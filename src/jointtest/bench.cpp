@@ -1,7 +1,9 @@
 #include "jointtest/bench.hpp"
 
 #include "base/diagnostic.hpp"
+#include "joints/arithmetic.hpp"
 #include "joints/given_values.hpp"
+#include "jointtest/fit_residuals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +24,25 @@ struct Span {
     void add(double value) { least = std::min(least, value), largest = std::max(largest, value); }
     std::string text() const { return fmt::format("{:.6g} to {:.6g}", least, largest); }
 };
+
+/// Columns that neither a path nor a measured curve has.
+std::vector<std::string> unread_columns(const LoadPath& path) {
+    std::vector<std::string> names;
+    for (const auto& name : path.table.names)
+        if (!is_path_column(name) && !is_measured_column(name)) names.push_back(name);
+    return names;
+}
+
+/// What the bench has not used or has not got.
+std::string remarks(const BenchOrder& order, const LoadPath& path) {
+    std::string text;
+    if (const auto names = unread_columns(path); !names.empty())
+        text += fmt::format("  {:<18}{}; columns of a path are {}\n", "not read", fmt::join(names, ", "), fmt::join(path_columns, ", "));
+    if (!order.missed_tables->empty())
+        text += fmt::format("  {:<18}the model asks for table {}, and the bench has none; 'jmodel test' in a deck has those of the deck\n",
+                            "no tables", fmt::join(*order.missed_tables, ", "));
+    return text;
+}
 
 std::string report_of(const JointCurve& curve) {
     Span shear, normal, opening, normal_ratio, shear_ratio;
@@ -81,8 +102,11 @@ BenchReport run_bench(JointRegistry& registry, const BenchOrder& order) {
     figure.close();
     if (!figure)
         throw Diagnostic(fmt::format("{} could not be written", report.figure.string()), "is there room?", Fault::run);
+    if (model.arithmetic() != 0)
+        curve.findings.push_back({0, fmt::format("it changes {}; that was put back behind each call", text_of_changes(model.arithmetic()))});
+    if (const auto fault = fault_without_area(model, values); !fault.empty()) curve.findings.push_back({0, fault});
     report.odd = !curve.findings.empty();
-    report.text = heading + report_of(curve) + fmt::format("  wrote {}, {}", report.curve.string(), report.figure.string());
+    report.text = heading + report_of(curve) + remarks(order, path) + fmt::format("  wrote {}, {}", report.curve.string(), report.figure.string());
     return report;
 }
 

@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +22,8 @@ struct BenchOrder {
     std::vector<std::string> offsets = {"opening"}; ///< measured columns whose zero is not known
     CurveSettings settings;
     std::function<void(const std::filesystem::path&)> before_writing; ///< may refuse a file; may be empty
+    /// Filled by whoever answers for tables while the bench runs.
+    std::shared_ptr<std::set<std::string>> missed_tables = std::make_shared<std::set<std::string>>();
     std::filesystem::path output; ///< files are OUTPUT.csv and OUTPUT.gp; empty: PATH-MODEL in the working folder
 };
 

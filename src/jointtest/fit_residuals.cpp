@@ -49,8 +49,7 @@ struct Known {
     bool given_by_path;
 };
 
-std::vector<Known> known_columns(const LoadPath& path) {
-    const bool by_stress = path.points.front().stress.has_value();
+std::vector<Known> known_columns(bool by_stress) {
     return {
         {"shear_stress", [](const CurvePoint& p) { return p.resistance[0]; }, false},
         {"shear_stress_y", [](const CurvePoint& p) { return p.resistance[1]; }, false},
@@ -65,9 +64,14 @@ double mean_of(const std::vector<double>& values) {
 
 } // namespace
 
+bool is_measured_column(const std::string& name) {
+    const auto known = known_columns(true);
+    return std::any_of(known.begin(), known.end(), [&](const Known& k) { return k.name == name; });
+}
+
 std::vector<Measured> measured_of(const LoadPath& path, const std::vector<std::string>& offsets) {
     std::vector<Measured> all;
-    for (const auto& k : known_columns(path)) {
+    for (const auto& k : known_columns(path.points.front().stress.has_value())) {
         const auto column = path.table.find(k.name);
         if (!column || k.given_by_path) continue;
         auto values = path.table.columns[*column];

@@ -27,6 +27,9 @@ private:
     double low_, high_, scale_;
 };
 
+/// Whether a column of that name is taken for a measured one.
+bool is_measured_column(const std::string& name);
+
 /// One measured column: its values at the points of the path.
 struct Measured {
     std::string name;

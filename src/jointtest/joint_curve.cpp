@@ -96,22 +96,34 @@ private:
         return sum;
     }
 
+    /// Growth per way of what answer(way) gives, over a small way. A jump does not get smaller with the way, as a stiffness
+    /// makes it: where halving says so, the growth behind the jump is taken.
+    template <class Answer> static double tangent(double reported, double before, double way, Answer answer) {
+        const double whole = answer(way) - before;
+        if (!(whole > reported * way)) return whole / way;
+        const double half = answer(0.5 * way) - before;
+        constexpr double like_a_jump = 0.75; // of the whole way: a stiffness gives a half
+        return std::abs(half) > like_a_jump * std::abs(whole) ? (whole - half) / (0.5 * way) : whole / way;
+    }
+
     /// Small further steps without time: closing, and on in the direction of the last motion.
     void measure_tangents(CurvePoint& p, const PathPoint& last) const {
         const double scale = std::max(std::abs(p.normal_stress), 1e-6 * p.normal_stiffness) / p.normal_stiffness;
-        const double small = 1e-5 * scale;
-        SingleJoint closer = joint_;
-        closer.step({-small, {}, 0});
-        p.normal_tangent = (closer.normal_stress() - p.normal_stress) / small;
+        p.normal_tangent = tangent(p.normal_stiffness, p.normal_stress, 1e-5 * scale, [&](double way) {
+            SingleJoint closer = joint_;
+            closer.step({-way, {}, 0});
+            return closer.normal_stress();
+        });
         double way[2] = {joint_.shear_disp[0] - last.shear[0], joint_.shear_disp[1] - last.shear[1]};
         const double length = std::hypot(way[0], way[1]);
         if (!(length > 0)) return;
-        SingleJoint further = joint_;
-        const double part = 1e-2;
-        further.step({0, {part * way[0], part * way[1]}, 0});
-        const auto resistance = further.shear_resistance();
-        p.shear_tangent = ((resistance[0] - p.resistance[0]) * way[0] + (resistance[1] - p.resistance[1]) * way[1]) /
-                          (part * length * length);
+        for (double& part : way) part /= length;
+        p.shear_tangent = tangent(p.shear_stiffness, p.resistance[0] * way[0] + p.resistance[1] * way[1], 1e-2 * length, [&](double step) {
+            SingleJoint further = joint_;
+            further.step({0, {step * way[0], step * way[1]}, 0});
+            const auto resistance = further.shear_resistance();
+            return resistance[0] * way[0] + resistance[1] * way[1];
+        });
     }
 
     SingleJoint joint_;

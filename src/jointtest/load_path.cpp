@@ -2,8 +2,10 @@
 
 #include "base/diagnostic.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <ranges>
 
 namespace kaya {
 
@@ -14,6 +16,8 @@ namespace {
 }
 
 } // namespace
+
+bool is_path_column(std::string_view name) { return std::ranges::find(path_columns, name) != std::ranges::end(path_columns); }
 
 LoadPath read_load_path(const std::filesystem::path& file) {
     LoadPath path{{}, read_csv(file)};

@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace kaya {
@@ -26,6 +27,10 @@ struct LoadPath {
     std::vector<PathPoint> points;
     CsvTable table; ///< the whole file, other columns included
 };
+
+inline constexpr std::string_view path_columns[] = {"shear_displacement", "shear_displacement_y", "normal_displacement",
+                                                    "normal_stress", "boundary_stiffness", "time"};
+bool is_path_column(std::string_view name);
 
 /// Throws Diagnostic that says which column is missing or which two exclude each other.
 LoadPath read_load_path(const std::filesystem::path& file);

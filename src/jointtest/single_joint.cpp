@@ -1,6 +1,7 @@
 #include "jointtest/single_joint.hpp"
 
 #include "base/diagnostic.hpp"
+#include "joints/lone_row.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,9 @@ void SingleJoint::call(const JointStep& step, bool initialise) {
     batch.history = columns.data();
     batch.object = model->keeps_objects() ? object.address() : nullptr;
     batch.tables = model->tables;
-    const auto failure = initialise ? initialise_batch(*model, batch) : run_batch(*model, batch);
+    LoneColumns others;
+    others.add_to(batch, *model);
+    const auto failure = initialise ? initialise_fenced(*model, batch) : run_fenced(*model, batch);
     if (failure)
         throw Diagnostic(failure->message,
                          fmt::format("normal displacement {:g}, shear displacement {:g} {:g}", normal_disp, shear_disp[0],
@@ -71,6 +74,18 @@ void SingleJoint::step_to_stress(double stress, JointStep step) {
         throw Diagnostic(fmt::format("joint model {} cannot carry a normal stress of {:g} here", model->name, stress),
                          "a joint without tension carries none below 0; look at the path");
     this->step(step);
+}
+
+std::string fault_without_area(const JointModel& model, const std::vector<double>& values) {
+    try {
+        SingleJoint joint(model, values, 0);
+        const double way = 1e-6 / std::max(1.0, std::abs(joint.normal_disp));
+        joint.step({-way, {way, 0}, 0});
+        joint.step({2 * way, {0, way}, 0});
+        return {};
+    } catch (const Diagnostic& failure) {
+        return fmt::format("without an area, as a corner that just touches: {}", failure.message);
+    }
 }
 
 bool find_opening(const std::function<double(double)>& over, double start, double unit, double stress_scale, double& opening) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace kaya {
@@ -50,6 +51,9 @@ public:
 private:
     void call(const JointStep& step, bool initialise);
 };
+
+/// Why the model fails on a sub-contact without an area, which a corner that just touches is; empty when it does not.
+std::string fault_without_area(const JointModel& model, const std::vector<double>& values);
 
 /// The opening at which `over`, which falls as the joint opens, is 0, or as near as it comes at a jump; `start` is a guess
 /// and `unit` a length of the problem. False when there is none.

@@ -30,6 +30,58 @@ std::vector<Batch> make_batches(Model& model, JointRegistry& joints, Row most) {
     return batches;
 }
 
+namespace {
+
+/// Columns that are made for a batch; one at a time is in use in each thread, and keeps its memory.
+struct MadeColumns {
+    std::vector<double> fields[KAYA_JMODEL_MAX_FIELDS], normal[3];
+    const double* field[KAYA_JMODEL_MAX_FIELDS];
+    std::vector<std::int32_t> block[2];
+};
+
+MadeColumns& made_columns() {
+    static thread_local MadeColumns columns;
+    return columns;
+}
+
+void add_fields(kaya_jbatch& b, const Model& model, const Batch& batch) {
+    MadeColumns& made = made_columns();
+    const auto& subs = model.sub_contacts;
+    const auto& fields = batch.model->fields;
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        const double otherwise = fields[k].property ? b.properties[*fields[k].property] : fields[k].initial;
+        made.fields[k].assign(b.n, otherwise);
+        made.field[k] = made.fields[k].data();
+        if (static_cast<std::int32_t>(k) >= subs.field_columns) continue;
+        for (std::size_t i = 0; i < b.n; ++i) {
+            const Row row = batch.first + static_cast<Row>(i);
+            if (subs.field_set[row] >> k & 1u) made.fields[k][i] = subs.field[k][row];
+        }
+    }
+    b.field = made.field;
+}
+
+void add_places(kaya_jbatch& b, const Model& model, const Batch& batch) {
+    MadeColumns& made = made_columns();
+    const auto& subs = model.sub_contacts;
+    const auto& contacts = model.contacts;
+    for (auto& column : made.normal) column.resize(b.n);
+    for (auto& column : made.block) column.resize(b.n);
+    for (std::size_t i = 0; i < b.n; ++i) {
+        const Row c = subs.contact[batch.first + static_cast<Row>(i)];
+        for (int k = 0; k < 3; ++k) made.normal[k][i] = contacts.normal[c][k];
+        made.block[0][i] = model.blocks.number[contacts.block1[c]];
+        made.block[1][i] = model.blocks.number[contacts.block2[c]];
+    }
+    for (int k = 0; k < 3; ++k) {
+        b.position[k] = subs.position.component[k].data() + batch.first;
+        b.normal[k] = made.normal[k].data();
+    }
+    for (int side = 0; side < 2; ++side) b.block[side] = made.block[side].data();
+}
+
+} // namespace
+
 kaya_jbatch columns_of(Model& model, const Batch& batch, double time_step, double** history) {
     auto& s = model.sub_contacts;
     const Row first = batch.first;
@@ -56,6 +108,8 @@ kaya_jbatch columns_of(Model& model, const Batch& batch, double time_step, doubl
     b.message[0] = 0;
     b.object = batch.model->keeps_objects() ? s.object[first].address() : nullptr;
     b.tables = batch.model->tables;
+    if (!batch.model->fields.empty()) add_fields(b, model, batch);
+    if (batch.model->needs_place()) add_places(b, model, batch);
     return b;
 }
 

@@ -138,8 +138,7 @@ void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<R
     for (const Row c : contacts) {
         const Span span = model.contacts.sub_contacts[c];
         for (Row s = span.first; s < span.end(); ++s) {
-            for (std::int32_t k = 0; k < subs.history_columns; ++k) subs.history[k][s] = 0;
-            if (subs.keeps_objects) subs.object[s].reset();
+            subs.forget(s);
             subs.state[s] = 0;
         }
     }

@@ -177,8 +177,7 @@ void clear_sub_contact(SubContacts& subs, Row s) {
     subs.shear_force.set(s, Vec3::Zero());
     subs.shear_displacement.set(s, Vec3::Zero());
     subs.state[s] = 0;
-    for (std::int32_t k = 0; k < subs.history_columns; ++k) subs.history[k][s] = 0;
-    if (subs.keeps_objects) subs.object[s].reset();
+    subs.forget(s);
 }
 
 /// New geometry must not make energy. It may give back what it has taken from this contact before, and no more
@@ -248,6 +247,8 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
         subs.normal_displacement_increment[s] = 0;
         if (s == first) continue;
         for (std::size_t h = 0; h < static_cast<std::size_t>(subs.history_columns); ++h) subs.history[h][s] = subs.history[h][first];
+        for (std::size_t k = 0; k < static_cast<std::size_t>(subs.field_columns); ++k) subs.field[k][s] = subs.field[k][first];
+        if (subs.field_columns > 0) subs.field_set[s] = subs.field_set[first];
         if (subs.keeps_objects) subs.object[s] = subs.object[first];
         subs.state[s] = subs.state[first];
         subs.normal_stiffness[s] = subs.normal_stiffness[first];

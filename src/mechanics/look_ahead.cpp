@@ -2,6 +2,7 @@
 
 #include "mechanics/held_directions.hpp"
 #include "base/parallel.hpp"
+#include "joints/lone_row.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -33,9 +34,14 @@ struct Copy {
     std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> columns{};
     JointObject object;
+    LoneColumns others;
+    Row row = no_row; ///< it is a copy of
+    const Model* of = nullptr;
 
     void take(const Model& model, const JointModel& joint, Row s) {
         const auto& subs = model.sub_contacts;
+        row = s;
+        of = &model;
         area = subs.area[s];
         opening = subs.normal_displacement[s];
         pressure = subs.pore_pressure[s];
@@ -50,6 +56,16 @@ struct Copy {
         }
         for (std::size_t k = 0; k < joint.history.size(); ++k) history[k] = subs.history[k][s];
         if (joint.keeps_objects()) object = subs.object[s];
+    }
+    /// Fields and place of the row.
+    void place(const JointModel& joint) {
+        const auto& subs = of->sub_contacts;
+        for (std::size_t k = 0; k < joint.fields.size() && static_cast<std::int32_t>(k) < subs.field_columns; ++k)
+            if (subs.field_set[row] >> k & 1u) others.field[k] = subs.field[k][row];
+        const Row c = subs.contact[row];
+        const Vec3 x = subs.position[row];
+        for (int k = 0; k < 3; ++k) others.position[k] = x[k], others.normal[k] = of->contacts.normal[c][k];
+        others.block = {of->blocks.number[of->contacts.block1[c]], of->blocks.number[of->contacts.block2[c]]};
     }
     kaya_jbatch batch(const JointModel& joint, const std::vector<double>& values, double step) {
         for (std::size_t k = 0; k < history.size(); ++k) columns[k] = &history[k];
@@ -74,6 +90,8 @@ struct Copy {
         b.history = columns.data();
         b.object = joint.keeps_objects() ? object.address() : nullptr;
         b.tables = joint.tables;
+        others.add_to(b, joint);
+        if (of != nullptr) place(joint);
         return b;
     }
 };

@@ -161,6 +161,8 @@ ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& cl
 /// What a joint model keeps of a row.
 struct RowState {
     std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
+    std::array<double, KAYA_JMODEL_MAX_FIELDS> field{};
+    std::uint32_t field_set = 0;
     JointObject object;
     std::uint32_t state;
     double normal_stiffness, shear_stiffness, displacement;
@@ -169,10 +171,14 @@ struct RowState {
         : state(subs.state[s]), normal_stiffness(subs.normal_stiffness[s]), shear_stiffness(subs.shear_stiffness[s]),
           displacement(subs.normal_displacement[s]) {
         for (std::int32_t h = 0; h < subs.history_columns; ++h) history[h] = subs.history[h][s];
+        for (std::int32_t k = 0; k < subs.field_columns; ++k) field[k] = subs.field[k][s];
+        if (subs.field_columns > 0) field_set = subs.field_set[s];
         if (subs.keeps_objects) object = subs.object[s];
     }
     void put(SubContacts& subs, Row s) const {
         for (std::int32_t h = 0; h < subs.history_columns; ++h) subs.history[h][s] = history[h];
+        for (std::int32_t k = 0; k < subs.field_columns; ++k) subs.field[k][s] = field[k];
+        if (subs.field_columns > 0) subs.field_set[s] = field_set;
         if (subs.keeps_objects) subs.object[s] = object;
         subs.state[s] = state;
         subs.normal_stiffness[s] = normal_stiffness;

@@ -205,6 +205,8 @@ void check_sub_contacts(Findings& findings, const Model& model) {
     check_ids(findings, "sub_contacts", sub.ids, sub.id);
     findings.require(sub.history_columns >= 0 && sub.history_columns <= KAYA_JMODEL_MAX_HISTORY,
                      "the history columns of sub-contacts are not counted right");
+    findings.require(sub.field_columns >= 0 && sub.field_columns <= KAYA_JMODEL_MAX_FIELDS,
+                     "the fields of sub-contacts are not counted right");
     check_attachments(findings, model, sub.side1, model.contacts.block1);
     check_attachments(findings, model, sub.side2, model.contacts.block2);
     for (std::size_t i = 0; i < sub.size() && findings.clean(); ++i) {

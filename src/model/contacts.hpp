@@ -144,6 +144,11 @@ public:
     std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY> history; ///< those behind `history_columns` are empty
     std::int32_t history_columns = 0; ///< as many as the joint model has that keeps most
 
+    // Fields that joint models only read; a row whose bit is not set has the property, or the initial value.
+    std::array<Column<double>, KAYA_JMODEL_MAX_FIELDS> field; ///< those behind `field_columns` are empty
+    Column<std::uint32_t> field_set;      ///< bit k: field k was set
+    std::int32_t field_columns = 0;       ///< as many as the joint model has of which one was set
+
     Column<JointObject> object;           ///< what a joint model keeps when numbers will not do
     bool keeps_objects = false;           ///< whether a joint model does; otherwise the column is empty
 
@@ -156,6 +161,24 @@ public:
     /// Makes room for a joint model that keeps that many; it stays.
     void keep_history(std::size_t columns) {
         while (static_cast<std::size_t>(history_columns) < columns) history[history_columns++].assign(size(), 0.0);
+    }
+
+    /// Makes room for fields; it stays.
+    void keep_fields(std::size_t columns) {
+        if (field_columns == 0 && columns > 0) field_set.assign(size(), 0);
+        while (static_cast<std::size_t>(field_columns) < columns) field[field_columns++].assign(size(), 0.0);
+    }
+    void set_field(std::size_t k, Row row, double value) {
+        field[k][row] = value;
+        field_set[row] |= 1u << k;
+    }
+
+    /// What another joint model remembers, and what the user has set for it.
+    void forget(Row row) {
+        for (std::int32_t k = 0; k < history_columns; ++k) history[k][row] = 0;
+        for (std::int32_t k = 0; k < field_columns; ++k) field[k][row] = 0;
+        if (field_columns > 0) field_set[row] = 0;
+        if (keeps_objects) object[row].reset();
     }
 
     template <class Visit> void columns(Visit&& visit) {
@@ -182,6 +205,9 @@ public:
         visit("state", state);
         for (std::size_t k = 0; k < history.size() && static_cast<std::int32_t>(k) < history_columns; ++k)
             visit("history_" + std::to_string(k), history[k]);
+        for (std::size_t k = 0; k < field.size() && static_cast<std::int32_t>(k) < field_columns; ++k)
+            visit("field_" + std::to_string(k), field[k]);
+        if (field_columns > 0) visit("field_set", field_set);
         if (keeps_objects) visit("object", object);
     }
 };

@@ -68,6 +68,14 @@ double sample(const Model& model, const Field& field, Row row) {
                      "name one of its components");
 }
 
+/// What a sub-contact has for itself has the name that it has in files for ParaView. Only who knows the joint models knows its
+/// value: it is asked for as "jmodel_NAME of ROW".
+constexpr std::string_view own_beginning = "jmodel_";
+
+bool is_own_value(const HistorySource& source) {
+    return source.kind == Kind::sub_contact && source.quantity.starts_with(own_beginning);
+}
+
 /// Rates need their quantity in every cycle.
 bool any_rate(const Histories& histories) {
     return std::ranges::any_of(histories.all, [](const History& history) { return history.source.rate; });
@@ -76,7 +84,7 @@ bool any_rate(const Histories& histories) {
 } // namespace
 
 const Field* sampled_field(const HistorySource& source) {
-    if (source.kind == Kind::function) return nullptr;
+    if (source.kind == Kind::function || is_own_value(source)) return nullptr;
     const Field* field = find_field(info_of(source.kind).table, source.quantity);
     if (!field) {
         std::vector<std::string_view> names;
@@ -182,6 +190,11 @@ void sample_histories(Model& model, const std::function<double(const std::string
                 values.push_back(std::numeric_limits<double>::quiet_NaN());
                 continue;
             }
+        }
+        if (field == nullptr) {
+            values.push_back(script_value ? script_value(fmt::format("{} of {}", source.quantity, source.row))
+                                          : std::numeric_limits<double>::quiet_NaN());
+            continue;
         }
         const double value = sample(model, *field, source.row);
         values.push_back(source.rate ? (value - source.last) / model.clock.time_step : value);

@@ -262,6 +262,8 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
             archive.value("history_columns", table.history_columns);
         }
         if constexpr (requires { table.keeps_objects; }) archive.value("keeps_objects", table.keeps_objects);
+        if constexpr (requires { table.field_columns; })
+            archive.since(11, table.field_columns > 0, [&] { archive.value("field_columns", table.field_columns); });
         archive.rows(table);
         table.columns([&](const std::string& column_name, auto& column) {
             visit_column(archive, column_name, column);

@@ -1,7 +1,7 @@
 // Joint model `continuously-yielding`: shear stress that nears a bounding strength, which wears off with plastic
 // displacement. docs/joint-models/continuously-yielding.md has the equations; (n) below are their numbers.
 #include "stdlib/joints/coulomb.hpp"
-#include "stdlib/joints/elementary.hpp"
+#include "kaya/law/elementary.hpp"
 #include "stdlib/joints/power_spring.hpp"
 
 #include <iterator>

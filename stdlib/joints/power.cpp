@@ -1,7 +1,7 @@
 // Joint model `power`: Coulomb slip, and creep in shear below the strength with a rate that is a power of the shear
 // stress. docs/joint-models/power.md has the equations; (n) below are their numbers.
 #include "stdlib/joints/coulomb.hpp"
-#include "stdlib/joints/elementary.hpp"
+#include "kaya/law/elementary.hpp"
 
 namespace {
 

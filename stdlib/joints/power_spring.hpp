@@ -6,7 +6,7 @@
 // looks the same in every unit.
 #pragma once
 
-#include "stdlib/joints/elementary.hpp"
+#include "kaya/law/elementary.hpp"
 
 #include "kaya/jmodel.h"
 

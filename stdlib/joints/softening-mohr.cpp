@@ -1,7 +1,7 @@
 // Joint model `softening-mohr`: Coulomb slip whose strength falls with slip, and whose friction heals at rest.
 // docs/joint-models/softening-mohr.md has the equations; (n) below are their numbers.
 #include "stdlib/joints/coulomb.hpp"
-#include "stdlib/joints/elementary.hpp"
+#include "kaya/law/elementary.hpp"
 
 namespace {
 

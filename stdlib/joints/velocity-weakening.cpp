@@ -1,7 +1,7 @@
 // Joint model `velocity-weakening`: Coulomb slip whose friction falls with the speed of sliding.
 // docs/joint-models/velocity-weakening.md has the equations; (n) below are their numbers.
 #include "stdlib/joints/coulomb.hpp"
-#include "stdlib/joints/elementary.hpp"
+#include "kaya/law/elementary.hpp"
 
 namespace {
 

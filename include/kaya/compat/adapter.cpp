@@ -7,6 +7,7 @@
 
 #include <cctype>
 #include <cstddef>
+#include <mutex>
 
 extern "C" {
 __attribute__((weak)) const char* getName();
@@ -132,13 +133,42 @@ void set_property(JointModel& model, const Slot& slot, double value, UInt versio
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-/* Sets the values that differ from those which the model was given last. */
-void apply(JointModel& model, std::vector<double>& applied, const double* values, UInt version) {
-    for (std::size_t k = 0; k < applied.size(); ++k) {
-        if (same_bits(applied[k], values[k])) continue;
-        set_property(model, metadata->slots[k], values[k], version);
-        applied[k] = values[k];
+/* Values that objects were given, each set once: objects with the same set share it, and whether one must be told of new
+ * values is a comparison of two pointers. */
+typedef std::shared_ptr<const std::vector<double>> Values;
+
+bool same_values(const std::vector<double>& a, const double* b) {
+    return a.empty() || std::memcmp(a.data(), b, a.size() * sizeof(double)) == 0;
+}
+
+Values values_like(const double* values) {
+    static thread_local Values last; /* batches of one set follow each other */
+    if (last && same_values(*last, values)) return last;
+    static std::mutex lock;
+    static std::vector<std::weak_ptr<const std::vector<double>>> known;
+    const std::lock_guard<std::mutex> guard(lock);
+    last.reset();
+    std::size_t kept = 0;
+    for (auto& each : known) {
+        Values there = each.lock();
+        if (!there) continue; /* no object has it any more */
+        if (same_values(*there, values)) last = std::move(there);
+        known[kept++] = std::move(each);
     }
+    known.resize(kept);
+    if (!last) {
+        last = std::make_shared<const std::vector<double>>(values, values + metadata->slots.size());
+        known.push_back(last);
+    }
+    return last;
+}
+
+/* Sets the values that differ from those which the model was given last. */
+void apply(JointModel& model, Values& applied, const Values& values, UInt version) {
+    if (applied == values) return;
+    for (std::size_t k = 0; k < values->size(); ++k)
+        if (!same_bits((*applied)[k], (*values)[k])) set_property(model, metadata->slots[k], (*values)[k], version);
+    applied = values;
 }
 
 void add_slot(Metadata& m, UInt index, const Words& words, const Property& value, int component,
@@ -204,13 +234,28 @@ Metadata read_metadata() {
 
 extern const kaya_jobject_functions object_functions;
 
+/* The rest of a State comes with each call. */
+struct Kept {
+    Double working[State::max_working_] = {};
+    Int iworking[State::max_iworking_] = {};
+
+    void take(const State& s) {
+        std::memcpy(working, s.working_, sizeof working);
+        std::memcpy(iworking, s.iworking_, sizeof iworking);
+    }
+    void give(State& s) const {
+        std::memcpy(s.working_, working, sizeof working);
+        std::memcpy(s.iworking_, iworking, sizeof iworking);
+    }
+};
+
 struct Object {
     kaya_jobject head{&object_functions};
     ModelPointer model;
-    State state;
-    std::vector<double> applied;
+    Values applied;
+    Kept kept;
 
-    explicit Object(ModelPointer of) : model(std::move(of)), applied(metadata->initial) {
+    explicit Object(ModelPointer of) : model(std::move(of)), applied(values_like(metadata->initial.data())) {
         model->activateEnergy();
     }
 };
@@ -247,7 +292,7 @@ kaya_jobject* clone_object(const kaya_jobject* head) {
         std::istringstream stream(bytes);
         to->model->restore(stream, metadata->minor);
     }
-    to->state = from.state;
+    to->kept = from.kept;
     to->applied = from.applied;
     take_energies(*to->model, *from.model);
     return &to.release()->head;
@@ -333,10 +378,10 @@ template <class Visit> void each_property(Visit visit) {
 void save_object(const kaya_jobject* head, void (*write)(void*, const void*, size_t), void* sink) {
     const Object& object = *object_of(head);
     Writer writer(write, sink);
-    for (const double value : object.applied) writer.plain(value);
+    for (const double value : *object.applied) writer.plain(value);
     each_property([&](UInt index) { write_property(writer, object.model->getProperty(index)); });
-    for (const double value : object.state.working_) writer.plain(value);
-    for (const Int value : object.state.iworking_) writer.plain(value);
+    for (const double value : object.kept.working) writer.plain(value);
+    for (const Int value : object.kept.iworking) writer.plain(value);
     for (std::size_t k = 0; k < metadata->energies.size(); ++k) writer.plain(object.model->getEnergy(static_cast<UInt>(k + 1)));
     writer.plain(metadata->minor);
     writer.text(own_bytes(*object.model));
@@ -347,10 +392,12 @@ const kaya_jobject_functions object_functions = {clone_object, destroy_object, s
 /* The object comes back not valid: its first run calls initialize(), which finds its tables again. */
 Object* read_object(Reader& reader) {
     auto object = std::unique_ptr<Object>(new Object(copy_of(*metadata->pattern)));
-    for (double& value : object->applied) value = reader.plain<double>();
+    std::vector<double> applied(metadata->slots.size());
+    for (double& value : applied) value = reader.plain<double>();
+    object->applied = values_like(applied.data());
     each_property([&](UInt index) { object->model->setProperty(index, read_property(reader), from_restore); });
-    for (double& value : object->state.working_) value = reader.plain<double>();
-    for (Int& value : object->state.iworking_) value = reader.plain<Int>();
+    for (double& value : object->kept.working) value = reader.plain<double>();
+    for (Int& value : object->kept.iworking) value = reader.plain<Int>();
     for (std::size_t k = 0; k < metadata->energies.size(); ++k)
         object->model->setEnergy(static_cast<UInt>(k + 1), reader.plain<double>());
     const auto version = reader.plain<UInt>();
@@ -430,17 +477,45 @@ double taken_up(const kaya_jbatch& b, size_t i, double old_normal, const DVect3&
     return work - (held - before);
 }
 
-void initialise_row(kaya_jbatch& b, size_t i);
+/* What the rows of one call share. */
+struct Call {
+    kaya_jbatch& batch;
+    Values values;
+    State state;
+};
 
-void run_row(kaya_jbatch& b, size_t i) {
-    if (!b.object[i]) initialise_row(b, i);
+void initialise_row(Call& call, size_t i);
+
+/* Objects lie anywhere; what comes soon is fetched while the model works. */
+inline void fetch_ahead(const kaya_jbatch& b, size_t i) {
+#if defined(__GNUC__)
+    constexpr size_t far = 6, near = 3, line = 64, model_lines = 8;
+    if (i + far < b.n && b.object[i + far]) {
+        __builtin_prefetch(b.object[i + far]);
+        __builtin_prefetch(reinterpret_cast<const char*>(b.object[i + far]) + line);
+    }
+    if (i + near < b.n && b.object[i + near]) {
+        const char* model = reinterpret_cast<const char*>(object_of(b.object[i + near])->model.get());
+        for (size_t k = 0; k < model_lines; ++k) __builtin_prefetch(model + k * line);
+    }
+#else
+    (void)b, (void)i;
+#endif
+}
+
+void run_row(Call& call, size_t i) {
+    kaya_jbatch& b = call.batch;
+    State& s = call.state;
+    fetch_ahead(b, i);
+    if (!b.object[i]) initialise_row(call, i);
     Object& object = *object_of(b.object[i]);
-    State& s = object.state;
-    apply(*object.model, object.applied, b.properties, from_command);
+    apply(*object.model, object.applied, call.values, from_command);
+    object.kept.give(s);
     fill_state(s, b, i);
     const double old_normal = s.normal_force_;
     const DVect3 old_shear = s.shear_force_;
     object.model->run(dimensions, &s);
+    object.kept.take(s);
     b.normal_force[i] = s.normal_force_;
     b.shear_force[0][i] = s.shear_force_.x();
     b.shear_force[1][i] = s.shear_force_.y();
@@ -452,26 +527,28 @@ void run_row(kaya_jbatch& b, size_t i) {
         b.history[k][i] = object.model->getEnergy(static_cast<UInt>(k + 1));
 }
 
-void initialise_row(kaya_jbatch& b, size_t i) {
+void initialise_row(Call& call, size_t i) {
+    kaya_jbatch& b = call.batch;
     if (!b.object[i]) b.object[i] = &(new Object(copy_of(*metadata->pattern)))->head;
     Object& object = *object_of(b.object[i]);
-    apply(*object.model, object.applied, b.properties, from_command);
+    apply(*object.model, object.applied, call.values, from_command);
     /* initialize() itself is called by the first run: all properties have been given then. */
     object.model->setValid(0);
-    fill_state(object.state, b, i);
     take_stiffness(b, i, *object.model);
 }
 
-template <void (*work)(kaya_jbatch&, size_t)> ptrdiff_t each_row(kaya_jbatch* b) {
-    for (b->row = 0; b->row < b->n; ++b->row)
-        if (!guarded(b->message, [b] { work(*b, b->row); })) return static_cast<ptrdiff_t>(b->row);
-    return -1;
+template <void (*work)(Call&, size_t)> ptrdiff_t each_row(kaya_jbatch* b) {
+    const bool well = guarded(b->message, [b] {
+        Call call{*b, values_like(b->properties), State()};
+        for (b->row = 0; b->row < b->n; ++b->row) work(call, b->row);
+    });
+    return well ? -1 : static_cast<ptrdiff_t>(std::min(b->row, b->n - 1));
 }
 
 ModelPointer with_values(const double* values) {
     ModelPointer model = copy_of(*metadata->pattern);
-    std::vector<double> applied = metadata->initial;
-    apply(*model, applied, values, from_command);
+    Values applied = values_like(metadata->initial.data());
+    apply(*model, applied, values_like(values), from_command);
     return model;
 }
 
@@ -502,6 +579,17 @@ kaya_jobject* restore(const double*, const void* bytes, size_t count, char* mess
     return object ? &object->head : nullptr;
 }
 
+double object_value(const kaya_jobject* head, size_t property) {
+    const Slot& slot = metadata->slots[property];
+    return number_of(object_of(head)->model->getProperty(slot.index), slot);
+}
+
+/* The deck's value stays what it was given last: the next one that differs from that reaches the object again. */
+int set_object_value(kaya_jobject* head, size_t property, double value) {
+    set_property(*object_of(head)->model, metadata->slots[property], value, from_command);
+    return 0;
+}
+
 kaya_jmodel describe() {
     if (!createInstance || !getMajorVersion)
         throw std::runtime_error("it exports no createInstance() and getMajorVersion(); perhaps a macro of its "
@@ -528,6 +616,8 @@ kaya_jmodel describe() {
     d.check = check;
     d.max_stiffness = max_stiffness;
     d.restore = restore;
+    d.object_value = object_value;
+    d.set_object_value = set_object_value;
     return d;
 }
 

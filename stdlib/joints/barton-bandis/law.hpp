@@ -3,7 +3,7 @@
 // All functions are straight lines of arithmetic, so that a loop over rows becomes vector instructions.
 #pragma once
 
-#include "stdlib/joints/elementary.hpp"
+#include "kaya/law/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>

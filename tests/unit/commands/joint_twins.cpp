@@ -195,8 +195,13 @@ TEST(JointInLua, AWrongFileIsRefusedWithItsLine) {
         {"return {name = 'a', run = print, stiffness = print, properties = {7}}", "an entry of 'properties' must be a name or a table"},
         {"return {name = 'a', run = print, stiffness = print, properties = {{'x', initial = 2, maximum = 1}}}", "outside its limits"},
         {"\nos.exit(0)", "kaya-joint.lua:2: attempt to index a nil value (global 'os')"},
-        {"return {name = 'a', run = print, stiffness = print, history = {'a','b','c','d','e','f','g','h','i','j','k','l','m','n','o','p','q'}}",
-         "it has 17 history variables, 16 at most"},
+        {"local many = {} for k = 1, 65 do many[k] = 'h' .. k end return {name = 'a', run = print, stiffness = print, history = many}",
+         "it has 65 history variables, 64 at most"},
+        {"return {name = 'a', run = print, stifness = print}", "the table of the model has no 'stifness'; did you mean 'stiffness'?"},
+        {"return {name = 'a', run = print, stiffness = print, properties = {{'x', initail = 2}}}",
+         "the entry of property 'x' has no 'initail'; did you mean 'initial'?"},
+        {"return {name = 'a', run = print, stiffness = print, history = {{'x', unti = 'm'}}}",
+         "the entry of history 'x' has no 'unti'; did you mean 'unit'?"},
     };
     for (const auto& wrong : cases) EXPECT_THAT(Written(wrong.text).refusal(), HasSubstr(wrong.message)) << wrong.text;
 }
@@ -209,6 +214,16 @@ TEST(JointInLua, AMistakeInARowIsTheRows) {
         {"h.wear_depth = 'deep'", "it left 'wear_depth' as something that is not a number"},
         {"memory = 1", "'memory' is not local"},
         {"s.state = -1", "it left 'state' out of range"},
+        {"s.normal_forse = 1", "kaya-joint.lua:7: the row has no 'normal_forse'; did you mean 'normal_force'?"},
+        {"s.normal_force = s.normal_dsp", "the row has no 'normal_dsp'; did you mean 'normal_disp'?"},
+        {"s.normal_force = p.stifness", "the list of properties has no 'stifness'; did you mean 'stiffness'?"},
+        {"p.k = 2", "the list of properties can only be read"},
+        {"p.kk = 2", "the list of properties has no 'kk'"},
+        {"h.wear_dept = 1", "the history has no 'wear_dept'; did you mean 'wear_depth'?"},
+        {"s[1] = 1", "the row has names, not numbers"},
+        {"math.pi = 3", "'pi' is set in a table that is kept from call to call"},
+        {"setmetatable(p, nil)", "cannot change a protected metatable"},
+        {"rawset(s, 'x', 1)", "attempt to call a nil value (global 'rawset')"},
         {"s.normal_force = math.random()", "attempt to call a nil value (field 'random')"},
     };
     for (const auto& wrong : cases) {
@@ -219,6 +234,42 @@ TEST(JointInLua, AMistakeInARowIsTheRows) {
         EXPECT_EQ(failure->row, 0u);
         EXPECT_THAT(failure->message, HasSubstr(wrong.message)) << wrong.text;
     }
+}
+
+TEST(JointInLua, TakesOtherWordsOfProperties) {
+    Written file(model_text("s.normal_force = p.k + p.stiffness"));
+    Rows rows(file.load(), {{"k", 3}}, 1);
+    EXPECT_FALSE(rows.step(-1e-6, 0, 0));
+    EXPECT_EQ(rows.columns[Rows::normal][0], 6);
+}
+
+TEST(JointInLua, NothingIsKeptInLocalVariablesOutsideOfItsFunctions) {
+    const Wrong cases[] = {
+        {"local count = 0\n@count = count + 1", "'count' is changed by the functions of the model"},
+        {"local kept = {n = 0}\n@kept.n = kept.n + 1", "'n' is set in a table that is kept from call to call"},
+        {"local kept = {deep = {1, 2}}\n@kept.deep[3] = 1", "'3' is set in a table that is kept from call to call"},
+        {"local list = {}\n@table.insert(list, 1)", "'1' is set in a table that is kept from call to call"},
+        {"local n = 0\nlocal function more() n = n + 1 return n end\n@s.normal_force = more()", "'n' is changed by the functions of the model"},
+    };
+    for (const auto& wrong : cases) {
+        const std::string text = wrong.text;
+        const auto run = text.find('@');
+        Written file(text.substr(0, run) + model_text(text.substr(run + 1)));
+        Rows rows(file.load(), {{"k", 1}}, 2);
+        const auto failure = rows.step(-1e-6, 0, 0);
+        ASSERT_TRUE(failure) << wrong.text;
+        EXPECT_THAT(failure->message, HasSubstr(wrong.message)) << wrong.text;
+    }
+}
+
+TEST(JointInLua, ReadsLocalVariablesAndTablesOutsideOfItsFunctions) {
+    Written file("local list, none = {3, 4, name = {deep = 5}}, 0/0\nlocal function sum(t) local s = 0 for _, v in ipairs(t) do s = s + v end return s end\n" +
+                 model_text("local n = 0 for _ in pairs(list) do n = n + 1 end "
+                            "s.normal_force = sum(list) + #list + list.name.deep + n + (none ~= none and 100 or 0) + math.floor(2.5)"));
+    Rows rows(file.load(), {{"k", 1}}, 2);
+    const auto failure = rows.step(-1e-6, 0, 0);
+    ASSERT_FALSE(failure) << failure->message;
+    EXPECT_EQ(rows.columns[Rows::normal][1], 7 + 2 + 5 + 3 + 100 + 2);
 }
 
 TEST(JointInLua, ReadsTheTablesOfTheDeck) {

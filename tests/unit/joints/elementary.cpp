@@ -1,4 +1,4 @@
-#include "stdlib/joints/elementary.hpp"
+#include "kaya/law/elementary.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -15,7 +15,7 @@ struct Member {
 
 #define KAYA_MEMBER(type, member, recorded) Member{#type "." #member, offsetof(type, member), recorded}
 
-// Layout of interface version 2, 64 bits.
+// Layout of interface version 3, 64 bits; what version 2 had lies where it lay.
 const Member members[] = {
     KAYA_MEMBER(kaya_jproperty, name, 0),
     KAYA_MEMBER(kaya_jproperty, aliases, 8),
@@ -56,6 +56,14 @@ const Member members[] = {
     KAYA_MEMBER(kaya_jbatch, object, 440),
     KAYA_MEMBER(kaya_jbatch, tables, 448),
     KAYA_MEMBER(kaya_jbatch, row, 456),
+    KAYA_MEMBER(kaya_jbatch, field, 464),
+    KAYA_MEMBER(kaya_jbatch, position, 472),
+    KAYA_MEMBER(kaya_jbatch, normal, 496),
+    KAYA_MEMBER(kaya_jbatch, block, 520),
+    KAYA_MEMBER(kaya_jfield, name, 0),
+    KAYA_MEMBER(kaya_jfield, unit, 8),
+    KAYA_MEMBER(kaya_jfield, help, 16),
+    KAYA_MEMBER(kaya_jfield, initial, 24),
     KAYA_MEMBER(kaya_jmodel, interface_version, 0),
     KAYA_MEMBER(kaya_jmodel, size, 4),
     KAYA_MEMBER(kaya_jmodel, name, 8),
@@ -71,21 +79,28 @@ const Member members[] = {
     KAYA_MEMBER(kaya_jmodel, check, 88),
     KAYA_MEMBER(kaya_jmodel, max_stiffness, 96),
     KAYA_MEMBER(kaya_jmodel, restore, 104),
+    KAYA_MEMBER(kaya_jmodel, fields, 112),
+    KAYA_MEMBER(kaya_jmodel, field_count, 120),
+    KAYA_MEMBER(kaya_jmodel, needs, 128),
+    KAYA_MEMBER(kaya_jmodel, object_value, 136),
+    KAYA_MEMBER(kaya_jmodel, set_object_value, 144),
 };
 
 TEST(JointInterface, LaysItsStructsOutAsRecorded) {
-    EXPECT_EQ(KAYA_JMODEL_INTERFACE, 2);
+    EXPECT_EQ(KAYA_JMODEL_INTERFACE, 3);
+    EXPECT_EQ(KAYA_JMODEL_OLDEST, 2);
     for (const auto& member : members) EXPECT_EQ(member.offset, member.recorded) << member.name;
     EXPECT_EQ(sizeof(kaya_jproperty), 64u);
     EXPECT_EQ(sizeof(kaya_jhistory), 24u);
     EXPECT_EQ(sizeof(kaya_jobject), 8u);
     EXPECT_EQ(sizeof(kaya_jobject_functions), 24u);
     EXPECT_EQ(sizeof(kaya_jtables), 24u);
-    EXPECT_EQ(sizeof(kaya_jbatch), 464u);
-    EXPECT_EQ(sizeof(kaya_jmodel), 112u);
-    EXPECT_EQ(KAYA_JMODEL_MAX_PROPERTIES, 64);
-    EXPECT_EQ(KAYA_JMODEL_MAX_HISTORY, 16);
-    EXPECT_EQ(KAYA_JMODEL_MAX_STATES, 16);
+    EXPECT_EQ(sizeof(kaya_jbatch), 536u);
+    EXPECT_EQ(sizeof(kaya_jmodel), 152u);
+    EXPECT_EQ(KAYA_JMODEL_MAX_PROPERTIES, 256);
+    EXPECT_EQ(KAYA_JMODEL_MAX_HISTORY, 64);
+    EXPECT_EQ(KAYA_JMODEL_MAX_STATES, 32);
+    EXPECT_EQ(KAYA_JMODEL_MAX_FIELDS, 8);
     EXPECT_EQ(KAYA_JMODEL_MESSAGE, 256);
 }
 

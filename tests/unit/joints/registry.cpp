@@ -1,6 +1,7 @@
 #include "test_joint.hpp"
 
 #include "base/diagnostic.hpp"
+#include "joints/arithmetic.hpp"
 #include "tests/unit/scratch_folder.hpp"
 
 #include <filesystem>
@@ -149,6 +150,55 @@ TEST(JointRegistry, NamesBothInterfaceVersions) {
     EXPECT_THAT(d.message, HasSubstr("was built for interface version 99, this program has version " +
                                      std::to_string(KAYA_JMODEL_INTERFACE)));
     EXPECT_EQ(d.code, "joint-model-version");
+    EXPECT_THAT(d.hint, HasSubstr("take a newer program"));
+    EXPECT_THAT(refusal_of_plugin("interface-1").hint, HasSubstr("build the model again"));
+}
+
+TEST(JointRegistry, LoadsALibraryOfAnOlderInterface) {
+    JointRegistry registry;
+    const auto& model = registry.get((plugin_folder / "interface-2.so").string());
+    EXPECT_EQ(model.descriptor().interface_version, 2u);
+    EXPECT_TRUE(model.fields.empty());
+    EXPECT_FALSE(model.needs_place());
+    const auto stiffness = model.initial_stiffness({5});
+    EXPECT_EQ(stiffness.normal, 5);
+}
+
+TEST(JointRegistry, TakesAModelAsLargeAsTheHeaderSays) {
+    JointRegistry registry;
+    const auto& model = registry.get((plugin_folder / "many-properties.so").string());
+    EXPECT_EQ(model.properties.size(), 256u);
+    EXPECT_EQ(model.history.size(), 64u);
+    EXPECT_EQ(model.states.size(), 32u);
+    std::vector<double> values(256, 1);
+    values.back() = 7;
+    EXPECT_EQ(model.initial_stiffness(values).shear, 7);
+}
+
+TEST(JointRegistry, PutsBackWhatALibraryDoesToTheProcessorWhenItIsLoaded) {
+    JointRegistry registry;
+    volatile double small = 1e-310;
+    const auto& model = registry.get((plugin_folder / "cuts-at-load.so").string());
+    EXPECT_GT(small * 1.0, 0); // it would be cut to 0
+#if defined(__SSE2__)
+    EXPECT_EQ(model.arithmetic(), unsigned{small_numbers_cut});
+#endif
+    EXPECT_EQ(registry.get((plugin_folder / "works.so").string()).arithmetic(), 0u);
+}
+
+TEST(JointRegistry, RefusesAModelThatWritesWhereItMustNotBeforeItRuns) {
+    JointRegistry registry;
+    for (const auto& [name, sentence] : {std::pair{"writes-area", "wrote to 'area', which it may only read"},
+                                         std::pair{"writes-behind", "wrote behind the column 'shear_force'"}}) {
+        const auto& model = registry.get((plugin_folder / (std::string(name) + ".so")).string());
+        try {
+            model.initial_stiffness({5});
+            ADD_FAILURE() << name;
+        } catch (const Diagnostic& d) {
+            EXPECT_THAT(d.message, HasSubstr(sentence));
+            EXPECT_EQ(d.code, "joint-model-trespass");
+        }
+    }
 }
 
 TEST(JointRegistry, SurvivesAnExceptionWhileLoading) {
@@ -192,12 +242,14 @@ INSTANTIATE_TEST_SUITE_P(
                     WrongTable{"null-initialise", "'initialise' is NULL"},
                     WrongTable{"null-stiffness", "'max_stiffness' is NULL"},
                     WrongTable{"empty-name", "'' cannot be typed"},
-                    WrongTable{"negative-count", "it has 18446744073709551615 history variables, 16 at most"},
+                    WrongTable{"negative-count", "it has 18446744073709551615 history variables, 64 at most"},
                     WrongTable{"untypable-name", "'My Model' cannot be typed"},
                     WrongTable{"missing-table", "it says 1 properties but gives no table"},
-                    WrongTable{"too-many-properties", "it has 1000000 properties, 64 at most"},
-                    WrongTable{"too-much-history", "it has 17 history variables, 16 at most"},
-                    WrongTable{"too-many-states", "it has 17 states, 16 at most"},
+                    WrongTable{"too-many-properties", "it has 1000000 properties, 256 at most"},
+                    WrongTable{"too-much-history", "it has 65 history variables, 64 at most"},
+                    WrongTable{"too-many-states", "it has 33 states, 32 at most"},
+                    WrongTable{"nameless-field", "field 1 has no name"},
+                    WrongTable{"too-many-fields", "it has 100 fields, 8 at most"},
                     WrongTable{"two-of-a-name", "the word 'k' stands for 'stiffness' and for 'key'"},
                     WrongTable{"nameless-property", "property 1 has no name"},
                     WrongTable{"nan-limits", "the limits of property 'stiffness' are nan and 2"},

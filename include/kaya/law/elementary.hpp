@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Logarithm, exponential, tangent and arctangent that the compiler can put into vector instructions.
 //
 // The functions of the C library are calls, one number at a time, and their last bits differ between

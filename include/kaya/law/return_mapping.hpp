@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The way back to a strength from a trial that is beyond it: what a law with springs and slip does in each step.
+//
+// Stresses here, not forces. Slip s opens the joint by d s, where d is the tangent of the angle of dilation, and the normal
+// spring answers that with compression:
+//     shear = trial_shear - ks s,   normal = trial_normal + kn d s,   shear = strength(normal, s)          (1)
+#pragma once
+
+#include "kaya/law/root.hpp"
+
+#include <algorithm>
+
+namespace kaya::joints {
+
+/// What is left of a trial; shear is the length of the vector, whose direction stays.
+struct Returned {
+    double normal, shear;
+    double slip; ///< in this step, from 0
+    /// What slip took up per area: the mean of the shear before and after. What dilation stores is in the normal spring.
+    double work(double trial_shear) const { return 0.5 * (trial_shear + shear) * slip; }
+};
+
+struct Springs {
+    double normal, shear; ///< stress/length
+};
+
+/// Coulomb: strength = cohesion + normal tan_friction, not below 0. Plain arithmetic without a branch that stops a loop from
+/// becoming vector instructions.
+[[gnu::always_inline]] inline Returned return_to_coulomb(double trial_normal, double trial_shear, Springs k, double cohesion, double tan_friction,
+                                                         double tan_dilation) {
+    const double excess = trial_shear - std::max(0.0, cohesion + trial_normal * tan_friction);
+    const double slip = std::max(0.0, excess) / (k.shear + k.normal * tan_friction * tan_dilation);
+    // Beyond that the shear would turn round: the strength is 0 there.
+    const double kept = std::min(slip, trial_shear / k.shear);
+    return {trial_normal + k.normal * tan_dilation * kept, trial_shear - k.shear * kept, kept};
+}
+
+/// Any strength(normal, slip) that is not below 0 and is continuous: (1) by the root of the difference, which lies between no
+/// slip and all of the trial.
+template <class Strength>
+Returned return_to(Strength strength, double trial_normal, double trial_shear, Springs k, double tan_dilation) {
+    const auto normal_at = [&](double slip) { return trial_normal + k.normal * tan_dilation * slip; };
+    const auto excess = [&](double slip) { return trial_shear - k.shear * slip - strength(normal_at(slip), slip); };
+    if (!(excess(0) > 0)) return {trial_normal, trial_shear, 0};
+    const double slip = bracketed_root(excess, 0, trial_shear / k.shear).x;
+    return {normal_at(slip), std::max(0.0, trial_shear - k.shear * slip), slip};
+}
+
+} // namespace kaya::joints

@@ -1,0 +1,26 @@
+// Leaves a thread behind that crashes while its library does nothing.
+#include "tests/plugins/plugin.hpp"
+
+#include <chrono>
+#include <thread>
+
+namespace {
+
+void crash_soon() {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    int* volatile nowhere = nullptr;
+    *nowhere = 1;
+}
+
+ptrdiff_t run(kaya_jbatch* batch) {
+    if (batch->history[0][0] == 50) std::thread(crash_soon).detach();
+    return plugin::push(batch);
+}
+
+} // namespace
+
+const kaya_jmodel* kaya_joint_model(void) {
+    static kaya_jmodel model = plugin::working("crashes-behind-run");
+    model.run = run;
+    return &model;
+}

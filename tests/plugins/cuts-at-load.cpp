@@ -1,0 +1,13 @@
+// As a library that was linked with -ffast-math: very small numbers are cut to 0 when it is loaded.
+#include "tests/plugins/plugin.hpp"
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+
+__attribute__((constructor)) static void cut_small_numbers() { _mm_setcsr(_mm_getcsr() | 0x8040); }
+#endif
+
+const kaya_jmodel* kaya_joint_model(void) {
+    static kaya_jmodel model = plugin::working("cuts-at-load");
+    return &model;
+}
