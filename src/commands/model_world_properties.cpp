@@ -106,7 +106,7 @@ double* ModelWorld::history_value(Row sub_contact, const std::string& name) {
 
 bool ModelWorld::set_own_value(Row sub_contact, const std::string& name, double value) {
     auto& subs = model_.sub_contacts;
-    if (!std::isfinite(value)) throw Diagnostic(fmt::format("'{}' cannot be {}", name, value), "give a number", Fault::run);
+    if (!std::isfinite(value)) throw Diagnostic(fmt::format("'{}' must be a finite number", name), {}, Fault::run);
     if (double* variable = history_value(sub_contact, name)) {
         *variable = value;
         return true;

@@ -8,7 +8,7 @@ namespace {
 
 void crash_soon() {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    int* volatile nowhere = nullptr;
+    volatile int* volatile nowhere = nullptr;
     *nowhere = 1;
 }
 
