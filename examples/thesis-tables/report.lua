@@ -115,9 +115,9 @@ end
 local function residuals(tests)
     for _, test in ipairs(tests) do
         local into = section("Table 4.7, the second: residual shear strength",
-            "Shear stress in MPa after 100 times the displacement of the peak..",
+            "Shear stress in MPa after 100 times the displacement of the peak.",
             { test.table.label, "thesis, empirical", "thesis, numerical", "sigma_n tan(phi_r)", "kaya", "error, %" }, {})
-        compare(into, test, { ("%.2f"):format(test.row[2]), ("%.2f"):format(test.row[3]) }, "residual strengths",
+        compare(into, test, { ("%.2f"):format(test.row[2]), ("%.2f"):format(test.row[3]) }, "residual strength",
             "residual shear stress, MPa", test.residual, formulas.residual(test.values), "%.4f", 0.005)
     end
 end
@@ -151,7 +151,7 @@ local function table_4_11(file)
 end
 
 local function misprints(file)
-    file:write("\n## In print\n\nWhat a reader of chapter 4 meets, found by computing each table again:\n\n")
+    file:write("\n## In print\n\nWhat a reader of chapters 2 and 4 meets, found by computing each table again:\n\n")
     for _, sentence in ipairs(require("thesis").misprints) do file:write("* ", sentence, "\n") end
 end
 

@@ -2,6 +2,7 @@
 /* Makes a native joint model (kaya/jmodel.h) of a class derived from jmodels::JointModel. It is compiled
  * into the same shared library as the source of that class, whose four exports it calls. One object of the
  * class stands for one sub-contact, as its author expects. */
+#include "kaya/compat/bytes.h"
 #include "kaya/compat/jointmodel.h"
 #include "kaya/jmodel.h"
 
@@ -302,69 +303,8 @@ void destroy_object(kaya_jobject* head) { delete object_of(head); }
 
 /* ----- a save file ----- */
 
-class Writer {
-public:
-    Writer(void (*write)(void*, const void*, size_t), void* sink) : write_(write), sink_(sink) {}
-    template <class T> void plain(const T& value) { write_(sink_, &value, sizeof value); }
-    void text(const std::string& text) {
-        plain<std::uint64_t>(text.size());
-        write_(sink_, text.data(), text.size());
-    }
-
-private:
-    void (*write_)(void*, const void*, size_t);
-    void* sink_;
-};
-
-class Reader {
-public:
-    Reader(const void* bytes, std::size_t count) : at_(static_cast<const char*>(bytes)), left_(count) {}
-    template <class T> T plain() {
-        T value;
-        std::memcpy(&value, take(sizeof value), sizeof value);
-        return value;
-    }
-    std::string text() {
-        const auto size = plain<std::uint64_t>();
-        if (size > left_) throw std::runtime_error("what was saved ends too early");
-        return std::string(take(static_cast<std::size_t>(size)), static_cast<std::size_t>(size));
-    }
-
-private:
-    const char* take(std::size_t count) {
-        if (count > left_) throw std::runtime_error("what was saved ends too early");
-        const char* here = at_;
-        at_ += count;
-        left_ -= count;
-        return here;
-    }
-    const char* at_;
-    std::size_t left_;
-};
-
-void write_property(Writer& writer, const Property& value) {
-    writer.plain(static_cast<std::int32_t>(value.kind()));
-    switch (value.kind()) {
-    case Property::Kind::text: writer.text(value.toString()); break;
-    case Property::Kind::vector:
-        for (const double x : {value.toVector().x(), value.toVector().y(), value.toVector().z()}) writer.plain(x);
-        break;
-    default: writer.plain(value.toDouble());
-    }
-}
-
-Property read_property(Reader& reader) {
-    switch (static_cast<Property::Kind>(reader.plain<std::int32_t>())) {
-    case Property::Kind::text: return Property(reader.text());
-    case Property::Kind::truth: return Property(reader.plain<double>() != 0);
-    case Property::Kind::whole: return Property(static_cast<long long>(reader.plain<double>()));
-    case Property::Kind::vector: {
-        const double x = reader.plain<double>(), y = reader.plain<double>(), z = reader.plain<double>();
-        return Property(DVect3(x, y, z));
-    }
-    default: return Property(reader.plain<double>());
-    }
-}
+using kaya_compat::Reader;
+using kaya_compat::Writer;
 
 /* Each property once: the components of a vector have one number. */
 template <class Visit> void each_property(Visit visit) {
@@ -379,7 +319,7 @@ void save_object(const kaya_jobject* head, void (*write)(void*, const void*, siz
     const Object& object = *object_of(head);
     Writer writer(write, sink);
     for (const double value : *object.applied) writer.plain(value);
-    each_property([&](UInt index) { write_property(writer, object.model->getProperty(index)); });
+    each_property([&](UInt index) { kaya_compat::write_property(writer, object.model->getProperty(index)); });
     for (const double value : object.kept.working) writer.plain(value);
     for (const Int value : object.kept.iworking) writer.plain(value);
     for (std::size_t k = 0; k < metadata->energies.size(); ++k) writer.plain(object.model->getEnergy(static_cast<UInt>(k + 1)));
@@ -395,7 +335,7 @@ Object* read_object(Reader& reader) {
     std::vector<double> applied(metadata->slots.size());
     for (double& value : applied) value = reader.plain<double>();
     object->applied = values_like(applied.data());
-    each_property([&](UInt index) { object->model->setProperty(index, read_property(reader), from_restore); });
+    each_property([&](UInt index) { object->model->setProperty(index, kaya_compat::read_property(reader), from_restore); });
     for (double& value : object->kept.working) value = reader.plain<double>();
     for (Int& value : object->kept.iworking) value = reader.plain<Int>();
     for (std::size_t k = 0; k < metadata->energies.size(); ++k)
