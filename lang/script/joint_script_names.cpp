@@ -111,10 +111,10 @@ freeze = function(t, what)
     end
     return view
 end
-for _, value in next, model do if type(value) == "function" then look(value) end end
-freeze(model)
 globals.rawset = nil
 setupvalue(chunk, 1, freeze(globals, "not local"))
+for _, value in next, model do if type(value) == "function" then look(value) end end
+freeze(model)
 for _, entry in next, watched do
     local _, value = getupvalue(entry[1], entry[2])
     entry[4] = value

@@ -100,7 +100,7 @@ private:
     /// makes it: where halving says so, the growth behind the jump is taken.
     template <class Answer> static double tangent(double reported, double before, double way, Answer answer) {
         const double whole = answer(way) - before;
-        if (!(whole > reported * way)) return whole / way;
+        if (!(std::abs(whole) > reported * way)) return whole / way;
         const double half = answer(0.5 * way) - before;
         constexpr double like_a_jump = 0.75; // of the whole way: a stiffness gives a half
         return std::abs(half) > like_a_jump * std::abs(whole) ? (whole - half) / (0.5 * way) : whole / way;

@@ -130,6 +130,42 @@ TEST_F(JointBench, FindsAStiffnessThatIsReportedTooSmallAndEnergyFromNothing) {
     EXPECT_THAT(all, HasSubstr("it makes energy"));
 }
 
+TEST_F(JointBench, AJumpIsNoStiffness) {
+    auto dilating = coulomb;
+    dilating.push_back({"jdil", 8});
+    // The bond breaks on the way: shear falls, and dilation pushes at once. Each point is tried a little further.
+    for (const char* path : {"normal_displacement,shear_displacement\n-2e-4,0\n-2e-4,0.002\n", "normal_stress,shear_displacement\n2,0\n2,0.002\n"}) {
+        const auto curve = follow("mohr", dilating, path, 1000);
+        bool jumps = false;
+        for (const auto& finding : curve.findings) {
+            EXPECT_THAT(finding.text, testing::Not(HasSubstr("stiffness is"))) << path;
+            jumps = jumps || finding.text.find("shear stress jumps") != std::string::npos;
+        }
+        EXPECT_TRUE(jumps) << path;
+        for (const auto& p : curve.points) {
+            EXPECT_LE(p.normal_tangent, 1.02 * p.normal_stiffness);
+            EXPECT_LE(std::abs(p.shear_tangent), 1.02 * p.shear_stiffness);
+        }
+    }
+}
+
+TEST_F(JointBench, NamesColumnsAndTablesThatItHasNot) {
+    const auto report = run_bench(registry, order("mohr", coulomb, "normal_stress,shear_displacement,shear_disp,opening\n2,0,1,0\n2,0.001,1,0\n"));
+    EXPECT_THAT(report.text, HasSubstr("not read          shear_disp; columns of a path are shear_displacement, "));
+    EXPECT_THAT(report.text, testing::Not(HasSubstr("no tables")));
+    auto asking = order("mohr", coulomb, "normal_stress,shear_displacement\n2,0\n2,0.001\n");
+    asking.missed_tables->insert("7");
+    EXPECT_THAT(run_bench(registry, asking).text, HasSubstr("the model asks for table 7, and the bench has none"));
+}
+
+TEST_F(JointBench, StopsAtAModelThatWritesWhereItMustNot) {
+    const char* const path = "normal_displacement\n0\n-1e-4\n";
+    EXPECT_THAT(refusal(order("writes-area", {{"k", 1}}, path)), HasSubstr("wrote to 'area', which it may only read"));
+    EXPECT_THAT(refusal(order("writes-behind", {{"k", 1}}, path)), HasSubstr("wrote behind the column 'shear_force'"));
+    EXPECT_THAT(run_bench(registry, order("rounds-up", {{"k", 1}}, path)).text, HasSubstr("it changes how numbers are rounded"));
+    EXPECT_THAT(run_bench(registry, order("works", {{"k", 1}}, path)).text, HasSubstr("found             no jump"));
+}
+
 TEST_F(JointBench, WritesCurveAndFigure) {
     auto o = order("mohr", coulomb, "# a comment\n\nnormal_stress, shear_displacement\n2, 0\n2, 0.002\n");
     o.settings.steps = 100;
