@@ -75,7 +75,7 @@ private:
             return *to.stress + to.boundary_stiffness * (joint_.normal_disp + opening - opening_at_start_);
         };
         const auto over = [&](double opening) {
-            SingleJoint trial = joint_;
+            SingleJoint trial = joint_.trial();
             step.opening = opening;
             trial.step(step);
             return trial.normal_stress() - boundary(opening);
@@ -110,7 +110,7 @@ private:
     void measure_tangents(CurvePoint& p, const PathPoint& last) const {
         const double scale = std::max(std::abs(p.normal_stress), 1e-6 * p.normal_stiffness) / p.normal_stiffness;
         p.normal_tangent = tangent(p.normal_stiffness, p.normal_stress, 1e-5 * scale, [&](double way) {
-            SingleJoint closer = joint_;
+            SingleJoint closer = joint_.trial();
             closer.step({-way, {}, 0});
             return closer.normal_stress();
         });
@@ -119,7 +119,7 @@ private:
         if (!(length > 0)) return;
         for (double& part : way) part /= length;
         p.shear_tangent = tangent(p.shear_stiffness, p.resistance[0] * way[0] + p.resistance[1] * way[1], 1e-2 * length, [&](double step) {
-            SingleJoint further = joint_;
+            SingleJoint further = joint_.trial();
             further.step({0, {step * way[0], step * way[1]}, 0});
             const auto resistance = further.shear_resistance();
             return resistance[0] * way[0] + resistance[1] * way[1];

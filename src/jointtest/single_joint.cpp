@@ -47,7 +47,7 @@ void SingleJoint::call(const JointStep& step, bool initialise) {
     batch.tables = model->tables;
     LoneColumns others;
     others.add_to(batch, *model);
-    const auto failure = initialise ? initialise_fenced(*model, batch) : run_fenced(*model, batch);
+    const auto failure = initialise ? initialise_fenced(*model, batch) : fenced_ ? run_fenced(*model, batch) : run_batch(*model, batch);
     if (failure)
         throw Diagnostic(failure->message,
                          fmt::format("normal displacement {:g}, shear displacement {:g} {:g}", normal_disp, shear_disp[0],
@@ -63,7 +63,7 @@ void SingleJoint::step(const JointStep& step) {
 
 void SingleJoint::step_to_stress(double stress, JointStep step) {
     const auto over = [&](double opening) {
-        SingleJoint trial = *this;
+        SingleJoint trial = this->trial();
         JointStep tried = step;
         tried.opening = opening;
         trial.step(tried);

@@ -48,7 +48,15 @@ public:
     std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
     JointObject object; ///< of a model that keeps one; a copy is a clone
 
+    /// Another one in the same state, for a step that is only tried: what the model writes beside its columns is not looked for.
+    SingleJoint trial() const {
+        SingleJoint copy = *this;
+        copy.fenced_ = false;
+        return copy;
+    }
+
 private:
+    bool fenced_ = true;
     void call(const JointStep& step, bool initialise);
 };
 
