@@ -86,6 +86,7 @@ std::optional<double> recorded_own_value(Session& session, const std::string& as
     Row row = no_row;
     std::from_chars(asked.data() + middle + between.size(), asked.data() + asked.size(), row);
     const std::string name = asked.substr(beginning.size(), middle - beginning.size());
+    if (row < 0 || static_cast<std::size_t>(row) >= session.model.sub_contacts.size()) return std::nullopt;
     const JointModel* joint = joint_model_of(session, row);
     if (joint == nullptr) return std::nan("");
     for (const auto& value : joint_values(*joint)) // another joint model may stand there by now

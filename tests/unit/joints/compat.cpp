@@ -160,6 +160,37 @@ TEST(Compat, APropertyThatChangesOnTheWayReachesTheObject) {
     EXPECT_EQ(joint.normal_stiffness[0], 4e9);
 }
 
+TEST(Compat, WhatAnObjectHoldsOfAPropertyIsSeenAndSet) {
+    TestJoint joint(compat("slip9"), slip_values, 1, 3);
+    const auto kn = *joint.model->find_property("kn");
+    joint.step(-1e-4);
+    ASSERT_TRUE(joint.model->shows_objects());
+    EXPECT_EQ(joint.model->object_value(joint.object[0], kn), 2e9);
+    EXPECT_TRUE(joint.model->set_object_value(joint.object[1], kn, 4e9));
+    joint.step(-1e-5);
+    EXPECT_EQ(joint.normal_stiffness, (std::vector<double>{2e9, 4e9, 2e9}));
+    EXPECT_EQ(joint.model->object_value(joint.object[1], kn), 4e9);
+    // A command that gives another value reaches all of them.
+    joint.values[kn] = 3e9;
+    joint.step(-1e-5);
+    EXPECT_EQ(joint.normal_stiffness, (std::vector<double>{3e9, 3e9, 3e9}));
+    // Nobody is asked where there is no object, and models without objects show none.
+    EXPECT_FALSE(joint.model->object_value(JointObject(), kn));
+    EXPECT_FALSE(test::shipped("mohr").shows_objects());
+}
+
+TEST(Compat, ManySetsOfValuesDoNotMix) {
+    std::vector<TestJoint> joints;
+    for (int k = 0; k < 40; ++k) {
+        auto values = slip_values;
+        values["kn"] = 1e9 + 1e6 * k;
+        joints.emplace_back(compat("slip9"), values, 1, 2);
+    }
+    for (int round = 0; round < 3; ++round)
+        for (auto& joint : joints) joint.step(-1e-5);
+    for (int k = 0; k < 40; ++k) EXPECT_NEAR(joints[static_cast<std::size_t>(k)].normal_force[1], 3e-5 * (1e9 + 1e6 * k), 1e-9) << k;
+}
+
 TEST(Compat, WhatWasSavedGoesOnAsIfNothingHadHappened) {
     for (const char* name : {"masonry_cap", "wear", "slip9"}) {
         auto values = name == std::string("masonry_cap") ? cap_values : name == std::string("wear") ? wear_values : slip_values;
