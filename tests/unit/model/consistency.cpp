@@ -93,7 +93,13 @@ const std::vector<Damage>& damages() {
          "row 0 of histories: it has not as many values as there are samples"},
         {"history first sample", [](Model& m) { m.histories.all[0].first_sample = 5; },
          "row 0 of histories: it has not as many values as there are samples"},
-        {"field columns", [](Model& m) { m.sub_contacts.field_columns = 100; }, "the fields of sub-contacts are not counted right"},
+        {"field columns",
+         [](Model& m) {
+             m.sub_contacts.keep_fields(KAYA_JMODEL_MAX_FIELDS);
+             m.sub_contacts.field_columns = 100;
+         },
+         "the fields of sub-contacts are not counted right"},
+        {"field without rows", [](Model& m) { m.sub_contacts.field_columns = 1; }, "column field_0 of sub_contacts has 0 rows of 2"},
         {"history kind", [](Model& m) { m.histories.all[0].source.kind = static_cast<HistorySource::Kind>(7); },
          "row 0 of histories: its kind is unknown"},
         {"history number", [](Model& m) { m.histories.all[0].number = 0; },
