@@ -12,7 +12,10 @@
 #include <map>
 #include <mutex>
 #include <tuple>
+#include <sys/syscall.h>
 #include <unistd.h>
+
+extern "C" const char __executable_start, etext; // of the linker: where the program's code lies
 
 namespace kaya {
 
@@ -159,7 +162,11 @@ void report(int signal, siginfo_t* info, void*) {
     raise(signal);
 }
 
-/// exit() runs this in the thread that called it.
+[[noreturn]] void leave(int status) {
+    for (;;) ::syscall(SYS_exit_group, status);
+}
+
+/// exit() runs this in the thread that called it, and so do _exit() and _Exit() of a library.
 void refuse_exit() {
     const CrashReport::Call* call = at_work;
     if (call == nullptr) return;
@@ -170,8 +177,11 @@ void refuse_exit() {
              << "\n  a model that fails returns the row and writes a sentence to batch->message" << what_is_left;
     if (::ftrylockfile(stdout) == 0) ::fflush_unlocked(stdout);
     sentence.write();
-    std::_Exit(static_cast<int>(Fault::run));
+    leave(static_cast<int>(Fault::run));
 }
+
+/// Whether a function that is called from there belongs to the program and not to a library.
+bool is_own(const void* place) { return place >= &__executable_start && place < &etext; }
 
 /// The models that are at work in all threads, each once; false when there are none.
 bool add_models_at_work(Sentence& sentence) {
@@ -251,4 +261,16 @@ AtWork::~AtWork() {
     if (Desk* desk = own_desk()) desk->who.store(before_ ? before_->who : nullptr, std::memory_order_relaxed);
 }
 
+void end_by_exit(const void* caller, int status) {
+    if (!is_own(caller)) refuse_exit();
+    leave(status);
+}
+
 } // namespace kaya
+
+// The program's own come before those of the C library for all that is loaded: a joint model that leaves by them would end
+// a run half way, without a word and with the status of success. Nothing runs at such an exit, so nothing else is missed.
+extern "C" {
+[[noreturn]] void _exit(int status) { kaya::end_by_exit(__builtin_return_address(0), status); }
+[[noreturn]] void _Exit(int status) { kaya::end_by_exit(__builtin_return_address(0), status); }
+}

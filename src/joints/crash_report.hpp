@@ -20,9 +20,12 @@ const Called* called(const std::string& name, const std::string& file, const cha
 /// From now on a crash (a bad address, a division by zero, abort(), a stack that is full) is reported on the
 /// standard error before it ends the program: the model that is at work in the thread that crashed, with its file, what it
 /// was doing and the sub-contact; or else the model that was called last, which may have spoilt memory that is used later.
-/// A model that calls exit() ends the program with status 2 and a message. Ctrl-C names the models that are at work.
+/// A model that calls exit(), or _exit(), ends the program with status 2 and a message. Ctrl-C names the models that are at work.
 /// Where no model has been called yet nothing is said and nothing changes.
 void report_crashes();
+
+/// What _exit() and _Exit() do here: `caller` is where they were called from.
+[[noreturn]] void end_by_exit(const void* caller, int status);
 
 /// For a signal handler: ends the program by the signal, after naming the models that are at work.
 void end_at_once(int signal);

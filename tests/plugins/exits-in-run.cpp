@@ -1,12 +1,16 @@
-// Calls exit() when its 50th step is run.
+// Leaves when its 50th step is run: by exit(), or by _exit() where its stiffness is odd.
 #include "tests/plugins/plugin.hpp"
 
 #include <cstdlib>
+#include <unistd.h>
 
 namespace {
 
 ptrdiff_t run(kaya_jbatch* batch) {
-    if (batch->history[0][0] > 50) std::exit(0);
+    if (batch->history[0][0] > 50) {
+        if (std::fmod(batch->properties[0], 2) == 1) _exit(0);
+        std::exit(0);
+    }
     return plugin::push(batch);
 }
 
