@@ -56,13 +56,13 @@ int refuse_writing(lua_State* L) {
 
 /// It gets the chunk, the globals, the model and `debug`. What functions of the file reach, and the globals, can only be read from
 /// then on: a number that is kept from call to call would make a row depend on those before it, and on the thread.
-/// Returns a function that says which local variable was changed all the same, after putting it back.
+/// It returns a function that says which variable was changed all the same, after putting it back.
 constexpr const char* freezer = R"(
 local chunk, globals, model, debug = ...
 local getupvalue, setupvalue = debug.getupvalue, debug.setupvalue
-local getmetatable, setmetatable, next, type, rawset, rawequal, error, string, pairs =
-    getmetatable, setmetatable, next, type, rawset, rawequal, error, string, pairs
-local views, seen, watched, set = {}, {}, {}, {}
+local getmetatable, setmetatable, next, type, rawget, rawset, rawequal, error, string, pairs =
+    getmetatable, setmetatable, next, type, rawget, rawset, rawequal, error, string, pairs
+local views, seen, watched, set, fields = {}, {}, {}, {}, {}
 local freeze
 local function look(f)
     if seen[f] then return end
@@ -70,7 +70,7 @@ local function look(f)
     for i = 1, 255 do
         local name, value = getupvalue(f, i)
         if not name or name == "" then break end
-        if type(value) == "table" then
+        if type(value) == "table" and value ~= globals then
             setupvalue(f, i, freeze(value))
         elseif type(value) == "function" then
             look(value)
@@ -79,7 +79,10 @@ local function look(f)
         watched[#watched + 1] = {f, i, name, frozen}
     end
 end
-freeze = function(t, what)
+local function kept(key, what)
+    error(string.format("'%s' is %s: a joint model keeps nothing but its history", key, what), 3)
+end
+freeze = function(t)
     if views[t] then return views[t] end
     local old, meta = getmetatable(t), {}
     if type(old) == "table" then
@@ -91,9 +94,7 @@ freeze = function(t, what)
     meta.__index = t
     meta.__len = meta.__len or function() return #t end
     meta.__pairs = meta.__pairs or function() return pairs(t) end
-    meta.__newindex = function(_, key)
-        error(string.format("'%s' is %s: a joint model keeps nothing but its history", key, what or "set in a table that is kept from call to call"), 2)
-    end
+    meta.__newindex = function(_, key) kept(key, "set in a table that is kept from call to call") end
     meta.__metatable = false
     local view = setmetatable({}, meta)
     views[t], views[view] = view, view
@@ -111,8 +112,22 @@ freeze = function(t, what)
     end
     return view
 end
+-- Globals and libraries are read in every row, and stay what they are: a new name raises, and an old one that was changed is seen
+-- behind the call.
 globals.rawset = nil
-setupvalue(chunk, 1, freeze(globals, "not local"))
+local libraries = {[globals] = "not local", [globals.math] = "set in a library", [globals.string] = "set in a library",
+    [globals.table] = "set in a library"}
+for t in next, libraries do views[t] = t end
+for t, what in next, libraries do
+    local own = {}
+    for key, value in next, t do if type(value) == "table" and not libraries[value] then own[key] = value end end
+    for key, value in next, own do t[key] = freeze(value) end
+    for key, value in next, t do
+        if type(value) == "function" then look(value) end
+        fields[#fields + 1] = {t, key, value}
+    end
+    setmetatable(t, {__newindex = function(_, key) kept(key, what) end, __metatable = false})
+end
 for _, value in next, model do if type(value) == "function" then look(value) end end
 freeze(model)
 for _, entry in next, watched do
@@ -127,6 +142,14 @@ return function()
         if not rawequal(now, value) and not (now ~= now and value ~= value) then
             setupvalue(f, i, value)
             changed = name
+        end
+    end
+    for k = 1, #fields do
+        local t, key, value = fields[k][1], fields[k][2], fields[k][3]
+        local now = rawget(t, key)
+        if not rawequal(now, value) and not (now ~= now and value ~= value) then
+            rawset(t, key, value)
+            changed = key
         end
     end
     return changed

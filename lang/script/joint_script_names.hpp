@@ -19,8 +19,8 @@ void push_view(lua_State* L, const char* noun);
 void refuse_other_names(lua_State* L, std::string_view of, std::initializer_list<std::string_view> known);
 
 /// Pushes a function of the chunk of a file, its globals, the table that it has returned and the library `debug`. From then on
-/// what functions of the file reach, and the globals, can only be read. It returns a function that says which local
-/// variable was changed all the same, after putting it back.
+/// what functions of the file reach, and the globals, can only be read. It returns a function that says which variable was
+/// changed all the same, after putting it back.
 void push_freezer(lua_State* L);
 
 } // namespace kaya::script

@@ -48,7 +48,12 @@ void describe(const LawTable& model, const char* kind, std::uint32_t interface, 
     line("objects", keeps_objects ? "one for each sub-contact" : "");
 }
 
-void describe(const JointModel& model) { describe(model, "joint model", model.descriptor().interface_version, model.keeps_objects()); }
+void describe(const JointModel& model) {
+    describe(model, "joint model", model.descriptor().interface_version, model.keeps_objects());
+    std::vector<std::string> fields;
+    for (const auto& field : model.fields) fields.push_back(field.name);
+    if (!fields.empty()) fmt::print("  {:<11} {}\n", "fields", fmt::join(fields, ", "));
+}
 void describe(const ZoneModel& model) { describe(model, "zone model", KAYA_ZMODEL_INTERFACE); }
 
 /// Who builds a library has its source before him. Without a home it is allowed by its folder alone: --joints.

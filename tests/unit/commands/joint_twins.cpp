@@ -221,7 +221,7 @@ TEST(JointInLua, AMistakeInARowIsTheRows) {
         {"p.kk = 2", "the list of properties has no 'kk'"},
         {"h.wear_dept = 1", "the history has no 'wear_dept'; did you mean 'wear_depth'?"},
         {"s[1] = 1", "the row has names, not numbers"},
-        {"math.pi = 3", "'pi' is set in a table that is kept from call to call"},
+        {"math.pie = 3", "'pie' is set in a library"},
         {"setmetatable(p, nil)", "cannot change a protected metatable"},
         {"rawset(s, 'x', 1)", "attempt to call a nil value (global 'rawset')"},
         {"s.normal_force = math.random()", "attempt to call a nil value (field 'random')"},
@@ -245,6 +245,9 @@ TEST(JointInLua, TakesOtherWordsOfProperties) {
 
 TEST(JointInLua, NothingIsKeptInLocalVariablesOutsideOfItsFunctions) {
     const Wrong cases[] = {
+        {"@math.pi = 3", "'pi' is changed by the functions of the model"},
+        {"@print = 5", "'print' is changed by the functions of the model"},
+        {"more = {1}\n@more[2] = 2", "'2' is set in a table that is kept from call to call"},
         {"local count = 0\n@count = count + 1", "'count' is changed by the functions of the model"},
         {"local kept = {n = 0}\n@kept.n = kept.n + 1", "'n' is set in a table that is kept from call to call"},
         {"local kept = {deep = {1, 2}}\n@kept.deep[3] = 1", "'3' is set in a table that is kept from call to call"},
