@@ -176,6 +176,24 @@ void combine(JointSums& sum, const JointSums& part) {
     sum.stiffness_changed = sum.stiffness_changed || part.stiffness_changed;
 }
 
+bool is_pressed(const Model& model, Row c) {
+    const Span span = model.contacts.sub_contacts[c];
+    for (Row s = span.first; s < span.end(); ++s)
+        if (model.sub_contacts.normal_force[s] > 0) return true;
+    return false;
+}
+
+/// A joint model that dilates adds that to the depth of an overlap, and sees a joint as closed whose blocks are apart. It is told to begin again, without force;
+/// otherwise each touch would be as stiff as all dilation so far has made the joint, and blocks would hop on and on.
+void begin_again(Model& model, const Batch& batch, Row c) {
+    Batch rows = batch;
+    const Span span = model.contacts.sub_contacts[c];
+    rows.first = span.first, rows.count = span.count;
+    std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
+    auto columns = columns_of(model, rows, model.clock.time_step, history.data());
+    if (const auto failure = initialise_batch(*batch.model, columns, model.sub_contacts.number.data() + rows.first)) throw joint_failure(model, rows, *failure);
+}
+
 JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     JointSums sums;
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
@@ -201,7 +219,9 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     for (std::size_t i = 0; i < batch.contacts.size(); ++i) {
         const Row c = batch.contacts[i];
         if (follows_overlap(model, c)) {
+            const bool closed_by_law = model.contacts.depth[c] == 0 && is_pressed(model, c);
             sums.lost += finish_overlap_contact(model, c, after);
+            if (closed_by_law) begin_again(model, batch, c);
             sum_contact(model, c, forces);
             note_stiffness(model, c, forces);
             sums.stiffness_changed = sums.stiffness_changed || forces.stiffness_changed[c];
