@@ -104,6 +104,7 @@ constexpr std::array functions{
           "*(n)", "what 'prop' gave to material n; can be set, as by the command prop"},
     Entry{"block.list block.contact.list block.subcontact.list block.gp.list block.zone.list block.face.list", "*",
           "array of pointers to all objects of the kind, for loop foreach"},
+    Entry{"block.contact.subcontactlist", "*(c)", "array of pointers to the sub-contacts of a contact"},
     Entry{"block.gplist block.zonelist block.facelist", "*(b)", "array of pointers to the parts of a block"},
 };
 
