@@ -296,7 +296,7 @@ CommandSpec poly_tunnel() {
 
 CommandSpec import_file() {
     Entry<Import> entry({"import"});
-    entry.help("makes blocks of the closed surfaces or blocks in a file: .3dgrid, .stl, .obj, .ply, .wrl");
+    entry.help("makes blocks of the closed surfaces or blocks in a file: .3dgrid, .msh, .stl, .obj, .ply, .wrl");
     entry.argument(text("file").help("name with suffix, which says the format"), &Import::file);
     const auto options = [](std::int64_t BlockOptions::*member) {
         return [member](Import& command) -> auto& { return command.options.*member; };
@@ -304,11 +304,11 @@ CommandSpec import_file() {
     entry.keyword({"region"}, integer("n").at_least(0), options(&BlockOptions::region),
                   "region number of blocks to which the file gives none");
     entry.keyword({"material", "mat"}, integer("n").at_least(1), options(&BlockOptions::material),
-                  "material number, 1 if not given");
+                  "material number of blocks to which the file gives none, 1 if not given");
     entry.keyword({"constitutive", "cons"}, integer("n").at_least(1), options(&BlockOptions::constitutive),
                   "constitutive number, 1 if not given");
     entry.place(&Import::place);
-    entry.right("import 'vault.stl'").right("import wall.3dgrid mat 2").right("import stones.obj region 3");
+    entry.right("import 'vault.stl'").right("import wall.3dgrid mat 2").right("import stones.obj region 3").right("import rock.msh");
     entry.wrong("import", "a word is missing after 'import'");
     entry.wrong("import a.stl regoin 2", "'regoin' is not a keyword of import");
     return entry;

@@ -23,6 +23,7 @@ struct Incoming {
     std::optional<TetMesh> mesh;
     std::string group;
     std::int32_t region;
+    std::int32_t material = 0; ///< 0: the file says nothing
 };
 
 /// Faces that are warped more than can be mended become triangles: files of other programs are full of them.
@@ -34,7 +35,7 @@ std::vector<Incoming> from_grid(const std::string& path, std::int32_t region) {
     for (const auto& block : grid.blocks) {
         stop_point();
         Incoming incoming{solid_from_surface(surface_of(grid, block), of_files), {}, block.group,
-                          block.region != 0 ? block.region : region};
+                          block.region != 0 ? block.region : region, block.material};
         if (!block.zones.empty()) {
             if (incoming.solid.parts.size() > 1)
                 throw Diagnostic(fmt::format("block {} is concave and has zones", block.number),
@@ -50,7 +51,7 @@ std::vector<Incoming> from_surfaces(const std::string& path, std::int32_t region
     std::vector<Incoming> blocks;
     for (const auto& [name, surface] : read_surfaces(path)) {
         stop_point();
-        blocks.push_back({solid_from_surface(surface, of_files), {}, name, region});
+        blocks.push_back({solid_from_surface(surface, of_files), {}, name, region, 0});
     }
     return blocks;
 }
@@ -77,11 +78,11 @@ void run(Session& session, const lang::Import& command) {
         const std::string path = session.input_file(command.file).string();
         const auto region = static_cast<std::int32_t>(command.options.region);
         // All blocks are read and checked before the first is made.
-        const auto blocks = is_grid(path) ? from_grid(path, region) : from_surfaces(path, region);
+        const auto blocks = is_grid(path) || is_msh(path) ? from_grid(path, region) : from_surfaces(path, region);
         std::size_t parts = 0, zoned = 0;
         for (const Incoming& block : blocks) {
             NewBlock options;
-            options.material = static_cast<std::int32_t>(command.options.material);
+            options.material = block.material != 0 ? block.material : static_cast<std::int32_t>(command.options.material);
             options.constitutive = static_cast<std::int32_t>(command.options.constitutive);
             options.region = block.region;
             options.group = group_number(model, block.group);

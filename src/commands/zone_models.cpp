@@ -1,6 +1,7 @@
 // zone model, zone property, zone load, zone nmd.
 #include "commands/handlers.hpp"
 #include "mechanics/zone_laws.hpp"
+#include "model/excavation.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -17,6 +18,19 @@ const ZoneModel& model_named(Session& session, const lang::ZoneModelCommand& com
         mistake.at(command.model_place);
         throw;
     }
+}
+
+/// Rock that is not there: `zone model null` takes its blocks out, as `excavate` does.
+constexpr std::string_view no_rock = "null";
+
+void take_out(Session& session, const lang::ZoneModelCommand& command, const std::vector<Row>& blocks) {
+    if (!command.items.empty())
+        throw Diagnostic(fmt::format("zone model {} has no property '{}'", no_rock, command.items.front().word),
+                         "it means that nothing is there: leave the properties away")
+            .at(command.items.front().place);
+    if (blocks.empty()) return;
+    excavate_blocks(session.model, blocks);
+    session.world.rows_moved();
 }
 
 /// The values of a line by the names of the properties. Throws Diagnostic at the word that is wrong.
@@ -66,6 +80,7 @@ void run(Session& session, const lang::ZoneModelCommand& command) {
         return;
     }
     const auto blocks = session.pick(ObjectKind::block, command.range);
+    if (command.action == Action::assign && command.model == no_rock) return take_out(session, command, blocks);
     std::vector<ZoneProperties> wanted; // first all that may be wrong, then the model
     for (const Row block : blocks) {
         const auto& before = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])];

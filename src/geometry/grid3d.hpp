@@ -18,6 +18,7 @@ struct Grid3d {
         std::vector<int> faces; ///< of a rigid block
         std::vector<int> zones; ///< of a deformable block; either this or faces
         std::string group;
+        int material = 0; ///< 0: the file says nothing
     };
     struct JointSet {
         int number = 0;
@@ -34,7 +35,14 @@ struct Grid3d {
 /// Reads lines TOL, G, F, Z, B, JS and BGROUP; * begins a comment. Throws Diagnostic with file and line for
 /// numbers that are used twice or never defined.
 Grid3d read_grid3d(std::string_view text, const std::string& file);
+
+/// Tetrahedra and hexahedra of gmsh's .msh, ASCII 2.2 or 4.1; hexahedra become six zones. Each volume of the geometry is a block;
+/// its physical group says group, region and material. Throws Diagnostic with file and line.
+Grid3d read_msh(std::string_view text, const std::string& file);
+
+/// Reads either, by the suffix.
 Grid3d read_grid3d_file(const std::string& path);
+bool is_msh(const std::string& path);
 
 /// The text of a grid; numbers are written so that they read back bit for bit.
 std::string write_grid3d(const Grid3d& grid);

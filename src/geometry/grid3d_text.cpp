@@ -180,8 +180,10 @@ Grid3d read_grid3d_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) throw Diagnostic(fmt::format("{} cannot be opened", path), "check the name and the folder");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    return read_grid3d(text, path);
+    return is_msh(path) ? read_msh(text, path) : read_grid3d(text, path);
 }
+
+bool is_msh(const std::string& path) { return path.size() > 4 && same_word(std::string_view(path).substr(path.size() - 4), ".msh"); }
 
 std::string write_grid3d(const Grid3d& grid) {
     std::string text = "* written by kaya\n";

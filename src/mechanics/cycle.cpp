@@ -160,7 +160,7 @@ void Cycle::prepare() {
         s.step.forget(); // properties may be others now
         make_lists();
         if (!model_.properties_changed) s.joints.stiffness_changed.assign(model_.contacts.size(), 0); // restored: all is known
-        s.quiet = quiet_points(model_);
+        s.quiet = quiet_points(model_, s.elastic);
         s.search = ContactSearch{}; // blocks may be others now
         model_.lists_changed = false;
         model_.tables([](const char*, auto& table) {

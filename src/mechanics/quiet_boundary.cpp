@@ -16,10 +16,10 @@ struct Impedance {
     double normal, shear;
 };
 
-Impedance impedance_of(const Model& model, Row block) {
-    const Material& material = model.materials.at(model.blocks.material[block]);
-    return {std::sqrt(material.density * (material.bulk + 4.0 / 3.0 * material.shear)),
-            std::sqrt(material.density * material.shear)};
+Impedance impedance_of(const Model& model, const std::vector<ElasticConstants>& elastic, Row block) {
+    const double density = model.materials.at(model.blocks.material[block]).density;
+    const auto& [lambda, two_shear] = elastic[static_cast<std::size_t>(block)];
+    return {std::sqrt(density * (lambda + two_shear)), std::sqrt(density * 0.5 * two_shear)};
 }
 
 /// Of a unit area with unit normal n: the parts of the full dashpot that the bits ask for.
@@ -37,7 +37,7 @@ Mat3 dashpot_of(const Impedance& impedance, const Vec3& n, std::uint8_t bits) {
 
 } // namespace
 
-QuietPoints quiet_points(const Model& model) {
+QuietPoints quiet_points(const Model& model, const std::vector<ElasticConstants>& elastic) {
     QuietPoints points;
     const auto& triangles = model.triangles;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -48,7 +48,7 @@ QuietPoints quiet_points(const Model& model) {
         const auto& x = model.gridpoints.reference;
         const Vec3 area = 0.5 * (x[corner[1]] - x[corner[0]]).cross(x[corner[2]] - x[corner[0]]);
         const Mat3 third =
-            area.norm() / 3 * dashpot_of(impedance_of(model, block), area.normalized(), triangles.quiet[t]);
+            area.norm() / 3 * dashpot_of(impedance_of(model, elastic, block), area.normalized(), triangles.quiet[t]);
         for (const Row g : corner) {
             if (points.index[g] == no_row) {
                 points.index[g] = static_cast<Row>(points.dashpot.size());

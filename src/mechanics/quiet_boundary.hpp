@@ -7,6 +7,8 @@
 
 namespace kaya {
 
+struct ElasticConstants;
+
 /// Dashpots of the gridpoints on quiet boundaries; derived.
 struct QuietPoints {
     std::vector<Row> index;        ///< by gridpoint: row below, or no_row; empty when nothing is quiet
@@ -17,7 +19,8 @@ struct QuietPoints {
 
 /// Tractions -rho Cp v_n and -rho Cs v_s (Lysmer and Kuhlemeyer 1969, J. Eng. Mech. Div. ASCE 95) on the triangles that
 /// are quiet, a third of each at its corners. Areas and normals are those of the block when its zones were made.
-QuietPoints quiet_points(const Model& model);
+/// `elastic` has the constants of the blocks.
+QuietPoints quiet_points(const Model& model, const std::vector<ElasticConstants>& elastic);
 
 /// Force of a dashpot on a gridpoint in a step, taken at the mean of the velocities before and after it, so that it
 /// is stable for any step. `force` is the sum of all others; held components (Fixity bits) keep their velocity.

@@ -42,8 +42,7 @@ struct Weakness {
     double cohesion, tangent, dilatancy, tension;
 
     explicit Weakness(const double* p) {
-        const double d = p[dip] * radians, dd = p[dip_direction] * radians;
-        normal = {std::sin(d) * std::sin(dd), std::sin(d) * std::cos(dd), std::cos(d)};
+        normal = plane_normal(p[dip], p[dip_direction]);
         cohesion = p[joint_cohesion];
         tangent = std::tan(p[joint_friction] * radians);
         dilatancy = std::min(tangent, std::tan(p[joint_dilation] * radians));

@@ -14,6 +14,12 @@ using Tensor = std::array<double, 6>;
 
 constexpr double radians = 0.017453292519943295; ///< of a degree
 
+/// Unit normal of a plane, upward: dip below the horizontal, dip direction clockwise from y; degrees.
+inline std::array<double, 3> plane_normal(double dip, double dip_direction) {
+    const double d = dip * radians, dd = dip_direction * radians;
+    return {std::sin(d) * std::sin(dd), std::sin(d) * std::cos(dd), std::cos(d)};
+}
+
 /// Isotropic elasticity.
 struct Moduli {
     double bulk, shear;
@@ -71,9 +77,10 @@ inline void put_stress(const kaya_zbatch& batch, std::size_t i, const Tensor& t)
 template <std::size_t Properties, std::size_t History>
 constexpr kaya_zmodel model(const char* name, const char* title, const std::array<kaya_zproperty, Properties>& properties,
                             const std::array<kaya_jhistory, History>& history, const char* states, bool flows,
-                            ptrdiff_t (*run)(kaya_zbatch*), const char* (*check)(const double*) = nullptr) {
+                            ptrdiff_t (*run)(kaya_zbatch*), const char* (*check)(const double*) = nullptr,
+                            void (*moduli)(const double*, double*, double*) = give_moduli) {
     return {KAYA_ZMODEL_INTERFACE, sizeof(kaya_zmodel), name, title, "1.0", properties.data(), Properties, history.data(),
-            History, states, flows ? 1u : 0u, run, check, give_moduli};
+            History, states, flows ? 1u : 0u, run, check, moduli};
 }
 
 } // namespace kaya::zones

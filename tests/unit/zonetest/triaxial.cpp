@@ -85,6 +85,30 @@ TEST_F(Bench, HoekBrownWithAFactorYieldsWhereItsCircleTouchesTheLowerEnvelope) {
         }
 }
 
+TEST_F(Bench, AnisotropicRockIsAsSoftAsItsPlanesAreTurned) {
+    // Lekhnitskii 1963: 1/E = cos^4 b/En + sin^4 b/E + sin^2 b cos^2 b (1/G - 2 nun/En), b between load and normal.
+    const double plane = 30e9, normal = 10e9, nu = 0.25, nun = 0.2, shear = 5e9, load = -1e6;
+    ZonePath path;
+    path.is_stress = {true, true, true, true, true, true};
+    path.points = {{{}, 0}, {{0, 0, load, 0, 0, 0}, 1}};
+    for (const double dip : {0.0, 20.0, 45.0, 70.0, 90.0})
+        for (const double dip_direction : {0.0, 90.0, 217.0}) {
+            const ZoneCurve curve = follow_zone_path(models.get("anisotropic-elastic"), {plane, normal, nu, nun, shear, dip, dip_direction}, path, start(0, 10));
+            const double c = std::cos(dip * degree), s = std::sin(dip * degree), c2 = c * c, s2 = s * s;
+            const double softness = c2 * c2 / normal + s2 * s2 / plane + s2 * c2 * (1 / shear - 2 * nun / normal);
+            const auto& strain = curve.points.back().strain;
+            EXPECT_NEAR(strain[2] / load / softness, 1, 1e-6) << dip << " " << dip_direction;
+            // Across the load, along strike and square to it; and the shear that the planes bring.
+            const double along_strike = -(c2 * nun / normal + s2 * nu / plane);
+            const double down_dip = s2 * c2 * (1 / normal + 1 / plane - 1 / shear) - (c2 * c2 + s2 * s2) * nun / normal;
+            EXPECT_NEAR((strain[0] + strain[1]) / load / (along_strike + down_dip), 1, 1e-6) << dip << " " << dip_direction;
+            const double east = std::sin(dip_direction * degree), north = std::cos(dip_direction * degree);
+            const double found = strain[0] * north * north - 2 * strain[3] * north * east + strain[1] * east * east;
+            EXPECT_NEAR(found / load / along_strike, 1, 1e-6) << dip << " " << dip_direction;
+            EXPECT_TRUE(curve.findings.empty());
+        }
+}
+
 TEST_F(Bench, AnElasticZoneThatIsUnloadedIsAsItWas) {
     ZonePath path;
     path.is_stress = {true, true, true, true, true, true};

@@ -1,0 +1,40 @@
+-- A strip footing on ground without weight: half of it, one cell wide. `footing(name, cells, friction, dilation, mesh, steps, low, high)`
+-- presses it and compares N_c, which may lie `low` below the exact one and `high` above it, and must not grow any more.
+local verify = require "verify"
+local half, width, height, cohesion = 3, 15, 7.5, 1e5
+return function(name, n, phi, psi, mesh, steps, low, high)
+    if count("block") > 0 then command "delete\nreset time" end
+    local size = half / n
+    command(("poly brick 0 %g 0 %g 0 %g"):format(width, size, height))
+    command(mesh:format(math.floor(width / size + 0.5), math.floor(height / size + 0.5)))
+    command "set small on\nchange cons 2\ndamp local"
+    command(("prop mat 1 dens 2000 k 2e8 g 1e8 bcoh %g bfric %g bdil %g bten 1e10"):format(cohesion, phi, psi))
+    command(("bound xvel 0 range x 0\nbound xvel 0 range x %g\nbound yvel 0\nbound zvel 0 xvel 0 range z 0"):format(width))
+    local top = ("range z %g x 0 %g"):format(height, half + 0.01 * size)
+    command("bound xvel 0 zvel 0 " .. top)
+    local pressed = {}
+    for g in gridpoints() do
+        local p = g.position
+        if math.abs(p.z - height) < 1e-6 * size and p.x < half + 0.01 * size then pressed[#pressed + 1] = g end
+    end
+    local function pressure()
+        local force = 0
+        for _, g in ipairs(pressed) do force = force - g.z_reaction end
+        return force / (size * (half + 0.5 * size)) / cohesion
+    end
+    local speed = 1e-2 * size
+    command(("bound zvel %g %s"):format(-speed, top))
+    command(("cycle %d"):format(steps))
+    command(("bound zvel %g %s"):format(-speed / 5, top)) -- at a low speed inertia carries nothing
+    command(("cycle %d"):format(steps / 4))
+    local before = pressure()
+    command(("cycle %d"):format(steps / 4))
+    local after, exact = pressure(), 2 + math.pi
+    if phi > 0 then
+        local t = math.tan(math.rad(phi))
+        exact = (math.exp(math.pi * t) * math.tan(math.rad(45 + phi / 2)) ^ 2 - 1) / t
+    end
+    verify.relative("D6, " .. name, "N_c", after, exact, high)
+    verify.absolute("D6, " .. name, "N_c short of the exact one, parts", math.min(0, after / exact - 1), 0, low)
+    verify.absolute("D6, " .. name, "growth of N_c in the last quarter, parts", after / before - 1, 0, 0.01)
+end
