@@ -108,6 +108,7 @@ void write_inputs(const std::function<void(const char*, const std::string&)>& wr
     write("quake.tab", "quake\n3 0.1\n0\n1\n0\n");
     const std::string tetrahedron = "v 10 0 0\nv 11 0 0\nv 10 1 0\nv 10 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
     write("stones.obj", tetrahedron);
+    write("rock.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 10 0 0\n2 11 0 0\n3 10 1 0\n4 10 0 1\n$EndNodes\n$Elements\n1\n1 4 2 0 1 1 2 3 4\n$EndElements\n");
     const auto facet = [](const char* a, const char* b, const char* c) {
         return fmt::format("facet normal 0 0 0\nouter loop\nvertex {}\nvertex {}\nvertex {}\nendloop\nendfacet\n", a, b, c);
     };
