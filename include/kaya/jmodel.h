@@ -25,7 +25,7 @@
  * one thread at a time.
  *
  * Arithmetic. The engine rounds to the nearest number and keeps the very small ones. A library that changes that, by its own
- * hand or because it was linked with -ffast-math, has its changes undone behind each call, and its user is told.
+ * hand or because it was linked with -ffast-math, has its changes undone after each call, and its user is told.
  *
  * Errors. `run` and `initialise` return -1, or the row at which they failed, after writing a sentence
  * to batch->message. Do not throw across this interface; what is thrown all the same is caught, and is

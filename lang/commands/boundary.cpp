@@ -159,7 +159,7 @@ CommandSpec bound() {
     entry.not_yet({"temperature", "flux"}, "heat and flow");
     entry.range(&Boundary::range);
     entry.finish([](const Reader& reader, Boundary& b) {
-        const bool driven = b.stress || any(b.velocity) || any(b.load) || !b.directed_load.empty();
+        const bool prescribed = b.stress || any(b.velocity) || any(b.load) || !b.directed_load.empty();
         const std::array<double, 6> none{};
         const bool gradient = b.x_gradient != none || b.y_gradient != none || b.z_gradient != none;
         if (gradient && !b.stress)
@@ -167,10 +167,10 @@ CommandSpec bound() {
                             "write: bound stress sxx syy szz sxy sxz syz xgrad ...");
         const auto none_of = [](const auto& words) { return std::ranges::none_of(words, [](bool word) { return word; }); };
         const bool silent = none_of(b.quiet) && none_of(b.reaction) && !b.normal_velocity && b.directed_velocity.empty();
-        if (!driven && !any(b.free) && silent)
+        if (!prescribed && !any(b.free) && silent)
             incomplete_line(reader, "bound does not say what acts on the boundary",
                             "expected: xvel, xload, xfree, xvisc, xreac (or y, z), nvel or stress");
-        if (b.multiplier && !driven)
+        if (b.multiplier && !prescribed)
             incomplete_line(reader, "hist has nothing to multiply", "give xvel (or y, z), a load or a stress");
     });
     entry.right("bound xvel = 0 zvel=0 range zr -1 0.01").right("bound str 0 0 -5 0 0 0 range z .09 .11");

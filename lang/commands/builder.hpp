@@ -91,7 +91,7 @@ public:
         return *this;
     }
 
-    /// Anything else: `read` is called behind the keyword, `arguments` say what it reads there.
+    /// Anything else: `read` is called after the keyword, `arguments` say what it reads there.
     template <std::invocable<Reader&, Struct&> Read>
     Keywords& special(std::vector<Spelling> words, std::vector<ArgumentSpec> arguments, Read read,
                       std::string_view help, std::vector<KeywordSpec> keywords = {}) {
@@ -179,7 +179,7 @@ public:
         return *this;
     }
 
-    /// `needs_word`: the elements count only behind the word range, because the line may hold names of
+    /// `needs_word`: the elements count only after the word range, because the line may hold names of
     /// properties that nobody knows yet.
     Entry& range(RangePhrase Command::*phrase, bool needs_word = false) {
         spec_.range_elements = &range_elements();
@@ -200,7 +200,7 @@ public:
         return *this;
     }
 
-    /// Called behind the last word, for what only the whole line shows.
+    /// Called after the last word, for what only the whole line shows.
     template <std::invocable<const Reader&, Command&> Finish> Entry& finish(Finish finish) {
         spec_.finish = [finish](const Reader& reader, void* at) {
             finish(reader, *static_cast<Command*>(at));

@@ -1,5 +1,5 @@
 // Every command as a struct of typed arguments: what the tables fill and the handlers take.
-// The tables beside this header say which words and numbers go into which member.
+// The tables next to this header say which words and numbers go into which member.
 #pragma once
 
 #include "lang/commands/range.hpp"
@@ -175,7 +175,7 @@ struct Group {
 struct NameRange { std::string name; RangePhrase range; }; ///< range name NAME elements
 /// facetri radial | rad8 | edge f | off: triangles of faces of rigid blocks, for their contacts
 struct FaceTriangulation {
-    enum class Way { fan, radial, radial_8, edge } way = Way::fan;
+    enum class Style { fan, radial, radial_8, edge } style = Style::fan;
     double edge = 0;
     RangePhrase range;
     Place place;

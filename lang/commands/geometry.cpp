@@ -7,10 +7,10 @@ namespace kaya::lang {
 
 namespace {
 
-Entry<FaceTriangulation> face_triangulation(std::vector<Spelling> form, FaceTriangulation::Way way) {
+Entry<FaceTriangulation> face_triangulation(std::vector<Spelling> form, FaceTriangulation::Style style) {
     Entry<FaceTriangulation> entry({"facetri"}, std::move(form));
-    entry.start([way](const Statement& statement, FaceTriangulation& command) {
-        command.way = way;
+    entry.start([style](const Statement& statement, FaceTriangulation& command) {
+        command.style = style;
         command.place = statement.words.front().place;
     });
     entry.range(&FaceTriangulation::range);
@@ -117,7 +117,7 @@ Family geometry() {
                 .wrong("gen edge big", "'big' stands where a number must be")
                 .wrong("gen egde 1", "'egde' is not a kind of generate"),
             generate_quad(),
-            face_triangulation({"edge"}, FaceTriangulation::Way::edge)
+            face_triangulation({"edge"}, FaceTriangulation::Style::edge)
                 .help("puts sub-contacts on the faces of rigid blocks that far apart, besides those at corners")
                 .argument(real("edge").unit("length").above(0).help("about how far apart"), &FaceTriangulation::edge)
                 .right("facetri edge 0.1")
@@ -126,17 +126,17 @@ Family geometry() {
                 .wrong("facetri edge", "a number is missing after 'edge'")
                 .wrong("facetri edge 0", "edge must be greater than 0, not 0")
                 .wrong("facetri rad9", "'rad9' is not a kind of facetri"),
-            face_triangulation({"radial"}, FaceTriangulation::Way::radial)
+            face_triangulation({"radial"}, FaceTriangulation::Style::radial)
                 .help("cuts the faces of rigid blocks in triangles from their centre to their corners")
                 .right("facetri radial")
                 .right("facetri radial range z 0 1")
                 .wrong("facetri radial now", "'now' is not a keyword of facetri radial"),
-            face_triangulation({"rad8", "radial-8"}, FaceTriangulation::Way::radial_8)
+            face_triangulation({"rad8", "radial-8"}, FaceTriangulation::Style::radial_8)
                 .help("cuts the faces of rigid blocks in triangles from their centre to their corners and the middles of "
                       "their edges")
                 .right("facetri rad8")
                 .wrong("facetri rad8 range", "the range is empty"),
-            face_triangulation({"off"}, FaceTriangulation::Way::fan)
+            face_triangulation({"off"}, FaceTriangulation::Style::fan)
                 .help("takes what facetri has set back: sub-contacts at corners and crossings of edges only")
                 .right("facetri off")
                 .wrong("facetri off now", "'now' is not a keyword of facetri off"),

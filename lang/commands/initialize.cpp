@@ -15,7 +15,7 @@ constexpr const char* displacements[3][2] = {
     {"xdis", "xdisplacement"}, {"ydis", "ydisplacement"}, {"zdis", "zdisplacement"}};
 constexpr const char* stresses[6] = {"sxx", "syy", "szz", "sxy", "sxz", "syz"};
 
-/// xgrad, ygrad, zgrad behind a number: how it changes with the coordinates.
+/// xgrad, ygrad, zgrad after a number: how it changes with the coordinates.
 std::vector<KeywordSpec> gradients() {
     Keywords<LinearNumber> words;
     static constexpr const char* word[] = {"xgradient", "ygradient", "zgradient"};
@@ -63,7 +63,7 @@ CommandSpec initialize() {
         add_linear(entry, {stresses[i]}, [i](Initialize& c) -> auto& { return c.stress[i]; },
                    "stress of zones at the origin of coordinates, compression negative; xgrad, ygrad and zgrad may follow");
     add_linear(entry, {"pp"}, [](Initialize& c) -> auto& { return c.pore_pressure; },
-               "pore pressure of gridpoints, which the joints beside them have; xgrad, ygrad and zgrad may follow");
+               "pore pressure of gridpoints, which the joints next to them have; xgrad, ygrad and zgrad may follow");
     entry.not_yet({"temperature"}, "heat");
     entry.range(&Initialize::range);
     entry.finish([](const Reader& reader, Initialize& c) {

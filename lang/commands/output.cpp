@@ -9,8 +9,8 @@ namespace kaya::lang {
 
 namespace {
 
-/// What may stand behind the word of a list.
-enum class Behind {
+/// What may follow the word of a list.
+enum class Follows {
     range,   ///< a range, with or without its word
     objects, ///< the number of an object, or a range
     number,  ///< a number
@@ -20,20 +20,20 @@ enum class Behind {
 struct Listed {
     std::vector<Spelling> words;
     const char* help;
-    Behind behind = Behind::range;
+    Follows follows = Follows::range;
 };
 
 const std::vector<Listed>& listed() {
     static const std::vector<Listed> words = {
-        {{"blocks"}, "blocks: place, mass, material, region", Behind::objects},
+        {{"blocks"}, "blocks: place, mass, material, region", Follows::objects},
         {{"quality"}, "blocks that will make trouble, and what helps; also `list blocks quality`"},
-        {{"contacts"}, "contacts: blocks, normal, area", Behind::objects},
-        {{"subcontacts"}, "sub-contacts: displacements, forces, state", Behind::objects},
-        {{"gridpoints", "gp"}, "gridpoints: place, velocity, displacement, force", Behind::objects},
-        {{"zones"}, "zones: stresses, volume", Behind::objects},
-        {{Spelling{"faces", 3}}, "faces: place, normal, area", Behind::objects},
-        {{"prop", "property"}, "properties of materials; of blocks only behind mat, of joints behind jmat", Behind::parts},
-        {{"hist", "histories", "history"}, "histories: number, name, least and greatest value", Behind::number},
+        {{"contacts"}, "contacts: blocks, normal, area", Follows::objects},
+        {{"subcontacts"}, "sub-contacts: displacements, forces, state", Follows::objects},
+        {{"gridpoints", "gp"}, "gridpoints: place, velocity, displacement, force", Follows::objects},
+        {{"zones"}, "zones: stresses, volume", Follows::objects},
+        {{Spelling{"faces", 3}}, "faces: place, normal, area", Follows::objects},
+        {{"prop", "property"}, "properties of materials; of blocks only after mat, of joints after jmat", Follows::parts},
+        {{"hist", "histories", "history"}, "histories: number, name, least and greatest value", Follows::number},
         {{"max", "maximum"}, "greatest values of the model"},
         {{"time", "cycle", Spelling{"step", 3}}, "time and cycle"},
         {{Spelling{"unbalanced", 3}}, "largest unbalanced force, and its ratios to the forces that act"},
@@ -49,8 +49,8 @@ const std::vector<Listed>& listed() {
         {{"excavated"}, "blocks that fill can put back"},
         {{"state"}, "joints by joint model and state: sub-contacts and their area"},
         {{"stress"}, "zones: principal, mean and greatest shear stress"},
-        {{Spelling{"stability", 4}}, "blocks that could leave their place: how, and their factor of safety", Behind::objects},
-        {{"structures", "cables", Spelling{"struct", 3}}, "cables: length, tension, slip; the nodes of one behind its number", Behind::number},
+        {{Spelling{"stability", 4}}, "blocks that could leave their place: how, and their factor of safety", Follows::objects},
+        {{"structures", "cables", Spelling{"struct", 3}}, "cables: length, tension, slip; the nodes of one after its number", Follows::number},
         {{"jset"}, "joint sets: mean orientation, faces, contacts"},
         {{"memory"}, "what the tables of the model take"},
         {{"version"}, "version of the program"},
@@ -62,12 +62,12 @@ const std::vector<Listed>& listed() {
     return words;
 }
 
-std::vector<ArgumentSpec> arguments_behind(Behind behind) {
-    switch (behind) {
-    case Behind::range: return {};
-    case Behind::objects:
-    case Behind::number: return {integer("n").at_least(1).optional().spec};
-    case Behind::parts: return {text("mat|jmat").optional().spec, integer("n").at_least(1).optional().spec};
+std::vector<ArgumentSpec> arguments_after(Follows follows) {
+    switch (follows) {
+    case Follows::range: return {};
+    case Follows::objects:
+    case Follows::number: return {integer("n").at_least(1).optional().spec};
+    case Follows::parts: return {text("mat|jmat").optional().spec, integer("n").at_least(1).optional().spec};
     }
     return {};
 }
@@ -85,8 +85,8 @@ bool read_element(Reader& reader, List& command) {
     return true;
 }
 
-/// What stands behind the word of a list.
-bool read_behind(Reader& reader, List& command) {
+/// What follows the word of a list.
+bool read_after(Reader& reader, List& command) {
     const Word& word = *reader.peek();
     if (word.kind == WordKind::word && find_keyword(range_elements(), word.folded)) {
         const bool materials = command.what == "prop" && command.part == List::Part::all && !command.number;
@@ -100,9 +100,9 @@ bool read_behind(Reader& reader, List& command) {
     }
     const auto item = std::ranges::find(listed(), command.what, [](const Listed& l) { return l.words.front().word; });
     const bool number = word.kind == WordKind::number || word.late();
-    if (!number || item->behind == Behind::range || command.number || command.range.place) return false;
+    if (!number || item->follows == Follows::range || command.number || command.range.place) return false;
     command.number = reader.integer(integer("n").at_least(1).spec);
-    if (item->behind != Behind::objects) return true;
+    if (item->follows != Follows::objects) return true;
     RangeElement element;
     element.kind = RangeElement::Kind::id;
     element.low = element.high = static_cast<double>(*command.number);
@@ -116,7 +116,7 @@ CommandSpec list() {
     entry.help("shows what is in the model, or the value of a variable");
     for (const auto& item : listed()) {
         const std::string what(item.words.front().word);
-        entry.special(item.words, arguments_behind(item.behind),
+        entry.special(item.words, arguments_after(item.follows),
                       [what](Reader& reader, List& command) {
                           if (what == "quality" && command.what == "blocks") command.what.clear();
                           if (!command.what.empty() && read_element(reader, command)) return;
@@ -129,12 +129,12 @@ CommandSpec list() {
                       item.help);
     }
     entry.otherwise({text("@name").optional().spec}, [](Reader& reader, List& command) {
-        if (!command.what.empty()) return read_behind(reader, command);
+        if (!command.what.empty()) return read_after(reader, command);
         if (reader.peek()->kind != WordKind::symbol) return false;
         command.symbols.push_back(reader.symbol(text("@name").spec));
         return true;
     });
-    entry.range(&List::range, true); // print x is more likely meant as print @x; behind a list its word may be left out
+    entry.range(&List::range, true); // print x is more likely meant as print @x; after a list its word may be left out
     entry.finish([](const Reader& reader, List& command) {
         if (command.what.empty() && command.symbols.empty())
             incomplete_line(reader, "list does not say what to show", "write for example: list blocks");

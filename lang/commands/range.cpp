@@ -283,7 +283,7 @@ std::vector<KeywordSpec> all_elements() {
                           return;
                       }
                       throw Diagnostic("'not' stands before the element that it turns round",
-                                       "write it behind: range z 0 1 not")
+                                       "write it after: range z 0 1 not")
                           .at(reader.previous().place);
                   },
                   "turns the element before it round");

@@ -115,7 +115,7 @@ CommandSpec cycle() {
 
 constexpr std::string_view reduced_words[] = {"joints", "zones", "friction", "cohesion", "tension"};
 
-/// One of the words behind include and exclude.
+/// One of the words after include and exclude.
 Solve::Reduced reduced_word(Reader& reader) {
     const auto spec = text("joints|zones|friction|cohesion|tension").spec;
     if (reader.at_end()) reader.missing(spec);

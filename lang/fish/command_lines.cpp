@@ -1,5 +1,6 @@
 #include "lang/fish/command_lines.hpp"
 
+#include "base/lower_case.hpp"
 #include "lang/fish/parser.hpp"
 
 namespace kaya::fish {
@@ -11,8 +12,8 @@ bool is_part_of_name(char c) {
            c == '$' || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// Position behind the bracket that closes the one at `from`; npos when there is none.
-std::size_t behind_bracket(std::string_view text, std::size_t from) {
+/// Position after the bracket that closes the one at `from`; npos when there is none.
+std::size_t after_bracket(std::string_view text, std::size_t from) {
     char quote = 0;
     for (std::size_t i = from + 1; i < text.size(); ++i) {
         if (quote)
@@ -69,9 +70,9 @@ private:
     }
 
     void take_bracket() {
-        const std::size_t end = behind_bracket(raw_.text, at_);
+        const std::size_t end = after_bracket(raw_.text, at_);
         if (end == std::string::npos)
-            throw Diagnostic("the bracket is not closed", "put ] behind the expression").at(place_of(at_, 1));
+            throw Diagnostic("the bracket is not closed", "put ] after the expression").at(place_of(at_, 1));
         flush();
         const std::string inner = raw_.text.substr(at_ + 1, end - at_ - 2);
         ExpressionTree tree = parse_expression_line(inner, place_of(at_ + 1, inner.size()));
@@ -92,7 +93,7 @@ private:
         piece.text = raw_.text.substr(at_, end - at_);
         Node name;
         name.kind = NodeKind::name;
-        name.text = lower(piece.text.substr(1));
+        name.text = lower_case(piece.text.substr(1));
         name.place = place_of(at_, end - at_);
         piece.expression.push_back(std::move(name));
         result_.pieces.push_back(std::move(piece));
@@ -113,7 +114,7 @@ std::string first_word(std::string_view text) {
     std::size_t from = text.find_first_not_of(" \t\r");
     if (from == std::string_view::npos) return {};
     std::size_t to = text.find_first_of(" \t\r", from);
-    return lower(text.substr(from, to == std::string_view::npos ? to : to - from));
+    return lower_case(text.substr(from, to == std::string_view::npos ? to : to - from));
 }
 
 } // namespace kaya::fish

@@ -142,7 +142,7 @@ private:
         text_ += expressions_.assignment(whole, made) + "; ";
     }
 
-    /// The body, and behind it the label where `continue` goes.
+    /// The body, and after it the label where `continue` goes.
     void round(const Statement& s) {
         rounds_.push_back(++labels_);
         const int label = labels_;

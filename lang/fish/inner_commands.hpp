@@ -9,7 +9,7 @@ namespace kaya::fish {
 
 struct InnerCommand {
     int line = 0;      ///< of the deck, its first
-    bool glued = false; ///< an expression is part of a word (`save [name].sav`): its words are known at run time only
+    bool joined = false; ///< an expression is part of a word (`save [name].sav`): its words are known at run time only
 };
 
 /// Of all `command` blocks of the function, in the order of the lines.

@@ -1,5 +1,7 @@
 #include "lang/fish/lexer.hpp"
 
+#include "base/lower_case.hpp"
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -26,13 +28,6 @@ constexpr std::array<std::string_view, 19> signs{"<=", ">=", "==", "!=", "<>", "
 constexpr std::size_t most_integer_digits = 10;
 
 } // namespace
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return result;
-}
 
 std::size_t end_of_code(std::string_view line) {
     char quote = 0;
@@ -139,7 +134,7 @@ void Lexer::scan_token(Cursor& cursor, std::vector<Token>& tokens) const {
     if (starts_name(c)) {
         while (!cursor.done() && continues_name(cursor.peek())) ++cursor.at;
         token.kind = TokenKind::name;
-        token.text = lower(cursor.code.substr(from, cursor.at - from));
+        token.text = lower_case(cursor.code.substr(from, cursor.at - from));
     } else {
         for (const auto sign : signs)
             if (token.text.empty() && cursor.code.substr(from, sign.size()) == sign) token.text = sign;
@@ -199,7 +194,7 @@ void Lexer::scan_text(Cursor& cursor, std::vector<Token>& tokens) const {
     token.kind = TokenKind::text;
     for (++cursor.at;; ++cursor.at) {
         if (cursor.done())
-            throw Diagnostic("the text has no closing quote", fmt::format("put {} behind it", quote))
+            throw Diagnostic("the text has no closing quote", fmt::format("put {} after it", quote))
                 .at(place(cursor.line, from, cursor.code.size() - from));
         const char c = cursor.peek();
         if (c == quote) {

@@ -58,6 +58,5 @@ private:
 std::size_t end_of_code(std::string_view line);
 /// True when the code ends with `&` or `...`; `length` becomes the length without that mark.
 bool is_continued(std::string_view line, std::size_t& length);
-std::string lower(std::string_view text);
 
 } // namespace kaya::fish

@@ -139,7 +139,7 @@ private:
     [[noreturn]] void fail_unclosed(const Block& opened) {
         if (opened.opening == "def")
             throw Diagnostic(fmt::format("the function '{}' has no 'end'", result_.tree.name),
-                             "write 'end' on a line of its own behind its last statement")
+                             "write 'end' on a line of its own after its last statement")
                 .at(opened.place);
         throw Diagnostic(fmt::format("this '{}' has no '{}'", opened.opening, opened.closing))
             .at(opened.place);

@@ -20,16 +20,16 @@ std::string first_word(std::string_view line) {
     return fold(line.substr(first, end - first));
 }
 
-/// A line that is one name, alone or with arguments in parentheses behind it.
-bool looks_like_call(const Statement& statement) {
+/// A line that is one name, alone or with arguments in parentheses after it.
+bool is_like_call(const Statement& statement) {
     if (statement.words.size() == 1) return true;
     const Place& first = statement.words.front().place;
     const std::string& line = first.source->lines[static_cast<std::size_t>(first.line - 1)];
-    const auto behind = line.find_first_not_of(" \t", static_cast<std::size_t>(first.column + first.length - 1));
-    return behind != std::string::npos && line[behind] == '(' && statement.words[1].place.line == first.line;
+    const auto next = line.find_first_not_of(" \t", static_cast<std::size_t>(first.column + first.length - 1));
+    return next != std::string::npos && line[next] == '(' && statement.words[1].place.line == first.line;
 }
 
-bool behind_word(const Statement& statement, std::size_t index, const Spelling& word) {
+bool after_word(const Statement& statement, std::size_t index, const Spelling& word) {
     const auto end = statement.words.begin() + static_cast<std::ptrdiff_t>(index);
     return std::any_of(statement.words.begin(), end, [&](const Word& w) {
         return w.kind == WordKind::word && word.matches(w.folded);
@@ -44,10 +44,10 @@ std::optional<BareName> name_at(const Statement& statement, const Place& place, 
     if (found == statement.words.end()) return std::nullopt;
     const auto index = static_cast<std::size_t>(found - statement.words.begin());
     if (index == 0) {
-        if (names.is_function(found->folded) && looks_like_call(statement)) return BareName{0, false};
+        if (names.is_function(found->folded) && is_like_call(statement)) return BareName{0, false};
         return std::nullopt;
     }
-    if (names.is_range(found->folded) && behind_word(statement, index, Spelling{"range", 2})) return BareName{index, true};
+    if (names.is_range(found->folded) && after_word(statement, index, Spelling{"range", 2})) return BareName{index, true};
     if (names.is_name(found->folded)) return BareName{index, false};
     return std::nullopt;
 }
@@ -126,7 +126,7 @@ BoundCommand bind_with_names(const Language& language, const Statement& statemen
     } catch (const Diagnostic& as_it_stands) {
         Statement with_names = statement;
         std::vector<BareName> bare;
-        std::optional<Diagnostic> behind_range; // a range was named for certain: the mistake is what comes then
+        std::optional<Diagnostic> after_range; // a range was named for certain: the mistake is what comes then
         Place place = as_it_stands.place;
         while (const auto name = name_at(with_names, place, names)) {
             if (bare.size() > statement.words.size()) break;
@@ -139,10 +139,10 @@ BoundCommand bind_with_names(const Language& language, const Statement& statemen
                 return bound;
             } catch (const Diagnostic& next) {
                 place = next.place;
-                if (name->range) behind_range = next;
+                if (name->range) after_range = next;
             }
         }
-        if (behind_range) throw *behind_range;
+        if (after_range) throw *after_range;
         throw;
     }
 }

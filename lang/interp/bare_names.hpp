@@ -27,7 +27,7 @@ private:
     std::set<std::string> functions_, names_, ranges_;
 };
 
-/// Reads a word as the name that it is. A name of FISH takes the arguments in parentheses behind it, force_on(3), and
+/// Reads a word as the name that it is. A name of FISH takes the arguments in parentheses after it, force_on(3), and
 /// their words go; in front of the name of a range comes the word nrange.
 void read_as_name(Statement& statement, const BareName& name);
 

@@ -109,7 +109,7 @@ std::size_t find_form(const CommandSpec& spec, const Statement& statement) {
     return 0;
 }
 
-/// Index of the word that stands where the form should: behind options and their values.
+/// Index of the word that stands where the form should: after options and their values.
 std::size_t wrong_word(const CommandSpec& spec, const Statement& statement) {
     const auto& words = statement.words;
     std::size_t i = 1;

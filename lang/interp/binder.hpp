@@ -47,7 +47,7 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
                             const ValueSource* values = nullptr, Spelled* spelled = nullptr);
 
 /// The next statement with its body (def ... end), or false at the end of the text.
-/// Throws Diagnostic when the body is never ended; the lexer then stands behind what was read.
+/// Throws Diagnostic when the body is never ended; the lexer then follows what was read.
 bool next_statement(const Language& language, Lexer& lexer, Statement& statement);
 
 } // namespace kaya::lang

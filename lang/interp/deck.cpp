@@ -49,7 +49,7 @@ public:
             try {
                 if (!next_statement(language_, lexer, statement)) break;
                 bound->steps.push_back(step(statement));
-                // What stands behind `return` is never read: many a deck keeps notes there.
+                // What follows `return` is never read: many a deck keeps notes there.
                 if (bound->steps.back().command.spec->flow == Flow::leave_file) break;
             } catch (const Diagnostic& problem) {
                 const auto dialect = problem.code == "unknown-command" ? newer_dialect(statement) : std::nullopt;

@@ -43,7 +43,7 @@ struct Checks : Handlers {
 };
 
 /// Reads and binds the file `name` and all files that it calls, searched in `folders`.
-/// Throws DeckErrors with every mistake; parsing goes on behind each.
+/// Throws DeckErrors with every mistake; parsing goes on after each.
 /// A called file that does not exist is no mistake yet when a script in front of the call may write it.
 /// `names` are those of what ran before; it takes those of this deck.
 std::shared_ptr<const BoundFile> bind_deck(const Language& language, const std::string& name,

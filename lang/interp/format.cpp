@@ -16,7 +16,7 @@ std::string without_blanks_at_end(std::string text) {
     return text;
 }
 
-/// What stands between words or behind the last one: runs of blanks become one, a comment stays as it is.
+/// What stands between words or after the last one: runs of blanks become one, a comment stays as it is.
 std::string tidied(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -55,7 +55,7 @@ private:
         names_.learn(*bound.spec, statement);
         if (!bound.bare.empty()) return bound.spec->flow; // names that look like words: the line stays as it is
         copy_up_to(statement.first_line - 1);
-        // The lines of a body are those behind the line of its last word.
+        // The lines of a body are those after the line of its last word.
         const int last = statement.body.empty() ? statement.last_line : statement.words.back().place.line;
         for (int line = statement.first_line; line <= last; ++line)
             add_line(statement, spelled, bound.spec->raw, line);
@@ -79,11 +79,11 @@ private:
             text += whole != spelled.end() ? std::string(whole->second) : word.raw_text();
             at = from + static_cast<std::size_t>(word.place.length);
         }
-        const std::string_view behind = std::string_view(line).substr(at);
-        const std::string rest = raw ? std::string(behind) : tidied(behind);
-        // A mark that is glued to its word stays readable for every editor when it stands alone.
-        const bool glued = !raw && at > 0 && (rest.starts_with('&') || rest.starts_with("..."));
-        text = without_blanks_at_end(fmt::format("{}{}{}", text, glued ? " " : "", rest));
+        const std::string_view ending = std::string_view(line).substr(at);
+        const std::string rest = raw ? std::string(ending) : tidied(ending);
+        // A mark that is joined to its word stays readable for every editor when it stands alone.
+        const bool joined = !raw && at > 0 && (rest.starts_with('&') || rest.starts_with("..."));
+        text = without_blanks_at_end(fmt::format("{}{}{}", text, joined ? " " : "", rest));
         const auto first = std::min(text.find_first_not_of(' '), text.size());
         result_ += fmt::format("{}{}\n", inner && first < text.size() ? "    " : "", text.substr(first));
     }

@@ -8,7 +8,7 @@
 namespace kaya::lang {
 
 /// The same deck with whole words. Numbers, names, texts, comments, continuation marks and the lines of
-/// functions stay as they are, and so does what stands behind `return`. To format the result gives it again.
+/// functions stay as they are, and so does what follows `return`. To format the result gives it again.
 /// Throws DeckErrors when the deck does not bind. Called files are not looked at.
 std::string format_deck(const Language& language, const Source& source);
 

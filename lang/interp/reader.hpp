@@ -65,7 +65,7 @@ public:
     /// True while @names still stand for wildcards: checks of values against each other must wait.
     bool wildcards() const { return late_ && !has_values(); }
 
-    /// Throws: a value is missing at the place behind the last word.
+    /// Throws: a value is missing at the place after the last word.
     [[noreturn]] void missing(const ArgumentSpec& argument) const;
     /// Throws: the next word is none of the candidates. `what` names what they are: "a keyword of bound".
     /// When none is near, the message lists `listed`, or all of them.

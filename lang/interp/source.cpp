@@ -126,8 +126,8 @@ fs::path find_deck(const std::string& name, const std::vector<fs::path>& folders
             if (fs::exists(candidate, error) && (*suffix == '\0' || !fs::is_directory(candidate, error)))
                 return candidate;
         }
-        const fs::path beside = whole.has_parent_path() ? whole.parent_path() : fs::path(".");
-        for (fs::directory_iterator entry(beside, error), end; !error && entry != end; entry.increment(error))
+        const fs::path parent = whole.has_parent_path() ? whole.parent_path() : fs::path(".");
+        for (fs::directory_iterator entry(parent, error), end; !error && entry != end; entry.increment(error))
             if (entry->path().extension() != ".journal") neighbours.insert(entry->path().filename().string());
     }
     const std::vector<std::string_view> candidates(neighbours.begin(), neighbours.end());

@@ -14,7 +14,7 @@ namespace kaya::lang {
 /// nil (a name that was never set), truth, integer, real, text, vector.
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec3>;
 
-/// Gives the value of an expression of the script language: what stood behind @ or between [ and ],
+/// Gives the value of an expression of the script language: what followed @ or between [ and ],
 /// e.g. "pressure", "f(1,2)", "2*r". The place is that of the word in the deck. Throws Diagnostic.
 using ValueSource = std::function<Value(const std::string& expression, const Place& place)>;
 

@@ -6,6 +6,7 @@
 //   vscode/words.json                      words for completion: commands, their forms and keywords, with help
 //   vim/syntax/kaya.vim                    syntax file for Vim
 //   fuzz/kaya.dict                         words for a fuzzer that reads dictionaries of libFuzzer or AFL++
+#include "base/generated_files.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/help.hpp"
 
@@ -297,11 +298,6 @@ std::string fuzz_dictionary(const Vocabulary& words) {
     return text;
 }
 
-std::string contents(const fs::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
@@ -313,27 +309,14 @@ int main(int argc, char** argv) {
     const fs::path folder = argv[1];
     const Language& language = classic();
     const Vocabulary words(language);
-    const std::map<std::string, std::string> wanted = {
+    std::map<fs::path, std::string> wanted;
+    for (const auto& [name, text] : std::map<std::string, std::string>{
         {"vscode/syntaxes/kaya.tmLanguage.json", vscode_grammar(words)},
         {"vscode/snippets/kaya.json", snippets(language)},
         {"vscode/words.json", completion_words(language)},
         {"vim/syntax/kaya.vim", vim_syntax(words)},
         {"fuzz/kaya.dict", fuzz_dictionary(words)},
-    };
-    int status = 0;
-    for (const auto& [name, text] : wanted) {
-        const fs::path file = folder / name;
-        if (contents(file) == text) continue;
-        if (check) {
-            std::cout << name << " does not agree with the tables: run editor_files editors\n";
-            status = 1;
-            continue;
-        }
-        fs::create_directories(file.parent_path());
-        if (!(std::ofstream(file) << text)) {
-            std::cerr << "cannot write " << file << '\n';
-            return 2;
-        }
-    }
-    return status;
+    })
+        wanted[folder / name] = text;
+    return kaya::write_generated(wanted, check, "it does not agree with the tables: run editor_files editors");
 }

@@ -1,6 +1,7 @@
 // command_pages FOLDER [--check]: one page for each first word of the language. Syntax, arguments, examples
 // and errors come from the tables; the other sections of a page are written by people and kept. With --check
 // nothing is written, and the status is 1 when a page does not agree with the tables.
+#include "base/generated_files.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/help.hpp"
 
@@ -152,7 +153,7 @@ std::string range_page(const Language& language) {
     argument_rows(rows, language.range_elements, "");
     return "# The range phrase\n\n"
            "The last words of many commands: `range` and elements that say which objects are meant. All elements must\n"
-           "hold, or one of them when the word `union` stands among them; `not` behind an element turns it round.\n"
+           "hold, or one of them when the word `union` stands among them; `not` after an element turns it round.\n"
            "Limits are inclusive, with a small tolerance. Blocks and zones are tested by their centroid, gridpoints by\n"
            "their position, contacts and sub-contacts by theirs: `hide range z 0 0.1` hides the blocks whose centroid lies between 0 and\n"
            "0.1, not those that reach into it. `extent` asks for all corners. Hidden blocks and what belongs to them are never meant.\n"
@@ -181,11 +182,6 @@ std::string not_yet_page(const Language& language) {
     return text;
 }
 
-std::string contents(const fs::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
@@ -209,16 +205,5 @@ int main(int argc, char** argv) {
     index += "\n[Known, not supported yet](../not-supported-yet.md)\n";
     wanted[folder / ".." / "not-supported-yet.md"] = not_yet_page(language);
     wanted[folder / "README.md"] = index;
-    int status = 0;
-    for (const auto& [file, text] : wanted) {
-        if (contents(file) == text) continue;
-        if (check) {
-            std::cout << file.filename().string() << " does not agree with the tables: run command_pages docs/commands\n";
-            status = 1;
-        } else if (!(std::ofstream(file) << text)) {
-            std::cerr << "cannot write " << file << '\n';
-            return 2;
-        }
-    }
-    return status;
+    return kaya::write_generated(wanted, check, "it does not agree with the tables: run command_pages docs/commands");
 }

@@ -91,7 +91,7 @@ void run_loaded_chunk(Machine& machine, const std::string& text, const Place& pl
                              std::max(place.line, 1), text});
 }
 
-/// Where `require "a.b"` looks: beside the deck or the called file, in the folders of the options, in the working
+/// Where `require "a.b"` looks: next to the deck or the called file, in the folders of the options, in the working
 /// folder. The name of a called file counts from the folder of its caller.
 std::vector<fs::path> candidates(const Machine& machine, const std::string& name) {
     std::string file = name;
@@ -166,7 +166,7 @@ void push_module(Machine& machine, const std::string& name, const Place& place) 
         if (module.name == name && module.is_public)
             return run_module(machine, name, name + ".lua", std::string(module.text));
     throw Diagnostic(fmt::format("there is no module '{}'", name),
-                     fmt::format("it would be the file {}.lua beside the deck", name), Fault::run)
+                     fmt::format("it would be the file {}.lua next to the deck", name), Fault::run)
         .at(place);
 }
 

@@ -1,5 +1,6 @@
 #include "lang/script/fish_library.hpp"
 
+#include "base/lower_case.hpp"
 #include "lang/fish/lexer.hpp"
 #include "lang/fish/nearest.hpp"
 #include "lang/script/guard.hpp"
@@ -226,7 +227,7 @@ void forget_translations(Machine& machine, const std::string& name) {
 }
 
 void adopt_lua_function(Machine& machine, const std::string& name) {
-    const std::string known_as = fish::lower(name);
+    const std::string known_as = lower_case(name);
     if (machine.fish.functions.contains(known_as) || machine.fish.built_ins.contains(known_as)) return;
     lua_State* L = machine.lua;
     push_anchor(L, machine.anchors.functions);
@@ -272,7 +273,7 @@ void push_expression(Machine& machine, const std::string& text, const Place& pla
 
 void push_fish_name(Machine& machine, const std::string& given) {
     lua_State* L = machine.lua;
-    const std::string name = fish::lower(given);
+    const std::string name = lower_case(given);
     if (machine.fish.functions.contains(name) || machine.fish.lua_functions.contains(name)) {
         lua_pushstring(L, name.c_str());
         lua_pushcclosure(L, guarded<call_from_lua>, 1);
@@ -286,7 +287,7 @@ void push_fish_name(Machine& machine, const std::string& given) {
 
 void set_fish_name(Machine& machine, const std::string& given, int index) {
     lua_State* L = machine.lua;
-    const std::string name = fish::lower(given);
+    const std::string name = lower_case(given);
     if (machine.fish.functions.contains(name) || machine.fish.lua_functions.contains(name))
         throw Diagnostic(fmt::format("'{}' is a FISH function: a value cannot be given to it", name));
     if (machine.fish.built_ins.contains(name))
@@ -312,7 +313,7 @@ std::vector<std::string> fish_symbols(const Machine& machine) {
 }
 
 bool knows_fish_name(const Machine& machine, const std::string& given) {
-    const std::string name = fish::lower(given);
+    const std::string name = lower_case(given);
     const FishLibrary& fish = machine.fish;
     return fish.functions.contains(name) || fish.lua_functions.contains(name) ||
            fish.built_ins.contains(name) || variable_exists(machine, name);

@@ -113,7 +113,7 @@ freeze = function(t)
     return view
 end
 -- Globals and libraries are read in every row, and stay what they are: a new name raises, and an old one that was changed is seen
--- behind the call.
+-- after the call.
 globals.rawset = nil
 local libraries = {[globals] = "not local", [globals.math] = "set in a library", [globals.string] = "set in a library",
     [globals.table] = "set in a library"}

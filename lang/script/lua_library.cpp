@@ -68,14 +68,14 @@ int count(lua_State* L) {
 
 /// (table, field, way)
 int reduce(lua_State* L) {
-    const std::string way = text_argument(L, 3, "sum");
-    const std::int32_t table = table_argument(L, way.c_str());
-    const std::string name = text_argument(L, 2, way.c_str());
+    const std::string caller = text_argument(L, 3, "sum");
+    const std::int32_t table = table_argument(L, caller.c_str());
+    const std::string name = text_argument(L, 2, caller.c_str());
     World& world = machine_of(L).world;
     const auto& info = world.tables()[table];
     const auto field = find_field(info.fields, name);
     if (field < 0) fail_unknown_field(info.name, info.fields, name);
-    lua_pushnumber(L, world.reduce(table, static_cast<std::size_t>(field), way));
+    lua_pushnumber(L, world.reduce(table, static_cast<std::size_t>(field), caller));
     return 1;
 }
 
@@ -278,7 +278,7 @@ Place calling_place(lua_State* L) {
     return {};
 }
 
-/// Runs command lines; leaves why the last of them that cycles came to its end, or nil, behind what they printed if that is
+/// Runs command lines; leaves why the last of them that cycles came to its end, or nil, after what they printed if that is
 /// caught.
 int run_lines(lua_State* L, const char* function, bool caught) {
     Machine& machine = machine_of(L);

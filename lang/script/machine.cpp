@@ -81,7 +81,7 @@ Machine::Machine(World& the_world, Options the_options)
         add_ranges(*this);
         add_files(*this);
         add_accessors(*this);
-        add_walkers(*this);
+        add_traversals(*this);
         add_materials(*this);
         add_modern_names(*this);
         open_library(*this);

@@ -1,5 +1,6 @@
 #include "lang/script/scripts.hpp"
 
+#include "base/lower_case.hpp"
 #include "lang/fish/lexer.hpp"
 #include "lang/script/built_ins.hpp"
 #include "lang/script/chunks.hpp"
@@ -165,7 +166,7 @@ fish::Meaning Scripts::meaning_of(const std::string& name) const { return dictio
 void Scripts::add_fish_hook(const std::string& function, Moment moment, std::int64_t interval,
                             const Place& place) {
     FishLibrary& fish = impl_->machine->fish;
-    const std::string name = fish::lower(function);
+    const std::string name = lower_case(function);
     const auto found = fish.functions.find(name);
     if (found == fish.functions.end()) {
         std::vector<std::string_view> names;
@@ -184,7 +185,7 @@ void Scripts::add_fish_hook(const std::string& function, Moment moment, std::int
 }
 
 void Scripts::remove_fish_hook(const std::string& function, const Place& place) {
-    const std::string name = fish::lower(function);
+    const std::string name = lower_case(function);
     const auto removed = std::erase_if(impl_->machine->fish.hooks, [&](const StoredHook& hook) {
         return hook.function == name && !hook.whilestepping;
     });

@@ -238,7 +238,7 @@ ScriptState from_bytes(const std::string& bytes) {
     }
     for (auto& word : state.random) in.number(word);
     if (!in.done())
-        throw Diagnostic("bytes are left over behind the saved scripts", "the file is damaged", Fault::run);
+        throw Diagnostic("bytes are left over after the saved scripts", "the file is damaged", Fault::run);
     return state;
 }
 

@@ -219,7 +219,7 @@ public:
     }
 
     /// Only what belongs to objects of the model, and tables that are not there.
-    void read_beside_scripts() {
+    void read_adjacent_scripts() {
         check();
         named(machine_.anchors.extras, state_.extras);
         machine_.tables.insert(state_.tables.begin(), state_.tables.end());
@@ -408,7 +408,7 @@ void change_model(Machine& machine, const ScriptState* state) {
     lua_rawseti(L, LUA_REGISTRYINDEX, machine.anchors.extras);
     world.model_number = static_cast<std::uint8_t>((number_before + 1) % World::model_numbers);
     try {
-        if (state != nullptr) StateReader(machine, *state).read_beside_scripts();
+        if (state != nullptr) StateReader(machine, *state).read_adjacent_scripts();
     } catch (...) {
         lua_pushvalue(L, -1);
         lua_rawseti(L, LUA_REGISTRYINDEX, machine.anchors.extras);

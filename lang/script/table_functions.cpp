@@ -33,7 +33,7 @@ TablePoint& existing_point(lua_State* L, const char* function) {
     return table.points[static_cast<std::size_t>(i - 1)];
 }
 
-/// The i-th point; one behind the last makes a new one.
+/// The i-th point; one after the last makes a new one.
 TablePoint& point_to_write(lua_State* L, const char* function) {
     Table& table = machine_of(L).tables[integer_argument(L, 1, function)];
     const auto next = static_cast<std::int64_t>(table.points.size()) + 1;

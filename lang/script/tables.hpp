@@ -20,7 +20,7 @@ public:
     double at(double x) const;
     /// Adds a point in its place; a point with exactly this x gets the new y.
     void set(double x, double y);
-    /// Adds a point behind all points with the same or a smaller x.
+    /// Adds a point after all points with the same or a smaller x.
     void insert(double x, double y);
 
     std::vector<TablePoint> points;

@@ -1,5 +1,5 @@
 // Built-in functions of FISH on texts, conversions, arrays, and output.
-#include "lang/fish/lexer.hpp"
+#include "base/lower_case.hpp"
 #include "lang/script/built_ins.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/machine.hpp"
@@ -108,12 +108,12 @@ int part(lua_State* L) {
     return 1;
 }
 
-int lower_case(lua_State* L) {
-    push_text(L, fish::lower(text_argument(L, 1, "tolower")));
+int to_lower(lua_State* L) {
+    push_text(L, kaya::lower_case(text_argument(L, 1, "tolower")));
     return 1;
 }
 
-int upper_case(lua_State* L) {
+int to_upper(lua_State* L) {
     std::string text = text_argument(L, 1, "toupper");
     for (char& c : text)
         if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
@@ -299,8 +299,8 @@ constexpr std::array functions{
     BuiltInFunction{"float", 1, 1, guarded<to_real>},
     BuiltInFunction{"strlen", 1, 1, guarded<length>},
     BuiltInFunction{"substr", 2, 3, guarded<part>},
-    BuiltInFunction{"tolower", 1, 1, guarded<lower_case>},
-    BuiltInFunction{"toupper", 1, 1, guarded<upper_case>},
+    BuiltInFunction{"tolower", 1, 1, guarded<to_lower>},
+    BuiltInFunction{"toupper", 1, 1, guarded<to_upper>},
     BuiltInFunction{"index", 2, 2, guarded<find>},
     BuiltInFunction{"char", 1, 1, guarded<character>},
     BuiltInFunction{"parse", 2, 2, guarded<parse>},

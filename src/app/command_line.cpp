@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* where_to_look = "kaya --help lists commands and options";
+constexpr const char* help_hint = "kaya --help lists commands and options";
 
 std::vector<std::string> commands_of(const CLI::App& app) {
     std::vector<std::string> names;
@@ -79,7 +79,7 @@ Diagnostic mistake_of(const CLI::App& app, const CLI::ParseError& error) {
     if (!text.empty() && text.back() == '.') text.pop_back();
     if (missing)
         return Diagnostic(fmt::format("'{}' needs more: {}", words, text), fmt::format("{} --help shows what it takes", words));
-    return Diagnostic(text, where_to_look);
+    return Diagnostic(text, help_hint);
 }
 
 std::optional<Diagnostic> misspelt_command(const CLI::App& app, const std::string& deck) {

@@ -44,8 +44,8 @@ void add_fields(Names& names, const Session& session, bool with_object) {
     for (const auto& table : session.world.tables()) add(table.fields, table.name);
 }
 
-Names lua_names(const Session& session, bool behind_point) {
-    if (behind_point) {
+Names lua_names(const Session& session, bool after_point) {
+    if (after_point) {
         Names names;
         add_fields(names, session, false);
         return names;
@@ -92,7 +92,7 @@ Names files(const std::string& typed) {
     return names;
 }
 
-/// Joint models behind `jmodel model`, zone models behind `zone model`.
+/// Joint models after `jmodel model`, zone models after `zone model`.
 std::vector<std::string> models(const Session& session, const std::vector<std::string>& words) {
     if (words.size() < 2 || !means(words.back(), "model", 3)) return {};
     if (means(words[words.size() - 2], "jmodel", 2)) return session.joints.available();

@@ -26,7 +26,7 @@ constexpr Explanation explanations[] = {
      "The command is complete, and another word follows. Often a continuation mark (& or ...) stands in a line that\n"
      "should end, or a text with blanks is not in quotes."},
     {"missing-value", "a value or a word is missing",
-     "The line ends where a number, a name or a second word of the command must be. A blank behind '@' counts too:\n"
+     "The line ends where a number, a name or a second word of the command must be. A blank after '@' counts too:\n"
      "write @name."},
     {"implausible", "it can be done, and is hardly meant",
      "An angle of friction below 1.6 degrees, a Poisson's ratio below 0, local damping of 1, a text compared with a\n"
@@ -75,10 +75,10 @@ constexpr Explanation explanations[] = {
     {"unknown-property", "a property that the joint model does not have",
      "'list jmodel' lists the joint models that are loaded with their properties."},
     {"wrong-type", "a value of a script of the wrong kind",
-     "What stands behind '@' or in '[ ]' has a value that cannot be used here: a text where a number is needed, a\n"
+     "What follows '@' or in '[ ]' has a value that cannot be used here: a text where a number is needed, a\n"
      "pointer, or a number that is infinite or undefined."},
     {"no-file", "a file that is not there",
-     "Decks are looked for beside the deck that calls them, then in the folder where kaya was started. The endings\n"
+     "Decks are looked for next to the deck that calls them, then in the folder where kaya was started. The endings\n"
      ".3dd .dat .3ddat .fis .txt may be left out."},
     // What a run may do: docs/safety.md.
     {"file-outside", "a file outside of the folders that a run may use",
@@ -103,8 +103,8 @@ constexpr Explanation explanations[] = {
      "use in its place. A local variable or an argument may have such a name."},
     // Joint models.
     {"joint-model-unknown", "no joint model of this name",
-     "A joint model is a shared library NAME.so beside the program, in a folder of --joints or of KAYA_JOINTS, or\n"
-     "beside the deck. 'jmodel load FILE' takes one by its path."},
+     "A joint model is a shared library NAME.so next to the program, in a folder of --joints or of KAYA_JOINTS, or\n"
+     "next to the deck. 'jmodel load FILE' takes one by its path."},
     {"joint-model-version", "a joint model for another version of the interface",
      "Libraries of older interfaces load, from version 2 on. A newer one wants a newer program."},
     {"joint-model-table", "the table of a joint model is wrong",
@@ -117,16 +117,16 @@ constexpr Explanation explanations[] = {
      "It threw an exception, or left a number that is not finite. The message says at which contact, in which cycle.\n"
      "Large overlaps from too long a step, or properties that do not fit together, are the usual reasons."},
     {"joint-model-trespass", "a joint model writes where it must not",
-     "It was tried on one sub-contact whose columns lie between fences. It wrote to what it may only read, or beside its\n"
+     "It was tried on one sub-contact whose columns lie between fences. It wrote to what it may only read, or next to its\n"
      "columns. In a run that would spoil other sub-contacts, or memory that the program needs later."},
     {"joint-model-arithmetic", "a model changes how the processor computes",
      "It rounds in another way, cuts very small numbers to 0, or asks for an end at a division by 0, and leaves it so. The\n"
-     "program puts that back, since all results behind it would differ, and with threads differently. -ffast-math does it."},
+     "program puts that back, since all results after it would differ, and with threads differently. -ffast-math does it."},
     {"joint-model-other-file", "the file of a joint model is another one than when the model was saved",
      "A save file keeps path and SHA-256 of a joint model that was loaded by its path. The run goes on with what is there\n"
      "now; if only the build is new, nothing is wrong."},
     {"zone-model-unknown", "a zone model that is not there",
-     "Zone models are found by name in the folder 'zones' beside that of the joint models, or by the path of a library. The\n"
+     "Zone models are found by name in the folder 'zones' next to that of the joint models, or by the path of a library. The\n"
      "message lists those that are there. Constitutive number 1 is elastic, 2 is mohr-coulomb."},
     {"zone-model-version", "a zone model for another version of the interface",
      "The library was compiled against another include/kaya/zmodel.h. Compile it again."},

@@ -1,6 +1,6 @@
 #include "app/interrupt.hpp"
 
-#include "joints/crash_report.hpp"
+#include "laws/crash_report.hpp"
 
 #include <atomic>
 #include <csignal>

@@ -62,7 +62,7 @@ int carry_out(Order& order, const std::vector<fs::path>& folders) {
     order.bench.offsets = words_of(order.offsets);
     JointRegistry registry;
     registry.set_path(folders);
-    understand_lua_models(registry);
+    add_lua_loader(registry);
     registry.tables().set_source([missed = order.bench.missed_tables](const std::string& name) {
         missed->insert(name);
         return std::nullopt;

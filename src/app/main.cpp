@@ -12,7 +12,7 @@
 #include "commands/session.hpp"
 #include "io/difference.hpp"
 #include "io/info.hpp"
-#include "joints/crash_report.hpp"
+#include "laws/crash_report.hpp"
 
 
 #include <CLI/CLI.hpp>
@@ -107,7 +107,7 @@ int start(int argc, char** argv) {
     formatting->add_flag("--check", line.format_check, "write nothing; name the decks that are not in their long form, status 1 if there are any")
         ->excludes(writing);
     auto* explaining = app.add_subcommand("explain", "explain a message by its code, or list the codes");
-    explaining->add_option("code", line.code, "as shown in brackets behind a message on a terminal");
+    explaining->add_option("code", line.code, "as shown in brackets after a message on a terminal");
     auto* replaying = app.add_subcommand("replay", "run a journal again and compare the final state");
     replaying->add_option("journal", line.run.journal, "a file that a run has written")->required();
     replaying->add_option("--into", line.run.into, "the folder for files that the run writes; it is made if it is not there");

@@ -2,7 +2,7 @@
 
 #include "app/adapter_cache.hpp"
 #include "base/diagnostic.hpp"
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -47,7 +47,7 @@ bool is_in_path(const std::string& program) {
     return false;
 }
 
-/// The compiler with words that stand behind it, as in CXX="ccache g++".
+/// The compiler with words that follow it, as in CXX="ccache g++".
 Words compiler_words(const std::string& asked) {
     const char* of_environment = std::getenv("CXX");
     const std::string given = !asked.empty() ? asked : of_environment ? of_environment : "";
@@ -83,7 +83,7 @@ bool returns_std_string(const std::string& source) {
     return std::regex_search(source, pattern);
 }
 
-/// The texts of the sources and of the headers beside them that they include.
+/// The texts of the sources and of the headers next to them that they include.
 std::string all_text(const std::vector<fs::path>& sources) {
     static const std::regex include(R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re", std::regex::multiline);
     std::string all;
@@ -95,8 +95,8 @@ std::string all_text(const std::vector<fs::path>& sources) {
         if (!read.insert(file.lexically_normal()).second) continue;
         const std::string text = text_of(file);
         for (std::sregex_iterator found(text.begin(), text.end(), include), end; found != end; ++found) {
-            const fs::path beside = file.parent_path() / (*found)[1].str();
-            if (fs::is_regular_file(beside)) waiting.push_back(beside);
+            const fs::path adjacent = file.parent_path() / (*found)[1].str();
+            if (fs::is_regular_file(adjacent)) waiting.push_back(adjacent);
         }
         all += text + "\n";
     }
@@ -162,7 +162,7 @@ public:
     const fs::path file;
 };
 
-/// Compiles and links. The adapter, which says nothing, is compiled beside the sources, or taken from an earlier build.
+/// Compiles and links. The adapter, which says nothing, is compiled next to the sources, or taken from an earlier build.
 void compile(const BuildOrder& order, const fs::path& include, const fs::path& library) {
     const std::string text = all_text(order.sources);
     const Lines lines = lines_of(order, text, include);

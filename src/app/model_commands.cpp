@@ -5,9 +5,10 @@
 #include "app/permissions.hpp"
 #include "base/diagnostic.hpp"
 #include "commands/lua_joint_models.hpp"
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <memory>
@@ -70,7 +71,7 @@ int list_plugins(const std::vector<std::string>& names, const std::vector<fs::pa
     int status = 0;
     JointRegistry registry;
     registry.set_path(folders);
-    understand_lua_models(registry);
+    add_lua_loader(registry);
     const auto of_joints = registry.available(), of_zones = registry.zones.available();
     struct Wanted {
         std::string name;
@@ -151,8 +152,8 @@ void add_model_commands(CLI::App& app, const fs::path& program_folder,
     });
 
     struct Writing {
-        std::vector<fs::path> (*write)(const NewModel&);
-        const char* after; ///< what to do with it
+        std::array<std::string_view, 2> kinds; ///< of its templates
+        const char* next;                      ///< what to do with it
     };
     const auto add_new = [&](const char* command, const char* help, Writing native, std::optional<Writing> lua, auto names_taken) {
         auto name = std::make_shared<std::string>();
@@ -163,21 +164,21 @@ void add_model_commands(CLI::App& app, const fs::path& program_folder,
         making->callback([=, &chosen] {
             chosen = [=] {
                 const Writing& writing = *in_lua ? *lua : native;
-                for (const auto& file : writing.write({*name, ".", names_taken(joint_folders())})) fmt::print("{}\n", file.string());
-                fmt::print(fmt::runtime(writing.after), *name);
+                for (const auto& file : write_new_model(writing.kinds, {*name, ".", names_taken(joint_folders())})) fmt::print("{}\n", file.string());
+                fmt::print(fmt::runtime(writing.next), *name);
                 return 0;
             };
         });
     };
     add_new("new-jmodel", "write a joint model to begin with: source, deck, test and page",
-            {write_new_joint_model, "build it:  kaya jmodel build {0}/{0}.cpp --into {0}\ntest it:   kaya {0}/test-{0}.3dd\n"},
-            Writing{write_new_lua_model, "test it:   kaya --joints {0} {0}/test-{0}.3dd\n"}, [](const auto& folders) {
+            {{"joint", "joint-shared"}, "build it:  kaya jmodel build {0}/{0}.cpp --into {0}\ntest it:   kaya {0}/test-{0}.3dd\n"},
+            Writing{{"joint-lua", "joint-shared"}, "test it:   kaya --joints {0} {0}/test-{0}.3dd\n"}, [](const auto& folders) {
                 JointRegistry registry;
                 registry.set_path(folders);
                 return registry.available();
             });
     add_new("new-zmodel", "write a zone model to begin with: source, path, test and page",
-            {write_new_zone_model,
+            {{"zone"},
             "build it:  kaya zmodel build {0}/{0}.cpp --into {0}\ntry it:    kaya ztest {0}/{0}.so {0}/triaxial.csv bulk=4e9 shear=3e9 "
             "strength=2e7\ntest it:   kaya {0}/test-{0}.3dd\n"},
             std::nullopt, [](const auto& folders) {

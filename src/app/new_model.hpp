@@ -4,15 +4,10 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kaya {
-
-/// A file of such a model; @NAME@ stands for the name of the model, in its name and in its text.
-struct ModelTemplate {
-    const char* file;
-    const char* text;
-};
 
 /// Where a new model is put, and the names that it must not have.
 struct NewModel {
@@ -21,17 +16,9 @@ struct NewModel {
     std::vector<std::string> taken;
 };
 
-/// Makes the folder `in`/NAME with these files. Returns them. Throws Diagnostic: the name cannot be typed in a deck, or is
-/// taken; the folder is there.
-std::vector<std::filesystem::path> write_templates(std::span<const ModelTemplate> templates, const NewModel& model);
-
-/// A native model that works, a deck that shows it, a deck that tests it, a page and a CMakeLists.txt.
-std::vector<std::filesystem::path> write_new_joint_model(const NewModel& model);
-
-/// The same model in Lua, a deck that shows it, a deck that tests it and a page.
-std::vector<std::filesystem::path> write_new_lua_model(const NewModel& model);
-
-/// A native model that works, a path for `kaya ztest`, a deck that tests it, a page and a CMakeLists.txt.
-std::vector<std::filesystem::path> write_new_zone_model(const NewModel& model);
+/// Makes the folder `in`/NAME with the templates of these kinds (model_templates.hpp): a model that works, a deck or a path
+/// that shows it, a deck that tests it, a page. Returns the files. Throws Diagnostic: the name cannot be typed in a deck, or
+/// is taken; the folder is there.
+std::vector<std::filesystem::path> write_new_model(std::span<const std::string_view> kinds, const NewModel& model);
 
 } // namespace kaya

@@ -87,7 +87,7 @@ struct PageServer::Server {
         return false;
     }
 
-    /// The head of a request, as far as it came; nothing of what is behind it is wanted.
+    /// The head of a request, as far as it came; nothing of what is after it is wanted.
     std::string read_head(int socket) const {
         constexpr std::size_t longest = 8192;
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(2);

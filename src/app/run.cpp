@@ -29,7 +29,7 @@ fs::path program_folder(const char* called_as) {
 
 namespace {
 
-/// Folders whose libraries are loaded without a question: those of the command line, beside the program or where it is
+/// Folders whose libraries are loaded without a question: those of the command line, next to the program or where it is
 /// installed, KAYA_JOINTS (folders with ':' between).
 std::vector<fs::path> trusted_folders(const RunOrder& order, const fs::path& program) {
     std::vector<fs::path> folders = order.options.joint_folders;
@@ -87,7 +87,7 @@ int run_decks(Session& session, const RunOrder& order) {
     int status = 0;
     if (!order.journal.empty()) {
         const InterruptGuard guard(session);
-        session.rescue.set_interval(std::nullopt); // the journal can be run again
+        session.autosave.set_interval(std::nullopt); // the journal can be run again
         status = replay_journal(session, order.journal);
     } else if (order.decks.empty()) {
         if (journal) journal->deck("prompt");
@@ -105,7 +105,7 @@ int run_decks(Session& session, const RunOrder& order) {
     for (const auto& name : session.given_properties.unused())
         session.warn(Diagnostic(fmt::format("no command set '{}'", name), "the value that was given for it was not used"));
     if (journal) journal->finish();
-    session.rescue.done();
+    session.autosave.done();
     const auto& clock = session.model.clock;
     if (clock.cycle > 0)
         session.output.say(
@@ -148,7 +148,7 @@ void prepare_history(const RunOrder& order) {
     if (!order.decks.empty() || !order.journal.empty() || file.empty() || isatty(STDIN_FILENO) == 0) return;
     std::error_code ignored;
     fs::create_directories(file.parent_path(), ignored);
-    const std::ofstream touched(file, std::ios::app);
+    const std::ofstream mentioned(file, std::ios::app);
 }
 
 SandboxOrder sandbox_of(const RunOrder& order, const fs::path& program) {
@@ -173,7 +173,7 @@ int run(RunOrder& order, const fs::path& program) {
     Gate::Policy policy;
     const auto painter = std::make_shared<Painter>(program / "kaya-painter");
     if (!order.options.trust) {
-        painter->stand_by(); // behind the lock no program can be started
+        painter->stand_by(); // after the lock no program can be started
         const SandboxOrder sandbox = sandbox_of(order, program);
         prepare_history(order);
         policy = policy_of(sandbox);
@@ -192,7 +192,7 @@ int run(RunOrder& order, const fs::path& program) {
         return static_cast<int>(problem.fault);
     }
     int status = run_session(session, order);
-    if (status != 0) session.rescue.keep();
+    if (status != 0) session.autosave.keep();
     try {
         report->write();
         if (status == 0) session.output.flush();

@@ -28,15 +28,15 @@ struct RunOrder {
     std::string journal;                 ///< of `replay`
     bool no_journal = false;
     std::optional<int> watch;            ///< port on which a browser can look on; 0: any
-    std::function<void(Session&)> begun;  ///< behind the parameters, before the first deck
-    std::function<void(Session&)> ended;  ///< behind the last deck, when all went well
-    std::function<void(Session&, const Diagnostic&)> failed; ///< behind the message
+    std::function<void(Session&)> begun;  ///< after the parameters, before the first deck
+    std::function<void(Session&)> ended;  ///< after the last deck, when all went well
+    std::function<void(Session&, const Diagnostic&)> failed; ///< after the message
 };
 
-/// The folder of the program itself: joint models that ship lie beside it.
+/// The folder of the program itself: joint models that ship lie next to it.
 std::filesystem::path program_folder(const char* called_as);
 
-/// Where joint models are looked for, first match wins; beside the deck last.
+/// Where joint models are looked for, first match wins; next to the deck last.
 std::vector<std::filesystem::path> joint_folders(const RunOrder& order, const std::filesystem::path& program);
 
 /// What a run of these decks may do without --trust.

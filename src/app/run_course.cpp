@@ -17,7 +17,7 @@ double global(const Model& model, const char* name) { return std::get<double>(fi
 
 } // namespace
 
-void RunCourse::look(const Model& model) {
+void RunCourse::sample(const Model& model) {
     const std::int64_t cycle = model.clock.cycle;
     if (!samples_.empty() && cycle <= samples_.back().cycle) samples_.clear(), interval_ = 1; // another model, or this one from before
     if (!samples_.empty() && cycle - samples_.back().cycle < interval_) return;

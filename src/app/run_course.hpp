@@ -11,8 +11,8 @@ namespace kaya {
 
 class RunCourse {
 public:
-    /// To be called behind each cycle. Keeps some hundreds of samples, however long the run is.
-    void look(const Model& model);
+    /// To be called after each cycle. Keeps some hundreds of samples, however long the run is.
+    void sample(const Model& model);
     std::vector<ReportCurve> curves() const;
 
 private:

@@ -4,7 +4,7 @@
 
 #include "commands/save_session.hpp"
 #include "io/whole_file.hpp"
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -41,16 +41,16 @@ RunReport::RunReport(Session& session, std::optional<int> port) : session_(sessi
         session_.output.say(fmt::format("watch: {}", server_->address()));
         session_.output.flush();
     }
-    session_.cycled = [this] { look(); };
+    session_.cycled = [this] { sample(); };
 }
 
 RunReport::~RunReport() { session_.cycled = nullptr; }
 
 // By cycles and not by seconds: the same run gives the same page.
-void RunReport::look() {
+void RunReport::sample() {
     if (!is_wanted()) return;
     const Model& model = session_.model;
-    course_.look(model);
+    course_.sample(model);
     if (server_ && std::chrono::steady_clock::now() - shown_ >= pause_ && server_->is_read()) show();
     const std::int64_t cycle = model.clock.cycle;
     if (!states_.empty() && cycle <= states_.back().cycle) states_.clear(); // another model, or this one from before

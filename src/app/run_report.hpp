@@ -31,7 +31,7 @@ public:
     void write();
 
 private:
-    void look();
+    void sample();
     bool is_wanted() const { return session_.report || server_; }
     void show();
     std::string page();

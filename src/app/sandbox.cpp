@@ -2,7 +2,7 @@
 
 #include "app/landlock.hpp"
 #include "app/permissions.hpp"
-#include "joints/zone_model.hpp"
+#include "laws/zone_model.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>

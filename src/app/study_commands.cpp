@@ -86,7 +86,7 @@ RunCase run_case(const RunOrder& base, const Study& study, const fs::path& progr
         order.into.clear();
         for (const auto& [name, value] : one.values) order.parameters.push_back(name + "=" + text_of(value));
         order.begun = [&](Session& session) {
-            if (study.limits.cycles > 0) session.stop_behind = study.limits.cycles;
+            if (study.limits.cycles > 0) session.stop_after = study.limits.cycles;
         };
         order.ended = [&](Session& session) {
             finish(session);

@@ -1,5 +1,6 @@
 #include "app/study_deck.hpp"
 
+#include "base/lower_case.hpp"
 #include "io/whole_file.hpp"
 
 #include <algorithm>
@@ -15,11 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_files = 1000;
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 /// All words of a deck and of the files that it reads as text.
 class Words {
@@ -38,7 +34,7 @@ public:
             if (!take_line(line, file.parent_path())) return false;
         return true;
     }
-    bool has(const std::string& word) const { return words_.contains(lower(word)); }
+    bool has(const std::string& word) const { return words_.contains(lower_case(word)); }
     const std::set<std::string>& declared() const { return declared_; }
     std::vector<std::string_view> all() const { return {words_.begin(), words_.end()}; }
 
@@ -51,12 +47,12 @@ private:
         for (auto at = line.begin(); at != line.end();) {
             const auto begin = std::find_if(at, line.end(), in_word);
             at = std::find_if_not(begin, line.end(), in_word);
-            if (begin != at) words_.insert(lower(std::string(begin, at)));
+            if (begin != at) words_.insert(lower_case(std::string(begin, at)));
         }
-        command = lower(command);
+        command = lower_case(command);
         if (command.size() >= 5 && std::string("parameter").starts_with(command)) {
             std::erase_if(name, [](char c) { return c == '@' || c == '\''; });
-            declared_.insert(lower(name.substr(0, name.find('='))));
+            declared_.insert(lower_case(name.substr(0, name.find('='))));
         }
         const bool reads = (command.size() >= 3 && std::string("call").starts_with(command)) || (command == "lua" && !name.empty());
         if (!reads || name.empty()) return true;
@@ -86,7 +82,7 @@ void check_names(const Study& study) {
     if (!words.take(study.deck)) return;
     const auto check = [&](const std::string& name, const Place& place) {
         if (is_property(name) || words.has(name)) return; // of properties the run says whether the deck sets them
-        const auto near = did_you_mean(lower(name), words.all());
+        const auto near = did_you_mean(lower_case(name), words.all());
         throw Diagnostic(fmt::format("the deck does not mention '{}'", name),
                          near.empty() ? fmt::format("write param {} = 30 in the deck, and use @{}", name, name) : fmt::format("did you mean '{}'?", near))
             .at(place);

@@ -9,7 +9,7 @@
 #include "io/field_csv.hpp"
 #include "io/history_csv.hpp"
 #include "io/whole_file.hpp"
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "report/report.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/fish/reserved.hpp"
@@ -91,19 +91,19 @@ std::string about_name(std::string_view name) {
 
 /// The new text takes the place of the old one as a whole or not at all.
 void replace(const fs::path& file, const std::string& text) {
-    fs::path beside = file;
-    beside += ".tmp";
-    std::ofstream stream(beside, std::ios::binary);
+    fs::path adjacent = file;
+    adjacent += ".tmp";
+    std::ofstream stream(adjacent, std::ios::binary);
     stream << text;
     stream.close();
     std::error_code problem;
     if (stream.good()) {
-        fs::permissions(beside, fs::status(file, problem).permissions(), problem);
-        fs::rename(beside, file, problem);
+        fs::permissions(adjacent, fs::status(file, problem).permissions(), problem);
+        fs::rename(adjacent, file, problem);
     }
     if (stream.good() && !problem) return;
     std::error_code ignored;
-    fs::remove(beside, ignored);
+    fs::remove(adjacent, ignored);
     throw Diagnostic(fmt::format("'{}' cannot be written", file.string()), "is it write-protected, or the disk full?",
                      Fault::run);
 }

@@ -36,7 +36,7 @@ enum class Fault {
 };
 
 /// One message. `message` says what is wrong in the user's words; `hint` what to do
-/// (shown behind the underline: "did you mean 'brick'?"); `context` lines say where from
+/// (shown after the underline: "did you mean 'brick'?"); `context` lines say where from
 /// (cycle, call stack, block and place).
 class Diagnostic : public std::exception {
 public:

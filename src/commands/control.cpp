@@ -1,6 +1,7 @@
 // new, config, title, pause, set, range name.
 #include "commands/handlers.hpp"
 
+#include "base/lower_case.hpp"
 #include "base/parallel.hpp"
 #include "mechanics/contact_properties.hpp"
 
@@ -94,7 +95,7 @@ void run(Session& session, const lang::Set& command) {
     if (command.time_step) give_time_step(session, *command.time_step);
     if (command.threads) set_threads(static_cast<int>(std::max<std::int64_t>(1, *command.threads)));
     if (command.echo) session.options.echo = *command.echo;
-    if (command.autosave) session.rescue.set_interval(*command.autosave > 0 ? std::optional(60 * *command.autosave) : std::nullopt);
+    if (command.autosave) session.autosave.set_interval(*command.autosave > 0 ? std::optional(60 * *command.autosave) : std::nullopt);
     if (command.report) session.report = *command.report;
     if (command.gravity) settings.gravity = *command.gravity;
     if (command.seed) session.scripts->seed(static_cast<std::uint64_t>(*command.seed));
@@ -115,10 +116,7 @@ void run(Session& session, const lang::Set& command) {
 }
 
 void run(Session& session, const lang::NameRange& command) {
-    std::string name = command.name;
-    std::ranges::transform(name, name.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    session.ranges[name] = command.range;
+    session.ranges[lower_case(command.name)] = command.range;
 }
 
 } // namespace kaya

@@ -79,7 +79,7 @@ std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const Cut
     return pieces;
 }
 
-/// The pieces of each block become one body again; they stand one behind the other in the list.
+/// The pieces of each block become one body again; they stand one after the other in the list.
 void join_pieces(Model& model, const CutBlocks& cut, const std::vector<Row>& pieces) {
     std::vector<std::pair<Row, Row>> pairs;
     for (std::size_t i = 1; i < pieces.size(); ++i)
@@ -187,7 +187,7 @@ void run(Session& session, const lang::CutGround& command) {
             const int parent = cut.blocks.pieces[i].parent;
             for (; i < pieces.size() && cut.blocks.pieces[i].parent == parent; ++i) sides[cut.above[i] ? 1 : 0].push_back(pieces[i]);
             for (const auto& side : sides)
-                if (side.size() > 1) join_pairs(model, touching_pairs(model, side));
+                if (side.size() > 1) join_pairs(model, adjacent_pairs(model, side));
         }
         for (std::size_t i = 0; i < pieces.size(); ++i)
             if (command.region && !cut.above[i]) model.blocks.region[pieces[i]] = static_cast<std::int32_t>(*command.region);
@@ -251,7 +251,7 @@ void join(Session& session, const std::vector<std::pair<Row, Row>>& pairs, const
 void run(Session& session, const lang::Join& command) {
     const auto rows = session.pick(ObjectKind::block, command.range);
     if (rows.empty()) return;
-    if (command.on) return join(session, touching_pairs(session.model, rows), command.place);
+    if (command.on) return join(session, adjacent_pairs(session.model, rows), command.place);
     unjoin(session.model, rows);
 }
 

@@ -38,10 +38,10 @@ Diagnostic warning(std::string message, std::string hint, const char* code, cons
 
 } // namespace
 
-void DeckNames::look_at(const lang::BoundCommand& command, bool inside) {
+void DeckNames::check(const lang::BoundCommand& command, bool inside) {
     if (const auto* definition = std::any_cast<lang::FishDefinition>(&command.command))
         return learn_function(definition->text, definition->place);
-    if (const auto* chunk = std::any_cast<lang::LuaChunk>(&command.command)) return look_at_lua(chunk->text);
+    if (const auto* chunk = std::any_cast<lang::LuaChunk>(&command.command)) return check_lua(chunk->text);
     if (command.command.type() == typeid(lang::Restore)) open_ = true;
     std::vector<std::string> given;
     if (const auto* set = std::any_cast<lang::Set>(&command.command))
@@ -63,7 +63,7 @@ void DeckNames::look_at(const lang::BoundCommand& command, bool inside) {
     if (!inside && (call || !command.spec->raw)) use_words(command);
 }
 
-void DeckNames::look_at_lua(std::string_view text) {
+void DeckNames::check_lua(std::string_view text) {
     // fish[name] may be anything.
     if (text.find("fish[") != text.npos || text.find("fish [") != text.npos) open_ = true;
     for_each_word(text, [&](const std::string& word) {

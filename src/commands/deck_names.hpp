@@ -20,9 +20,9 @@ public:
     explicit DeckNames(const script::Scripts& scripts) : scripts_(scripts) {}
 
     /// `inside`: the command stands in a FISH function, and its names may be local ones.
-    void look_at(const lang::BoundCommand& command, bool inside);
+    void check(const lang::BoundCommand& command, bool inside);
     /// A text of Lua: any word of it may be a name that it sets or reads.
-    void look_at_lua(std::string_view text);
+    void check_lua(std::string_view text);
     /// Files that are not known before the run may make any name.
     void anything_may_be_made() { open_ = true; }
 

@@ -49,9 +49,9 @@ void DeckReview::file(const lang::BoundFile& file) {
 }
 
 void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
-    names_.look_at(command, inside);
+    names_.check(command, inside);
     if (on_statement) on_statement(command);
-    if (!inside) look_for_file(command);
+    if (!inside) find_file(command);
     if (const auto* set = std::any_cast<lang::Set>(&command.command)) doubt_values(*set, command);
     if (inside && command.spec->flow == lang::Flow::call) names_.anything_may_be_made();
     if (const auto* function = std::any_cast<lang::FishDefinition>(&command.command)) this->inside(*function);
@@ -63,7 +63,7 @@ void DeckReview::inside(const lang::FishDefinition& definition) {
     const auto doubts = fish::doubts(function);
     other_.insert(other_.end(), doubts.begin(), doubts.end());
     for (const auto& inner : fish::inner_commands(function)) {
-        if (inner.glued) {
+        if (inner.joined) {
             if (on_inner) on_inner(nullptr);
             continue;
         }
@@ -108,7 +108,7 @@ void DeckReview::doubt_values(const lang::Set& set, const lang::BoundCommand& co
     }
 }
 
-void DeckReview::look_for_file(const lang::BoundCommand& command) {
+void DeckReview::find_file(const lang::BoundCommand& command) {
     if (!command.spec->body_end.empty()) script_seen_ = true;
     const FileRead read = command.late ? FileRead{} : file_read_by(command);
     const bool may_be_written = script_seen_ || earlier_words_.contains(read.name);
@@ -133,7 +133,7 @@ void DeckReview::look_for_file(const lang::BoundCommand& command) {
     }
     if (may_be_written) return;
     Diagnostic d(fmt::format("there is no {} file '{}'", read.kind, read.name),
-                 "it is looked for beside the deck and in the current folder");
+                 "it is looked for next to the deck and in the current folder");
     d.code = "no-file";
     other_.push_back(d.at(read.place));
 }
@@ -145,7 +145,7 @@ void DeckReview::check_lua_file(const fs::path& path, const std::string& name, c
     if (!fs::is_regular_file(path, failed) || !stream) return names_.anything_may_be_made(); // the run says why
     std::ostringstream text;
     text << stream.rdbuf();
-    names_.look_at_lua(text.str());
+    names_.check_lua(text.str());
     try {
         script::check_lua_text(text.str(), {lang::source_from_text(name, text.str()), 1, 1, 1});
     } catch (Diagnostic& mistake) {

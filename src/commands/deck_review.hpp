@@ -37,7 +37,7 @@ private:
     void inside(const lang::FishDefinition& definition);
     void doubt_last_line(const SourceText& source);
     void doubt_values(const lang::Set& set, const lang::BoundCommand& command);
-    void look_for_file(const lang::BoundCommand& command);
+    void find_file(const lang::BoundCommand& command);
     void check_lua_file(const std::filesystem::path& path, const std::string& name, const Place& place);
 
     const lang::BareNames& bare_;

@@ -1,4 +1,5 @@
 // import, export: blocks in files of other programs.
+#include "base/lower_case.hpp"
 #include "base/stop_point.hpp"
 #include "commands/handlers.hpp"
 #include "base/counted.hpp"
@@ -57,8 +58,7 @@ std::vector<Incoming> from_surfaces(const std::string& path, std::int32_t region
 }
 
 bool is_grid(const std::string& path) {
-    std::string suffix = std::filesystem::path(path).extension().string();
-    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string suffix = lower_case(std::filesystem::path(path).extension().string());
     return suffix == ".3dgrid";
 }
 

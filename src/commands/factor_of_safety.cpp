@@ -2,7 +2,7 @@
 
 #include "base/counted.hpp"
 
-#include "commands/failure_watch.hpp"
+#include "commands/failure_monitor.hpp"
 #include "commands/handlers.hpp"
 #include "commands/materials.hpp"
 #include "commands/progress.hpp"
@@ -27,7 +27,7 @@ constexpr double default_ratio = 1e-5;
 /// Cycles after which a model that cannot fail ought to be at rest.
 constexpr std::int64_t patience = 100000;
 constexpr std::int64_t shortest_span = 100;
-/// A trial lowers the strength in so many steps, over half a span; one that begins anew comes nearly to rest behind each.
+/// A trial lowers the strength in so many steps, over half a span; one that begins anew comes nearly to rest after each.
 constexpr int lowering_steps = 10;
 constexpr double calm = 1e-3;
 /// Spans that one trial may take, the part of its unbalanced force that each should take away, and how many in a row may
@@ -98,9 +98,9 @@ public:
         if (!outcome.tired) {
             lower(factor);
             session_.cycle->prepare();
-            FailureWatch watch(session_.model, *session_.cycle, static_cast<std::int64_t>((patient_ ? patient_window_part : window_part) * static_cast<double>(span_)));
+            FailureMonitor monitor(session_.model, *session_.cycle, static_cast<std::int64_t>((patient_ ? patient_window_part : window_part) * static_cast<double>(span_)));
             // A bolt across a joint that slips is far softer than all that a span knows: nobody can tell how long a block goes on.
-            settle(outcome, factor, ratio_, patient_ && !session_.model.structures.cables.empty() ? nullptr : &watch);
+            settle(outcome, factor, ratio_, patient_ && !session_.model.structures.cables.empty() ? nullptr : &monitor);
         }
         const bool at_rest = outcome.at_rest;
         session_.output.say(fmt::format("strength divided by {:.6g}: {} after {}, ratio {:.3e}{}", factor,
@@ -136,7 +136,7 @@ public:
     const std::string& mechanism() const { return mechanism_; }
 
 private:
-    RestSpan run(std::int64_t cycles, double ratio, FailureWatch* watch = nullptr) { return advance_span(session_, cycles, ratio, watch, &progress_); }
+    RestSpan run(std::int64_t cycles, double ratio, FailureMonitor* monitor = nullptr) { return advance_span(session_, cycles, ratio, monitor, &progress_); }
 
     /// How a trial stands so far.
     struct Outcome {
@@ -146,11 +146,11 @@ private:
     };
 
     /// Cycles until the model is at rest or fails.
-    void settle(Outcome& outcome, double factor, double ratio, FailureWatch* watch) {
+    void settle(Outcome& outcome, double factor, double ratio, FailureMonitor* monitor) {
         double least = INFINITY;
         for (int i = 0, without_gain = 0; i < spans && without_gain <= most_without_gain; ++i) {
             if (session_.model.joint_properties.size() > whole_.size()) lower(factor);
-            const RestSpan span = run(span_, ratio, watch);
+            const RestSpan span = run(span_, ratio, monitor);
             outcome.cycles += span.cycles;
             outcome.at_rest = span.at_rest, outcome.goes_on = span.fails, outcome.moving = span.moving;
             if (span.at_rest || span.moving || span.fails) return;
@@ -192,16 +192,16 @@ private:
         const Model& model = session_.model;
         double farthest = 0;
         Row first = no_row;
-        std::vector<double> ways(model.blocks.size());
-        for (Row b = 0; b < static_cast<Row>(ways.size()); ++b) {
-            ways[static_cast<std::size_t>(b)] = (block_displacement(model, b) - block_displacement(start_, b)).norm();
-            if (ways[static_cast<std::size_t>(b)] > farthest) farthest = ways[static_cast<std::size_t>(b)], first = b;
+        std::vector<double> shifts(model.blocks.size());
+        for (Row b = 0; b < static_cast<Row>(shifts.size()); ++b) {
+            shifts[static_cast<std::size_t>(b)] = (block_displacement(model, b) - block_displacement(start_, b)).norm();
+            if (shifts[static_cast<std::size_t>(b)] > farthest) farthest = shifts[static_cast<std::size_t>(b)], first = b;
         }
         if (first == no_row) return {};
         constexpr double much = 0.1;
-        const auto moved = std::ranges::count_if(ways, [&](double way) { return way > much * farthest; });
+        const auto moved = std::ranges::count_if(shifts, [&](double shift) { return shift > much * farthest; });
         return fmt::format("at {:.6g} {} moved most, by {} when the trial ended; {} of {} went a tenth of that or more", factor,
-                           body_text(model, MovingBody{first}), number_text(farthest), moved, counted(static_cast<std::int64_t>(ways.size()), "block"));
+                           body_text(model, MovingBody{first}), number_text(farthest), moved, counted(static_cast<std::int64_t>(shifts.size()), "block"));
     }
 
     void check_strengths(const Place& place) {
@@ -281,11 +281,11 @@ Bracket given_bracket(Trials& trials, const lang::Solve& command) {
     const Bracket bracket{(*command.bracket)[0], (*command.bracket)[1]};
     if (!trials.stands(bracket.stands))
         throw Diagnostic(fmt::format("the model fails with its strength divided by {:.6g}, where it should stand", bracket.stands),
-                         "give a smaller first number behind bracket")
+                         "give a smaller first number after bracket")
             .at(command.place);
     if (trials.stands(bracket.fails))
         throw Diagnostic(fmt::format("the model stands with its strength divided by {:.6g}, where it should fail", bracket.fails),
-                         "give a greater second number behind bracket")
+                         "give a greater second number after bracket")
             .at(command.place);
     return bracket;
 }

@@ -27,11 +27,11 @@ std::string save_name(const std::string& name) {
     return fs::path(name).has_extension() ? name : name + std::string(save_ending);
 }
 
-/// The file as named, else with the ending that `save` adds; beside the deck or in the current folder.
+/// The file as named, else with the ending that `save` adds; next to the deck or in the current folder.
 std::string saved_file(const Session& session, const std::string& name) {
     std::error_code ignored;
     for (const auto& candidate :
-         {fs::path(name), fs::path(save_name(name)), session.beside_deck(save_name(name))})
+         {fs::path(name), fs::path(save_name(name)), session.next_to_deck(save_name(name))})
         if (fs::is_regular_file(candidate, ignored)) return candidate.string();
     return save_name(name);
 }
@@ -86,16 +86,16 @@ void load_joint_models(Session& session, Model& model, const std::vector<JointFi
 /// Histories and boundary conditions of a saved model name functions, which a script that restores it must have: those of the
 /// file would take the place of the ones that are running.
 void refuse_missing_functions(Session& session, const Model& model, const std::string& file) {
-    const auto look_for = [&](const std::string& expression, const std::string& who) {
+    const auto find = [&](const std::string& expression, const std::string& who) {
         const std::string name = expression.substr(0, expression.find_first_of("( "));
         if (session.scripts->knows(name)) return;
         throw Diagnostic(fmt::format("{} of '{}' asks for @{}, which is not defined here", who, file, name),
                          "a script that restores a model goes on with its own functions: define it before, or restore on a line of the deck", Fault::run);
     };
     for (const History& history : model.histories.all)
-        if (history.source.kind == HistorySource::Kind::function) look_for(history.source.quantity, fmt::format("history {}", history.number));
+        if (history.source.kind == HistorySource::Kind::function) find(history.source.quantity, fmt::format("history {}", history.number));
     for (const TimeFunction& function : model.time_functions)
-        if (function.kind == TimeFunction::Kind::script) look_for(function.script, "a boundary condition");
+        if (function.kind == TimeFunction::Kind::script) find(function.script, "a boundary condition");
 }
 
 /// The scripts of a file with its model, which is given back when they cannot be had.
@@ -150,7 +150,7 @@ void save_session(Session& session, const std::string& file) {
 void run(Session& session, const lang::Save& command) {
     settle_forces(session); // a restored model goes on as this one does
     save_session(session, save_name(command.file));
-    session.rescue.saved();
+    session.autosave.saved();
 }
 
 void run(Session& session, const lang::Restore& command) {
@@ -177,7 +177,7 @@ void run(Session& session, const lang::Restore& command) {
     session.title = extras.title;
     session.property_places.clear();
     session.make_cycle();
-    session.rescue.saved();
+    session.autosave.saved();
 }
 
 void run(Session& session, const lang::HistoryWrite& command) {

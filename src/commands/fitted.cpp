@@ -43,7 +43,7 @@ std::string fitted(std::string_view text, std::size_t columns) {
         std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
         if (!result.empty()) result += '\n';
-        // What stands behind an underline goes on below it.
+        // What follows an underline goes on below it.
         const auto bar = line.find("| ");
         const bool underline = bar != line.npos && line.find_first_not_of(' ') == bar;
         const std::string indent(underline ? bar + 2 : 4, ' ');

@@ -52,21 +52,21 @@ void run(Session& session, const lang::Delete& command) {
 }
 
 void run(Session& session, const lang::FaceTriangulation& command) {
-    using Way = lang::FaceTriangulation::Way;
+    using Style = lang::FaceTriangulation::Style;
     const auto picked = session.pick(ObjectKind::block, command.range);
     auto& blocks = session.model.blocks;
     std::size_t rigid = 0;
     for (const Row block : picked) {
         if (blocks.deformable[block]) continue;
         ++rigid;
-        if (command.way == Way::edge) {
+        if (command.style == Style::edge) {
             blocks.face_edge[block] = command.edge;
             continue;
         }
-        blocks.face_triangles[block] = command.way == Way::radial     ? FaceTriangles::radial
-                                       : command.way == Way::radial_8 ? FaceTriangles::radial_8
+        blocks.face_triangles[block] = command.style == Style::radial     ? FaceTriangles::radial
+                                       : command.style == Style::radial_8 ? FaceTriangles::radial_8
                                                                       : FaceTriangles::fan;
-        if (command.way == Way::fan) blocks.face_edge[block] = 0;
+        if (command.style == Style::fan) blocks.face_edge[block] = 0;
     }
     if (rigid > 0) session.model.structure_changed = true;
     else if (!picked.empty())
@@ -77,16 +77,16 @@ void run(Session& session, const lang::FaceTriangulation& command) {
 
 void run(Session& session, const lang::GenerateEdge& command) {
     give_zones_to_blocks(session, command,
-                         [&](const std::vector<Row>& blocks, const Watch& watch) {
-                             return generate_zones(session.model, blocks, command.edge, watch);
+                         [&](const std::vector<Row>& blocks, const ProgressCallback& progress) {
+                             return generate_zones(session.model, blocks, command.edge, progress);
                          });
 }
 
 void run(Session& session, const lang::GenerateQuad& command) {
     std::array<int, 3> parts;
     for (std::size_t k = 0; k < 3; ++k) parts[k] = static_cast<int>(command.parts[k]);
-    give_zones_to_blocks(session, command, [&](const std::vector<Row>& blocks, const Watch& watch) {
-        return generate_zones(session.model, blocks, parts, command.ratio, watch);
+    give_zones_to_blocks(session, command, [&](const std::vector<Row>& blocks, const ProgressCallback& progress) {
+        return generate_zones(session.model, blocks, parts, command.ratio, progress);
     });
 }
 

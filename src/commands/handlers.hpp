@@ -19,7 +19,7 @@ void run(Session&, const lang::NameRange&);
 
 // shapes.cpp
 /// Warns, the first time in a model, when one of the blocks from `first` on stands where another is.
-void look_for_overlaps(Session& session, Row first, const Place& place);
+void warn_of_overlaps(Session& session, Row first, const Place& place);
 void run(Session&, const lang::PolyBrick&);
 void run(Session&, const lang::PolyPrism&);
 void run(Session&, const lang::PolyFace&);

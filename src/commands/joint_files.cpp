@@ -85,9 +85,9 @@ const JointModel& find_saved_model(Session& session, const std::string& name, co
         compare(session, *loaded, *saved);
         return *loaded;
     }
-    std::vector<std::string> looked; // and found no such file
-    const fs::path beside = fs::absolute(save_file).parent_path() / fs::path(saved->path).filename();
-    for (const fs::path& file : {fs::path(saved->path), beside}) {
+    std::vector<std::string> tried; // and not fit
+    const fs::path adjacent = fs::absolute(save_file).parent_path() / fs::path(saved->path).filename();
+    for (const fs::path& file : {fs::path(saved->path), adjacent}) {
         std::error_code unreadable;
         std::string found = "looked for " + file.string();
         if (fs::exists(file, unreadable)) {
@@ -96,7 +96,7 @@ const JointModel& find_saved_model(Session& session, const std::string& name, co
             else found += fmt::format(": its sha256 begins with {}", digest.empty() ? "nothing" : digest.substr(0, shown));
         }
         if (!found.empty()) { // what a file names is loaded as it was, or not at all
-            if (looked.empty() || looked.back() != found) looked.push_back(found);
+            if (tried.empty() || tried.back() != found) tried.push_back(found);
             continue;
         }
         const JointModel& model = session.joints.get(file.string());
@@ -114,7 +114,7 @@ const JointModel& find_saved_model(Session& session, const std::string& name, co
     }
     Diagnostic error(fmt::format("joint model '{}' of the save file is not there", name),
                      "bring the file back; one that was built again is taken when it is loaded before: jmodel load FILE", Fault::run);
-    for (const auto& line : looked) error.add(line);
+    for (const auto& line : tried) error.add(line);
     error.add(fmt::format("looked for {}.so and {}.lua in the folders of joint models", name, name));
     error.add(fmt::format("the sha256 of its file began with {}", saved->digest.substr(0, shown)));
     error.code = "joint-model-unknown";

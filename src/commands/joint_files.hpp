@@ -19,7 +19,7 @@ std::vector<JointFile> joint_files(Session& session);
 std::string joint_files_text(const std::vector<JointFile>& files);
 std::vector<JointFile> joint_files_from_text(const std::string& text);
 
-/// The joint model of that name: as it is loaded, else from the place that the save file says or beside the save file, where
+/// The joint model of that name: as it is loaded, else from the place that the save file says or next to the save file, where
 /// the file is the same bit by bit, else as its name finds it. Warns when it is another file than it was. Throws Diagnostic that
 /// says where it was looked for.
 const JointModel& find_saved_model(Session& session, const std::string& name, const std::vector<JointFile>& files,

@@ -1,7 +1,7 @@
-// What a sub-contact has for itself beside forces: history of its joint model, fields, properties that its object holds.
+// What a sub-contact has for itself besides forces: history of its joint model, fields, properties that its object holds.
 #pragma once
 
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "model/model.hpp"
 
 #include <functional>

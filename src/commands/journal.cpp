@@ -19,7 +19,7 @@ constexpr std::string_view first_line = "; kaya journal 1";
 constexpr std::string_view deck_mark = ";deck ";       ///< name
 constexpr std::string_view lines_mark = ";lines ";     ///< first line, number of lines, name of the source
 // In front of lines that did not come to their end:
-constexpr std::string_view stopped_mark = ";stopped "; ///< cycle behind which the user stopped them
+constexpr std::string_view stopped_mark = ";stopped "; ///< cycle after which the user stopped them
 constexpr std::string_view cut_off_mark = ";cut off";  ///< the user stopped them inside of a script
 constexpr std::string_view failed_mark = ";failed";    ///< with an error
 constexpr std::string_view joint_mark = ";joint ";     ///< digest, file
@@ -213,14 +213,14 @@ void repeat_unfinished(Session& session, const Piece& piece) {
         const auto source = lang::source_from_text(piece.source, piece.text, piece.line);
         return session.output.message(warning.at({source, piece.line, 1, 1}));
     }
-    if (piece.completion.how == Completion::How::stopped) session.stop_behind = piece.completion.cycle;
+    if (piece.completion.how == Completion::How::stopped) session.stop_after = piece.completion.cycle;
     try {
         session.interpreter.run_text(piece.text, piece.source, piece.line);
     } catch (const Diagnostic& again) {
         session.output.message(again);
     } catch (const std::bad_alloc&) { // as it was: a script asked for more than there is
     }
-    session.stop_behind.reset();
+    session.stop_after.reset();
 }
 
 } // namespace
@@ -236,7 +236,7 @@ int replay_journal(Session& session, const std::string& file) {
         }
         if (session.interpreter.run_text(piece.text, piece.source, piece.line) == lang::Ended::quit) break;
     }
-    // Behind the run, because it may have written some of them itself.
+    // Follows the run, because it may have written some of them itself.
     compare(session, record.files, "the file");
     compare(session, record.joints, "the joint model");
     if (record.hash.empty()) {

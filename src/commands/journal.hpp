@@ -19,7 +19,7 @@ public:
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// Which deck comes next; files that it reads are looked for beside it.
+    /// Which deck comes next; files that it reads are looked for next to it.
     void deck(const std::string& name);
     /// The end: joint models and files that were used with digests of their contents, and the final state.
     void finish();

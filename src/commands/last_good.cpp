@@ -44,7 +44,7 @@ void LastGood::take(Session& session) {
     if (no_memory_) return;
     const auto begin = Clock::now();
     try {
-        // A copy that there is not room for beside the model would make the machine slow, or end the run.
+        // A copy that there is not room for besides the model would make the machine slow, or end the run.
         if (!taken_ && memory_available() < 2 * bytes_of(session.model)) throw std::bad_alloc();
         taken_ = false; // half a copy is none
         model_ = session.model;

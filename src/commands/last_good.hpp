@@ -17,7 +17,7 @@ class Session;
 /// take no more than a hundredth of the time; what they leave out is repeated once, when a cycle has failed.
 class LastGood {
 public:
-    /// The session stands behind a whole cycle, or before the first: it is copied if it is time for that.
+    /// The session follows a whole cycle, or before the first: it is copied if it is time for that.
     void offer(Session& session);
     /// It is copied now.
     void take(Session& session);

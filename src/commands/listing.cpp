@@ -29,7 +29,7 @@ struct Extreme {
     double value = 0;
     Vec3 place = Vec3::Zero();
 
-    void look(double candidate, const Vec3& where) {
+    void consider(double candidate, const Vec3& where) {
         if (std::abs(candidate) <= std::abs(value)) return;
         value = candidate;
         place = where;
@@ -185,19 +185,19 @@ std::string list_extremes(Session& session, const lang::List&) {
         opening{"joint opening"};
     for (std::size_t row = 0; row < model.gridpoints.size(); ++row) {
         const auto& points = model.gridpoints;
-        displacement.look(points.displacement[row].norm(), points.position[row]);
-        velocity.look(gridpoint_velocity(model, static_cast<Row>(row)).norm(), points.position[row]);
+        displacement.consider(points.displacement[row].norm(), points.position[row]);
+        velocity.consider(gridpoint_velocity(model, static_cast<Row>(row)).norm(), points.position[row]);
     }
     for (Row row = 0; row < static_cast<Row>(model.zones.size()); ++row) {
         const Vec3 principal = principal_stresses(model, row), centroid = zone_centroid(model, row);
-        most_compressive.look(std::min(principal[0], 0.0), centroid);
-        most_tensile.look(std::max(principal[2], 0.0), centroid);
+        most_compressive.consider(std::min(principal[0], 0.0), centroid);
+        most_tensile.consider(std::max(principal[2], 0.0), centroid);
     }
     for (std::size_t row = 0; row < model.sub_contacts.size(); ++row) {
         const auto& points = model.sub_contacts;
-        shear.look(points.shear_displacement[row].norm(), points.position[row]);
-        closure.look(std::min(points.normal_displacement[row], 0.0), points.position[row]);
-        opening.look(std::max(points.normal_displacement[row], 0.0), points.position[row]);
+        shear.consider(points.shear_displacement[row].norm(), points.position[row]);
+        closure.consider(std::min(points.normal_displacement[row], 0.0), points.position[row]);
+        opening.consider(std::max(points.normal_displacement[row], 0.0), points.position[row]);
     }
     TextTable table({"largest", "value", "x", "y", "z"});
     for (const Extreme* e :

@@ -78,10 +78,10 @@ std::string blocks_text(const Model& model, const std::vector<Row>& rows, const 
         });
 }
 
-const char* touch_text(Touch touch) {
+const char* contact_type_text(ContactType type) {
     static constexpr std::array names{"-",         "face-face",   "face-edge",    "face-vertex",
                                       "edge-edge", "edge-vertex", "vertex-vertex"};
-    return names[static_cast<std::size_t>(touch)];
+    return names[static_cast<std::size_t>(type)];
 }
 
 const JointProperties* properties_of(const Model& model, Row contact) {
@@ -202,7 +202,7 @@ std::string list_contacts(Session& session, const lang::List& command) {
             return {std::to_string(contacts.number[row]),
                     std::to_string(model.blocks.number[contacts.block1[row]]),
                     std::to_string(model.blocks.number[contacts.block2[row]]),
-                    touch_text(contacts.touch[row]),
+                    contact_type_text(contacts.type[row]),
                     numbers(contacts.position[row]),
                     numbers(contacts.normal[row]),
                     number_text(contacts.area[row]),

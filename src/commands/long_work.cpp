@@ -17,8 +17,8 @@ void LongWork::operator()(double done) {
         throw;
     }
     constexpr int stride = 16; // parts between two looks at the clock
-    if (--until_look_ > 0) return;
-    until_look_ = stride;
+    if (--until_check_ > 0) return;
+    until_check_ = stride;
     const auto now = std::chrono::steady_clock::now();
     const bool terminal = session_.output.on_terminal();
     if (std::chrono::duration<double>(now - shown_).count() < (terminal ? 0.2 : 10.0)) return;

@@ -3,7 +3,7 @@
 
 #include "commands/session.hpp"
 
-#include "base/watch.hpp"
+#include "base/progress_callback.hpp"
 
 #include <chrono>
 #include <string>
@@ -11,7 +11,7 @@
 namespace kaya {
 
 /// Stops the work when the user asks for it, and shows how far it is: in place, five times a second, on a terminal; as
-/// a line every ten seconds elsewhere. To be handed to the work as its Watch, by std::ref.
+/// a line every ten seconds elsewhere. To be handed to the work as its ProgressCallback, by std::ref.
 class LongWork {
 public:
     LongWork(Session& session, std::string what);
@@ -26,7 +26,7 @@ private:
     Session& session_;
     std::string what_;
     std::chrono::steady_clock::time_point shown_;
-    int until_look_ = 0;
+    int until_check_ = 0;
 };
 
 } // namespace kaya

@@ -4,8 +4,8 @@
 
 namespace kaya {
 
-void understand_lua_models(JointRegistry& joints) {
-    joints.understand(".lua", [](const std::filesystem::path& file) {
+void add_lua_loader(JointRegistry& joints) {
+    joints.add_loader(".lua", [](const std::filesystem::path& file) {
         const auto script = std::make_shared<script::JointScript>(file);
         JointFunctions functions;
         functions.initialise = [s = script.get()](kaya_jbatch* batch) { return s->initialise(batch); };

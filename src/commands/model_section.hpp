@@ -1,7 +1,7 @@
 // A vertical section through the model, for limit equilibrium.
 #pragma once
 
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "model/model.hpp"
 #include "slopes/section.hpp"
 

@@ -1,7 +1,7 @@
 // Strength criteria of the rock and the joints of a model, as limit equilibrium knows them.
 #pragma once
 
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "model/model.hpp"
 #include "slopes/strength.hpp"
 

@@ -1,7 +1,7 @@
 // The model as scripts see it: tables of named fields, and handles that say when an object is gone.
 #pragma once
 
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "lang/commands/range.hpp"
 #include "lang/script/world.hpp"
 #include "model/field.hpp"

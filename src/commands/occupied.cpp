@@ -60,11 +60,11 @@ Row Occupied::overlapped_by(const Model& model, Row row) {
     const Box box = box_of(model, row);
     std::vector<Row> near;
     for (const auto& [exponent, grid] : grids_) {
-        const auto look = [&, &cells = grid.cells](std::uint64_t key) {
+        const auto visit = [&, &cells = grid.cells](std::uint64_t key) {
             if (const auto found = cells.find(key); found != cells.end())
                 near.insert(near.end(), found->second.begin(), found->second.end());
         };
-        if (!for_cells(box, exponent, static_cast<double>(grid.rows.size()) + 27, look))
+        if (!for_cells(box, exponent, static_cast<double>(grid.rows.size()) + 27, visit))
             near.insert(near.end(), grid.rows.begin(), grid.rows.end());
     }
     add(row, box);

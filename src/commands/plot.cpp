@@ -1,5 +1,7 @@
 // plot: pictures of the model, of histories and of tables.
 #include "commands/handlers.hpp"
+
+#include "base/lower_case.hpp"
 #include "commands/plot_views.hpp"
 #include "io/whole_file.hpp"
 #include "lang/commands/language.hpp"
@@ -202,8 +204,7 @@ std::string picture_name(Session& session, const std::string& given, bool curves
         const std::string stem = fs::path(session.deck).stem().string();
         path = fmt::format("{}-plot-{}.png", stem.empty() ? "kaya" : stem, ++session.plots.pictures);
     }
-    std::string suffix = path.extension().string();
-    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string suffix = lower_case(path.extension().string());
     static constexpr const char* pictures[] = {".bmp", ".jpg", ".jpeg", ".pcx", ".ps", ".pdf", ".dxf", ".wmf", ".tif", ".svg"};
     if (suffix == ".png" || (curves && suffix == ".svg")) return path.string();
     if (std::ranges::find(pictures, suffix) != std::end(pictures)) return path.replace_extension(".png").string();

@@ -203,7 +203,7 @@ private:
         constexpr double degree = std::numbers::pi / 180;
         CutPlane& cut = item().cut.emplace();
         double dip = 0, direction = 0;
-        bool turned = false, given = false; // dip and dd behind a normal are those of the picture
+        bool turned = false, given = false; // dip and dd after a normal are those of the picture
         for (bool more = true; more;) {
             more = true;
             if (take({"origin", "org", "point"})) take_vector(cut.origin);

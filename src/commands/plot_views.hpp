@@ -75,7 +75,7 @@ bool write_view(Session& session, const PlotView& view, const std::string& file)
 /// Draws curves into a PNG or SVG file and says so; the same where there is no picture. Another suffix becomes .png.
 void write_chart(Session& session, const Chart& chart, const std::string& file);
 
-/// To be called behind each cycle.
+/// To be called after each cycle.
 void shoot_movies(Session& session);
 
 } // namespace kaya

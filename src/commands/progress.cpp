@@ -38,13 +38,13 @@ Progress::Progress(Output& output, const Model& model, const Target& target)
 
 bool Progress::advanced() {
     ++done_;
-    if (--until_look_ > 0) return false;
-    look();
-    until_look_ = stride_;
+    if (--until_check_ > 0) return false;
+    update();
+    until_check_ = stride_;
     return true;
 }
 
-void Progress::look() {
+void Progress::update() {
     const double now = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     // About fifty looks a second, whatever a cycle costs.
     const double since = now - seconds_;

@@ -38,7 +38,7 @@ public:
     void finish();
 
 private:
-    void look();
+    void update();
     std::string line() const;
     double left() const; ///< seconds, negative when it cannot be told
 
@@ -48,12 +48,12 @@ private:
     std::chrono::steady_clock::time_point start_;
     std::int64_t done_ = 0; ///< cycles; a search for a factor of safety goes back to earlier ones
     double first_time_;
-    std::int64_t until_look_ = 1, stride_ = 1; ///< cycles
+    std::int64_t until_check_ = 1, stride_ = 1; ///< cycles
     double seconds_ = 0, shown_ = 0;
 };
 
 /// 75 -> "1:15", 4000 -> "1:06:40".
-/// The time of the model, with "(scaled)" behind it where density scaling has changed masses.
+/// The time of the model, with "(scaled)" after it where density scaling has changed masses.
 std::string time_text(const Model& model);
 
 /// What density scaling has done, in words; empty where it has changed no mass.

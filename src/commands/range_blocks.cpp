@@ -4,7 +4,7 @@
 #include "base/diagnostic.hpp"
 #include "lang/interp/lexer.hpp"
 #include "geometry/quality.hpp"
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "model/build.hpp"
 #include "model/joined.hpp"
 #include "model/measure.hpp"
@@ -135,7 +135,7 @@ RangeTest on_surface(const RangeElement& e, const RangeContext& context) {
     const Model& model = context.model;
     std::vector<char> covered(model.faces.size(), 0);
     for (std::size_t c = 0; c < model.contacts.size(); ++c)
-        if (model.contacts.touch[c] == Touch::face_face)
+        if (model.contacts.type[c] == ContactType::face_face)
             covered[model.contacts.face1[c]] = covered[model.contacts.face2[c]] = 1;
     const JoinedBodies bodies = joined_bodies(model);
     for (std::size_t i = 0; i < bodies.size(); ++i)

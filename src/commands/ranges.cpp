@@ -1,5 +1,6 @@
 #include "commands/range_tests.hpp"
 
+#include "base/lower_case.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "model/groups.hpp"
 
@@ -24,12 +25,6 @@ void needs_contacts(const RangeElement& e, const RangeContext& context, const ch
 namespace {
 
 using Kind = RangeElement::Kind;
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 std::int32_t group_number(const RangeElement& e, const std::string& name, const RangeContext& context) {
     const std::int32_t group = find_group(context.model, name);
@@ -94,13 +89,13 @@ RangeTest by_joint_model(const RangeElement& e, const RangeContext& context) {
     // `jcons n` gives a number, `jmodel NAME` a name.
     std::string name;
     try {
-        name = lower(JointRegistry::keyword_of(e.name.empty() ? joint_model_of_number(context.model, static_cast<std::int32_t>(e.low)) : e.name));
+        name = lower_case(JointRegistry::keyword_of(e.name.empty() ? joint_model_of_number(context.model, static_cast<std::int32_t>(e.low)) : e.name));
     } catch (Diagnostic& mistake) {
         throw mistake.at(e.place);
     }
     return [name](const Model& model, ObjectKind kind, Row row) {
         const Row set = model.contacts.properties[contact_of(model, kind, row)];
-        return set != no_row && lower(model.joint_properties[set].model) == name;
+        return set != no_row && lower_case(model.joint_properties[set].model) == name;
     };
 }
 
@@ -168,7 +163,7 @@ RangeTest by_id_list(const RangeElement& e) {
 RangeTest phrase_test(const lang::RangePhrase& phrase, RangeContext& context);
 
 RangeTest by_name(const RangeElement& e, RangeContext& context) {
-    const std::string name = lower(e.name);
+    const std::string name = lower_case(e.name);
     const auto found = context.named.find(name);
     if (found == context.named.end()) {
         std::vector<std::string_view> known;
@@ -308,15 +303,15 @@ namespace {
 template <class Passes>
 bool any_element(const NamedRanges& named, const lang::RangePhrase& phrase, Passes passes) {
     std::set<std::string> seen;
-    const auto look = [&](const auto& self, const lang::RangePhrase& in) -> bool {
+    const auto visit = [&](const auto& self, const lang::RangePhrase& in) -> bool {
         return std::ranges::any_of(in.elements, [&](const RangeElement& e) {
             if (e.kind != Kind::named) return passes(e.kind);
-            if (!seen.insert(lower(e.name)).second) return false;
-            const auto found = named.find(lower(e.name));
+            if (!seen.insert(lower_case(e.name)).second) return false;
+            const auto found = named.find(lower_case(e.name));
             return found != named.end() && self(self, found->second);
         });
     };
-    return look(look, phrase);
+    return visit(visit, phrase);
 }
 
 } // namespace

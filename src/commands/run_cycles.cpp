@@ -2,7 +2,7 @@
 
 #include "base/counted.hpp"
 
-#include "commands/failure_watch.hpp"
+#include "commands/failure_monitor.hpp"
 #include "commands/handlers.hpp"
 #include "commands/materials.hpp"
 #include "commands/plot_views.hpp"
@@ -52,7 +52,7 @@ void advance(Session& session) {
         shoot_movies(session);
         if (session.cycled) session.cycled();
     } catch (Diagnostic& failure) {
-        session.rescue.step_failed(number, failure.message);
+        session.autosave.step_failed(number, failure.message);
         session.deferred.clear();
         const std::string here = session.here();
         failure.add(fmt::format("in cycle {}, at time {}{}", number, time_text(session.model),
@@ -102,20 +102,20 @@ class Confirmation {
 public:
     /// To be called after each cycle in which the ratio is reached, and with `false` after others.
     enum class Answer { wait, rest, motion };
-    Answer look(const Model& model, std::int64_t cycles_before, bool ratio_reached) {
+    Answer check(const Model& model, std::int64_t cycles_before, bool ratio_reached) {
         if (!ratio_reached) {
-            watch_.reset();
+            monitor_.reset();
             return Answer::wait;
         }
-        if (!watch_) {
-            watch_.emplace(model);
-            needed_ = first_look;
+        if (!monitor_) {
+            monitor_.emplace(model);
+            needed_ = first_check;
             longest_ = std::max(shortest_proof, cycles_before);
             return Answer::wait;
         }
-        watch_->look();
-        if (watch_->cycles() < needed_) return Answer::wait;
-        moving_ = watch_->moving();
+        monitor_->sample();
+        if (monitor_->cycles() < needed_) return Answer::wait;
+        moving_ = monitor_->moving();
         if (!moving_) return Answer::rest;
         if (needed_ >= longest_) return Answer::motion;
         needed_ *= 2;
@@ -124,8 +124,8 @@ public:
     const std::optional<MovingBody>& moving() const { return moving_; }
 
 private:
-    static constexpr std::int64_t first_look = 128, shortest_proof = 2048; ///< cycles
-    std::optional<RestWatch> watch_;
+    static constexpr std::int64_t first_check = 128, shortest_proof = 2048; ///< cycles
+    std::optional<RestMonitor> monitor_;
     std::optional<MovingBody> moving_;
     std::int64_t needed_ = 0, longest_ = 0;
 };
@@ -174,9 +174,9 @@ bool settle_forces(Session& session) {
     return model.properties_changed;
 }
 
-RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, FailureWatch* watch, Progress* progress) {
+RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, FailureMonitor* monitor, Progress* progress) {
     make_ready(session);
-    session.rescue.begins();
+    session.autosave.begins();
     RestSpan span;
     const Clock& now = session.model.clock;
     double sum = 0;
@@ -184,16 +184,16 @@ RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, Failu
     bool at_ratio = false;
     while (span.cycles < cycles || at_ratio) {
         advance(session);
-        session.stop_behind_cycle();
+        session.stop_after_cycle();
         ++span.cycles;
         sum += now.average_ratio;
         if (progress) progress->advanced();
         at_ratio = now.average_ratio <= ratio;
-        if (watch && watch->look()) {
+        if (monitor && monitor->sample()) {
             span.fails = true;
             break;
         }
-        const auto answer = confirmation.look(session.model, cycles, at_ratio);
+        const auto answer = confirmation.check(session.model, cycles, at_ratio);
         span.at_rest = answer == Confirmation::Answer::rest;
         if (answer == Confirmation::Answer::wait) continue;
         if (!span.at_rest) span.moving = confirmation.moving();
@@ -203,9 +203,9 @@ RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, Failu
     return span;
 }
 
-std::string advance_until(Session& session, const Limits& limits, RestWatch* watch) {
+std::string advance_until(Session& session, const Limits& limits, RestMonitor* monitor) {
     make_ready(session);
-    session.rescue.begins();
+    session.autosave.begins();
     warn_of_long_step(session);
     const Clock start = session.model.clock;
     Target target;
@@ -217,7 +217,7 @@ std::string advance_until(Session& session, const Limits& limits, RestWatch* wat
     const auto stops = [&](double seconds) {
         std::string at_rest = equilibrium(limits, start, session.model.clock);
         if (limits.still) {
-            const auto answer = confirmation.look(session.model, session.model.clock.cycle - start.cycle, !at_rest.empty());
+            const auto answer = confirmation.check(session.model, session.model.clock.cycle - start.cycle, !at_rest.empty());
             if (answer == Confirmation::Answer::wait) at_rest.clear();
             if (answer == Confirmation::Answer::rest) at_rest += ", and nothing moves";
             if (answer == Confirmation::Answer::motion)
@@ -230,13 +230,13 @@ std::string advance_until(Session& session, const Limits& limits, RestWatch* wat
         try {
             refuse_standing_still(limits, start, session.model.clock);
             advance(session);
-            session.stop_behind_cycle();
+            session.stop_after_cycle();
         } catch (...) {
             progress.finish();
             throw;
         }
-        if (progress.advanced()) session.rescue.advanced();
-        if (watch) watch->look();
+        if (progress.advanced()) session.autosave.advanced();
+        if (monitor) monitor->sample();
         why = stops(progress.seconds());
     }
     progress.finish();
@@ -244,7 +244,7 @@ std::string advance_until(Session& session, const Limits& limits, RestWatch* wat
 }
 
 ElasticJoints::ElasticJoints(Session& session) : session_(session) {
-    session.rescue.hold(true);
+    session.autosave.hold(true);
     for (const auto& set : session.model.joint_properties) true_values_.push_back(set.values);
     constexpr double strong = 1e30;
     for (const Row row : property_sets_in_use(session.model)) {
@@ -261,7 +261,7 @@ ElasticJoints::ElasticJoints(Session& session) : session_(session) {
 ElasticJoints::~ElasticJoints() {
     for (std::size_t i = 0; i < true_values_.size(); ++i)
         session_.model.joint_properties[i].values = true_values_[i];
-    session_.rescue.hold(false);
+    session_.autosave.hold(false);
 }
 
 } // namespace kaya

@@ -1,7 +1,7 @@
 // Cycling until something is reached.
 #pragma once
 
-#include "commands/rest_watch.hpp"
+#include "commands/rest_monitor.hpp"
 #include "commands/session.hpp"
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace kaya {
 
-class FailureWatch;
+class FailureMonitor;
 class Progress;
 
 /// Where a run stops: at the first of these that is reached.
@@ -28,7 +28,7 @@ struct Limits {
 bool settle_forces(Session& session);
 
 /// Runs until a limit is reached; returns which, in words. A watch sees every cycle.
-std::string advance_until(Session& session, const Limits& limits, RestWatch* watch = nullptr);
+std::string advance_until(Session& session, const Limits& limits, RestMonitor* monitor = nullptr);
 
 /// What a number of cycles has shown.
 struct RestSpan {
@@ -41,7 +41,7 @@ struct RestSpan {
 
 /// Cycles until the average ratio is not above `ratio` and no body gains displacement any more, or that
 /// many cycles are done; looking at bodies may take more. A watch sees every cycle.
-RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, FailureWatch* watch, Progress* progress);
+RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, FailureMonitor* monitor, Progress* progress);
 
 /// Gives joints a cohesion and a tensile strength that nothing reaches, for as long as it lives. Contacts must have their
 /// properties: Cycle::prepare.

@@ -14,10 +14,10 @@ class Session;
 /// What `save` adds to a name without an ending.
 inline constexpr std::string_view save_ending = ".kaya.h5";
 
-/// The part of a save file, beside those of the session, that says in words what it is; `kaya info` shows it.
+/// The part of a save file, besides those of the session, that says in words what it is; `kaya info` shows it.
 inline constexpr std::string_view part_remark = remark_item;
 
-/// What stands beside the model.
+/// What stands besides the model.
 SaveExtras session_extras(Session& session);
 
 /// Digest of what scripts and named ranges of the session hold; 0 when there are none. Where in which deck they stand does not count.

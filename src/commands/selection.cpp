@@ -103,7 +103,7 @@ void run(Session& session, const lang::Copy& command) {
     }
     session.world.rows_moved();
     session.output.say(fmt::format("{} of {}", counted(command.number, "copy"), counted(blocks.size(), "block")));
-    look_for_overlaps(session, first, command.place);
+    warn_of_overlaps(session, first, command.place);
 }
 
 } // namespace kaya

@@ -8,7 +8,7 @@
 #include "lang/commands/language.hpp"
 #include "lang/fish/compiler.hpp"
 #include "mechanics/contact_properties.hpp"
-#include "joints/arithmetic.hpp"
+#include "laws/arithmetic.hpp"
 #include "lang/script/value_text.hpp"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
     set_threads(options.threads > 0 ? options.threads
                                     : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
     joints.set_path(options.joint_folders);
-    understand_lua_models(joints);
+    add_lua_loader(joints);
     joints.before_loading = joints.zones.before_loading = [this](const fs::path& file) { gate->may_load(file); };
     joints.tables().set_source([this](const std::string& name) { return table_points(*scripts, name); });
 
@@ -113,7 +113,7 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
         tell_of_arithmetic();
         const bool calls = command.spec->flow == lang::Flow::call; // the commands of the file stand for it
         if (executed && commands_of_scripts_ == 0 && !calls) executed(command, Completion{});
-        if (commands_of_scripts_ == 0) stopped_behind_.reset(); // a script has caught it
+        if (commands_of_scripts_ == 0) stopped_after_.reset(); // a script has caught it
     };
     interpreter.failed_command = [this](const lang::BoundCommand& command) {
         const bool calls = command.spec->flow == lang::Flow::call;
@@ -121,8 +121,8 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
         // A wish to stop that no cycle has met has met a script.
         using enum Completion::How;
         const bool inside = std::exchange(stopped_inside_, false) || interrupted_;
-        const auto how = stopped_behind_ ? stopped : inside ? cut_off : failed;
-        executed(command, {how, std::exchange(stopped_behind_, std::nullopt).value_or(0)});
+        const auto how = stopped_after_ ? stopped : inside ? cut_off : failed;
+        executed(command, {how, std::exchange(stopped_after_, std::nullopt).value_or(0)});
     };
     interpreter.checks = deck_checks();
     interpreter.deck_read = [this](const lang::BoundFile& file, const lang::BareNames& names) { review(file, names); };
@@ -159,7 +159,7 @@ void Session::make_cycle() {
 
 lang::Ended Session::run_deck(const std::string& file) {
     deck = file;
-    rescue.look_for_earlier();
+    autosave.find_earlier();
     const lang::Ended ended = interpreter.run_file(file);
     output.flush();
     return ended;
@@ -207,13 +207,13 @@ void Session::stop_if_interrupted() {
     throw Diagnostic(fmt::format("stopped by the user after cycle {}", model.clock.cycle), {}, Fault::run);
 }
 
-void Session::stop_behind_cycle() {
-    if (stop_behind == model.clock.cycle) {
-        stop_behind.reset();
+void Session::stop_after_cycle() {
+    if (stop_after == model.clock.cycle) {
+        stop_after.reset();
         interrupted_ = true;
     }
     if (!interrupted_) return;
-    stopped_behind_ = model.clock.cycle;
+    stopped_after_ = model.clock.cycle;
     stop_if_interrupted();
 }
 
@@ -232,7 +232,7 @@ void Session::warn(Diagnostic warning) {
 void Session::tell_of_arithmetic() {
     const auto tell = [this](const LawTable& law, const char* noun) {
         if (law.arithmetic() == 0 || !said_once.insert("arithmetic:" + law.file.string()).second) return;
-        Diagnostic warning(fmt::format("{} '{}' changes {}; the program puts it back behind each call", noun, law.name,
+        Diagnostic warning(fmt::format("{} '{}' changes {}; the program puts it back after each call", noun, law.name,
                                        text_of_changes(law.arithmetic())),
                            fmt::format("build it without -ffast-math and -Ofast, and without calls that change the rounding: {}",
                                        law.file.string()));
@@ -309,14 +309,14 @@ std::string Session::here() const {
     return place ? fmt::format("{}:{}", place.source->name, place.line) : std::string{};
 }
 
-fs::path Session::beside_deck(const std::string& name) const {
-    const fs::path beside = fs::path(deck).parent_path() / name;
+fs::path Session::next_to_deck(const std::string& name) const {
+    const fs::path adjacent = fs::path(deck).parent_path() / name;
     std::error_code ignored;
-    return fs::exists(beside, ignored) ? beside : fs::path(name);
+    return fs::exists(adjacent, ignored) ? adjacent : fs::path(name);
 }
 
 fs::path Session::input_file(const std::string& name) {
-    const fs::path found = beside_deck(name);
+    const fs::path found = next_to_deck(name);
     gate->may_read(found);
     files_read.insert(found.string());
     return found;
@@ -342,7 +342,7 @@ void Session::clear() {
     title.clear();
     property_places.clear();
     if (!by_script) said_once.clear();
-    rescue.saved();
+    autosave.saved();
     make_cycle();
 }
 

@@ -8,11 +8,11 @@
 #include "commands/output.hpp"
 #include "commands/plot_views.hpp"
 #include "commands/ranges.hpp"
-#include "commands/rescue.hpp"
+#include "commands/autosave.hpp"
 #include "commands/run_name.hpp"
 #include "commands/text_table.hpp"
 #include "io/vtk.hpp"
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "mechanics/cycle.hpp"
 #include "model/model.hpp"
 
@@ -45,12 +45,12 @@ struct Options {
 struct Completion {
     enum class How {
         done,
-        stopped, ///< by the user, behind a cycle
+        stopped, ///< by the user, after a cycle
         cut_off, ///< by the user, inside of a script: nobody can do just that again
         failed
     };
     How how = How::done;
-    std::int64_t cycle = 0; ///< behind which it was stopped
+    std::int64_t cycle = 0; ///< after which it was stopped
 };
 
 class Session {
@@ -73,7 +73,7 @@ public:
 
     /// The test of a range, of objects of that kind. Throws Diagnostic at the element that is wrong.
     RangeTest test_of(ObjectKind kind, const lang::RangePhrase& range);
-    /// What range elements read beside the model; `excavated`: the model is that of the blocks that fill can put back.
+    /// What range elements read besides the model; `excavated`: the model is that of the blocks that fill can put back.
     RangeExtras range_extras(bool excavated);
     /// Visible rows in a range, ascending. Warns when the range picks none.
     std::vector<Row> pick(ObjectKind kind, const lang::RangePhrase& range);
@@ -86,8 +86,8 @@ public:
     /// "tunnel.3dd:12" of the running command, "" outside a deck.
     std::string here() const;
 
-    /// A file of a deck: beside the deck when it is there, else in the current folder.
-    std::filesystem::path beside_deck(const std::string& name) const;
+    /// A file of a deck: next to the deck when it is there, else in the current folder.
+    std::filesystem::path next_to_deck(const std::string& name) const;
     /// The same, of a file that is going to be read: the gate is asked, and it is kept in files_read.
     std::filesystem::path input_file(const std::string& name);
     /// The name of a file that is going to be written, when the gate lets it through. Throws Diagnostic.
@@ -125,17 +125,17 @@ public:
     std::shared_ptr<Painter> painter;  ///< what draws them; none: where it is looked for by itself
     std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files
     std::set<std::string> files_read;  ///< names of files that commands have read, decks not among them
-    /// Gets each command of decks behind its run; those of scripts are part of the command that ran the script.
+    /// Gets each command of decks after its run; those of scripts are part of the command that ran the script.
     std::function<void(const lang::BoundCommand&, const Completion&)> executed;
-    std::function<void()> cycled;      ///< called behind each cycle
+    std::function<void()> cycled;      ///< called after each cycle
     bool report = false;               ///< the run ends with a page: set report on
-    std::optional<std::int64_t> stop_behind; ///< a cycle: a replay stops there as the user did
+    std::optional<std::int64_t> stop_after; ///< a cycle: a replay stops there as the user did
     std::size_t warnings = 0;                               ///< shown so far
     std::vector<std::string> warning_texts;                 ///< the first hundred of them
     bool inside_cycle = false;                              ///< a hook is running: structure must not change
     std::vector<std::pair<Place, std::function<void()>>>
         deferred;                    ///< changes that wait for the end of the cycle
-    Rescue rescue{*this};            ///< what is kept when the run is cut off
+    Autosave autosave{*this};            ///< what is kept when the run is cut off
     Occupied occupied;               ///< where blocks stand, for the warning about two in one place
     std::set<std::string> said_once; ///< notes that are not repeated
     std::map<std::pair<std::int32_t, std::string>, Place>
@@ -151,8 +151,8 @@ public:
     bool is_to_stop() const noexcept { return interrupted_; }
     /// Throws Diagnostic when somebody asked for it.
     void stop_if_interrupted();
-    /// The same behind a cycle, which a journal can tell and a replay do again.
-    void stop_behind_cycle();
+    /// The same after a cycle, which a journal can tell and a replay do again.
+    void stop_after_cycle();
 
     /// The cycle of the present model; to be made anew when the model was replaced.
     void make_cycle();
@@ -165,7 +165,7 @@ private:
     RunNames names_;
     std::atomic<bool> interrupted_ = false;
     bool stopped_inside_ = false; ///< the command that runs was stopped where nobody can stop it again
-    std::optional<std::int64_t> stopped_behind_; ///< cycle of the stop that is on its way up
+    std::optional<std::int64_t> stopped_after_; ///< cycle of the stop that is on its way up
     int commands_of_scripts_ = 0; ///< scripts that are giving commands at this moment, one in the other
 };
 

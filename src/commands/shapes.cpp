@@ -10,7 +10,7 @@
 
 namespace kaya {
 
-void look_for_overlaps(Session& session, Row first, const Place& place) {
+void warn_of_overlaps(Session& session, Row first, const Place& place) {
     static const std::string once = "two blocks in one place";
     if (session.said_once.contains(once)) return;
     const Model& model = session.model;
@@ -46,7 +46,7 @@ template <class Command, class Make> void make(Session& session, const Command& 
         } else {
             for (const Polyhedron& part : made) add_block(session.model, part, block);
         }
-        look_for_overlaps(session, first, command.place);
+        warn_of_overlaps(session, first, command.place);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;

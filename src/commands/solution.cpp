@@ -2,7 +2,7 @@
 #include "commands/factor_of_safety.hpp"
 #include "commands/handlers.hpp"
 #include "commands/plausible.hpp"
-#include "commands/rest_watch.hpp"
+#include "commands/rest_monitor.hpp"
 #include "commands/run_cycles.hpp"
 #include "commands/text_table.hpp"
 #include "commands/time_step.hpp"
@@ -21,7 +21,7 @@ namespace kaya {
 namespace {
 
 /// How near to rest a run has come, and who does not come to rest at all.
-void tell_rest(Session& session, const RestWatch& watch, const Place& place) {
+void tell_rest(Session& session, const RestMonitor& monitor, const Place& place) {
     const Clock& clock = session.model.clock;
     std::string text =
         fmt::format("average ratio {:.3e}  local ratio {:.3e}", clock.average_ratio, clock.local_ratio);
@@ -29,7 +29,7 @@ void tell_rest(Session& session, const RestWatch& watch, const Place& place) {
         text += fmt::format("  largest velocity {} {}", number_text(fastest->speed),
                             body_text(session.model, *fastest));
     session.output.say(text);
-    const auto moving = watch.moving();
+    const auto moving = monitor.moving();
     if (!moving) return;
     session.warn(
         Diagnostic(
@@ -99,10 +99,10 @@ void run(Session& session, const lang::Solve& command) {
                            "'elastic' has no effect"));
         session.output.say("solve elastic: stopped by " + advance_until(session, limits));
     }
-    RestWatch watch(session.model);
-    session.world.stopped_by = advance_until(session, limits, &watch);
+    RestMonitor monitor(session.model);
+    session.world.stopped_by = advance_until(session, limits, &monitor);
     session.output.say("solve: stopped by " + session.world.stopped_by);
-    tell_rest(session, watch, command.place);
+    tell_rest(session, monitor, command.place);
 }
 
 void run(Session& session, const lang::Damp& command) {

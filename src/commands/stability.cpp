@@ -140,7 +140,7 @@ private:
         return force;
     }
 
-    /// Body by body against those that stay; when some have left, those behind them again.
+    /// Body by body against those that stay; when some have left, those after them again.
     void assess() {
         std::vector<char> gone(bodies_.size(), 0);
         for (int stage = 1;; ++stage) {
@@ -178,12 +178,12 @@ std::string list_stability(Session& session, const lang::List& command) {
     const auto rows = select(model, ObjectKind::block, session.test_of(ObjectKind::block, command.range));
     const auto shown = [&](Row block) { return std::ranges::binary_search(rows, block); };
     TextTable table({"block", "stage", "mode", "trend/plunge", "factor", "volume", "planes"});
-    std::size_t looked_at = 0, free = 0, leaving = 0;
+    std::size_t count = 0, free = 0, leaving = 0;
     std::optional<double> least;
     for (const BodyStability& body : stability_of(model, session.joints)) {
         const Row first = body.blocks.front();
         if (body.fixed || std::ranges::none_of(body.blocks, shown)) continue;
-        ++looked_at;
+        ++count;
         if (body.stage == 0) continue;
         ++free;
         const auto& answer = body.answer;
@@ -197,7 +197,7 @@ std::string list_stability(Session& session, const lang::List& command) {
     if (least) model.clock.factor_of_safety = *least;
     std::string text = free > 0 ? table.text() + "\n" : "";
     if (free > longest_table) text += fmt::format("... and {} more; a range picks which are shown\n", free - longest_table);
-    return text + fmt::format("{} of {} free bodies can leave their place, {} of them do (factor below 1); the others are held by their neighbours", free, looked_at, leaving);
+    return text + fmt::format("{} of {} free bodies can leave their place, {} of them do (factor below 1); the others are held by their neighbours", free, count, leaving);
 }
 
 } // namespace kaya

@@ -1,7 +1,7 @@
 // Block theory over a model: docs/theory/slopes.md.
 #pragma once
 
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "model/model.hpp"
 #include "slopes/sliding.hpp"
 
@@ -18,7 +18,7 @@ struct BodyStability {
     int stage = 0; ///< 0: its neighbours hold it; else the round in which it becomes free
 };
 
-/// All bodies by their first blocks. Body by body against those that stay; when some have left (factor below 1), those behind them again.
+/// All bodies by their first blocks. Body by body against those that stay; when some have left (factor below 1), those after them again.
 /// Throws Diagnostic when a block has no density.
 std::vector<BodyStability> stability_of(Model& model, JointRegistry& laws);
 

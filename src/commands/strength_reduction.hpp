@@ -1,7 +1,7 @@
 // What a factor of safety divides: strengths of joint models, by their properties.
 #pragma once
 
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "lang/commands/commands.hpp"
 
 #include <array>

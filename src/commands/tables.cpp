@@ -20,7 +20,7 @@ public:
         std::ifstream in(path);
         if (!in || std::filesystem::is_directory(path))
             throw Diagnostic(fmt::format("the table file '{}' cannot be read", name_),
-                             "look at the name; it is looked for beside the deck and in the current folder");
+                             "look at the name; it is looked for next to the deck and in the current folder");
         for (std::string line; std::getline(in, line);) {
             if (line.ends_with('\r')) line.pop_back();
             lines_.push_back(line);
@@ -141,7 +141,7 @@ void check_symbol(Session& session, const std::string& name) {
 }
 
 void check_time_functions(Session& session) {
-    const std::set<std::int32_t> used(session.model.drives.function.begin(), session.model.drives.function.end());
+    const std::set<std::int32_t> used(session.model.boundary_histories.function.begin(), session.model.boundary_histories.function.end());
     for (const auto row : used) {
         const TimeFunction& function = session.model.time_functions[static_cast<std::size_t>(row)];
         try {

@@ -7,7 +7,7 @@ namespace kaya {
 
 namespace {
 
-bool looks_like_number(const std::string& word) {
+bool is_like_number(const std::string& word) {
     if (word.empty()) return true;
     if (word == "nan" || word == "inf" || word == "-inf") return true;
     return word.find_first_not_of("0123456789+-.e(), ") == std::string::npos &&
@@ -23,7 +23,7 @@ std::string TextTable::text() const {
     for (std::size_t i = 0; i < rows_.size(); ++i)
         for (std::size_t k = 0; k < columns; ++k) {
             width[k] = std::max(width[k], rows_[i][k].size());
-            if (i > 0 && !looks_like_number(rows_[i][k])) numeric[k] = false;
+            if (i > 0 && !is_like_number(rows_[i][k])) numeric[k] = false;
         }
 
     std::string text;

@@ -10,7 +10,7 @@ namespace kaya {
 namespace {
 
 /// Whether something moves at a velocity that the deck prescribes.
-bool is_driven(const Model& model) {
+bool has_velocity_history(const Model& model) {
     const auto& blocks = model.blocks;
     const auto& points = model.gridpoints;
     const auto moves = [&](unsigned fixed, std::int32_t roller, const Vec3& velocity) {
@@ -45,7 +45,7 @@ void warn_of_long_step(Session& session) {
 }
 
 void note_counted_cycles(Session& session) {
-    if (session.model.settings.given_time_step > 0 || !is_driven(session.model)) return;
+    if (session.model.settings.given_time_step > 0 || !has_velocity_history(session.model)) return;
     session.note_once("cycles are counted while a boundary moves at a given velocity: how far it comes depends on the time step",
                       "that of 3DEC for this model is not known, and may be another; `cycle time T` does not depend on it");
 }

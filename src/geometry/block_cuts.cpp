@@ -61,12 +61,12 @@ std::vector<Piece> carve(const Polyhedron& rock, const std::vector<Plane>& plane
     return pieces;
 }
 
-/// Cuts the pieces outside by the planes; those inside stay. `watch` gets the fraction of the planes.
+/// Cuts the pieces outside by the planes; those inside stay. `progress` gets the fraction of the planes.
 void cut_outside(std::vector<Piece>& pieces, const std::vector<Plane>& planes, int id, double thinnest,
-                 int& slivers, const Watch& watch) {
+                 int& slivers, const ProgressCallback& progress) {
     for (std::size_t k = 0; k < planes.size(); ++k) {
         const Plane& plane = planes[k];
-        look(watch, k, planes.size());
+        report_progress(progress, k, planes.size());
         const std::size_t count = pieces.size();
         for (std::size_t i = 0; i < count; ++i) {
             if (pieces[i].inside) continue;
@@ -81,7 +81,7 @@ void cut_outside(std::vector<Piece>& pieces, const std::vector<Plane>& planes, i
 
 } // namespace
 
-TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest, const Watch& watch) {
+TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest, const ProgressCallback& progress) {
     const Solid tunnel = make_prism(outline.first, outline.second);
     std::vector<std::vector<Plane>> parts;
     for (const Polyhedron& part : tunnel.parts) parts.push_back(outer_planes(part));
@@ -91,7 +91,7 @@ TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline&
     for (std::size_t block = 0; block < blocks.size(); ++block) {
         std::vector<Piece> pieces{{blocks[block], false}};
         for (const auto& planes : parts) {
-            look(watch, block, blocks.size());
+            report_progress(progress, block, blocks.size());
             std::vector<Piece> next;
             for (Piece& piece : pieces) {
                 if (piece.inside) {
@@ -104,11 +104,11 @@ TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline&
             }
             pieces = std::move(next);
         }
-        const bool touched = pieces.size() > 1;
+        const bool is_cut = pieces.size() > 1;
         // Radial joints are for the rock around the hole only.
-        const Watch of_block = [&](double done) { look(watch, block, blocks.size(), done); };
-        if (touched) cut_outside(pieces, radial, outline.id, thinnest, result.blocks.slivers, of_block);
-        if (!touched) {
+        const ProgressCallback of_block = [&](double done) { report_progress(progress, block, blocks.size(), done); };
+        if (is_cut) cut_outside(pieces, radial, outline.id, thinnest, result.blocks.slivers, of_block);
+        if (!is_cut) {
             if (pieces.front().inside) result.swallowed.push_back(static_cast<int>(block));
             continue;
         }
@@ -121,7 +121,7 @@ TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline&
     return result;
 }
 
-CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3>& parts, int id, const Watch& watch) {
+CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3>& parts, int id, const ProgressCallback& progress) {
     for (const int n : parts)
         if (n < 1) throw Diagnostic(fmt::format("a block cannot be cut into {} parts", n), "give 1 or more");
     CutBlocks result;
@@ -139,7 +139,7 @@ CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3
                 plane.origin[k] += (high[k] - low[k]) * i / parts[k];
                 planes.push_back(plane);
             }
-        const Watch of_block = [&](double done) { look(watch, block, blocks.size(), done); };
+        const ProgressCallback of_block = [&](double done) { report_progress(progress, block, blocks.size(), done); };
         cut_outside(pieces, planes, id, 0, result.slivers, of_block);
         if (pieces.size() == 1) continue;
         result.parents.push_back(static_cast<int>(block));

@@ -72,8 +72,8 @@ Sides sort_sides(const std::vector<Fragment>& fragments, const Plane& plane, dou
 
 /// The plane that splits the fewest faces; the first of equals.
 Plane best_plane(const std::vector<Fragment>& fragments, double near) {
-    constexpr std::size_t most_looked_at = 200;
-    const std::size_t step = 1 + fragments.size() / most_looked_at;
+    constexpr std::size_t most_tried = 200;
+    const std::size_t step = 1 + fragments.size() / most_tried;
     std::size_t best = 0;
     int fewest = static_cast<int>(fragments.size()) + 1;
     for (std::size_t i = 0; i < fragments.size() && fewest > 0; i += step) {

@@ -55,7 +55,7 @@ struct EdgePoint {
     int vertex = 0; ///< its number among old and new vertices
 };
 
-/// The vertices of the polyhedron with those that the cut adds behind them.
+/// The vertices of the polyhedron with those that the cut adds after them.
 struct CutVertices {
     std::vector<Vec3> points;
     std::vector<Side> sides;

@@ -179,8 +179,8 @@ std::vector<int> Ground::near(double x_low, double x_high, double y_low, double 
     return found;
 }
 
-void Ground::move(const Vec3& way) {
-    for (Vec3& corner : corners_) corner += way;
+void Ground::move(const Vec3& shift) {
+    for (Vec3& corner : corners_) corner += shift;
     sort_in();
 }
 

@@ -37,7 +37,7 @@ public:
     /// Triangles whose box in the plan meets this one, ascending.
     std::vector<int> near(double x_low, double x_high, double y_low, double y_high) const;
 
-    void move(const Vec3& way);
+    void move(const Vec3& shift);
 
 private:
     void sort_in();

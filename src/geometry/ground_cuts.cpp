@@ -198,7 +198,7 @@ private:
     void split_apart(const Polyhedron& body, const std::vector<Patch>& patches, int depth) {
         struct Edge {
             double length;
-            Vec3 from, way;
+            Vec3 from, along;
         };
         std::vector<Edge> edges;
         const Polygon outline = outline_of(body);
@@ -221,13 +221,13 @@ private:
                     else if (at < 0) low = std::max(low, at / (at - end));
                     else if (end < 0) high = std::min(high, at / (at - end));
                 }
-                const Vec3 way(b.x() - a.x(), b.y() - a.y(), 0);
-                if (high > low) edges.push_back({(high - low) * way.norm(), a, way});
+                const Vec3 along(b.x() - a.x(), b.y() - a.y(), 0);
+                if (high > low) edges.push_back({(high - low) * along.norm(), a, along});
             }
         }
         std::ranges::stable_sort(edges, std::ranges::greater(), &Edge::length);
         for (const Edge& edge : edges)
-            if (halve(body, {Vec3(-edge.way.y(), edge.way.x(), 0).normalized(), edge.from}, depth)) return;
+            if (halve(body, {Vec3(-edge.along.y(), edge.along.x(), 0).normalized(), edge.from}, depth)) return;
         // What is left is thinner than any fold: its middle decides, or the plane of the largest patch.
         const Patch& largest = *std::ranges::max_element(patches, {}, [](const Patch& p) { return plan_area(p.outline); });
         Cut parts = cut(body, largest.plane, id_, thinnest_);
@@ -245,11 +245,11 @@ private:
 
 } // namespace
 
-GroundCut cut_by_ground(const std::vector<Polyhedron>& blocks, const Ground& ground, int id, double thinnest, const Watch& watch) {
+GroundCut cut_by_ground(const std::vector<Polyhedron>& blocks, const Ground& ground, int id, double thinnest, const ProgressCallback& progress) {
     GroundCut result;
     Cutter cutter(ground, id, thinnest, result);
     for (std::size_t block = 0; block < blocks.size(); ++block) {
-        look(watch, block, blocks.size());
+        report_progress(progress, block, blocks.size());
         auto pieces = cutter.pieces_of(blocks[block]);
         if (pieces.size() < 2) continue;
         // Cuts that only parted what lies on one side are not wanted.

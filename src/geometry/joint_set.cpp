@@ -43,17 +43,17 @@ void check(const JointSet& set) {
                          "give a spacing above 0, or number 1");
 }
 
-/// Cuts the one block in `pieces` by all planes; returns how many cuts were refused. `watch` gets the fraction of this
+/// Cuts the one block in `pieces` by all planes; returns how many cuts were refused. `progress` gets the fraction of this
 /// block.
 int cut_block(std::vector<Polyhedron>& pieces, const std::vector<Plane>& planes, const JointSet& set,
-              double thinnest, Random random, const Watch& watch) {
+              double thinnest, Random random, const ProgressCallback& progress) {
     int slivers = 0;
     for (std::size_t k = 0; k < planes.size(); ++k) {
         const Plane& plane = planes[k];
         const std::size_t count = pieces.size();
         // The more pieces there are, the longer a plane takes.
         const double part = static_cast<double>(k) / static_cast<double>(planes.size());
-        if (watch) watch(part * part);
+        if (progress) progress(part * part);
         for (std::size_t i = 0; i < count; ++i) {
             Cut parts = cut(pieces[i], plane, set.id, thinnest);
             if (parts.outcome == CutOutcome::sliver) ++slivers;
@@ -105,7 +105,7 @@ std::vector<Plane> joint_planes(const JointSet& set) {
     return planes;
 }
 
-CutBlocks cut_blocks(const std::vector<Polyhedron>& blocks, const JointSet& set, double thinnest, const Watch& watch) {
+CutBlocks cut_blocks(const std::vector<Polyhedron>& blocks, const JointSet& set, double thinnest, const ProgressCallback& progress) {
     // Far more than any model of today can be run with; what is beyond is a slip of the pen and would fill the memory.
     constexpr std::size_t most_planes = 20000, most_pieces = 5000000;
     const std::vector<Plane> planes = planes_through(blocks, joint_planes(set));
@@ -119,7 +119,7 @@ CutBlocks cut_blocks(const std::vector<Polyhedron>& blocks, const JointSet& set,
         const std::uint64_t stream =
             (static_cast<std::uint64_t>(block + 1) << 32) + static_cast<std::uint64_t>(set.id);
         result.slivers += cut_block(pieces, planes, set, thinnest, Random(set.seed, stream),
-                                    [&](double done) { look(watch, block, blocks.size(), done); });
+                                    [&](double done) { report_progress(progress, block, blocks.size(), done); });
         if (pieces.size() == 1) continue;
         if (result.pieces.size() + pieces.size() > most_pieces)
             throw Diagnostic(fmt::format("the joint set would make more than {} blocks", most_pieces),

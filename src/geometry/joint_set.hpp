@@ -1,7 +1,7 @@
 // The planes of a set of parallel joints, and cutting blocks by them.
 #pragma once
 
-#include "base/watch.hpp"
+#include "base/progress_callback.hpp"
 #include "geometry/cut.hpp"
 
 #include <cstdint>
@@ -42,6 +42,6 @@ struct CutBlocks {
 /// depends on seed, id, joint and the block's place in the list alone.
 /// Throws Diagnostic as joint_planes does, and when the set would make more blocks than any machine can hold.
 CutBlocks cut_blocks(const std::vector<Polyhedron>& blocks, const JointSet& set, double thinnest = 0,
-                     const Watch& watch = {});
+                     const ProgressCallback& progress = {});
 
 } // namespace kaya

@@ -1,7 +1,7 @@
 // Tetrahedra that fill a polyhedron.
 #pragma once
 
-#include "base/watch.hpp"
+#include "base/progress_callback.hpp"
 #include "geometry/polyhedron.hpp"
 
 #include <array>
@@ -18,7 +18,7 @@ struct TetMesh {
         int face;                  ///< index into Polyhedron::faces
     };
     std::vector<BoundaryTriangle> boundary;
-    int per_cell = 0; ///< tetrahedra of a cell, which stand behind each other; 0: there are no cells
+    int per_cell = 0; ///< tetrahedra of a cell, which stand one after the other; 0: there are no cells
 };
 
 /// A six-faced block with eight vertices and four-cornered faces, cut into n1 x n2 x n3 cells of six
@@ -36,8 +36,8 @@ std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, const std::
 /// those are shorter. Bricks and the like are meshed by hexahedron_mesh where that gives good shapes; other
 /// shapes by Delaunay tetrahedra of well spread points, improved by moving points and by exchanging
 /// tetrahedra until no flat one is left. The polyhedron's vertices are points of the mesh, bit for bit.
-/// Throws Diagnostic when the edge is not above 0 or the mesh would be larger than memory. `watch` is called now and then, with 0.
-TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const Watch& watch = {});
+/// Throws Diagnostic when the edge is not above 0 or the mesh would be larger than memory. `progress` is called now and then, with 0.
+TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const ProgressCallback& progress = {});
 
 /// Smallest and largest angle between two faces of a tetrahedron, degrees. 70.5 and 70.5 in a regular one.
 struct DihedralAngles {

@@ -11,21 +11,21 @@
 namespace kaya {
 namespace {
 
-/// The two faces beside each edge of the polyhedron, by the edge's lower and higher vertex.
-std::map<std::array<int, 2>, std::vector<int>> faces_beside_edges(const Polyhedron& polyhedron) {
-    std::map<std::array<int, 2>, std::vector<int>> beside;
+/// The two faces next to each edge of the polyhedron, by the edge's lower and higher vertex.
+std::map<std::array<int, 2>, std::vector<int>> faces_of_edges(const Polyhedron& polyhedron) {
+    std::map<std::array<int, 2>, std::vector<int>> adjacent;
     for (std::size_t f = 0; f < polyhedron.faces.size(); ++f) {
         const auto& loop = polyhedron.faces[f].vertices;
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const int a = loop[i], b = loop[(i + 1) % loop.size()];
-            beside[{std::min(a, b), std::max(a, b)}].push_back(static_cast<int>(f));
+            adjacent[{std::min(a, b), std::max(a, b)}].push_back(static_cast<int>(f));
         }
     }
-    return beside;
+    return adjacent;
 }
 
 void add_edge_points(const Polyhedron& polyhedron, double edge, MeshPoints& result) {
-    for (const auto& [ends, faces] : faces_beside_edges(polyhedron)) {
+    for (const auto& [ends, faces] : faces_of_edges(polyhedron)) {
         const Vec3 &a = polyhedron.vertices[ends[0]], &b = polyhedron.vertices[ends[1]];
         const int steps = std::max(1, static_cast<int>(std::lround((b - a).norm() / edge)));
         for (int i = 1; i < steps; ++i) result.add(a + (static_cast<double>(i) / steps) * (b - a), faces);

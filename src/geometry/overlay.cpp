@@ -184,7 +184,7 @@ template <class Call> void for_parts(const std::array<Vec2, 3>& c, double edge, 
 
 /// For each triangle of side 1 the one of side 2 that lies on it, as on both sides of a cut: such faces are their own
 /// overlay. False where there is one without.
-bool lie_on_each_other(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, std::vector<int>& twins) {
+bool lie_on_each_other(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, std::vector<int>& opposite_triangles) {
     const std::size_t few = 16; // of more the sweep is as quick
     if (side1.points.size() > few || side1.points.size() != side2.points.size() ||
         side1.triangles.size() != side2.triangles.size())
@@ -197,14 +197,14 @@ bool lie_on_each_other(const PlaneMesh& side1, const PlaneMesh& side2, double to
         if (same == side2.points.end()) return false;
         there[i] = static_cast<int>(same - side2.points.begin());
     }
-    twins.clear();
+    opposite_triangles.clear();
     for (const auto& one : side1.triangles) {
-        const auto twin = std::find_if(side2.triangles.begin(), side2.triangles.end(), [&](const auto& two) {
+        const auto opposite = std::find_if(side2.triangles.begin(), side2.triangles.end(), [&](const auto& two) {
             return std::all_of(one.begin(), one.end(),
                                [&](int v) { return std::find(two.begin(), two.end(), there[v]) != two.end(); });
         });
-        if (twin == side2.triangles.end()) return false;
-        twins.push_back(static_cast<int>(twin - side2.triangles.begin()));
+        if (opposite == side2.triangles.end()) return false;
+        opposite_triangles.push_back(static_cast<int>(opposite - side2.triangles.begin()));
     }
     return true;
 }
@@ -214,7 +214,7 @@ bool lie_on_each_other(const PlaneMesh& side1, const PlaneMesh& side2, double to
 void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result) {
     // Kept between calls, of which a search makes very many.
     static thread_local std::vector<SweepItem> sweep1, sweep2;
-    static thread_local std::vector<int> ring, twins;
+    static thread_local std::vector<int> ring, opposite_triangles;
     std::vector<OverlayPoint>& points = result.points;
     points.clear();
     result.second_moment.setZero();
@@ -272,8 +272,8 @@ void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, d
     };
 
     // To the last bit what the sweep would give.
-    if (lie_on_each_other(side1, side2, tolerance, twins)) {
-        for (const auto& one : sweep1) add_piece(one, twins[one.triangle], Polygon(one.corners));
+    if (lie_on_each_other(side1, side2, tolerance, opposite_triangles)) {
+        for (const auto& one : sweep1) add_piece(one, opposite_triangles[one.triangle], Polygon(one.corners));
     } else {
         sweep_of(side2, sweep2);
         for (auto& item : sweep2) item.find_sides(tolerance);
@@ -468,9 +468,9 @@ PlaneMesh radial_mesh(const PlaneMesh& mesh, FaceTriangles triangles) {
     for (const auto& t : mesh.triangles) {
         for (int k = 0; k < 3; ++k) {
             const std::array<int, 2> edge{t[k], t[(k + 1) % 3]};
-            const auto twin = std::find(outline.begin(), outline.end(), std::array<int, 2>{edge[1], edge[0]});
-            if (twin == outline.end()) outline.push_back(edge);
-            else outline.erase(twin);
+            const auto opposite = std::find(outline.begin(), outline.end(), std::array<int, 2>{edge[1], edge[0]});
+            if (opposite == outline.end()) outline.push_back(edge);
+            else outline.erase(opposite);
         }
         const Vec2 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
         const double area = cross(b - a, c - a);

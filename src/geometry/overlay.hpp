@@ -48,7 +48,7 @@ enum class FaceTriangles : std::uint8_t {
     radial_8 ///< from its centre to its corners and the middles of its edges
 };
 
-/// The same face with other triangles. New points stand behind the old ones.
+/// The same face with other triangles. New points follow the old ones.
 PlaneMesh radial_mesh(const PlaneMesh& mesh, FaceTriangles triangles);
 
 /// The triangle of a mesh that holds a place, or the nearest one, with its barycentric weights (0 to 1).

@@ -49,13 +49,13 @@ std::optional<std::vector<TetMesh::BoundaryTriangle>> boundary_of(const MeshPoin
     return boundary;
 }
 
-std::optional<TetMesh> try_points(const Polyhedron& polyhedron, MeshPoints points, const Watch& watch) {
+std::optional<TetMesh> try_points(const Polyhedron& polyhedron, MeshPoints points, const ProgressCallback& progress) {
     std::vector<Tet> tetrahedra = delaunay(points.points);
     // Four points of one face make a flat tetrahedron by rounding alone.
     std::erase_if(tetrahedra, [&](const Tet& t) {
         return !common_faces(points, {t.begin(), t.end()}).empty();
     });
-    improve(polyhedron, points, tetrahedra, watch);
+    improve(polyhedron, points, tetrahedra, progress);
     auto boundary = boundary_of(points, tetrahedra);
     if (!boundary) return std::nullopt;
     TetMesh mesh{std::move(points.points), std::move(tetrahedra), std::move(*boundary)};
@@ -105,7 +105,7 @@ DihedralAngles dihedral_angles(const TetMesh& mesh) {
     return angles;
 }
 
-TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const Watch& watch) {
+TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const ProgressCallback& progress) {
     check_request(polyhedron, edge);
     std::optional<TetMesh> best;
     double best_angle = -1;
@@ -122,13 +122,13 @@ TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const Watch& watch)
         double clearance;
         bool centre;
     };
-    // How far lattice points keep from the surface decides on the layer beside it; which distance is best
+    // How far lattice points keep from the surface decides on the layer next to it; which distance is best
     // depends on how the lattice happens to meet the faces.
     constexpr std::array trials{Trial{0.6, false}, Trial{0.6, true},  Trial{0.5, true},
                                 Trial{0.7, true},  Trial{0.45, true}, Trial{0.8, true}};
     for (const Trial& trial : trials)
         if (best_angle < good_angle)
-            consider(try_points(polyhedron, place_points(polyhedron, edge, trial.clearance, trial.centre), watch));
+            consider(try_points(polyhedron, place_points(polyhedron, edge, trial.clearance, trial.centre), progress));
     if (!best)
         throw Diagnostic(
             "the block could not be filled with zones",

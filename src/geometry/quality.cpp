@@ -166,10 +166,10 @@ double common_volume(const Polyhedron& a, const Polyhedron& b) {
 /// What two blocks have in common over the volume of the smaller one. Where they only touch, round-off of the coordinates
 /// makes slivers whose volume has no meaning: the depth bounds it.
 double common_share(const Polyhedron& a, const Polyhedron& b, double smaller_volume) {
-    constexpr double touching = 1e-6; // of the size of the smaller one
+    constexpr double closed = 1e-6; // of the size of the smaller one
     const double extent = std::min(extent_of(a), extent_of(b));
-    const double depth = depth_of_overlap(a, b, touching * extent);
-    if (depth < touching * extent || !(smaller_volume > 0)) return 0;
+    const double depth = depth_of_overlap(a, b, closed * extent);
+    if (depth < closed * extent || !(smaller_volume > 0)) return 0;
     const double volume = std::min(common_volume(a, b), depth * extent * extent);
     return std::min(volume / smaller_volume, 1.0);
 }

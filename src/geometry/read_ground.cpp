@@ -2,6 +2,7 @@
 #include "geometry/ground.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/lower_case.hpp"
 #include "geometry/surface_files.hpp"
 
 #include <algorithm>
@@ -96,8 +97,7 @@ Ground ground_from_grid(std::string_view text, const std::string& file) {
         const auto words = words_of(content);
         if (words.empty()) return;
         if (std::isalpha(static_cast<unsigned char>(words.front().front())) && heights.empty()) {
-            std::string name(words.front());
-            std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            const std::string name = lower_case(words.front());
             const auto value = words.size() == 2 ? number(words[1]) : std::nullopt;
             if (!value) throw Diagnostic(fmt::format("{}:{}: '{}' must have one number", file, line, name));
             header[name] = *value;
@@ -146,8 +146,7 @@ Ground ground_from_grid(std::string_view text, const std::string& file) {
 }
 
 Ground read_ground(const std::string& path) {
-    std::string suffix = std::filesystem::path(path).extension().string();
-    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string suffix = lower_case(std::filesystem::path(path).extension().string());
     if (suffix == ".stl" || suffix == ".obj" || suffix == ".ply") {
         std::vector<Vec3> corners;
         std::vector<std::array<int, 3>> triangles;

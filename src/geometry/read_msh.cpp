@@ -187,7 +187,7 @@ private:
             node = static_cast<int>(found);
         }
         if (const std::string_view rest = words_.next_in_line(); !rest.empty())
-            words_.fail(fmt::format("'{}' stands behind the nodes of element {}", rest.substr(0, 30), number));
+            words_.fail(fmt::format("'{}' follows the nodes of element {}", rest.substr(0, 30), number));
         return result;
     }
 

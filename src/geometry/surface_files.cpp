@@ -1,6 +1,7 @@
 #include "geometry/surface_files.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/lower_case.hpp"
 #include "geometry/face_soup.hpp"
 #include "geometry/surface_checks.hpp"
 #include "geometry/words.hpp"
@@ -48,9 +49,7 @@ void need_surfaces(const std::vector<NamedSurface>& surfaces, const std::string&
 }
 
 std::vector<NamedSurface> read_surfaces(const std::string& path) {
-    std::string suffix = std::filesystem::path(path).extension().string();
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
+    const std::string suffix = lower_case(std::filesystem::path(path).extension().string());
     const auto format =
         std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.suffix == suffix; });
     if (format == formats.end())

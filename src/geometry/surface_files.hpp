@@ -18,7 +18,7 @@ struct NamedSurface {
 /// Throws Diagnostic with file and line when the file cannot be read.
 std::vector<NamedSurface> read_surfaces(const std::string& path);
 
-/// The readers behind it; `file` is the name for messages.
+/// The readers after it; `file` is the name for messages.
 std::vector<NamedSurface> read_stl(std::string_view bytes, const std::string& file);
 std::vector<NamedSurface> read_obj(std::string_view text, const std::string& file);
 std::vector<NamedSurface> read_ply(std::string_view bytes, const std::string& file);

@@ -19,8 +19,8 @@ using Tet = std::array<int, 4>;
 constexpr double wanted_quality = 0.45;
 constexpr double least_gain = 1e-6;
 constexpr int most_rounds = 12;
-constexpr std::size_t most_looks = 100;       ///< in all rounds, for each tetrahedron; a dozen is much
-constexpr std::size_t looks_between = 1024; ///< two calls of a Watch
+constexpr std::size_t most_tries = 100;       ///< in all rounds, for each tetrahedron; a dozen is much
+constexpr std::size_t tries_between = 1024; ///< two calls of a ProgressCallback
 /// Rings of more points are left alone: their edge is seldom the cause of a bad shape.
 constexpr std::size_t longest_ring = 9;
 
@@ -278,17 +278,17 @@ double shape_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
     return std::numbers::sqrt2 * six_volumes / (mean_square * std::sqrt(mean_square));
 }
 
-void improve(const Polyhedron& polyhedron, MeshPoints& points, std::vector<std::array<int, 4>>& tetrahedra, const Watch& watch) {
+void improve(const Polyhedron& polyhedron, MeshPoints& points, std::vector<std::array<int, 4>>& tetrahedra, const ProgressCallback& progress) {
     Changeable mesh(points, tetrahedra);
     // What is exchanged is looked at again in the same round, and neighbourhoods can take turns at being the better one.
-    const std::size_t most_looked_at = most_looks * (tetrahedra.size() + 1);
-    std::size_t looked_at = 0;
+    const std::size_t most_tried = most_tries * (tetrahedra.size() + 1);
+    std::size_t tried = 0;
     for (int round = 0; round < most_rounds; ++round) {
         bool changed = false;
         for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {
             if (!mesh.alive[t] || mesh.quality(mesh.tets[t]) >= wanted_quality) continue;
-            if (watch && looked_at % looks_between == 0) watch(0);
-            if (++looked_at > most_looked_at) break;
+            if (progress && tried % tries_between == 0) progress(0);
+            if (++tried > most_tried) break;
             if (exchange_around(mesh, t)) {
                 changed = true;
                 continue;
@@ -296,7 +296,7 @@ void improve(const Polyhedron& polyhedron, MeshPoints& points, std::vector<std::
             const Tet corners = mesh.tets[t];
             for (const int v : corners) changed |= move_point(polyhedron, mesh, v);
         }
-        if (!changed || looked_at > most_looked_at) break;
+        if (!changed || tried > most_tried) break;
     }
     tetrahedra.clear();
     for (std::size_t t = 0; t < mesh.tets.size(); ++t)

@@ -1,7 +1,7 @@
 // Better shapes for a mesh of tetrahedra. Private to geometry.
 #pragma once
 
-#include "base/watch.hpp"
+#include "base/progress_callback.hpp"
 #include "geometry/mesh_points.hpp"
 #include "geometry/polyhedron.hpp"
 
@@ -17,6 +17,6 @@ double shape_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 /// Moves points (within the faces and edges they lie on; vertices of the polyhedron stay) and exchanges
 /// tetrahedra around badly shaped ones while the worst of each neighbourhood gets better, as long as there is an end to it.
 void improve(const Polyhedron& polyhedron, MeshPoints& points, std::vector<std::array<int, 4>>& tetrahedra,
-             const Watch& watch = {});
+             const ProgressCallback& progress = {});
 
 } // namespace kaya

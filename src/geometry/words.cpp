@@ -1,6 +1,7 @@
 #include "geometry/words.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/lower_case.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -21,10 +22,7 @@ std::string shown(std::string_view word) {
 
 } // namespace
 
-bool same_word(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
+bool same_word(std::string_view a, std::string_view b) { return equal_ignoring_case(a, b); }
 
 bool Words::blank(char c) const {
     return c == ' ' || c == '\t' || c == '\r' || separators_.find(c) != std::string_view::npos;

@@ -56,7 +56,7 @@ std::size_t size_of(Scalar type) {
 }
 
 /// HDF5 prints its own stack of errors on the terminal unless it is told not to.
-/// Nor does it tidy up when the program ends: files are in memory and closed by us, and behind a failure for want of memory it crashes there.
+/// Nor does it tidy up when the program ends: files are in memory and closed by us, and after a failure for want of memory it crashes there.
 void silence() {
     H5dont_atexit(); // the first time before all else, later without effect
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

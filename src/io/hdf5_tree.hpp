@@ -35,7 +35,7 @@ public:
     void open_group(const std::string& name);
     void close_group();
 
-    /// A few numbers beside the data of the open group.
+    /// A few numbers next to the data of the open group.
     template <class T> void attribute(const std::string& name, const T* numbers, std::size_t count) {
         write_attribute(name, scalar_of<T>(), numbers, count);
     }

@@ -18,7 +18,7 @@ inline constexpr std::int32_t first_kept_format = 10;
 /// Name of an item of SaveExtras::scripts that is no state but a sentence about the file.
 inline constexpr std::string_view remark_item = "remark";
 
-/// What stands beside the model in a save file; the model does not depend on it.
+/// What stands besides the model in a save file; the model does not depend on it.
 struct SaveExtras {
     struct Item {
         std::string name;

@@ -121,7 +121,7 @@ std::string xml_text(const std::string& text) {
     return result;
 }
 
-/// `stem` is the name of the files before _N.vtu, without a folder: they stand beside the series, from number `first` on.
+/// `stem` is the name of the files before _N.vtu, without a folder: they stand next to the series, from number `first` on.
 std::string series_text(const std::string& stem, const std::vector<double>& times, std::size_t first) {
     std::string text = "<?xml version=\"1.0\"?>\n"
                        "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"

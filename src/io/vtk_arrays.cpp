@@ -21,7 +21,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// x_velocity beside velocity, x beside position, xx_stress beside stress.
+/// x_velocity next to velocity, x next to position, xx_stress next to stress.
 bool is_component(const Field& field) {
     const std::string_view name = field.name;
     const auto has = [&](const std::string& whole) {

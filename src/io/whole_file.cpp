@@ -66,7 +66,7 @@ void write_directly(const std::string& path, std::string_view content) {
     if (!file.close()) fail_to_write(path, errno);
 }
 
-// The name of an unfinished file is that of the file with this and six more characters behind it.
+// The name of an unfinished file is that of the file with this and six more characters after it.
 constexpr std::string_view unfinished_mark = ".kaya-", unfinished_end = "XXXXXX";
 
 /// What runs that were killed have left in a folder; a run that still writes holds its file by a lock. Once for each folder: a
@@ -88,7 +88,7 @@ void sweep(const std::filesystem::path& folder) {
     }
 }
 
-/// A new file beside the target, locked. Between its making and its lock another process may have swept it away: then another.
+/// A new file next to the target, locked. Between its making and its lock another process may have swept it away: then another.
 OpenFile unfinished_for(const std::string& target, const std::string& path) {
     for (;;) {
         std::string name = fmt::format("{}{}{}", target, unfinished_mark, unfinished_end);

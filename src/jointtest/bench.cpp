@@ -1,8 +1,8 @@
 #include "jointtest/bench.hpp"
 
 #include "base/diagnostic.hpp"
-#include "joints/arithmetic.hpp"
-#include "joints/given_values.hpp"
+#include "laws/arithmetic.hpp"
+#include "laws/given_values.hpp"
 #include "jointtest/fit_residuals.hpp"
 
 #include <algorithm>
@@ -103,7 +103,7 @@ BenchReport run_bench(JointRegistry& registry, const BenchOrder& order) {
     if (!figure)
         throw Diagnostic(fmt::format("{} could not be written", report.figure.string()), "is there room?", Fault::run);
     if (model.arithmetic() != 0)
-        curve.findings.push_back({0, fmt::format("it changes {}; that was put back behind each call", text_of_changes(model.arithmetic()))});
+        curve.findings.push_back({0, fmt::format("it changes {}; that was put back after each call", text_of_changes(model.arithmetic()))});
     if (const auto fault = fault_without_area(model, values); !fault.empty()) curve.findings.push_back({0, fault});
     report.odd = !curve.findings.empty();
     report.text = heading + report_of(curve) + remarks(order, path) + fmt::format("  wrote {}, {}", report.curve.string(), report.figure.string());

@@ -19,7 +19,7 @@ struct CsvTable {
     void add(std::string name, std::vector<double> values);
 };
 
-/// Commas, semicolons or tabs part the columns, as in the line of names; beside the last two a number may have a decimal
+/// Commas, semicolons or tabs part the columns, as in the line of names; next to the last two a number may have a decimal
 /// comma. Names come out in lower case, with underscores for blanks. Throws Diagnostic with file and line when a cell is no
 /// number or a row has another length.
 CsvTable read_csv(const std::filesystem::path& file);

@@ -245,7 +245,7 @@ Eigen::VectorXd begin(Residuals& residuals, const std::vector<std::string>& name
             throw Diagnostic(fmt::format("'{}' has no value to start from", p.name),
                              fmt::format("give a guess: {}=1", p.name));
         if (std::find(residuals.which.begin(), residuals.which.end(), index) != residuals.which.end())
-            throw Diagnostic(fmt::format("'{}' stands twice behind --fit", p.name),
+            throw Diagnostic(fmt::format("'{}' stands twice after --fit", p.name),
                              "name each property once");
         // On a limit the free number would have no slope.
         const double width =

@@ -11,7 +11,7 @@
 namespace kaya {
 
 /// A property between its limits as a free number, after MINUIT: a sine between two limits, a hyperbola
-/// beside one.
+/// next to one.
 class FreeNumber {
 public:
     FreeNumber(const JointModel::Property& p, double start);
@@ -20,7 +20,7 @@ public:
     double slope(double t) const { return (value(t + 1e-6) - value(t - 1e-6)) / 2e-6; }
     /// A value for `part` from 0 to 1: between the limits, or from a quarter of the start to four times it.
     double spread(double part) const;
-    /// In the thousandth of the range, or of the start, beside a limit.
+    /// In the thousandth of the range, or of the start, next to a limit.
     bool at_limit(double value) const;
 
 private:

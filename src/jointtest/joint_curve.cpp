@@ -23,7 +23,7 @@ PathPoint between(const PathPoint& a, const PathPoint& b, double t) {
     return p;
 }
 
-/// Drives the joint to points of the path, and remembers what the boundary needs.
+/// BoundaryHistories the joint to points of the path, and remembers what the boundary needs.
 class Bench {
 public:
     Bench(SingleJoint joint, const CurveSettings& settings) : joint_(std::move(joint)), settings_(settings) {}
@@ -97,32 +97,32 @@ private:
     }
 
     /// Growth per way of what answer(way) gives, over a small way. A jump does not get smaller with the way, as a stiffness
-    /// makes it: where halving says so, the growth behind the jump is taken.
-    template <class Answer> static double tangent(double reported, double before, double way, Answer answer) {
-        const double whole = answer(way) - before;
-        if (!(std::abs(whole) > reported * way)) return whole / way;
-        const double half = answer(0.5 * way) - before;
+    /// makes it: where halving says so, the growth after the jump is taken.
+    template <class Answer> static double tangent(double reported, double before, double shift, Answer answer) {
+        const double whole = answer(shift) - before;
+        if (!(std::abs(whole) > reported * shift)) return whole / shift;
+        const double half = answer(0.5 * shift) - before;
         constexpr double like_a_jump = 0.75; // of the whole way: a stiffness gives a half
-        return std::abs(half) > like_a_jump * std::abs(whole) ? (whole - half) / (0.5 * way) : whole / way;
+        return std::abs(half) > like_a_jump * std::abs(whole) ? (whole - half) / (0.5 * shift) : whole / shift;
     }
 
     /// Small further steps without time: closing, and on in the direction of the last motion.
     void measure_tangents(CurvePoint& p, const PathPoint& last) const {
         const double scale = std::max(std::abs(p.normal_stress), 1e-6 * p.normal_stiffness) / p.normal_stiffness;
-        p.normal_tangent = tangent(p.normal_stiffness, p.normal_stress, 1e-5 * scale, [&](double way) {
+        p.normal_tangent = tangent(p.normal_stiffness, p.normal_stress, 1e-5 * scale, [&](double shift) {
             SingleJoint closer = joint_.trial();
-            closer.step({-way, {}, 0});
+            closer.step({-shift, {}, 0});
             return closer.normal_stress();
         });
-        double way[2] = {joint_.shear_disp[0] - last.shear[0], joint_.shear_disp[1] - last.shear[1]};
-        const double length = std::hypot(way[0], way[1]);
+        double shift[2] = {joint_.shear_disp[0] - last.shear[0], joint_.shear_disp[1] - last.shear[1]};
+        const double length = std::hypot(shift[0], shift[1]);
         if (!(length > 0)) return;
-        for (double& part : way) part /= length;
-        p.shear_tangent = tangent(p.shear_stiffness, p.resistance[0] * way[0] + p.resistance[1] * way[1], 1e-2 * length, [&](double step) {
+        for (double& part : shift) part /= length;
+        p.shear_tangent = tangent(p.shear_stiffness, p.resistance[0] * shift[0] + p.resistance[1] * shift[1], 1e-2 * length, [&](double step) {
             SingleJoint further = joint_.trial();
-            further.step({0, {step * way[0], step * way[1]}, 0});
+            further.step({0, {step * shift[0], step * shift[1]}, 0});
             const auto resistance = further.shear_resistance();
-            return resistance[0] * way[0] + resistance[1] * way[1];
+            return resistance[0] * shift[0] + resistance[1] * shift[1];
         });
     }
 
@@ -132,11 +132,11 @@ private:
 };
 
 /// Says once of each kind what is odd.
-class Watch {
+class StepChecks {
 public:
-    explicit Watch(std::vector<Finding>& findings) : findings_(findings) {}
+    explicit StepChecks(std::vector<Finding>& findings) : findings_(findings) {}
 
-    void look(std::size_t step, const CurvePoint& before, const CurvePoint& now) {
+    void compare(std::size_t step, const CurvePoint& before, const CurvePoint& now) {
         constexpr double slack = 1.02; // a tangent over a finite step is not the one at its end
         if (now.normal_tangent > slack * std::max(now.normal_stiffness, before.normal_stiffness))
             say(0, step, fmt::format("normal stiffness is {:.4g}, the model reports {:.4g}: a run can blow up",
@@ -144,12 +144,12 @@ public:
         if (now.shear_tangent > slack * std::max(now.shear_stiffness, before.shear_stiffness))
             say(1, step, fmt::format("shear stiffness is {:.4g}, the model reports {:.4g}: a run can blow up",
                                      now.shear_tangent, now.shear_stiffness));
-        const double way = std::hypot(now.shear[0] - before.shear[0], now.shear[1] - before.shear[1]);
+        const double shift = std::hypot(now.shear[0] - before.shear[0], now.shear[1] - before.shear[1]);
         const double change = std::hypot(now.resistance[0] - before.resistance[0], now.resistance[1] - before.resistance[1]);
         const double strength = std::hypot(before.resistance[0], before.resistance[1]);
         // Elastic motion, and the part that a change of normal stress brings, explain so much of a change.
         const double relative = before.normal_stress > 0 ? std::abs(now.normal_stress / before.normal_stress - 1) : 1;
-        const double explained = slack * std::max(now.shear_stiffness, before.shear_stiffness) * way + 1.1 * relative * strength;
+        const double explained = slack * std::max(now.shear_stiffness, before.shear_stiffness) * shift + 1.1 * relative * strength;
         if (change > explained + 1e-9 * strength)
             say(2, step, fmt::format("shear stress jumps from {:.4g} to {:.4g}", strength,
                                      std::hypot(now.resistance[0], now.resistance[1])));
@@ -179,13 +179,13 @@ JointCurve follow_path(const JointModel& model, const std::vector<double>& value
                        const CurveSettings& settings) {
     Bench bench(SingleJoint(model, values, settings.area), settings);
     JointCurve curve;
-    Watch watch(curve.findings);
+    StepChecks checks(curve.findings);
     const auto note = [&](const PathPoint& last) {
         curve.points.push_back(bench.point(last));
         const auto& history = bench.joint().history;
         curve.history.emplace_back(history.begin(), history.begin() + static_cast<std::ptrdiff_t>(model.history.size()));
         const std::size_t n = curve.points.size();
-        if (n > 1) watch.look(n - 1, curve.points[n - 2], curve.points[n - 1]);
+        if (n > 1) checks.compare(n - 1, curve.points[n - 2], curve.points[n - 1]);
     };
     // To the first point in a straight line from nothing: that is not part of the test.
     PathPoint nothing = path.points.front();

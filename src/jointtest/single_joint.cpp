@@ -1,7 +1,7 @@
 #include "jointtest/single_joint.hpp"
 
 #include "base/diagnostic.hpp"
-#include "joints/lone_row.hpp"
+#include "laws/lone_row.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ SingleJoint::SingleJoint(const JointModel& model_, std::vector<double> values_, 
     : model(&model_), values(std::make_shared<const std::vector<double>>(std::move(values_))), area(area_) {
     if (const auto missing = model->missing(*values); !missing.empty())
         throw Diagnostic(fmt::format("joint model {} lacks {}", model->name, fmt::join(missing, ", ")),
-                         fmt::format("give it behind the name: {}=1e5", missing.front()));
+                         fmt::format("give it after the name: {}=1e5", missing.front()));
     if (const auto fault = model->check(*values); !fault.empty())
         throw Diagnostic(fmt::format("joint model {}: {}", model->name, fault), "correct the values");
     call({}, true);
@@ -79,9 +79,9 @@ void SingleJoint::step_to_stress(double stress, JointStep step) {
 std::string fault_without_area(const JointModel& model, const std::vector<double>& values) {
     try {
         SingleJoint joint(model, values, 0);
-        const double way = 1e-6 / std::max(1.0, std::abs(joint.normal_disp));
-        joint.step({-way, {way, 0}, 0});
-        joint.step({2 * way, {0, way}, 0});
+        const double shift = 1e-6 / std::max(1.0, std::abs(joint.normal_disp));
+        joint.step({-shift, {shift, 0}, 0});
+        joint.step({2 * shift, {0, shift}, 0});
         return {};
     } catch (const Diagnostic& failure) {
         return fmt::format("without an area, as a corner that just touches: {}", failure.message);

@@ -1,8 +1,8 @@
 // One sub-contact without an engine: a joint model is driven step by step, and steps can be tried.
 #pragma once
 
-#include "joints/batch.hpp"
-#include "joints/joint_model.hpp"
+#include "laws/batch.hpp"
+#include "laws/joint_model.hpp"
 
 #include <array>
 #include <cstdint>
@@ -48,7 +48,7 @@ public:
     std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
     JointObject object; ///< of a model that keeps one; a copy is a clone
 
-    /// Another one in the same state, for a step that is only tried: what the model writes beside its columns is not looked for.
+    /// Another one in the same state, for a step that is only tried: what the model writes next to its columns is not looked for.
     SingleJoint trial() const {
         SingleJoint copy = *this;
         copy.fenced_ = false;

@@ -42,10 +42,10 @@ struct Recovered {
 Recovered recover(Model& model, Row c, double lost) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
-    double& sunk = contacts.sunk[c];
+    double& overlap = contacts.unforced_overlap[c];
     const auto& margin = model.blocks.margin;
-    if (sunk < negligible * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]])) {
-        sunk = 0;
+    if (overlap < negligible * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]])) {
+        overlap = 0;
         return {};
     }
     const Span span = contacts.sub_contacts[c];
@@ -56,13 +56,13 @@ Recovered recover(Model& model, Row c, double lost) {
         force += subs.normal_force[s];
         stiffness += subs.normal_stiffness[s] * subs.area[s];
     }
-    double& account = contacts.given_up[c];
-    double closed = recovery * sunk;
+    double& account = contacts.withdrawn_energy[c];
+    double closed = recovery * overlap;
     const double wanted = (force + 0.5 * stiffness * closed) * closed, there = account + std::max(lost, 0.0);
     if (wanted > there) closed *= there / wanted; // what is then needed is no more, since it grows faster than the way
     const double needed = (force + 0.5 * stiffness * closed) * closed, of_account = std::min(needed, account);
     account -= of_account;
-    sunk -= closed;
+    overlap -= closed;
     for (Row s = span.first; s < span.end(); ++s)
         if (pushes(s)) subs.normal_force[s] += subs.normal_stiffness[s] * subs.area[s] * closed;
     return {needed - of_account, of_account};
@@ -158,7 +158,7 @@ bool opens_in_part(const Model& model, Row c) {
 }
 
 /// Geometry that was made after the last motion has not slid.
-bool has_new_geometry(const Model& model, Row c) { return model.contacts.slid[c] == 0; }
+bool has_new_geometry(const Model& model, Row c) { return model.contacts.slip_since_update[c] == 0; }
 
 void take_contact(const Model& model, Row c, JointForces& forces) {
     sum_contact(model, c, forces);
@@ -198,7 +198,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     JointSums sums;
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
     auto& subs = model.sub_contacts;
-    static thread_local std::vector<double> friction; // before the step, of contacts that have sunk; kept for its memory
+    static thread_local std::vector<double> friction; // before the step, of contacts that have overlap; kept for its memory
     JointWork before;
     friction.resize(batch.contacts.size());
     for (std::size_t i = 0; i < batch.contacts.size(); ++i) {
@@ -206,7 +206,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         if (follows_overlap(model, c)) sums.lost += move_overlap_contact(model, c, before);
         else move_contact(model, c, before);
         if (!batch.model->vectors.empty()) turn_kept_vectors(model, c, batch.model->vectors);
-        if (model.contacts.sunk[c] > 0) friction[i] = frictional_work(model, c);
+        if (model.contacts.unforced_overlap[c] > 0) friction[i] = frictional_work(model, c);
     }
     auto columns = columns_of(model, batch, model.clock.time_step, history.data());
     std::optional<BatchDashpots> dashpots;
@@ -235,7 +235,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
             sums.stiffness_changed = true;
             continue;
         }
-        if (model.contacts.sunk[c] > 0) {
+        if (model.contacts.unforced_overlap[c] > 0) {
             const Recovered energy = recover(model, c, frictional_work(model, c) - friction[i]);
             recovered += energy.of_friction;
             sums.returned += energy.of_account;

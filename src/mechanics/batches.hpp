@@ -2,14 +2,14 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
-#include "joints/batch.hpp"
+#include "laws/batch.hpp"
 #include "model/model.hpp"
 
 #include <vector>
 
 namespace kaya {
 
-/// Sub-contacts behind each other that share a property set.
+/// Sub-contacts one after the other that share a property set.
 struct Batch {
     const JointModel* model;
     Row properties;

@@ -2,7 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "geometry/box_pairs.hpp"
-#include "geometry/touch.hpp"
+#include "geometry/face_contact.hpp"
 #include "mechanics/phases.hpp"
 #include "mechanics/rotation.hpp"
 #include "model/ties.hpp"
@@ -19,7 +19,7 @@ namespace kaya {
 
 namespace {
 
-using What = Drives::What;
+using What = BoundaryHistories::What;
 
 std::uint8_t bit_of(int component) { return static_cast<std::uint8_t>(1 << component); }
 
@@ -55,58 +55,58 @@ Target of_gridpoint(const Model& model, Row g, int component) {
     return {model.blocks.id[b], g - model.blocks.gridpoints[b].first, component};
 }
 
-void add_drive(Model& model, What what, const Target& target, double amplitude, std::int32_t function) {
-    auto& drives = model.drives;
-    const std::size_t row = drives.size();
-    drives.resize(row + 1);
-    drives.block[row] = target.block;
-    drives.gridpoint[row] = target.gridpoint;
-    drives.what[row] = what;
-    drives.component[row] = target.component;
-    drives.amplitude[row] = amplitude;
-    drives.function[row] = function;
+void add_boundary_history(Model& model, What what, const Target& target, double amplitude, std::int32_t function) {
+    auto& histories = model.boundary_histories;
+    const std::size_t row = histories.size();
+    histories.resize(row + 1);
+    histories.block[row] = target.block;
+    histories.gridpoint[row] = target.gridpoint;
+    histories.what[row] = what;
+    histories.component[row] = target.component;
+    histories.amplitude[row] = amplitude;
+    histories.function[row] = function;
 }
 
 /// Velocity drives one by one for each gridpoint where their block has zones by now, so that single ones can be
 /// taken out; drives of blocks that are gone, and loads of whole blocks that have zones by now, are dropped.
-void tidy_drives(Model& model) {
-    auto& drives = model.drives;
+void tidy_boundary_histories(Model& model) {
+    auto& histories = model.boundary_histories;
     std::vector<Row> kept;
-    const std::size_t count = drives.size();
+    const std::size_t count = histories.size();
     for (std::size_t i = 0; i < count; ++i) {
-        const Row b = model.blocks.ids.row(drives.block[i]);
+        const Row b = model.blocks.ids.row(histories.block[i]);
         if (b == no_row) continue;
-        const bool zoned = drives.gridpoint[i] == no_row && model.blocks.deformable[b];
+        const bool zoned = histories.gridpoint[i] == no_row && model.blocks.deformable[b];
         if (!zoned) {
             kept.push_back(static_cast<Row>(i));
             continue;
         }
-        if (drives.what[i] == What::load || is_rotation(drives.component[i])) continue;
+        if (histories.what[i] == What::load || is_rotation(histories.component[i])) continue;
         for (Row g = 0; g < model.blocks.gridpoints[b].count; ++g) {
-            kept.push_back(static_cast<Row>(drives.size()));
-            add_drive(model, What::velocity, {drives.block[i], g, drives.component[i]}, drives.amplitude[i],
-                      drives.function[i]);
+            kept.push_back(static_cast<Row>(histories.size()));
+            add_boundary_history(model, What::velocity, {histories.block[i], g, histories.component[i]}, histories.amplitude[i],
+                      histories.function[i]);
         }
     }
-    if (kept.size() != count || drives.size() != count) drives.gather(kept);
+    if (kept.size() != count || histories.size() != count) histories.gather(kept);
 }
 
 /// Velocities of these targets change with time no more. `targets` is sorted here.
-void drop_velocity_drives(Model& model, std::vector<Target>& targets) {
-    if (model.drives.empty()) return;
-    tidy_drives(model);
+void drop_velocity_histories(Model& model, std::vector<Target>& targets) {
+    if (model.boundary_histories.empty()) return;
+    tidy_boundary_histories(model);
     std::ranges::sort(targets);
-    const auto& drives = model.drives;
+    const auto& histories = model.boundary_histories;
     std::vector<Row> kept;
-    for (std::size_t i = 0; i < drives.size(); ++i) {
-        const Target target{drives.block[i], drives.gridpoint[i], drives.component[i]};
-        if (drives.what[i] == What::load || !std::ranges::binary_search(targets, target))
+    for (std::size_t i = 0; i < histories.size(); ++i) {
+        const Target target{histories.block[i], histories.gridpoint[i], histories.component[i]};
+        if (histories.what[i] == What::load || !std::ranges::binary_search(targets, target))
             kept.push_back(static_cast<Row>(i));
     }
-    model.drives.gather(kept);
+    model.boundary_histories.gather(kept);
 }
 
-/// Loads that change with time, summed by what they act on before they become drives.
+/// Loads that change with time, summed by what they act on before they become histories.
 class LoadSums {
 public:
     LoadSums(Model& model, std::int32_t function) : model_(model), function_(function) {}
@@ -130,13 +130,13 @@ public:
         const Vec3 arm = quaternion(blocks.orientation[b]).conjugate() * (place - blocks.centroid[b]);
         on_block(b, axis, value);
         for (int k = 0; k < 3; ++k)
-            if (arm[k] != 0) on_block(b, Drives::motions + 3 * axis + k, value * arm[k]);
+            if (arm[k] != 0) on_block(b, BoundaryHistories::motions + 3 * axis + k, value * arm[k]);
     }
     void on_block(Row b, int component, double value) {
         add(of_block(model_, b, component), load_component(model_.blocks, b, component), value);
     }
     void finish() {
-        for (const auto& [target, value] : sums_) add_drive(model_, What::load, target, value, function_);
+        for (const auto& [target, value] : sums_) add_boundary_history(model_, What::load, target, value, function_);
         model_.properties_changed = true;
     }
 
@@ -153,7 +153,7 @@ std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& 
     // A face on which another block lies is not exterior.
     std::vector<char> covered(model.faces.size(), 0);
     for (std::size_t c = 0; c < model.contacts.size(); ++c)
-        if (model.contacts.touch[c] == Touch::face_face)
+        if (model.contacts.type[c] == ContactType::face_face)
             covered[model.contacts.face1[c]] = covered[model.contacts.face2[c]] = 1;
     for (const Row face : tied_faces(model)) covered[face] = 1;
     std::vector<Row> rows;
@@ -194,9 +194,9 @@ void prescribe_velocity(Model& model, const Bodies& bodies, int component, doubl
             if (constant) points.velocity[g][component] = value;
         });
     model.properties_changed = true;
-    drop_velocity_drives(model, targets);
+    drop_velocity_histories(model, targets);
     if (constant) return;
-    for (const Target& target : targets) add_drive(model, What::velocity, target, value, function);
+    for (const Target& target : targets) add_boundary_history(model, What::velocity, target, value, function);
 }
 
 void release_velocity(Model& model, const Bodies& bodies, int component) {
@@ -212,7 +212,7 @@ void release_velocity(Model& model, const Bodies& bodies, int component) {
             model.gridpoints.fixed[g] &= mask;
             targets.push_back(of_gridpoint(model, g, component));
         });
-    drop_velocity_drives(model, targets);
+    drop_velocity_histories(model, targets);
     model.properties_changed = true;
 }
 

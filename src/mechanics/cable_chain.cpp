@@ -46,7 +46,7 @@ double CableChain::left_over(std::size_t node) const {
 double CableChain::fill_step() {
     const std::size_t n = grout.size();
     diagonal_.assign(n, 0);
-    beside_.assign(n, 0); // of row i and column i + 1
+    adjacent_.assign(n, 0); // of row i and column i + 1
     step_.resize(n);
     double largest = 0, smallest = std::numeric_limits<double>::infinity();
     const auto see = [&](double stiffness) {
@@ -62,7 +62,7 @@ double CableChain::fill_step() {
         if (b.broken || force > b.yield_tension || force < -b.yield_compression) continue;
         diagonal_[i] += b.stiffness * b.first_cosine * b.first_cosine;
         diagonal_[i + 1] += b.stiffness * b.second_cosine * b.second_cosine;
-        beside_[i] -= b.stiffness * b.first_cosine * b.second_cosine;
+        adjacent_[i] -= b.stiffness * b.first_cosine * b.second_cosine;
     }
     for (std::size_t i = 0; i < n; ++i) {
         const Grout& g = grout[i];
@@ -73,16 +73,16 @@ double CableChain::fill_step() {
     for (std::size_t i = 0; i < n; ++i)
         if (grout[i].anchored) {
             diagonal_[i] = 1;
-            beside_[i] = 0;
-            if (i > 0) beside_[i - 1] = 0;
+            adjacent_[i] = 0;
+            if (i > 0) adjacent_[i - 1] = 0;
         }
     forces_ = step_;
     for (std::size_t i = 1; i < n; ++i) {
-        const double factor = beside_[i - 1] / diagonal_[i - 1];
-        diagonal_[i] -= factor * beside_[i - 1];
+        const double factor = adjacent_[i - 1] / diagonal_[i - 1];
+        diagonal_[i] -= factor * adjacent_[i - 1];
         step_[i] -= factor * step_[i - 1];
     }
-    for (std::size_t i = n; i-- > 0;) step_[i] = (step_[i] - (i + 1 < n ? beside_[i] * step_[i + 1] : 0)) / diagonal_[i];
+    for (std::size_t i = n; i-- > 0;) step_[i] = (step_[i] - (i + 1 < n ? adjacent_[i] * step_[i + 1] : 0)) / diagonal_[i];
     double power = 0;
     for (std::size_t i = 0; i < n; ++i) power += forces_[i] * step_[i];
     return power;

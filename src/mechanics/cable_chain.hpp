@@ -43,7 +43,7 @@ private:
     double tolerance() const;
     double fill_step();
 
-    std::vector<double> diagonal_, beside_, forces_, step_, before_; ///< kept for their memory
+    std::vector<double> diagonal_, adjacent_, forces_, step_, before_; ///< kept for their memory
 };
 
 } // namespace kaya

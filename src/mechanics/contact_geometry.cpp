@@ -24,7 +24,7 @@ constexpr double cos_of_flat = 0.9993908270190958, cos_of_still_flat = 0.9990482
 
 double flat_limit(const Model& model, Row old) {
     if (old == no_row) return cos_of_flat;
-    return model.contacts.touch[old] == Touch::face_face ? cos_of_still_flat : cos_of_flat_again;
+    return model.contacts.type[old] == ContactType::face_face ? cos_of_still_flat : cos_of_flat_again;
 }
 
 /// In parts of a block's margin: points that are one, and how narrow the common area of two faces may be. The blocks
@@ -53,7 +53,7 @@ struct FlatFace {
     bool is_radial;
     std::span<const Row> rows; ///< the gridpoint of each point of its own
 
-    void lay(const Model& model, const Surfaces& surfaces, Row face, const PlaneAxes& axes, const Vec3& origin) {
+    void project(const Model& model, const Surfaces& surfaces, Row face, const PlaneAxes& axes, const Vec3& origin) {
         rows = surfaces.corners(face);
         mesh.points.clear();
         for (const Row g : rows) {
@@ -66,7 +66,7 @@ struct FlatFace {
         is_radial = wanted != FaceTriangles::fan;
         if (is_radial) radial = radial_mesh(mesh, wanted);
     }
-    const PlaneMesh& laid() const { return is_radial ? radial : mesh; }
+    const PlaneMesh& found() const { return is_radial ? radial : mesh; }
 
     /// Of a rigid block's face: the corner at a place, or -1.
     int corner_at(const Vec2& place, double tolerance) const {
@@ -143,67 +143,67 @@ double share_of_point(const Model& model, const Surfaces& surfaces, Row block, c
 
 /// From half a degree to a degree and a half the areas go over from those of faces on each other to those of a block
 /// on its corners and edges, so that nothing jumps where one touch becomes the other.
-void go_over_to_corners(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, double cosine) {
+void go_over_to_corners(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double cosine) {
     constexpr double first = 0.5 * std::numbers::pi / 180, last = 3 * first;
     constexpr double cos_of_first = 0.9999619230641713;
     if (cosine >= cos_of_first) return;
     const double angle = std::acos(cosine);
-    const Row block1 = model.faces.block[touch.face1], block2 = model.faces.block[touch.face2];
+    const Row block1 = model.faces.block[geometry.face1], block2 = model.faces.block[geometry.face2];
     static thread_local std::vector<double> shares;
     shares.clear();
     double whole = 0;
-    for (const auto& point : touch.points) {
-        const double one = share_of_point(model, surfaces, block1, point.side1, touch.normal);
-        const double two = share_of_point(model, surfaces, block2, point.side2, -touch.normal);
+    for (const auto& point : geometry.points) {
+        const double one = share_of_point(model, surfaces, block1, point.side1, geometry.normal);
+        const double two = share_of_point(model, surfaces, block2, point.side2, -geometry.normal);
         // A vertex counts for itself; where edges cross, or vertices meet, the smaller of the two.
         const bool of_one = point.side1.weights[0] == 1, of_two = point.side2.weights[0] == 1;
         shares.push_back(of_one == of_two ? std::min(one, two) : of_one ? one : two);
         whole += shares.back();
     }
     if (whole == 0) return;
-    const double part = std::min(1.0, (angle - first) / (last - first)), scale = std::min(1.0, touch.area / whole);
-    touch.area = 0;
+    const double part = std::min(1.0, (angle - first) / (last - first)), scale = std::min(1.0, geometry.area / whole);
+    geometry.area = 0;
     for (std::size_t i = 0; i < shares.size(); ++i) {
-        double& area = touch.points[i].area;
+        double& area = geometry.points[i].area;
         area = (1 - part) * area + part * scale * shares[i];
-        touch.area += area;
+        geometry.area += area;
     }
-    touch.points.drop_if([](const TouchPoint& point) { return !(point.area > 0); });
+    geometry.points.drop_if([](const ContactPoint& point) { return !(point.area > 0); });
 }
 
 /// Sub-contacts at the vertices of the overlay of two faces.
-bool lay_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, double cosine, double margin,
+bool intersect_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double cosine, double margin,
                double tolerance) {
-    const PlaneAxes axes = axes_of(touch.normal);
-    const Vec3 origin = model.blocks.centroid[model.faces.block[touch.face2]]; // small numbers come of it
+    const PlaneAxes axes = axes_of(geometry.normal);
+    const Vec3 origin = model.blocks.centroid[model.faces.block[geometry.face2]]; // small numbers come of it
     static thread_local FlatFace face1, face2; // kept, since a search lays very many
-    face1.lay(model, surfaces, touch.face1, axes, origin);
-    face2.lay(model, surfaces, touch.face2, axes, origin);
-    const double edge = edge_between(model, model.faces.block[touch.face1], model.faces.block[touch.face2]);
+    face1.project(model, surfaces, geometry.face1, axes, origin);
+    face2.project(model, surfaces, geometry.face2, axes, origin);
+    const double edge = edge_between(model, model.faces.block[geometry.face1], model.faces.block[geometry.face2]);
     bool near = false;
-    static thread_local Overlay laid;
-    overlay(face1.laid(), face2.laid(), tolerance, edge, laid);
-    for (const auto& p : laid.points) {
-        TouchPoint& point = touch.points.add();
+    static thread_local Overlay found;
+    overlay(face1.found(), face2.found(), tolerance, edge, found);
+    for (const auto& p : found.points) {
+        ContactPoint& point = geometry.points.add();
         point.side1 = face1.attach(p.place, p.vertex1, p.triangle1, p.weights1);
         point.side2 = face2.attach(p.place, p.vertex2, p.triangle2, p.weights2);
         const Vec3 x1 = attached_position(model, point.side1), x2 = attached_position(model, point.side2);
         point.position = 0.5 * (x1 + x2);
         const Vec2 shift = p.centre - p.place;
         point.centre = point.position + shift.x() * axes.u + shift.y() * axes.v;
-        point.gap = touch.normal.dot(x2 - x1);
+        point.gap = geometry.normal.dot(x2 - x1);
         point.area = p.area;
-        point.meeting = p.vertex1 >= 0   ? Meeting::vertex_face
-                        : p.vertex2 >= 0 ? Meeting::face_vertex
-                                         : Meeting::edge_edge;
+        point.type = p.vertex1 >= 0   ? SubContactType::vertex_face
+                        : p.vertex2 >= 0 ? SubContactType::face_vertex
+                                         : SubContactType::edge_edge;
         near = near || point.gap < margin;
-        touch.area += point.area;
+        geometry.area += point.area;
     }
     if (!near) return false;
-    go_over_to_corners(model, surfaces, touch, cosine);
-    touch.touch = Touch::face_face;
-    touch.position.setZero();
-    for (const auto& point : touch.points) touch.position += point.area / touch.area * point.position;
+    go_over_to_corners(model, surfaces, geometry, cosine);
+    geometry.type = ContactType::face_face;
+    geometry.position.setZero();
+    for (const auto& point : geometry.points) geometry.position += point.area / geometry.area * point.position;
     return true;
 }
 
@@ -229,57 +229,57 @@ void add_middles(std::vector<Vec2>& polygon) {
 
 /// Sub-contacts of two faces of rigid blocks: the polygon that they have in common decides, and not the triangles that
 /// the faces are cut in.
-bool lay_rigid_faces(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, double margin, double tolerance) {
-    const PlaneAxes axes = axes_of(touch.normal);
-    const Row block1 = model.faces.block[touch.face1], block2 = model.faces.block[touch.face2];
+bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double margin, double tolerance) {
+    const PlaneAxes axes = axes_of(geometry.normal);
+    const Row block1 = model.faces.block[geometry.face1], block2 = model.faces.block[geometry.face2];
     const Vec3 origin = model.blocks.centroid[block2]; // small numbers come of it
     static thread_local FlatFace face1, face2; // kept, since a search lays very many
     static thread_local std::vector<Vec2> outline1, outline2, common;
-    static thread_local Overlay laid;
-    face1.lay(model, surfaces, touch.face1, axes, origin);
-    face2.lay(model, surfaces, touch.face2, axes, origin);
+    static thread_local Overlay found;
+    face1.project(model, surfaces, geometry.face1, axes, origin);
+    face2.project(model, surfaces, geometry.face2, axes, origin);
     take_outline(face1, outline1);
     take_outline(face2, outline2);
     common_polygon(outline1, outline2, tolerance, common);
     if (common.empty()) return false;
     const auto middles = [&](Row block) { return model.blocks.face_triangles[block] == FaceTriangles::radial_8; };
     if (middles(block1) || middles(block2)) add_middles(common);
-    points_of_polygon(common, edge_between(model, block1, block2), tolerance, laid);
+    points_of_polygon(common, edge_between(model, block1, block2), tolerance, found);
     bool near = false;
-    for (const auto& p : laid.points) {
-        TouchPoint& point = touch.points.add();
+    for (const auto& p : found.points) {
+        ContactPoint& point = geometry.points.add();
         const int corner1 = face1.corner_at(p.place, 2 * tolerance), corner2 = face2.corner_at(p.place, 2 * tolerance);
         point.side1 = face1.attach_corner_or_place(p.place, corner1);
         point.side2 = face2.attach_corner_or_place(p.place, corner2);
         const Vec3 x1 = attached_position(model, point.side1), x2 = attached_position(model, point.side2);
         point.position = 0.5 * (x1 + x2);
-        point.gap = touch.normal.dot(x2 - x1);
+        point.gap = geometry.normal.dot(x2 - x1);
         point.area = p.area;
-        const bool inside = &p - laid.points.data() >= static_cast<std::ptrdiff_t>(common.size());
-        point.meeting = corner1 >= 0   ? Meeting::vertex_face
-                        : corner2 >= 0 ? Meeting::face_vertex
-                        : inside       ? Meeting::face_face
-                                       : Meeting::edge_edge;
+        const bool inside = &p - found.points.data() >= static_cast<std::ptrdiff_t>(common.size());
+        point.type = corner1 >= 0   ? SubContactType::vertex_face
+                        : corner2 >= 0 ? SubContactType::face_vertex
+                        : inside       ? SubContactType::face_face
+                                       : SubContactType::edge_edge;
         near = near || point.gap < margin;
-        touch.area += point.area;
+        geometry.area += point.area;
     }
     if (!near) return false;
-    touch.touch = Touch::face_face;
-    touch.position.setZero();
-    for (const auto& point : touch.points) touch.position += point.area / touch.area * point.position;
+    geometry.type = ContactType::face_face;
+    geometry.position.setZero();
+    for (const auto& point : geometry.points) geometry.position += point.area / geometry.area * point.position;
     return true;
 }
 
 /// What lies opposite the face that gives the normal, or the edges that do.
-Touch touch_of_rigid(const Model& model, const Surfaces& surfaces, const TouchPlane& touch, Row block1, Row block2, double tolerance) {
-    if (touch.reference == 0) return Touch::edge_edge;
-    const Row other = touch.reference == 1 ? block2 : block1;
-    const Vec3 towards = touch.reference == 1 ? touch.normal : Vec3(-touch.normal); // lowest vertices along it touch
+ContactType type_of_rigid(const Model& model, const Surfaces& surfaces, const ContactPlane& geometry, Row block1, Row block2, double tolerance) {
+    if (geometry.reference == 0) return ContactType::edge_edge;
+    const Row other = geometry.reference == 1 ? block2 : block1;
+    const Vec3 towards = geometry.reference == 1 ? geometry.normal : Vec3(-geometry.normal); // lowest vertices along it touch
     const double low = lowest(surfaces.vertices(other), towards);
-    int touching = 0;
+    int closed = 0;
     for (Row g = model.blocks.gridpoints[other].first; g < model.blocks.gridpoints[other].end(); ++g)
-        touching += towards.dot(model.gridpoints.position[g]) <= low + tolerance;
-    return touching == 1 ? Touch::face_vertex : touching == 2 ? Touch::face_edge : Touch::face_face;
+        closed += towards.dot(model.gridpoints.position[g]) <= low + tolerance;
+    return closed == 1 ? ContactType::face_vertex : closed == 2 ? ContactType::face_edge : ContactType::face_face;
 }
 
 /// Whether a point lies inside a face, seen along the normal; gives the triangle's gridpoints and weights.
@@ -308,67 +308,67 @@ bool inside_face(const Model& model, Row face, const PlaneAxes& axes, const Vec3
 Attachment on_edge(const std::array<Row, 2>& ends, double t) { return {{ends[0], ends[1], ends[1]}, {1 - t, t, 0}}; }
 
 /// Sums over the points of a touch. Together they own no more than `most`.
-bool close_touch(TouchGeometry& touch, double most) {
-    if (touch.points.size() == 0) return false;
+bool complete_geometry(ContactGeometry& geometry, double most) {
+    if (geometry.points.size() == 0) return false;
     double whole = 0;
-    for (const auto& point : touch.points) whole += point.area;
+    for (const auto& point : geometry.points) whole += point.area;
     if (whole > most)
-        for (auto& point : touch.points) point.area *= most / whole;
+        for (auto& point : geometry.points) point.area *= most / whole;
     Vec3 centre = Vec3::Zero();
-    for (const auto& point : touch.points) {
-        touch.area += point.area;
+    for (const auto& point : geometry.points) {
+        geometry.area += point.area;
         centre += point.area * point.position;
     }
-    touch.position = centre / touch.area;
-    return touch.area > 0;
+    geometry.position = centre / geometry.area;
+    return geometry.area > 0;
 }
 
 /// The area of a face that the other block covers, seen along the normal of the face.
 double covered_area(const Model& model, const Surfaces& surfaces, Row face, Row other, const PlaneAxes& axes,
                     const Vec3& out, double tolerance) {
     static thread_local FlatFace own, above; // kept, since a search lays very many
-    static thread_local Overlay laid;
+    static thread_local Overlay found;
     const Vec3 origin = model.gridpoints.position[model.triangles.gridpoints[model.faces.triangles[face].first][0]];
-    own.lay(model, surfaces, face, axes, origin);
+    own.project(model, surfaces, face, axes, origin);
     double area = 0;
     const Span faces = model.blocks.faces[other];
     for (Row f = faces.first; f < faces.end(); ++f) {
         if (surfaces.normal(f).dot(out) > -0.01) continue; // looks the other way, or along
-        above.lay(model, surfaces, f, axes, origin);
-        overlay(own.mesh, above.mesh, tolerance, 0, laid);
-        for (const auto& point : laid.points) area += point.area;
+        above.project(model, surfaces, f, axes, origin);
+        overlay(own.mesh, above.mesh, tolerance, 0, found);
+        for (const auto& point : found.points) area += point.area;
     }
     return area;
 }
 
 /// One block on a face of the other that is not parallel to any of its own: its vertices over the face, and its edges
 /// where they cross the outline of the face.
-bool lay_on_face(const Model& model, const Surfaces& surfaces, TouchGeometry& touch, Row block1, Row block2, double margin, double tolerance) {
-    const bool face_of_first = touch.reference == 1;
-    const Row face = face_of_first ? touch.face1 : touch.face2;
+bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, Row block1, Row block2, double margin, double tolerance) {
+    const bool face_of_first = geometry.reference == 1;
+    const Row face = face_of_first ? geometry.face1 : geometry.face2;
     const Row own = face_of_first ? block1 : block2, other = face_of_first ? block2 : block1;
-    const Vec3 out = face_of_first ? touch.normal : Vec3(-touch.normal); // of the face
-    const PlaneAxes axes = axes_of(touch.normal);
+    const Vec3 out = face_of_first ? geometry.normal : Vec3(-geometry.normal); // of the face
+    const PlaneAxes axes = axes_of(geometry.normal);
     const auto& x = model.gridpoints.position;
-    const auto add = [&](const Attachment& on_own, const Attachment& on_other, Meeting meeting, double area) {
+    const auto add = [&](const Attachment& on_own, const Attachment& on_other, SubContactType type, double area) {
         const Vec3 lower = attached_position(model, on_own), upper = attached_position(model, on_other);
-        TouchPoint point;
+        ContactPoint point;
         point.gap = out.dot(upper - lower);
         if (point.gap > margin) return;
         point.side1 = face_of_first ? on_own : on_other;
         point.side2 = face_of_first ? on_other : on_own;
         point.position = 0.5 * (lower + upper);
-        point.meeting = meeting;
+        point.type = type;
         point.area = area;
-        for (const auto& there : touch.points)
+        for (const auto& there : geometry.points)
             if ((there.position - point.position).squaredNorm() <= tolerance * tolerance) return;
-        touch.points.add() = point;
+        geometry.points.add() = point;
     };
     const Span span = model.blocks.gridpoints[other];
     for (Row g = span.first; g < span.end(); ++g) {
         Attachment on_face;
         if (inside_face(model, face, axes, x[g], on_face))
-            add(on_face, {{g, g, g}, {1, 0, 0}}, face_of_first ? Meeting::face_vertex : Meeting::vertex_face,
+            add(on_face, {{g, g, g}, {1, 0, 0}}, face_of_first ? SubContactType::face_vertex : SubContactType::vertex_face,
                 share_of_vertex(model, other, g, -out));
     }
 
@@ -386,17 +386,17 @@ bool lay_on_face(const Model& model, const Surfaces& surfaces, TouchGeometry& to
             if (std::abs(crossed) <= 1e-9 * along.norm() * side.norm()) continue;
             const double t = cross(between, side) / crossed, s = cross(between, along) / crossed;
             if (t < 0 || t > 1 || s < 0 || s > 1) continue;
-            add(on_edge(o.ends, s), on_edge(e.ends, t), Meeting::edge_edge,
+            add(on_edge(o.ends, s), on_edge(e.ends, t), SubContactType::edge_edge,
                 std::min(share_of_edge(model, own, o.ends, out), share_of_edge(model, other, e.ends, -out)));
         }
     }
-    touch.touch = touch.points.size() == 1 && touch.points[0].meeting != Meeting::edge_edge ? Touch::face_vertex
-                                                                                          : Touch::face_edge;
-    return close_touch(touch, covered_area(model, surfaces, face, other, axes, out, tolerance));
+    geometry.type = geometry.points.size() == 1 && geometry.points[0].type != SubContactType::edge_edge ? ContactType::face_vertex
+                                                                                          : ContactType::face_edge;
+    return complete_geometry(geometry, covered_area(model, surfaces, face, other, axes, out, tolerance));
 }
 
 /// Two edges that cross.
-bool lay_edges(const Model& model, TouchGeometry& touch, const Separation& s, Row block1, Row block2, double margin) {
+bool join_edges(const Model& model, ContactGeometry& geometry, const Separation& s, Row block1, Row block2, double margin) {
     const auto& x = model.gridpoints.position;
     const Vec3 d1 = x[s.edge1[1]] - x[s.edge1[0]], d2 = x[s.edge2[1]] - x[s.edge2[0]];
     const Vec3 between = x[s.edge2[0]] - x[s.edge1[0]];
@@ -406,69 +406,69 @@ bool lay_edges(const Model& model, TouchGeometry& touch, const Separation& s, Ro
     const double t1 = (d1.dot(between) * c - d2.dot(between) * b) / determinant;
     const double t2 = (d1.dot(between) * b - d2.dot(between) * a) / determinant;
     if (t1 < -1e-9 || t1 > 1 + 1e-9 || t2 < -1e-9 || t2 > 1 + 1e-9) return false;
-    TouchPoint point;
+    ContactPoint point;
     point.side1 = on_edge(s.edge1, t1);
     point.side2 = on_edge(s.edge2, t2);
     const Vec3 x1 = x[s.edge1[0]] + t1 * d1, x2 = x[s.edge2[0]] + t2 * d2;
     point.position = 0.5 * (x1 + x2);
-    point.gap = touch.normal.dot(x2 - x1);
+    point.gap = geometry.normal.dot(x2 - x1);
     if (point.gap > margin) return false;
-    point.meeting = Meeting::edge_edge;
-    point.area = std::min(share_of_edge(model, block1, s.edge1, touch.normal),
-                          share_of_edge(model, block2, s.edge2, -touch.normal));
-    touch.touch = Touch::edge_edge;
-    touch.points.add() = point;
-    return close_touch(touch, std::numeric_limits<double>::infinity());
+    point.type = SubContactType::edge_edge;
+    point.area = std::min(share_of_edge(model, block1, s.edge1, geometry.normal),
+                          share_of_edge(model, block2, s.edge2, -geometry.normal));
+    geometry.type = ContactType::edge_edge;
+    geometry.points.add() = point;
+    return complete_geometry(geometry, std::numeric_limits<double>::infinity());
 }
 
 } // namespace
 
-double narrowest_touch(const Model& model, Row block1, Row block2) {
+double narrowest_contact(const Model& model, Row block1, Row block2) {
     return narrowest * std::min(model.blocks.margin[block1], model.blocks.margin[block2]);
 }
 
-bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
-                TouchGeometry& touch) {
+bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
+                ContactGeometry& geometry) {
     // A block's margin is a small part of its size.
     const double size = std::min(model.blocks.margin[block1], model.blocks.margin[block2]);
-    const double tolerance = coincidence * size, sliver = narrowest_touch(model, block1, block2);
+    const double tolerance = coincidence * size, sliver = narrowest_contact(model, block1, block2);
     const double flat = flat_limit(model, old);
     const Separation separation =
         find_separation(model, surfaces, block1, block2, {margin, 10 * tolerance, size, sliver, flat, persistence * size, old});
     if (separation.distance > margin || separation.normal.isZero(0)) return false;
 
-    touch.normal = separation.normal;
-    touch.reference = separation.face1 != no_row ? 1 : separation.face2 != no_row ? 2 : 0;
-    touch.face1 = separation.face1;
-    touch.face2 = separation.face2;
-    touch.area = 0;
-    touch.points.clear();
-    touch.kind = ContactKind::joint;
-    const bool flat_faces = touch.reference != 0 && separation.cosine > flat;
+    geometry.normal = separation.normal;
+    geometry.reference = separation.face1 != no_row ? 1 : separation.face2 != no_row ? 2 : 0;
+    geometry.face1 = separation.face1;
+    geometry.face2 = separation.face2;
+    geometry.area = 0;
+    geometry.points.clear();
+    geometry.kind = ContactKind::joint;
+    const bool flat_faces = geometry.reference != 0 && separation.cosine > flat;
     if (!model.blocks.deformable[block1] && !model.blocks.deformable[block2]) {
         // What has been an overlap stays one while the blocks are near: it would come back too late, with a blow.
         const bool overlaps = old != no_row && model.contacts.kind[old] == ContactKind::overlap;
-        if (flat_faces && separation.beside && !overlaps) return false;
+        if (flat_faces && separation.apart_sideways && !overlaps) return false;
         if (flat_faces) {
-            (touch.reference == 1 ? touch.face2 : touch.face1) = separation.opposite;
+            (geometry.reference == 1 ? geometry.face2 : geometry.face1) = separation.opposite;
             const double first = part_of_first(model, block1, block2);
-            touch.normal = (first * surfaces.normal(touch.face1) - (1 - first) * surfaces.normal(touch.face2)).normalized();
-            const bool laid = lay_rigid_faces(model, surfaces, touch, margin, tolerance);
-            if (laid && touch.area >= least_joint * least_contact_area(model, block1, block2)) return true;
-            if (!laid && !overlaps) return false;
-            touch.points.clear();
+            geometry.normal = (first * surfaces.normal(geometry.face1) - (1 - first) * surfaces.normal(geometry.face2)).normalized();
+            const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance);
+            if (found && geometry.area >= least_joint * least_contact_area(model, block1, block2)) return true;
+            if (!found && !overlaps) return false;
+            geometry.points.clear();
         }
-        touch.kind = ContactKind::overlap;
-        touch.touch = touch_of_rigid(model, surfaces, touch, block1, block2, tolerance);
-        touch.area = 0;
-        touch.gap = separation.distance;
+        geometry.kind = ContactKind::overlap;
+        geometry.type = type_of_rigid(model, surfaces, geometry, block1, block2, tolerance);
+        geometry.area = 0;
+        geometry.gap = separation.distance;
         return true;
     }
-    if (touch.reference == 0) return lay_edges(model, touch, separation, block1, block2, margin);
-    if (!flat_faces) return lay_on_face(model, surfaces, touch, block1, block2, margin, tolerance);
-    if (separation.beside) return false; // an edge or a corner beside another
-    (touch.reference == 1 ? touch.face2 : touch.face1) = separation.opposite;
-    return lay_faces(model, surfaces, touch, separation.cosine, margin, tolerance);
+    if (geometry.reference == 0) return join_edges(model, geometry, separation, block1, block2, margin);
+    if (!flat_faces) return project_on_face(model, surfaces, geometry, block1, block2, margin, tolerance);
+    if (separation.apart_sideways) return false; // an edge or a corner next to another
+    (geometry.reference == 1 ? geometry.face2 : geometry.face1) = separation.opposite;
+    return intersect_faces(model, surfaces, geometry, separation.cosine, margin, tolerance);
 }
 
 } // namespace kaya

@@ -10,19 +10,19 @@
 namespace kaya {
 
 /// One sub-contact to be.
-struct TouchPoint {
+struct ContactPoint {
     Vec3 position = Vec3::Zero(); ///< midway between the two surfaces
     Vec3 centre = Vec3::Zero(); ///< of its area, where a linear traction has its mean with the weights of the point; faces with zones only
     double gap = 0; ///< along the normal; negative: overlap
     double area = 0;
-    Meeting meeting = Meeting::vertex_face;
+    SubContactType type = SubContactType::vertex_face;
     Attachment side1, side2;
 };
 
 /// How two blocks touch, but for the places.
-struct TouchPlane {
+struct ContactPlane {
     ContactKind kind = ContactKind::joint;
-    Touch touch = Touch::face_face;
+    ContactType type = ContactType::face_face;
     Vec3 normal = Vec3::Zero(); ///< unit, from the first block to the second
     Vec3 position = Vec3::Zero();
     double area = 0;
@@ -32,37 +32,37 @@ struct TouchPlane {
 };
 
 /// The points of one touch, at the end of a list that holds those of others before them.
-class TouchPoints {
+class ContactPoints {
 public:
-    explicit TouchPoints(std::vector<TouchPoint>& list) : list_(&list), first_(list.size()) {}
+    explicit ContactPoints(std::vector<ContactPoint>& list) : list_(&list), first_(list.size()) {}
 
     auto begin() const { return list_->begin() + static_cast<std::ptrdiff_t>(first_); }
     auto end() const { return list_->end(); }
     std::size_t size() const { return list_->size() - first_; }
-    TouchPoint& operator[](std::size_t i) const { return (*list_)[first_ + i]; }
-    TouchPoint& add() { return list_->emplace_back(); }
+    ContactPoint& operator[](std::size_t i) const { return (*list_)[first_ + i]; }
+    ContactPoint& add() { return list_->emplace_back(); }
     void clear() { list_->resize(first_); }
     template <class Unwanted> void drop_if(Unwanted unwanted) { list_->erase(std::remove_if(begin(), end(), unwanted), end()); }
 
 private:
-    std::vector<TouchPoint>* list_;
+    std::vector<ContactPoint>* list_;
     std::size_t first_;
 };
 
-struct TouchGeometry : TouchPlane {
-    TouchPoints points;
+struct ContactGeometry : ContactPlane {
+    ContactPoints points;
 };
 
 /// Faces whose common area is no wider than this do not touch.
-double narrowest_touch(const Model& model, Row block1, Row block2);
+double narrowest_contact(const Model& model, Row block1, Row block2);
 
 /// The touch of two blocks whose surfaces are nearer than `margin`; nothing when they are farther apart
 /// or touch in an edge or corner of parallel faces without area. Returns whether there is one; if not, points may be
 /// left over. Two rigid blocks touch along a joint where their faces lie on each other, or in an overlap; of an overlap
 /// the points are not given.
 /// `old` is the contact that they have so far, if any.
-bool find_touch(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
-                TouchGeometry& touch);
+bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
+                ContactGeometry& geometry);
 
 /// Where a sub-contact's side is now.
 inline Vec3 attached_position(const Model& model, const Attachment& side) {

@@ -116,7 +116,7 @@ void find_contacts(Model& model, JointRegistry& joints) {
     make_ties(model); // tied blocks have no contact
     model.tables([](const char*, auto& table) { table.trim(); });
     ContactSearch{}.search(model, joints, false);
-    give_back_memory(); // the search takes much for a moment, and the columns made meanwhile stand behind it on the heap
+    give_back_memory(); // the search takes much for a moment, and the columns made meanwhile follow it on the heap
     model.structure_changed = false;
     model.properties_changed = model.lists_changed = true;
 }

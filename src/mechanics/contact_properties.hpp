@@ -1,7 +1,7 @@
 // Giving contacts their joint model and its values.
 #pragma once
 
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "model/model.hpp"
 
 #include <string>

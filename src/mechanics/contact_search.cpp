@@ -27,14 +27,14 @@ constexpr double far_slide = 2; ///< in parts of the margin
 /// Blocks that have gone this part of their margins are looked at together in every so many cycles. When a block is
 /// looked at depends on itself and the cycle only: an unrelated block far away does not change a bit of its motion.
 constexpr double moved_part = 0.35;
-constexpr std::int64_t look_interval = 16;
+constexpr std::int64_t search_interval = 16;
 /// A fast block is looked at with the others too: its contacts are sought as far ahead as it comes until then, but not
 /// farther than so many margins.
 constexpr double farthest_ahead = 20;
 constexpr std::size_t grain = 32;
 
 /// How far a block can come in the time until the next search at the soonest, which is a step.
-double way_of_a_step(const Model& model, Row b) {
+double travel_of_a_step(const Model& model, Row b) {
     double fastest = 0;
     for (Row g = model.blocks.gridpoints[b].first; g < model.blocks.gridpoints[b].end(); ++g)
         fastest = std::max(fastest, gridpoint_velocity(model, g).squaredNorm());
@@ -42,21 +42,21 @@ double way_of_a_step(const Model& model, Row b) {
 }
 
 /// Whether a block goes the rest of its half margin before the next look at all, with its way of a step.
-bool is_fast(const Model& model, Row b, double way) {
-    return look_interval * way > (0.5 - moved_part) * model.blocks.margin[b];
+bool is_fast(const Model& model, Row b, double shift) {
+    return search_interval * shift > (0.5 - moved_part) * model.blocks.margin[b];
 }
 
 /// How far a block may go beyond half its margin before it is looked at again. The faces that lie on each other are those of the
 /// last look, so that a block that rolls does not look ahead.
-double way_ahead(const Model& model, Row b, double way) {
+double travel_ahead(const Model& model, Row b, double shift) {
     constexpr double rolling = 3e-3; // angle
-    if (look_interval * model.clock.time_step * model.blocks.rotational_velocity[b].norm() > rolling) return 0;
-    return is_fast(model, b, way) ? std::min(look_interval * way, farthest_ahead * model.blocks.margin[b]) : 0;
+    if (search_interval * model.clock.time_step * model.blocks.rotational_velocity[b].norm() > rolling) return 0;
+    return is_fast(model, b, shift) ? std::min(search_interval * shift, farthest_ahead * model.blocks.margin[b]) : 0;
 }
 
 /// How far a block may come beyond half its margin until it is looked at again: what was allowed for at the last look, and
 /// the step that takes it there.
-double way_beyond(const Model& model, Row b) { return 2 * way_of_a_step(model, b) - std::min(0.0, model.blocks.travelled[b]); }
+double travel_beyond(const Model& model, Row b) { return 2 * travel_of_a_step(model, b) - std::min(0.0, model.blocks.travelled[b]); }
 
 /// How far apart two blocks may be and still touch: a contact must be there before either arrives.
 double reach(const Model& model, const std::vector<double>& beyond, Row b1, Row b2) {
@@ -80,17 +80,17 @@ double widest_gap(const Model& model, Row contact) {
 }
 
 /// The touch of two blocks with the contact that they have so far, which is kept across a gap that carries force.
-bool find_kept_touch(const Model& model, const Surfaces& surfaces, Row b1, Row b2, Row contact, double margin,
-                     TouchGeometry& touch) {
+bool update_geometry(const Model& model, const Surfaces& surfaces, Row b1, Row b2, Row contact, double margin,
+                     ContactGeometry& geometry) {
     // Where faces lie on each other as before there is no need to know how far apart they are.
-    const bool found = find_touch(model, surfaces, b1, b2, contact, margin, touch);
-    if (contact == no_row || (found && touch.touch == Touch::face_face)) return found;
+    const bool found = find_geometry(model, surfaces, b1, b2, contact, margin, geometry);
+    if (contact == no_row || (found && geometry.type == ContactType::face_face)) return found;
     const double gap = widest_gap(model, contact);
-    return gap > 0 ? find_touch(model, surfaces, b1, b2, contact, margin + 2 * gap, touch) : found;
+    return gap > 0 ? find_geometry(model, surfaces, b1, b2, contact, margin + 2 * gap, geometry) : found;
 }
 
 /// How far the two sides of a contact have come from each other in its plane since its geometry was made.
-double way_slid(const Model& model, Row contact) {
+double slip_at(const Model& model, Row contact) {
     const auto& s = model.sub_contacts;
     const Vec3& n = model.contacts.normal[contact];
     double farthest = 0;
@@ -112,13 +112,13 @@ Box box_of(const Model& model, Row b, double margin) {
 }
 
 /// Two blocks that have each gone half the margin may have met.
-bool to_be_looked_at(const Model& model, std::size_t b) {
+bool is_due(const Model& model, std::size_t b) {
     const double margin = model.blocks.margin[b], travelled = model.blocks.travelled[b];
-    if (model.clock.cycle % look_interval != 0) return travelled > 0.5 * margin;
+    if (model.clock.cycle % search_interval != 0) return travelled > 0.5 * margin;
     if (travelled > moved_part * margin) return true;
     const Row row = static_cast<Row>(b);
-    const double way = way_of_a_step(model, row);
-    return way_ahead(model, row, way) > 0 && travelled + look_interval * way > 0.5 * margin;
+    const double shift = travel_of_a_step(model, row);
+    return travel_ahead(model, row, shift) > 0 && travelled + search_interval * shift > 0.5 * margin;
 }
 
 bool apart(const Box& a, const Box& b) {
@@ -129,7 +129,7 @@ bool apart(const Box& a, const Box& b) {
 struct Pair {
     Row block1, block2;
     Row old = no_row;
-    bool to_be_looked_at = true; ///< otherwise the contact stays as it is
+    bool is_due = true; ///< otherwise the contact stays as it is
 };
 
 /// Whether two blocks lie cornerwise: what their boxes have in common is no wider than `sliver` along two axes, so that no
@@ -151,8 +151,8 @@ std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int,
     const auto& margin = model.blocks.margin;
     const TiedBlocks tied(model);
     // What moves may be wider together before the next look.
-    const auto beside = [&](int a, int b) {
-        const double sliver = narrowest_touch(model, a, b) - (beyond[a] + beyond[b]);
+    const auto adjacent = [&](int a, int b) {
+        const double sliver = narrowest_contact(model, a, b) - (beyond[a] + beyond[b]);
         return cornerwise(boxes[a], boxes[b], margin[a] + beyond[a], margin[b] + beyond[b], sliver);
     };
     std::vector<Pair> pairs;
@@ -161,15 +161,15 @@ std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int,
     const auto blocks_of = [&](std::size_t row) { return std::array<int, 2>{contacts.block1[row], contacts.block2[row]}; };
     const auto add = [&](const std::array<int, 2>& pair, Row old) {
         if (joined(model, pair[0], pair[1]) && (!model.blocks.deformable[pair[0]] || tied.contains(pair[0], pair[1]))) return;
-        const bool look = moved[pair[0]] || moved[pair[1]];
-        if (look || old != no_row) pairs.push_back({pair[0], pair[1], old, look});
+        const bool due = moved[pair[0]] || moved[pair[1]];
+        if (due || old != no_row) pairs.push_back({pair[0], pair[1], old, due});
     };
     for (const auto& pair : near) {
         for (; c < contacts.size() && blocks_of(c) < pair; ++c) add(blocks_of(c), static_cast<Row>(c));
         if (c < contacts.size() && blocks_of(c) == pair) {
             add(pair, static_cast<Row>(c));
             ++c;
-        } else if (!apart(boxes[pair[0]], boxes[pair[1]]) && !beside(pair[0], pair[1])) {
+        } else if (!apart(boxes[pair[0]], boxes[pair[1]]) && !adjacent(pair[0], pair[1])) {
             add(pair, no_row);
         }
     }
@@ -178,21 +178,21 @@ std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int,
 }
 
 /// Places of an overlap to be: where the blocks will meet when they come as near as this part of the margin.
-constexpr double meeting_depth = 1e-3;
+constexpr double contact_depth = 1e-3;
 
-void add_overlap_points(const Model& model, Row b1, Row b2, TouchGeometry& touch) {
+void add_overlap_points(const Model& model, Row b1, Row b2, ContactGeometry& geometry) {
     ClosureOffset offset;
-    offset.closure = std::max(0.0, touch.gap) + meeting_depth * std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
+    offset.closure = std::max(0.0, geometry.gap) + contact_depth * std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
     const double least = least_contact_area(model, b1, b2);
-    const OverlapPatch patch = overlap_patch(model, {b1, b2, no_row, no_row, least}, touch.normal, offset);
-    touch.position = patch.carried > 0 ? patch.centre : 0.5 * (model.blocks.centroid[b1] + model.blocks.centroid[b2]);
-    touch.area = least;
+    const OverlapPatch patch = overlap_patch(model, {b1, b2, no_row, no_row, least}, geometry.normal, offset);
+    geometry.position = patch.carried > 0 ? patch.centre : 0.5 * (model.blocks.centroid[b1] + model.blocks.centroid[b2]);
+    geometry.area = least;
     for (Row k = 0; k < carriers; ++k) {
-        TouchPoint& point = touch.points.add();
-        point.position = touch.position;
-        point.gap = touch.gap;
+        ContactPoint& point = geometry.points.add();
+        point.position = geometry.position;
+        point.gap = geometry.gap;
         point.area = least / carriers;
-        point.meeting = Meeting::face_face;
+        point.type = SubContactType::face_face;
         const Row g1 = model.blocks.gridpoints[b1].first, g2 = model.blocks.gridpoints[b2].first;
         point.side1 = {{g1, g1, g1}, {1, 0, 0}};
         point.side2 = {{g2, g2, g2}, {1, 0, 0}};
@@ -219,13 +219,13 @@ bool may_close(const Model& model, Row contact) {
 
 /// Whether every place of a joint to be is well closed by what the overlap has now, and the joint would carry the same
 /// force with the same energy.
-bool closes_everywhere(const Model& model, Row contact, const TouchGeometry& touch) {
+bool closes_everywhere(const Model& model, Row contact, const ContactGeometry& geometry) {
     const auto& contacts = model.contacts;
     const Vec3& origin = model.blocks.centroid[contacts.block1[contact]];
     constexpr double least = 0.03; // of the depth: a joint that is about to open would go to and fro
     constexpr double same = 0.02;  // faces that grip each other at their edges would make one of a smaller area
     double volume = 0, square = 0;
-    for (const TouchPoint& p : touch.points) {
+    for (const ContactPoint& p : geometry.points) {
         const double closure = contacts.offset[contact] + contacts.offset_tilt[contact].dot(p.position - origin) - p.gap;
         if (!(closure > least * contacts.depth[contact])) return false;
         volume += p.area * closure;
@@ -236,53 +236,53 @@ bool closes_everywhere(const Model& model, Row contact, const TouchGeometry& tou
 }
 
 /// Faces that will meet all at once.
-bool is_parallel(const TouchGeometry& touch) {
+bool is_parallel(const ContactGeometry& geometry) {
     constexpr double same = 1e-9; // of the size
-    const auto [low, high] = std::minmax_element(touch.points.begin(), touch.points.end(),
-                                                 [](const TouchPoint& a, const TouchPoint& b) { return a.gap < b.gap; });
-    return high->gap - low->gap <= same * std::sqrt(touch.area);
+    const auto [low, high] = std::minmax_element(geometry.points.begin(), geometry.points.end(),
+                                                 [](const ContactPoint& a, const ContactPoint& b) { return a.gap < b.gap; });
+    return high->gap - low->gap <= same * std::sqrt(geometry.area);
 }
 
 /// What becomes of two rigid blocks that touch. A joint that opens in part becomes an overlap, one that is closed
 /// everywhere a joint; a joint that pulls stays what it is.
-DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving, TouchGeometry& touch) {
+DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving, ContactGeometry& geometry) {
     const bool in_place = !model.settings.large_strain;
     if (old == no_row) {
-        if (touch.kind == ContactKind::joint && (!moving || in_place || is_parallel(touch))) return DraftKind::new_geometry;
-        touch.kind = ContactKind::overlap;
-        touch.points.clear();
-        add_overlap_points(model, b1, b2, touch);
+        if (geometry.kind == ContactKind::joint && (!moving || in_place || is_parallel(geometry))) return DraftKind::new_geometry;
+        geometry.kind = ContactKind::overlap;
+        geometry.points.clear();
+        add_overlap_points(model, b1, b2, geometry);
         return DraftKind::overlap;
     }
     const bool was_joint = model.contacts.kind[old] == ContactKind::joint;
-    if (touch.kind == ContactKind::overlap) return was_joint && !any_row_pulls(model, old) ? DraftKind::overlap : DraftKind::as_it_was;
+    if (geometry.kind == ContactKind::overlap) return was_joint && !any_row_pulls(model, old) ? DraftKind::overlap : DraftKind::as_it_was;
     if (was_joint) return DraftKind::new_geometry;
-    return may_close(model, old) && closes_everywhere(model, old, touch) ? DraftKind::new_geometry : DraftKind::as_it_was;
+    return may_close(model, old) && closes_everywhere(model, old, geometry) ? DraftKind::new_geometry : DraftKind::as_it_was;
 }
 
 /// The drafts of those pairs that touch; their points are in `found`.
-std::vector<ContactDraft> find_touches(const Model& model, const Surfaces& surfaces, const std::vector<double>& beyond,
-                                       const std::vector<Pair>& pairs, bool moving, std::vector<FoundTouches>& found) {
+std::vector<ContactDraft> find_all(const Model& model, const Surfaces& surfaces, const std::vector<double>& beyond,
+                                       const std::vector<Pair>& pairs, bool moving, std::vector<FoundContacts>& found) {
     found.resize(std::max(found.size(), (pairs.size() + grain - 1) / grain)); // those that are there keep their memory
     for (auto& part : found) part.clear();
     for_chunks(pairs.size(), grain, [&](std::size_t first, std::size_t last) {
         stop_point();
-        FoundTouches& part = found[first / grain];
+        FoundContacts& part = found[first / grain];
         for (std::size_t i = first; i < last; ++i) {
-            const auto& [block1, block2, old, look] = pairs[i];
-            if (!look) {
+            const auto& [block1, block2, old, due] = pairs[i];
+            if (!due) {
                 part.drafts.push_back({block1, block2, old, DraftKind::as_it_was, {}, {}});
                 continue;
             }
-            TouchGeometry touch{{}, TouchPoints(part.points)};
-            if (!find_kept_touch(model, surfaces, block1, block2, old, reach(model, beyond, block1, block2), touch)) {
-                touch.points.clear();
+            ContactGeometry geometry{{}, ContactPoints(part.points)};
+            if (!update_geometry(model, surfaces, block1, block2, old, reach(model, beyond, block1, block2), geometry)) {
+                geometry.points.clear();
                 continue;
             }
             const bool rigid = !model.blocks.deformable[block1] && !model.blocks.deformable[block2];
-            const DraftKind kind = rigid ? kind_of_rigid(model, block1, block2, old, moving, touch) : DraftKind::new_geometry;
-            if (kind == DraftKind::as_it_was || (kind == DraftKind::overlap && old != no_row)) touch.points.clear();
-            part.drafts.push_back({block1, block2, old, kind, touch, {part.points.data(), touch.points.size()}});
+            const DraftKind kind = rigid ? kind_of_rigid(model, block1, block2, old, moving, geometry) : DraftKind::new_geometry;
+            if (kind == DraftKind::as_it_was || (kind == DraftKind::overlap && old != no_row)) geometry.points.clear();
+            part.drafts.push_back({block1, block2, old, kind, geometry, {part.points.data(), geometry.points.size()}});
         }
         part.close();
     });
@@ -295,24 +295,24 @@ std::vector<ContactDraft> find_touches(const Model& model, const Surfaces& surfa
 }
 
 /// The blocks of the pairs that are looked at, each once and in order.
-std::vector<Row> looked_at(const std::vector<Pair>& pairs) {
+std::vector<Row> is_due(const std::vector<Pair>& pairs) {
     std::vector<Row> blocks;
     for (const auto& pair : pairs)
-        if (pair.to_be_looked_at) blocks.insert(blocks.end(), {pair.block1, pair.block2});
+        if (pair.is_due) blocks.insert(blocks.end(), {pair.block1, pair.block2});
     std::sort(blocks.begin(), blocks.end());
     blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
     return blocks;
 }
 
 /// The contacts that have not slid join those that have, which are as in `drafts` or have parted.
-template <class Slid>
-std::vector<ContactDraft> with_the_others(const Model& model, std::vector<ContactDraft> drafts, Slid slid) {
+template <class Slipped>
+std::vector<ContactDraft> with_the_others(const Model& model, std::vector<ContactDraft> drafts, Slipped has_slipped) {
     const auto& contacts = model.contacts;
     std::vector<ContactDraft> all;
     auto next = drafts.begin();
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const Row row = static_cast<Row>(c);
-        if (!slid(c)) all.push_back({contacts.block1[c], contacts.block2[c], row, DraftKind::as_it_was, {}, {}});
+        if (!has_slipped(c)) all.push_back({contacts.block1[c], contacts.block2[c], row, DraftKind::as_it_was, {}, {}});
         else if (next != drafts.end() && next->old == row) all.push_back(std::move(*next++));
     }
     return all;
@@ -320,13 +320,13 @@ std::vector<ContactDraft> with_the_others(const Model& model, std::vector<Contac
 
 } // namespace
 
-void FoundTouches::clear() {
+void FoundContacts::clear() {
     drafts.clear();
     points.clear();
 }
 
-void FoundTouches::close() {
-    const TouchPoint* next = points.data();
+void FoundContacts::close() {
+    const ContactPoint* next = points.data();
     for (auto& draft : drafts) {
         draft.points = {next, draft.points.size()};
         next += draft.points.size();
@@ -335,7 +335,7 @@ void FoundTouches::close() {
 
 bool ContactSearch::due(const Model& model) {
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
-        if (to_be_looked_at(model, b)) return true;
+        if (is_due(model, b)) return true;
     return false;
 }
 
@@ -349,45 +349,45 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
     for_chunks(blocks.size(), 8 * grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t b = first; b < last; ++b) {
             const Row row = static_cast<Row>(b);
-            moved_[b] = !moving || to_be_looked_at(model, b);
-            if (moved_[b]) blocks.travelled[b] = moving ? -way_ahead(model, row, way_of_a_step(model, row)) : 0;
-            beyond_[b] = way_beyond(model, row);
+            moved_[b] = !moving || is_due(model, b);
+            if (moved_[b]) blocks.travelled[b] = moving ? -travel_ahead(model, row, travel_of_a_step(model, row)) : 0;
+            beyond_[b] = travel_beyond(model, row);
             boxes_[b] = box_of(model, row, blocks.margin[b] + beyond_[b]);
         }
     });
     const std::vector<Pair> pairs = pairs_of(model, near_.of(boxes_), boxes_, beyond_, moved_);
     stop_point();
-    surfaces_.update(model, looked_at(pairs));
-    return replace_contacts(model, joints, find_touches(model, surfaces_, beyond_, pairs, moving, found_), moving);
+    surfaces_.update(model, is_due(pairs));
+    return replace_contacts(model, joints, find_all(model, surfaces_, beyond_, pairs, moving, found_), moving);
 }
 
-ContactChange ContactSearch::refresh_slid(Model& model, JointRegistry& joints) {
+ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints) {
     auto& contacts = model.contacts;
     const auto& margin = model.blocks.margin;
     const bool all_together = model.clock.cycle % slide_interval == 0;
-    const auto slid = [&](std::size_t c) {
+    const auto has_slipped = [&](std::size_t c) {
         if (contacts.kind[c] == ContactKind::overlap) return all_together && may_close(model, static_cast<Row>(c));
-        if (contacts.slid[c] * contacts.slid[c] <= slide_tolerance * slide_tolerance * contacts.area[c]) return false;
+        if (contacts.slip_since_update[c] * contacts.slip_since_update[c] <= slide_tolerance * slide_tolerance * contacts.area[c]) return false;
         return all_together ||
-               contacts.slid[c] > far_slide * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]]);
+               contacts.slip_since_update[c] > far_slide * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]]);
     };
     // Going to and fro is no sliding.
     for_chunks(contacts.size(), 8 * grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c)
-            if (contacts.kind[c] == ContactKind::joint && slid(c)) contacts.slid[c] = way_slid(model, static_cast<Row>(c));
+            if (contacts.kind[c] == ContactKind::joint && has_slipped(c)) contacts.slip_since_update[c] = slip_at(model, static_cast<Row>(c));
     });
     std::vector<Pair> pairs;
     for (std::size_t c = 0; c < contacts.size(); ++c)
-        if (slid(c)) pairs.push_back({contacts.block1[c], contacts.block2[c], static_cast<Row>(c)});
+        if (has_slipped(c)) pairs.push_back({contacts.block1[c], contacts.block2[c], static_cast<Row>(c)});
     if (pairs.empty()) return ContactChange::none;
     const StopListener nobody([] {});
-    const std::vector<Row> wanted = looked_at(pairs);
+    const std::vector<Row> wanted = is_due(pairs);
     beyond_.resize(model.blocks.size());
-    for (const Row b : wanted) beyond_[b] = way_beyond(model, b);
+    for (const Row b : wanted) beyond_[b] = travel_beyond(model, b);
     surfaces_.update(model, wanted);
-    std::vector<ContactDraft> drafts = find_touches(model, surfaces_, beyond_, pairs, true, found_);
+    std::vector<ContactDraft> drafts = find_all(model, surfaces_, beyond_, pairs, true, found_);
     if (drafts.size() == pairs.size() && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
-    return replace_contacts(model, joints, with_the_others(model, std::move(drafts), slid), true);
+    return replace_contacts(model, joints, with_the_others(model, std::move(drafts), has_slipped), true);
 }
 
 } // namespace kaya

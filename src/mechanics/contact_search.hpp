@@ -1,7 +1,7 @@
 // Which blocks touch, and when to look again.
 #pragma once
 
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "mechanics/contact_table.hpp"
 #include "mechanics/near_pairs.hpp"
 #include "mechanics/surfaces.hpp"
@@ -12,9 +12,9 @@
 namespace kaya {
 
 /// Drafts that were found together, and the points that they refer to.
-struct FoundTouches {
+struct FoundContacts {
     std::vector<ContactDraft> drafts;
-    std::vector<TouchPoint> points; ///< of one draft after another
+    std::vector<ContactPoint> points; ///< of one draft after another
 
     void clear();
     void close(); ///< once all are there: points have moved while there came more
@@ -31,15 +31,15 @@ public:
     static bool due(const Model& model);
 
     /// Makes the geometry of contacts anew that have slid farther than their tolerance.
-    ContactChange refresh_slid(Model& model, JointRegistry& joints);
+    ContactChange refresh_slipped(Model& model, JointRegistry& joints);
 
 private:
     NearPairs near_;
     Surfaces surfaces_;
     std::vector<Box> boxes_;
-    std::vector<double> beyond_; ///< how far each block may come beyond half its margin, see way_beyond
+    std::vector<double> beyond_; ///< how far each block may come beyond half its margin, see travel_beyond
     std::vector<char> moved_;
-    std::vector<FoundTouches> found_;
+    std::vector<FoundContacts> found_;
 };
 
 } // namespace kaya

@@ -23,8 +23,8 @@ Row nearest(const SubContacts& s, Span span, const Vec3& place) {
     double least = std::numeric_limits<double>::infinity();
     for (Row row = span.first; row < span.end(); row += lane_count) {
         const LaneGroup group(span.end() - row);
-        const Lanes3 way = group.load(s.position, row) - to;
-        const Lanes d = way.dot(way);
+        const Lanes3 shift = group.load(s.position, row) - to;
+        const Lanes d = shift.dot(shift);
         for (Row i = 0; i < group.rows(); ++i)
             if (d[i] < least) {
                 least = d[i];
@@ -96,7 +96,7 @@ void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bo
 }
 
 /// Writes the geometry of a draft to its row.
-void write_contact(Model& model, Row c, const TouchPlane& g) {
+void write_contact(Model& model, Row c, const ContactPlane& g) {
     auto& contacts = model.contacts;
     contacts.kind[c] = g.kind;
     contacts.least_area[c] = between_rigid(model, c) ? least_contact_area(model, contacts.block1[c], contacts.block2[c]) : 0;
@@ -105,13 +105,13 @@ void write_contact(Model& model, Row c, const TouchPlane& g) {
     contacts.axis[c].setZero();
     contacts.face1[c] = g.face1;
     contacts.face2[c] = g.face2;
-    contacts.touch[c] = g.touch;
+    contacts.type[c] = g.type;
     contacts.reference[c] = g.reference;
     contacts.normal[c] = contacts.offset_normal[c] = g.normal;
     contacts.position[c] = g.position;
     contacts.area[c] = g.area;
     contacts.energy_length[c] = contacts.energy_taken[c] = contacts.withheld[c] = 0;
-    contacts.slid[c] = 0;
+    contacts.slip_since_update[c] = 0;
     contacts.joint_set[c] = g.face1 != no_row   ? model.faces.joint_set[g.face1]
                             : g.face2 != no_row ? model.faces.joint_set[g.face2]
                                                 : 0;
@@ -119,22 +119,22 @@ void write_contact(Model& model, Row c, const TouchPlane& g) {
 
 /// A plane that has turned by more than this (25 degrees) is another touch: what pushed one way says nothing about
 /// the other.
-constexpr double cos_of_other_touch = 0.906;
+constexpr double cos_of_other_type = 0.906;
 
 /// Gaps that differ by less than this part of a sub-contact's size are the same.
 constexpr double same_gap = 1e-9;
 
 /// Whether the same corner, or the same two edges, touch as before.
-bool same_features(const SubContacts& subs, Row s, const TouchPoint& point) {
-    if (subs.meeting[s] != point.meeting) return false;
-    const bool of_first = point.meeting == Meeting::vertex_face || point.meeting == Meeting::edge_edge;
-    const bool of_second = point.meeting == Meeting::face_vertex || point.meeting == Meeting::edge_edge;
+bool same_features(const SubContacts& subs, Row s, const ContactPoint& point) {
+    if (subs.type[s] != point.type) return false;
+    const bool of_first = point.type == SubContactType::vertex_face || point.type == SubContactType::edge_edge;
+    const bool of_second = point.type == SubContactType::face_vertex || point.type == SubContactType::edge_edge;
     return (!of_first || subs.side1[s].gridpoints == point.side1.gridpoints) &&
            (!of_second || subs.side2[s].gridpoints == point.side2.gridpoints);
 }
 
 /// Writes a point to a row that holds what its old sub-contact had, or nothing.
-void write_sub_contact(Model& model, Row s, const TouchPoint& point, const Vec3& n, bool fresh, bool flat,
+void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec3& n, bool fresh, bool flat,
                        Changes& changes) {
     auto& subs = model.sub_contacts;
     double area = point.area;
@@ -164,7 +164,7 @@ void write_sub_contact(Model& model, Row s, const TouchPoint& point, const Vec3&
             subs.normal_displacement_increment[s] = more;
         }
     }
-    subs.meeting[s] = point.meeting;
+    subs.type[s] = point.type;
     subs.side1[s] = point.side1;
     subs.side2[s] = point.side2;
     subs.position.set(s, point.position);
@@ -186,7 +186,7 @@ void clear_sub_contact(SubContacts& subs, Row s) {
 double keep_passive(Model& model, Row c, const ContactLoad& before) {
     const ContactLoad after(model, c);
     auto& subs = model.sub_contacts;
-    double& account = model.contacts.given_up[c];
+    double& account = model.contacts.withdrawn_energy[c];
     const double gain = after.energy - before.energy, allowed = std::min(gain, account);
     // Old debts of a hard blow are not paid to what rests there now.
     account = std::min(account - allowed, before.energy);
@@ -199,7 +199,7 @@ double keep_passive(Model& model, Row c, const ContactLoad& before) {
             subs.shear_force.set(s, shear * subs.shear_force[s]);
         }
         // The mean closure that belongs to the force which is not there now.
-        if (after.normal > 0) model.contacts.sunk[c] += (1 - normal) * 2 * after.energy / after.normal;
+        if (after.normal > 0) model.contacts.unforced_overlap[c] += (1 - normal) * 2 * after.energy / after.normal;
     }
     return before.stored() - normal * normal * after.energy - shear * shear * after.shear_energy;
 }
@@ -228,15 +228,15 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
     auto& subs = model.sub_contacts;
     const Vec3& n = draft.plane.normal;
     const Vec3 origin = model.blocks.centroid[draft.block1], shear = before.shear_sum - before.shear_sum.dot(n) * n;
-    const auto closure = [&](const TouchPoint& p) { return offset.closure + offset.tilt.dot(p.position - origin) - p.gap; };
+    const auto closure = [&](const ContactPoint& p) { return offset.closure + offset.tilt.dot(p.position - origin) - p.gap; };
     double whole = 0;
     for (const auto& point : draft.points) whole += point.area * closure(point);
     for (std::size_t i = 0; i < draft.points.size(); ++i) {
-        const TouchPoint& point = draft.points[i];
+        const ContactPoint& point = draft.points[i];
         const Row s = first + static_cast<Row>(i);
         const double part = point.area * closure(point) / whole;
         subs.contact[s] = c;
-        subs.meeting[s] = point.meeting;
+        subs.type[s] = point.type;
         subs.side1[s] = point.side1;
         subs.side2[s] = point.side2;
         subs.position.set(s, point.position);
@@ -291,7 +291,7 @@ bool keeps_places(const Model& model, const ContactDraft& draft) {
     if (draft.kind == DraftKind::as_it_was) return true;
     if (draft.kind == DraftKind::overlap) return draft.old != no_row;
     if (closes(model, draft)) return static_cast<Row>(draft.points.size()) == model.contacts.sub_contacts[draft.old].count;
-    if (draft.plane.normal.dot(model.contacts.normal[draft.old]) < cos_of_other_touch) return false;
+    if (draft.plane.normal.dot(model.contacts.normal[draft.old]) < cos_of_other_type) return false;
     const Span span = model.contacts.sub_contacts[draft.old];
     if (static_cast<Row>(draft.points.size()) != span.count) return false;
     for (Row i = 0; i < span.count; ++i)
@@ -332,7 +332,7 @@ double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, C
             continue;
         }
         for (Row i = 0; i < span.count; ++i)
-            write_sub_contact(model, span.first + i, draft.points[i], g.normal, false, g.touch == Touch::face_face, changes);
+            write_sub_contact(model, span.first + i, draft.points[i], g.normal, false, g.type == ContactType::face_face, changes);
         // Weights of gridpoints are in the lists.
         if (blocks.deformable[draft.block1] || blocks.deformable[draft.block2]) model.lists_changed = true;
     }
@@ -421,8 +421,8 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         const bool closing = draft.kind == DraftKind::new_geometry && draft.old != no_row && contacts.kind[c] == ContactKind::overlap;
         const bool is_new = draft.kind == DraftKind::new_geometry || (draft.kind == DraftKind::overlap && draft.old == no_row);
         const ClosureOffset offset{contacts.offset[c], contacts.offset_tilt[c]};
-        const bool other_touch = is_new && !closing && draft.old != no_row &&
-                                 draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_touch;
+        const bool other_type = is_new && !closing && draft.old != no_row &&
+                                 draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_type;
         if (is_new) write_contact(model, row, draft.plane);
         // What was made to overlap does so without force, and what is found too late begins without.
         if (draft.kind == DraftKind::overlap && draft.old == no_row) begin_without_force(model, row);
@@ -438,9 +438,9 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
                 subs.number[s] = model.next_sub_contact_number++;
             }
             if (!is_new || closing) continue;
-            if (other_touch) clear_sub_contact(subs, s);
+            if (other_type) clear_sub_contact(subs, s);
             write_sub_contact(model, s, draft.points[i], draft.plane.normal,
-                              other_touch || source == blank_sub, draft.plane.touch == Touch::face_face, changes);
+                              other_type || source == blank_sub, draft.plane.type == ContactType::face_face, changes);
         }
         if (closing) {
             const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.first == row; });

@@ -1,7 +1,7 @@
 // Filling the contact tables: new contacts, refreshed geometry, and what old sub-contacts hand on.
 #pragma once
 
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "mechanics/contact_geometry.hpp"
 #include "model/model.hpp"
 
@@ -22,8 +22,8 @@ struct ContactDraft {
     Row block1, block2;
     Row old = no_row; ///< the contact of the same blocks so far
     DraftKind kind = DraftKind::as_it_was;
-    TouchPlane plane;                    ///< when it is new
-    std::span<const TouchPoint> points{}; ///< also then; they belong to someone else
+    ContactPlane plane;                    ///< when it is new
+    std::span<const ContactPoint> points{}; ///< also then; they belong to someone else
 };
 
 /// What became of the contact tables.

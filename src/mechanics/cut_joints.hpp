@@ -1,7 +1,7 @@
 // What commands have given to the joints of a block stays with the pieces that the block is cut into.
 #pragma once
 
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "model/model.hpp"
 
 #include <vector>

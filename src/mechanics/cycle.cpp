@@ -95,7 +95,7 @@ struct Cycle::Scratch {
     ZoneLaws laws;
     ZoneScratch zones;
     std::vector<ElasticConstants> elastic;
-    DriveLists drives;
+    HistoryLists boundary_histories;
     QuietPoints quiet;
     TieLists ties;
     TimeStep step;
@@ -170,13 +170,13 @@ void Cycle::prepare() {
         });
     }
     if (model_.properties_changed) {
-        drive_loads(model_, s.drives, hooks);
+        apply_load_histories(model_, s.boundary_histories, hooks);
         if (s.adjacency.has_cables()) model_.energy.structure_work += run_cables(model_, s.cables);
         // Forces of what is there already, so that the first step starts from them.
         gather_forces(model_, s.adjacency, s.ties, s.joints, s.laws.tiles, s.zone_forces);
         model_.clock.time_step = 0;
         model_.clock.last_step = 0; // what a command has changed acts from now on
-        s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, TimeStep::Look::all_and_grow);
+        s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, TimeStep::Bodies::all_and_grow);
         model_.properties_changed = false;
     }
 }
@@ -195,7 +195,7 @@ void Cycle::make_lists() {
     s.batches = make_batches(model_, joints_);
     s.step.take(model_, s.batches);
     s.ties = TieLists(model_, s.elastic);
-    s.drives = list_drives(model_);
+    s.boundary_histories = list_boundary_histories(model_);
     put_water(model_);
     joint_forces(model_, s.joints);
     zone_forces(model_, s.laws, s.zone_forces);
@@ -210,25 +210,25 @@ void Cycle::adapt_viscosity(const MotionSums& motion) {
     viscosity = std::min(viscosity, 1 / model_.clock.time_step);
 }
 
-void Cycle::keep_account(const DriveSums& driven, const MotionSums& motion, const JointSums& joint_sums,
+void Cycle::keep_account(const HistorySums& prescribed, const MotionSums& motion, const JointSums& joint_sums,
                          const ZoneSums& zone_sums, double cable_work, double inner_power) {
     Energy& energy = model_.energy;
     // Velocities that were set from outside since the last step open the account anew by their energy.
-    energy.start += motion.kinetic_before - driven.kinetic - energy.kinetic;
+    energy.start += motion.kinetic_before - prescribed.kinetic - energy.kinetic;
     energy.kinetic = motion.kinetic;
     // The half step up to such a change was gone with the velocities before it, and not with those that bodies saw.
-    const double power_set = motion.inner_power - driven.inner_power - energy.inner_power;
+    const double power_set = motion.inner_power - prescribed.inner_power - energy.inner_power;
     const double half_step = 0.5 * model_.clock.time_step;
-    const bool opens = energy.behind == 0; // nothing is known of the half step before
-    const double half_step_before = opens ? half_step : energy.behind;
+    const bool opens = energy.lag == 0; // nothing is known of the half step before
+    const double half_step_before = opens ? half_step : energy.lag;
     energy.inner_power = inner_power;
-    energy.behind = half_step;
+    energy.lag = half_step;
     if (!model_.settings.energy) return;
     constexpr double rounding_of_sums = 1e-12;
     if (std::abs(power_set) > rounding_of_sums * motion.inner_power_size)
         (opens ? energy.start : energy.boundary) += half_step_before * power_set;
-    energy.gravity += driven.gravity + motion.gravity;
-    energy.boundary += driven.boundary + motion.boundary + joint_sums.fluid;
+    energy.gravity += prescribed.gravity + motion.gravity;
+    energy.boundary += prescribed.boundary + motion.boundary + joint_sums.fluid;
     energy.damped += motion.damped + joint_sums.damped + zone_sums.damped;
     energy.joint_work += joint_sums.work;
     energy.joint_friction += joint_sums.friction;
@@ -250,10 +250,10 @@ void Cycle::advance() {
     tell_of_forces(model_, joints_);
     // What begins to move does so overdamped, so that no joint slips in an overshoot before the viscosity has come down.
     if (model_.settings.damping == Damping::global && clock.global_viscosity == 0) clock.global_viscosity = 1 / clock.time_step;
-    DriveSums driven;
+    HistorySums prescribed;
     const MotionSums motion = s.timed(move, [&] {
-        driven = drive_velocities(model_, s.drives, hooks);
-        if (!s.drives.velocities.empty()) driven.add(follow_driven(model_, s.ties));
+        prescribed = apply_velocity_histories(model_, s.boundary_histories, hooks);
+        if (!s.boundary_histories.velocities.empty()) prescribed.add(follow_prescribed(model_, s.ties));
         MotionSums sums = move_blocks(model_, s.adjacency.bodies);
         sums.add(move_gridpoints(model_, s.quiet, s.ties));
         return sums;
@@ -273,7 +273,7 @@ void Cycle::advance() {
     ++clock.cycle;
     const ContactChange contacts_changed = s.timed(search, [&] {
         if (!model_.settings.large_strain) return ContactChange::none;
-        ContactChange change = s.search.refresh_slid(model_, joints_);
+        ContactChange change = s.search.refresh_slipped(model_, joints_);
         if (ContactSearch::due(model_)) change = std::max(change, s.search.search(model_, joints_, true));
         if (change == ContactChange::none) return change;
         // A contact that is new may have a joint material of its own.
@@ -284,17 +284,17 @@ void Cycle::advance() {
         return change;
     });
     const double inner_power = s.timed(gather, [&] {
-        drive_loads(model_, s.drives, hooks);
+        apply_load_histories(model_, s.boundary_histories, hooks);
         return gather_forces(model_, s.adjacency, s.ties, s.joints, s.laws.tiles, s.zone_forces);
     });
     run_hooks(hooks.after_forces);
 
     if (!std::isfinite(motion.kinetic) || !std::isfinite(clock.unbalanced_force)) throw motion_lost();
     adapt_viscosity(motion);
-    keep_account(driven, motion, joint_sums, zone_sums, cable_work, inner_power);
+    keep_account(prescribed, motion, joint_sums, zone_sums, cable_work, inner_power);
     s.step.audit(model_);
     clock.last_step = clock.time_step;
-    const bool follows = joint_sums.stiffness_changed || s.step.looks_ahead();
+    const bool follows = joint_sums.stiffness_changed || s.step.forecasts();
     if (follows || contacts_changed != ContactChange::none || may_grow)
         s.timed(step, [&] {
             if (may_grow) {
@@ -302,10 +302,10 @@ void Cycle::advance() {
                 zone_frequencies(model_, s.elastic);
                 add_tie_frequencies(model_, s.ties);
             }
-            const auto look = may_grow                                          ? TimeStep::Look::all_and_grow
-                              : follows && clock.cycle % follow_interval == 0 ? TimeStep::Look::all
-                                                                              : TimeStep::Look::marked;
-            s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, look);
+            const auto bodies = may_grow                                        ? TimeStep::Bodies::all_and_grow
+                              : follows && clock.cycle % follow_interval == 0 ? TimeStep::Bodies::all
+                                                                              : TimeStep::Bodies::marked;
+            s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, bodies);
         });
     s.timed(script, [&] { sample_histories(model_, hooks.script_value); });
     run_hooks(hooks.after_cycle);

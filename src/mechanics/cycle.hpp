@@ -1,7 +1,7 @@
 // One cycle of the explicit scheme: the only place where the order of the phases stands.
 #pragma once
 
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "model/model.hpp"
 
 #include <cstdint>
@@ -14,16 +14,16 @@ namespace kaya {
 
 struct MotionSums;
 struct JointSums;
-struct DriveSums;
+struct HistorySums;
 struct ZoneSums;
 
 /// Where scripts and programs are called inside a cycle. They may read all and write fields; a change
 /// of structure from inside waits for the end of the cycle.
 struct Hooks {
     std::vector<std::function<void()>> before_cycle, after_forces, after_cycle;
-    /// Value of a deck's function or variable, for histories of it and for what it drives.
+    /// Value of a deck's function or variable, for histories of it and for what it histories.
     std::function<double(const std::string&)> script_value;
-    /// Value of a numbered table at x, for what it drives.
+    /// Value of a numbered table at x, for what it histories.
     std::function<double(std::int64_t, double)> table_value;
 };
 
@@ -63,7 +63,7 @@ private:
     void make_lists();
     void take_zone_laws();
     void adapt_viscosity(const MotionSums& motion);
-    void keep_account(const DriveSums& driven, const MotionSums& motion, const JointSums& joint_sums,
+    void keep_account(const HistorySums& prescribed, const MotionSums& motion, const JointSums& joint_sums,
                       const ZoneSums& zone_sums, double cable_work, double inner_power);
     void run_hooks(const std::vector<std::function<void()>>& list);
 

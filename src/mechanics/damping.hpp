@@ -57,14 +57,14 @@ private:
         const double change = force - last;
         last = force;
         const double brake = 0.5 * combined * std::abs(push);
-        const double drive = push + (change == 0 ? 0 : std::copysign(brake, change));
-        if (velocity == 0) return drive > 0 ? std::fmax(drive - brake, 0) : std::fmin(drive + brake, 0);
-        const double against = drive - std::copysign(brake, velocity);
+        const double acting = push + (change == 0 ? 0 : std::copysign(brake, change));
+        if (velocity == 0) return acting > 0 ? std::fmax(acting - brake, 0) : std::fmin(acting + brake, 0);
+        const double against = acting - std::copysign(brake, velocity);
         const double next = velocity + against;
         if (next * velocity >= 0) return next;
         // It turns inside the step: the brake pulls the other way for the rest of it.
         const double rest = 1 + velocity / against;
-        const double after = rest * (drive + std::copysign(brake, velocity));
+        const double after = rest * (acting + std::copysign(brake, velocity));
         return after * velocity < 0 ? after : 0;
     }
 };

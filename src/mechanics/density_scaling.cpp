@@ -72,7 +72,7 @@ void book(Model& model, const Change& change) {
     Energy& energy = model.energy;
     energy.kinetic += change.kinetic;
     energy.inner_power += change.power;
-    if (model.settings.energy) energy.damped -= change.kinetic + change.power * energy.behind;
+    if (model.settings.energy) energy.damped -= change.kinetic + change.power * energy.lag;
 }
 
 /// A deformable block has the inertial mass of its gridpoints.

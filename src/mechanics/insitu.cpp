@@ -32,7 +32,7 @@ std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>
     for (const Row s : sub_contacts) {
         const Row c = subs.contact[s], b1 = contacts.block1[c], b2 = contacts.block2[c];
         places[s] = subs.position[s];
-        if (wanted[c] || contacts.touch[c] != Touch::face_face || !(model.blocks.deformable[b1] || model.blocks.deformable[b2])) continue;
+        if (wanted[c] || contacts.type[c] != ContactType::face_face || !(model.blocks.deformable[b1] || model.blocks.deformable[b2])) continue;
         wanted[c] = 1;
         blocks.insert(blocks.end(), {b1, b2});
     }
@@ -42,16 +42,16 @@ std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>
     Surfaces surfaces;
     surfaces.update(model, blocks);
     for_chunks(contacts.size(), 64, [&](std::size_t first, std::size_t last) {
-        std::vector<TouchPoint> list;
+        std::vector<ContactPoint> list;
         for (std::size_t i = first; i < last; ++i) {
             if (!wanted[i]) continue;
             const Row c = static_cast<Row>(i), b1 = contacts.block1[c], b2 = contacts.block2[c];
             list.clear();
-            TouchGeometry touch{{}, TouchPoints(list)};
-            if (!find_touch(model, surfaces, b1, b2, c, model.blocks.margin[b1] + model.blocks.margin[b2], touch)) continue;
+            ContactGeometry geometry{{}, ContactPoints(list)};
+            if (!find_geometry(model, surfaces, b1, b2, c, model.blocks.margin[b1] + model.blocks.margin[b2], geometry)) continue;
             const double near = 1e-6 * std::sqrt(contacts.area[c]);
             for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s)
-                for (const TouchPoint& point : touch.points)
+                for (const ContactPoint& point : geometry.points)
                     if ((point.position - Vec3(subs.position[s])).norm() <= near) places[s] = point.centre;
         }
     });

@@ -1,7 +1,7 @@
 // The stress that is in the ground before anything happens.
 #pragma once
 
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "mechanics/boundary.hpp"
 #include "model/model.hpp"
 

@@ -21,13 +21,13 @@ constexpr double coincidence = 2e-3;
 constexpr double least_area = 1e-6;
 
 /// A face in the coordinates of a plane.
-struct LaidFace {
+struct ProjectedFace {
     Row face;
     std::vector<Row> gridpoints; ///< of each point
     PlaneMesh mesh;
     double area = 0;
 
-    LaidFace(const Model& model, Row row, const Vec3& origin, const Vec3& u, const Vec3& v) : face(row) {
+    ProjectedFace(const Model& model, Row row, const Vec3& origin, const Vec3& u, const Vec3& v) : face(row) {
         std::map<Row, int> places;
         const Span span = model.faces.triangles[face];
         for (Row t = span.first; t < span.end(); ++t) {
@@ -50,7 +50,7 @@ struct LaidFace {
 };
 
 /// Zones by the gridpoints of their faces.
-class ZonesBehind {
+class ZonesBelow {
 public:
     Row zone(const Model& model, Row block, std::array<Row, 3> triangle) {
         auto& known = of_block_[block];
@@ -77,8 +77,8 @@ private:
 
 /// One side of a tie: the triangle's gridpoints with a vertex that lies at the place in front, and their
 /// weights.
-void attach(const Model& model, const LaidFace& face, int vertex, int triangle,
-            const std::array<double, 3>& weights, ZonesBehind& behind, std::array<Row, 3>& gridpoints,
+void attach(const Model& model, const ProjectedFace& face, int vertex, int triangle,
+            const std::array<double, 3>& weights, ZonesBelow& below, std::array<Row, 3>& gridpoints,
             std::array<double, 3>& of, Row& zone) {
     const Row block = model.faces.block[face.face], first = model.blocks.gridpoints[block].first;
     std::array<int, 3> corners = face.mesh.triangles[triangle];
@@ -88,11 +88,11 @@ void attach(const Model& model, const LaidFace& face, int vertex, int triangle,
         of = {1, 0, 0};
     }
     for (int k = 0; k < 3; ++k) gridpoints[k] = face.gridpoints[corners[k]];
-    zone = behind.zone(model, block, gridpoints);
+    zone = below.zone(model, block, gridpoints);
     for (Row& g : gridpoints) g -= first;
 }
 
-Vec3 place_of(const Model& model, const LaidFace& face, int vertex, int triangle,
+Vec3 place_of(const Model& model, const ProjectedFace& face, int vertex, int triangle,
               const std::array<double, 3>& weights) {
     const auto& x = model.gridpoints.position;
     if (vertex >= 0) return x[face.gridpoints[vertex]];
@@ -102,41 +102,41 @@ Vec3 place_of(const Model& model, const LaidFace& face, int vertex, int triangle
 }
 
 /// Ties two faces where they lie on each other.
-void tie_faces(Model& model, Row pair, const LaidFace& face1, const LaidFace& face2, const Vec3& normal,
-               double near, ZonesBehind& behind) {
-    static thread_local Overlay laid;
+void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const ProjectedFace& face2, const Vec3& normal,
+               double near, ZonesBelow& below) {
+    static thread_local Overlay found;
     const double tolerance = coincidence * near;
-    overlay(face1.mesh, face2.mesh, tolerance, 0, laid);
-    std::erase_if(laid.points, [&](const OverlayPoint& p) {
+    overlay(face1.mesh, face2.mesh, tolerance, 0, found);
+    std::erase_if(found.points, [&](const OverlayPoint& p) {
         const Vec3 between = place_of(model, face2, p.vertex2, p.triangle2, p.weights2) -
                              place_of(model, face1, p.vertex1, p.triangle1, p.weights1);
         return std::abs(between.dot(normal)) > near;
     });
     double common = 0;
-    for (const auto& p : laid.points) common += p.area;
+    for (const auto& p : found.points) common += p.area;
     if (!(common > least_area * std::min(face1.area, face2.area))) return;
     const bool same =
-        std::ranges::all_of(laid.points, [](const auto& p) { return p.vertex1 >= 0 && p.vertex2 >= 0; });
+        std::ranges::all_of(found.points, [](const auto& p) { return p.vertex1 >= 0 && p.vertex2 >= 0; });
     auto& ties = model.ties;
     Row row = static_cast<Row>(ties.size());
-    ties.resize(ties.size() + laid.points.size());
-    for (const auto& p : laid.points) {
+    ties.resize(ties.size() + found.points.size());
+    for (const auto& p : found.points) {
         ties.pair[row] = pair;
         ties.exact[row] = same;
         ties.face1[row] = face1.face - model.blocks.faces[model.faces.block[face1.face]].first;
         ties.face2[row] = face2.face - model.blocks.faces[model.faces.block[face2.face]].first;
-        attach(model, face1, p.vertex1, p.triangle1, p.weights1, behind, ties.gridpoints1[row],
+        attach(model, face1, p.vertex1, p.triangle1, p.weights1, below, ties.gridpoints1[row],
                ties.weights1[row], ties.zone1[row]);
-        attach(model, face2, p.vertex2, p.triangle2, p.weights2, behind, ties.gridpoints2[row],
+        attach(model, face2, p.vertex2, p.triangle2, p.weights2, below, ties.gridpoints2[row],
                ties.weights2[row], ties.zone2[row]);
         ties.area[row] = p.area;
         ++row;
     }
-    model.tied_pairs.ties[pair].count += static_cast<Row>(laid.points.size());
+    model.tied_pairs.ties[pair].count += static_cast<Row>(found.points.size());
 }
 
 /// Ties the faces of two blocks that lie on each other.
-void tie_blocks(Model& model, Row block1, Row block2, ZonesBehind& behind) {
+void tie_blocks(Model& model, Row block1, Row block2, ZonesBelow& below) {
     auto& pairs = model.tied_pairs;
     const auto& blocks = model.blocks;
     const Row pair = static_cast<Row>(pairs.size());
@@ -165,8 +165,8 @@ void tie_blocks(Model& model, Row block1, Row block2, ZonesBehind& behind) {
             if (-reach(f2, n, -1) - reach(f1, n, 1) > near || -reach(f1, n, -1) - reach(f2, n, 1) > near)
                 continue;
             const Vec3 origin = blocks.centroid[block2]; // small numbers come of it
-            tie_faces(model, pair, LaidFace(model, f1, origin, u, v), LaidFace(model, f2, origin, u, v), n,
-                      near, behind);
+            tie_faces(model, pair, ProjectedFace(model, f1, origin, u, v), ProjectedFace(model, f2, origin, u, v), n,
+                      near, below);
         }
     }
 }
@@ -221,9 +221,9 @@ void make_ties(Model& model) {
     bool any = false;
     for (std::size_t b = 0; b < blocks.size() && !any; ++b) any = untied(b);
     if (!any) return;
-    ZonesBehind behind;
+    ZonesBelow below;
     const auto first = static_cast<Row>(model.tied_pairs.size());
-    for (const auto& [a, b] : pairs_to_tie(model)) tie_blocks(model, a, b, behind);
+    for (const auto& [a, b] : pairs_to_tie(model)) tie_blocks(model, a, b, below);
     for (std::size_t b = 0; b < blocks.size(); ++b)
         if (untied(b)) blocks.tied_shape[b] = blocks.shape[b];
     for (Row p = first; p < static_cast<Row>(model.tied_pairs.size()); ++p) {

@@ -54,10 +54,10 @@ double place_vertices(Model& model, std::size_t b) {
     for (Row row = blocks.gridpoints[b].first; row < blocks.gridpoints[b].end(); ++row) {
         const Vec3& x = g.reference[row];
         const Lanes place = centroid + x[0] * arm_of[0] + x[1] * arm_of[1] + x[2] * arm_of[2];
-        const Lanes way = place - lanes(g.position[row]);
-        store(g.displacement[row], lanes(g.displacement[row]) + way);
+        const Lanes shift = place - lanes(g.position[row]);
+        store(g.displacement[row], lanes(g.displacement[row]) + shift);
         store(g.position[row], place);
-        travel = std::max(travel, sum(way * way));
+        travel = std::max(travel, sum(shift * shift));
     }
     return std::sqrt(travel);
 }
@@ -92,8 +92,8 @@ double work_on_arms(const Mat3& arms, const Vec3& turn_before, const Vec3& turn_
         const Rotor r = Rotor::by(Triple(angle));
         return quaternion(quaternion_of(r)).toRotationMatrix();
     };
-    const Mat3 way = turn(turn_now) - turn(-turn_before);
-    return 0.5 * way.cwiseProduct(arms.transpose()).sum();
+    const Mat3 shift = turn(turn_now) - turn(-turn_before);
+    return 0.5 * shift.cwiseProduct(arms.transpose()).sum();
 }
 
 /// Velocities and momentum after one step, and the orientation in large strain.
@@ -164,10 +164,10 @@ void move_block(Model& model, std::size_t b, const DampingFactors& damping, Moti
              blocks.angular_momentum[b], blocks.last_force[b], blocks.last_moment[b], blocks.orientation[b],
              roller.count == 0 ? nullptr : &roller},
             model.settings, model.clock, damping, sums);
-    const Vec3 way = blocks.velocity[b] * step;
-    blocks.displacement[b] += way;
+    const Vec3 shift = blocks.velocity[b] * step;
+    blocks.displacement[b] += shift;
     if (!model.settings.large_strain) return displace_vertices(model, b);
-    blocks.centroid[b] += way;
+    blocks.centroid[b] += shift;
     blocks.travelled[b] += place_vertices(model, b);
 }
 
@@ -226,9 +226,9 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
             displace_vertices(model, static_cast<std::size_t>(b));
             continue;
         }
-        const Vec3 way = velocity * step + (arm_after - arm);
-        blocks.displacement[b] += way;
-        blocks.centroid[b] += way;
+        const Vec3 shift = velocity * step + (arm_after - arm);
+        blocks.displacement[b] += shift;
+        blocks.centroid[b] += shift;
         if (b == first) {
             blocks.orientation[b] = after;
         } else {

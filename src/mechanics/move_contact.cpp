@@ -77,13 +77,13 @@ void move_between_rigid(Model& model, Row c, const Vec3& normal_before, JointWor
     const double half = large ? 0.5 : 0;
     const Triple middle = o + 0.5 * half * step * (two.at(o) + one.at(o)); // of the way of the origin
     const Triple velocity1 = one.at(middle), velocity2 = two.at(middle);
-    const Triple way = 0.5 * step * (velocity2 + velocity1), turn = 0.5 * step * (two.spin + one.spin);
+    const Triple shift = 0.5 * step * (velocity2 + velocity1), turn = 0.5 * step * (two.spin + one.spin);
 
     const Lanes3 n = normal.lanes(), origin = o.lanes();
     const Lanes3 n_middle = (0.5 * (normal + Triple(normal_before))).lanes();
     const Lanes3 apart = (step * (velocity2 - velocity1)).lanes();
     const Lanes3 apart_turn = (step * (two.spin - one.spin)).lanes();
-    const Lanes3 mean = way.lanes(), mean_turn = turn.lanes();
+    const Lanes3 mean = shift.lanes(), mean_turn = turn.lanes();
     const Lanes twist = Lanes::Constant(turn.dot(normal));
 
     const Span span = contacts.sub_contacts[c];
@@ -109,8 +109,8 @@ void move_between_rigid(Model& model, Row c, const Vec3& normal_before, JointWor
     }
     work.add(own);
     if (!large) return;
-    contacts.slid[c] += std::sqrt(farthest.maxCoeff());
-    contacts.position[c] += Vec3(way.x, way.y, way.z); // the origin of moments goes with the mean of the blocks
+    contacts.slip_since_update[c] += std::sqrt(farthest.maxCoeff());
+    contacts.position[c] += Vec3(shift.x, shift.y, shift.z); // the origin of moments goes with the mean of the blocks
 }
 
 /// Velocity of the material point of one side.
@@ -156,7 +156,7 @@ void move_between(Model& model, Row c, JointWork& work) {
         const Vec3 force = subs.shear_force[s];
         subs.shear_force.set(s, force - force.dot(n) * n);
     }
-    if (large) contacts.slid[c] += std::sqrt(farthest);
+    if (large) contacts.slip_since_update[c] += std::sqrt(farthest);
     for (Row row = span.first; row < span.end(); row += lane_count) {
         const LaneGroup group(span.end() - row);
         add_work(work, subs, row, group, group.load(subs.shear_force, row),

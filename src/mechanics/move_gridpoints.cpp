@@ -68,9 +68,9 @@ void advance_on_boundary(const Model& model, const MovingPoint& point, const Dam
 
 void place(Model& model, Row row) {
     auto& g = model.gridpoints;
-    const Vec3 way = g.velocity[row] * model.clock.time_step;
-    g.displacement[row] += way;
-    if (model.settings.large_strain) g.position[row] += way;
+    const Vec3 shift = g.velocity[row] * model.clock.time_step;
+    g.displacement[row] += shift;
+    if (model.settings.large_strain) g.position[row] += shift;
 }
 
 /// The velocity of a group before a step: what its members have in common; after an impact of parts, or when

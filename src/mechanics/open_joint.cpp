@@ -131,19 +131,19 @@ ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& cl
         o.closure = 0.5 * (low + high);
     };
     // Of the continuous joint the centre moves by tilt I / (A closure); where it is partly open by less and less.
-    double tilt_per_way = 12 * closures.deepest / (size * size);
-    Vec3 way_before = Vec3::Zero();
+    double tilt_per_shift = 12 * closures.deepest / (size * size);
+    Vec3 shift_before = Vec3::Zero();
     for (int i = 0; i < 60; ++i) {
         scale_to_force(offset);
         const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), n, offset);
         if (!(patch.carried > 0)) break;
-        Vec3 way = wanted - patch.centre;
-        way -= way.dot(n) * n;
-        if (way.norm() < 1e-3 * size) break;
-        tilt_per_way *= way.dot(way_before) < 0 ? 0.3 : 1.6;
-        way_before = way;
+        Vec3 shift = wanted - patch.centre;
+        shift -= shift.dot(n) * n;
+        if (shift.norm() < 1e-3 * size) break;
+        tilt_per_shift *= shift.dot(shift_before) < 0 ? 0.3 : 1.6;
+        shift_before = shift;
         // The tilt acts about the centre of the contact, or it would close the joint as a whole.
-        const Vec3 more = tilt_per_way * way;
+        const Vec3 more = tilt_per_shift * shift;
         offset.tilt += more;
         offset.closure -= more.dot(patch.centre - origin);
         constexpr double steepest = 0.2;
@@ -212,7 +212,7 @@ double follow_overlap(Model& model, Row c) {
     contacts.stiffness_area[c] = rung_above(std::max(patch.area, contacts.area[c]), contacts.least_area[c]);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     contacts.energy_taken[c] = closures.force * contacts.energy_length[c];
-    contacts.withheld[c] = contacts.slid[c] = contacts.sunk[c] = contacts.given_up[c] = 0;
+    contacts.withheld[c] = contacts.slip_since_update[c] = contacts.unforced_overlap[c] = contacts.withdrawn_energy[c] = 0;
     std::array<Vec3, carriers> places;
     places.fill(contacts.position[c]);
     if (patch.carried > 0) {

@@ -16,12 +16,12 @@ namespace {
 
 /// Motion of a rigid block in a step.
 struct StepMotion {
-    Vec3 way, turn, centre;
+    Vec3 shift, turn, centre;
 
     StepMotion(const Model& model, Row b)
-        : way(model.blocks.velocity[b] * model.clock.time_step), turn(model.blocks.rotational_velocity[b] * model.clock.time_step),
+        : shift(model.blocks.velocity[b] * model.clock.time_step), turn(model.blocks.rotational_velocity[b] * model.clock.time_step),
           centre(model.blocks.centroid[b]) {}
-    Vec3 at(const Vec3& place) const { return way + turn.cross(place - centre); }
+    Vec3 at(const Vec3& place) const { return shift + turn.cross(place - centre); }
 };
 
 /// Relative motion of block 2 in a step.
@@ -32,8 +32,8 @@ struct RelativeMotion {
     /// With the arms of the start of the step, for forces that acted then: they changed the kinetic energy with these.
     RelativeMotion at_start() const {
         RelativeMotion start = *this;
-        start.one.centre -= one.way;
-        start.two.centre -= two.way;
+        start.one.centre -= one.shift;
+        start.two.centre -= two.shift;
         return start;
     }
     Vec3 at(const Vec3& place) const { return two.at(place) - one.at(place); }
@@ -48,11 +48,11 @@ void add_work_of(const Model& model, Row c, const RelativeMotion& motion, JointW
     double joint = 0, friction = 0, fluid = 0, normal = 0;
     for (Row s = span.first; s < span.end(); ++s) {
         normal += subs.normal_force[s];
-        const Vec3 way = motion.at(subs.position[s]);
-        joint += (subs.normal_force[s] * n + subs.shear_force[s]).dot(way);
+        const Vec3 shift = motion.at(subs.position[s]);
+        joint += (subs.normal_force[s] * n + subs.shear_force[s]).dot(shift);
         friction += subs.frictional_work[s];
-        fluid += subs.pore_pressure[s] * subs.area[s] * n.dot(way);
-        if (damped) work.dashpots += (subs.dashpot_normal[s] * n + subs.dashpot_shear[s]).dot(way);
+        fluid += subs.pore_pressure[s] * subs.area[s] * n.dot(shift);
+        if (damped) work.dashpots += (subs.dashpot_normal[s] * n + subs.dashpot_shear[s]).dot(shift);
     }
     joint += normal * model.contacts.twist[c] * n.dot(motion.two.turn - motion.one.turn);
     work.joint[0] += joint;
@@ -178,18 +178,18 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
             subs.shear_displacement_increment.set(s, Vec3::Zero());
             continue;
         }
-        Vec3 way = apart; // of all rows of blocks that are apart: they stand in one place
+        Vec3 shift = apart; // of all rows of blocks that are apart: they stand in one place
         if (closed) {
             lost += change_area(subs, s, contacts.area[c] / carriers, patch.lies);
             subs.position.set(s, places[k]);
-            way = motion.at(places[k]);
+            shift = motion.at(places[k]);
         } else {
             subs.position.set(s, contacts.position[c]);
         }
         // The joint model's closure is the depth; it stays at what it was while the blocks are apart.
         const double displacement = subs.normal_displacement[s];
         subs.normal_displacement_increment[s] = closed ? -contacts.depth[c] - displacement : std::max(0.0, -displacement);
-        subs.shear_displacement_increment.set(s, way - way.dot(n) * n);
+        subs.shear_displacement_increment.set(s, shift - shift.dot(n) * n);
     }
     return lost;
 }

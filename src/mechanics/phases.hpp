@@ -48,21 +48,21 @@ class TieLists;
 class ZoneLaws;
 
 /// The drives by what they do, and room for the values of their functions; derived.
-struct DriveLists {
+struct HistoryLists {
     std::vector<Row> velocities, loads; ///< rows of Model::drives
     std::vector<std::int32_t> velocity_functions, load_functions;
     std::vector<double> factors; ///< of each time function
 };
 
-DriveLists list_drives(const Model& model);
+HistoryLists list_boundary_histories(const Model& model);
 
 /// What driven velocities do to the account of energy before the step.
-struct DriveSums {
+struct HistorySums {
     double kinetic = 0;           ///< change of kinetic energy
     double gravity = 0, boundary = 0;
     double inner_power = 0;       ///< change of the power of the forces of joints and zones
 
-    void add(const DriveSums& part) {
+    void add(const HistorySums& part) {
         kinetic += part.kinetic;
         gravity += part.gravity;
         boundary += part.boundary;
@@ -72,10 +72,10 @@ struct DriveSums {
 
 /// Sets the prescribed velocities that change with time to those of the middle of the step. Throws Diagnostic
 /// (Fault::run) when a function gives no number.
-DriveSums drive_velocities(Model& model, DriveLists& lists, const Hooks& hooks);
+HistorySums apply_velocity_histories(Model& model, HistoryLists& lists, const Hooks& hooks);
 
-/// Brings the loads that change with time to the time of the clock. Throws as drive_velocities does.
-void drive_loads(Model& model, DriveLists& lists, const Hooks& hooks);
+/// Brings the loads that change with time to the time of the clock. Throws as apply_velocity_histories does.
+void apply_load_histories(Model& model, HistoryLists& lists, const Hooks& hooks);
 
 /// Reads forces, loads, masses; writes velocities, positions, displacements, orientations of rigid blocks
 /// and the positions of their vertices. Joined blocks move as one.

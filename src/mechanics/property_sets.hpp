@@ -1,7 +1,7 @@
 // Property sets: one per joint model, joint material and history of commands; contacts share them.
 #pragma once
 
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "model/model.hpp"
 
 #include <string>

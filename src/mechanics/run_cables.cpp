@@ -27,13 +27,13 @@ bool in_rock(const Model& model, Row node) { return block_of_node(model, node) !
 void place_free_nodes(Model& model, const Span& span) {
     auto& nodes = model.structures.nodes;
     Row before = no_row; // the last node in the rock
-    Vec3 way = Vec3::Zero();
+    Vec3 shift = Vec3::Zero();
     for (Row node = span.first; node < span.end(); ++node) {
         if (in_rock(model, node)) {
             const Vec3 now = place_of_node(model, node);
-            way = now - nodes.position[node];
+            shift = now - nodes.position[node];
             if (before == no_row)
-                for (Row free = span.first; free < node; ++free) nodes.position[free] += way;
+                for (Row free = span.first; free < node; ++free) nodes.position[free] += shift;
             else
                 for (Row free = before + 1; free < node; ++free) {
                     const double part = static_cast<double>(free - before) / static_cast<double>(node - before);
@@ -45,7 +45,7 @@ void place_free_nodes(Model& model, const Span& span) {
     }
     if (before == no_row) return;
     // The way of the last one in the rock.
-    for (Row free = before + 1; free < span.end(); ++free) nodes.position[free] += way;
+    for (Row free = before + 1; free < span.end(); ++free) nodes.position[free] += shift;
 }
 
 /// Compression of the rock on all sides of the cable at a node, pore pressure taken off; 0 in rigid blocks.
@@ -91,9 +91,9 @@ void fill_chain(const Model& model, Row cable, CableChain& chain) {
         chain.slip[i] = nodes.slip[node];
         if (i + 1 < count) {
             auto& bar = chain.bars[i];
-            const Vec3 way = nodes.position[node + 1] - nodes.position[node];
-            const double length = way.norm();
-            const Vec3 direction = length > 0 ? Vec3(way / length) : Vec3(Vec3::Zero());
+            const Vec3 shift = nodes.position[node + 1] - nodes.position[node];
+            const double length = shift.norm();
+            const Vec3 direction = length > 0 ? Vec3(shift / length) : Vec3(Vec3::Zero());
             bar.stiffness = p.axial_stiffness() / nodes.bar_length[node];
             bar.gap = length - nodes.bar_length[node] - nodes.bar_yield[node];
             bar.first_cosine = along.dot(direction);
@@ -146,9 +146,9 @@ void take_chain(Model& model, Row cable, const CableChain& chain) {
 }
 
 Vec3 unit_between(const CableNodes& nodes, Row first, Row second) {
-    const Vec3 way = nodes.position[second] - nodes.position[first];
-    const double length = way.norm();
-    return length > 0 ? Vec3(way / length) : Vec3(Vec3::Zero());
+    const Vec3 shift = nodes.position[second] - nodes.position[first];
+    const double length = shift.norm();
+    return length > 0 ? Vec3(shift / length) : Vec3(Vec3::Zero());
 }
 
 /// Forces on the rock, and the work since the last call; `before` are the places then.
@@ -162,8 +162,8 @@ double take_forces(Model& model, Row cable, const std::vector<Vec3>& before) {
             if (node + 1 < span.end()) force += nodes.bar_force[node] * unit_between(nodes, node, node + 1);
             if (node > span.first) force -= nodes.bar_force[node - 1] * unit_between(nodes, node - 1, node);
         }
-        const Vec3 way = nodes.position[node] - before[static_cast<std::size_t>(node - span.first)];
-        work -= 0.5 * (force + nodes.force[node]).dot(way);
+        const Vec3 shift = nodes.position[node] - before[static_cast<std::size_t>(node - span.first)];
+        work -= 0.5 * (force + nodes.force[node]).dot(shift);
         nodes.force[node] = force;
     }
     return work;

@@ -19,12 +19,12 @@ Vec3 weighted(const Attachment& side, const Column<Vec3>& column) {
 
 /// Spin of a triangle in a step, as half the difference of the gradient of its way and the transposed one.
 /// Its normal stays normal to it.
-Mat3 spin_of(const std::array<Vec3, 3>& middle, const std::array<Vec3, 3>& way) {
+Mat3 spin_of(const std::array<Vec3, 3>& middle, const std::array<Vec3, 3>& shift) {
     const Vec3 e1 = middle[1] - middle[0], e2 = middle[2] - middle[0], area = e1.cross(e2);
     const double squared = area.squaredNorm();
     const Vec3 dual1 = e2.cross(area) / squared, dual2 = area.cross(e1) / squared,
                n = area / std::sqrt(squared);
-    Mat3 gradient = (way[1] - way[0]) * dual1.transpose() + (way[2] - way[0]) * dual2.transpose();
+    Mat3 gradient = (shift[1] - shift[0]) * dual1.transpose() + (shift[2] - shift[0]) * dual2.transpose();
     gradient -= (gradient.transpose() * n).eval() * n.transpose();
     return 0.5 * (gradient - gradient.transpose());
 }
@@ -38,14 +38,14 @@ struct Turn {
     Turn(const Model& model, const TieLists::Spring& spring, double step) {
         const auto& points = model.gridpoints;
         for (int side = 0; side < 2; ++side) {
-            std::array<Vec3, 3> middle, way;
+            std::array<Vec3, 3> middle, shift;
             for (int k = 0; k < 3; ++k) {
                 const Row g = spring.side[side].gridpoints[k];
-                way[k] = step * points.velocity[g];
-                middle[k] = points.position[g] - 0.5 * way[k];
+                shift[k] = step * points.velocity[g];
+                middle[k] = points.position[g] - 0.5 * shift[k];
                 between += (side == 0 ? -1 : 1) * spring.side[side].weights[k] * middle[k];
             }
-            spin += 0.5 * spin_of(middle, way);
+            spin += 0.5 * spin_of(middle, shift);
         }
     }
     /// The rotation of the step, as that of the stresses of zones (Hughes and Winget 1980).
@@ -68,20 +68,20 @@ ZoneSums run_ties(Model& model, const TieLists& lists) {
             for (std::size_t i = first; i < last; ++i) {
                 const auto& spring = springs[i];
                 const auto& v = model.gridpoints.velocity;
-                Vec3 way = step * (weighted(spring.side[1], v) - weighted(spring.side[0], v));
+                Vec3 shift = step * (weighted(spring.side[1], v) - weighted(spring.side[0], v));
                 Vec3& force = ties.force[spring.tie];
                 if (model.settings.large_strain) {
                     // A rigid turn is no way, also of places that are not quite the same.
                     const Turn turn(model, spring, step);
-                    way -= turn.spin * turn.between;
+                    shift -= turn.spin * turn.between;
                     force = turn.rotation() * force;
                 }
-                const Vec3 change = -spring.stiffness * way;
-                sums.work -= (force + 0.5 * change).dot(way);
+                const Vec3 change = -spring.stiffness * shift;
+                sums.work -= (force + 0.5 * change).dot(shift);
                 force += change;
                 if (damping > 0) {
                     const Vec3 last_one = ties.dashpot[spring.tie], viscous = damping * change;
-                    sums.damped -= 0.5 * (last_one + viscous).dot(way);
+                    sums.damped -= 0.5 * (last_one + viscous).dot(shift);
                     ties.dashpot[spring.tie] = viscous;
                 }
             }
@@ -93,9 +93,9 @@ ZoneSums run_ties(Model& model, const TieLists& lists) {
         });
 }
 
-DriveSums follow_driven(Model& model, const TieLists& lists) {
+HistorySums follow_prescribed(Model& model, const TieLists& lists) {
     auto& points = model.gridpoints;
-    DriveSums sums;
+    HistorySums sums;
     const double step = model.clock.time_step;
     for (std::size_t i = 0; i < lists.groups(); ++i) {
         const auto members = lists.members(i);
@@ -108,7 +108,7 @@ DriveSums follow_driven(Model& model, const TieLists& lists) {
                 double& velocity = points.velocity[g][k];
                 const double jump = value - velocity, mass = points.inertial_mass[g];
                 if (jump == 0) continue;
-                // As drive_velocities has it for those that hold.
+                // As apply_velocity_histories has it for those that hold.
                 const double weight = points.mass[g] * model.settings.gravity[k],
                              gain = 0.5 * mass * (value * value - velocity * velocity);
                 sums.kinetic += gain;

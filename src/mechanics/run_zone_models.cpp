@@ -26,28 +26,28 @@ public:
         const double step = model.clock.time_step;
         for (Row i = 0; i < tile.points.count; ++i) {
             const Row g = tiles.gridpoints[tile.points.first + i];
-            const Vec3 &x = model.gridpoints.position[g], way = step * model.gridpoints.velocity[g];
+            const Vec3 &x = model.gridpoints.position[g], shift = step * model.gridpoints.velocity[g];
             place[i].value = {x.x(), x.y(), x.z(), wet ? water.at_gridpoint(g) : 0};
-            way_[i].value = {way.x(), way.y(), way.z(), 0};
+            shift_[i].value = {shift.x(), shift.y(), shift.z(), 0};
         }
         tail_.fill(tiles.corners[tile.last - 1]);
         const Row whole = std::min<Row>(tile.last - tile.first, lane_count);
         std::copy_n(&tiles.corners[tile.last - whole], whole, &tail_[lane_count - whole]);
     }
 
-    /// Four zones from one on; behind the last of the tile the last again.
+    /// Four zones from one on; after the last of the tile the last again.
     ZoneGroup group_at(Row zone) const {
         return tile_.last - zone >= lane_count ? &tiles_.corners[zone] : tail_.data() + (lane_count - (tile_.last - zone));
     }
     Edges edges(ZoneGroup zones) const { return edges_of(place, zones); }
-    Deformation deformation(ZoneGroup zones, bool large) const { return {edges(zones), edges_of(way_, zones), large}; }
+    Deformation deformation(ZoneGroup zones, bool large) const { return {edges(zones), edges_of(shift_, zones), large}; }
     Lanes pressure(ZoneGroup zones) const { return mean_of_fourth(place, zones); }
 
 private:
     const ZoneTiles& tiles_;
     const ZoneTile& tile_;
     PointRow place[most_points_in_tile]; ///< and the pore pressure
-    PointRow way_[most_points_in_tile];  ///< of the step
+    PointRow shift_[most_points_in_tile];  ///< of the step
     std::array<std::array<Row, 4>, 2 * lane_count> tail_; ///< the last zones of the tile, and then the last again
 };
 

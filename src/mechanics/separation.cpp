@@ -142,7 +142,7 @@ Separation find_separation(const Model& model, const Surfaces& surfaces, Row blo
             if (best.distance > enough) return;
         }
     };
-    const auto beside = [&](bool of_first) {
+    const auto overhangs = [&](bool of_first) {
         std::size_t i = of_first ? of_block1 : 0;
         const Span faces = model.blocks.faces[of_first ? block1 : block2];
         for (Row f = faces.first; f < faces.end(); ++f, ++i)
@@ -155,14 +155,14 @@ Separation find_separation(const Model& model, const Surfaces& surfaces, Row blo
     try_faces(false);
     if (best.distance > enough) return best;
     // Most neighbours in a pile touch with edges and corners of faces that lie on each other: nothing to be had there.
-    best.beside = beside(false);
-    if (best.beside) {
+    best.apart_sideways = overhangs(false);
+    if (best.apart_sideways) {
         find_opposite(model, surfaces, block1, best.normal, best);
         if (best.cosine > flat) return best;
     }
     try_faces(true);
     if (best.distance > enough || best.normal.isZero(0)) return best;
-    best.beside = beside(false) || beside(true);
+    best.apart_sideways = overhangs(false) || overhangs(true);
 
     // Two faces on each other: no pair of edges separates the blocks much better.
     if (best.face1 == no_row) find_opposite(model, surfaces, block1, best.normal, best);

@@ -14,7 +14,7 @@ struct Separation {
     Row face1 = no_row, face2 = no_row;                         ///< whose normal it is; neither: it is that of two edges
     std::array<Row, 2> edge1{no_row, no_row}, edge2{no_row, no_row};
     /// Along the normal of a face across the axis they overlap by a sliver or less: there is no common area.
-    bool beside = false;
+    bool apart_sideways = false;
     Row opposite = no_row; ///< where a face gives the axis, the other block's face that looks most against it
     double cosine = -2;    ///< of the angle between the two
 };

@@ -74,7 +74,7 @@ void StepBounds::update(const Model& model, const Adjacency& adjacency) {
     asked_.assign(model.blocks.size(), 1);
     near_ = asked_;
     alone_ = false;
-    look(model, adjacency);
+    compute(model, adjacency);
 }
 
 // By equation (4) a body's bound depends on its own resistance and on those of its neighbours.
@@ -91,7 +91,7 @@ void StepBounds::update_at(const Model& model, const Adjacency& adjacency, const
         spread(model.contacts, asked_, near_);
         mark_whole_bodies(adjacency.bodies, near_);
     }
-    look(model, adjacency);
+    compute(model, adjacency);
 }
 
 Springs StepBounds::springs(const Model& model, Row sub_contact, const NormalAreaFactor& factor) const {
@@ -113,7 +113,7 @@ SpringSums StepBounds::sums_of(const Model& model, Row contact) const {
     return sums;
 }
 
-void StepBounds::look(const Model& model, const Adjacency& adjacency) {
+void StepBounds::compute(const Model& model, const Adjacency& adjacency) {
     const auto& blocks = model.blocks;
     body_.assign(blocks.size(), no_row);
     lead_.resize(blocks.size());

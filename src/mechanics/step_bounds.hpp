@@ -89,7 +89,7 @@ private:
     class Operator;
     enum class Shares { none, by_resistance, halves };
 
-    void look(const Model& model, const Adjacency& adjacency);
+    void compute(const Model& model, const Adjacency& adjacency);
     void find_frames(const Model& model, const Adjacency& adjacency, Masses masses);
     void find_bodies(const Model& model, const Adjacency& adjacency);
     void find_resistances(const Model& model, const Adjacency& adjacency, Masses masses);

@@ -30,15 +30,15 @@ double dot(const Vector& a, const Vector& b) {
 }
 
 /// Of the symmetric matrix that has these numbers on its diagonal and beside it, by bisection.
-double largest_eigenvalue(const Vector& diagonal, const Vector& beside, std::size_t count) {
+double largest_eigenvalue(const Vector& diagonal, const Vector& off_diagonal, std::size_t count) {
     double low = 0, high = 0;
     for (std::size_t i = 0; i < count; ++i)
-        high = std::max(high, diagonal[i] + (i > 0 ? beside[i - 1] : 0) + (i + 1 < count ? beside[i] : 0));
+        high = std::max(high, diagonal[i] + (i > 0 ? off_diagonal[i - 1] : 0) + (i + 1 < count ? off_diagonal[i] : 0));
     // No eigenvalue lies above x when all pivots of the matrix less x are below 0.
     const auto above_all = [&](double x) {
         double pivot = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            pivot = diagonal[i] - x - (i > 0 ? beside[i - 1] * beside[i - 1] / pivot : 0);
+            pivot = diagonal[i] - x - (i > 0 ? off_diagonal[i - 1] * off_diagonal[i - 1] / pivot : 0);
             if (!(pivot < 0)) return false;
         }
         return true;
@@ -104,11 +104,11 @@ public:
             const Vec3& n = contacts.normal[c];
             for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
                 const Springs k = bounds_.springs(model_, s, factor);
-                const Vec3 way = motion(x, contacts.block2[c], subs.side2[s], subs.position[s]) -
+                const Vec3 shift = motion(x, contacts.block2[c], subs.side2[s], subs.position[s]) -
                                  motion(x, contacts.block1[c], subs.side1[s], subs.position[s]);
-                const double across = way.dot(n);
+                const double across = shift.dot(n);
                 const Vec3 force = k.normal * (1 + 2 * beta.normal / step_) * across * n +
-                                   k.shear * (1 + 2 * beta.shear / step_) * (way - across * n);
+                                   k.shear * (1 + 2 * beta.shear / step_) * (shift - across * n);
                 push(y, contacts.block2[c], subs.side2[s], subs.position[s], force);
                 push(y, contacts.block1[c], subs.side1[s], subs.position[s], -force);
             }
@@ -175,14 +175,14 @@ private:
     void add_ties(const Vector& x, Vector& y) const {
         const double more = 1 + 2 * stiffness_damping(model_.settings) / step_;
         for (const auto& spring : ties_.springs()) {
-            Vec3 way = Vec3::Zero();
+            Vec3 shift = Vec3::Zero();
             for (int side = 0; side < 2; ++side)
                 for (int k = 0; k < 3; ++k)
-                    way += (side == 0 ? -1 : 1) * spring.side[side].weights[k] * of_point(x, spring.side[side].gridpoints[k]);
+                    shift += (side == 0 ? -1 : 1) * spring.side[side].weights[k] * of_point(x, spring.side[side].gridpoints[k]);
             for (int side = 0; side < 2; ++side)
                 for (int k = 0; k < 3; ++k)
                     push_point(y, spring.side[side].gridpoints[k],
-                               (side == 0 ? -1 : 1) * spring.side[side].weights[k] * more * spring.stiffness * way);
+                               (side == 0 ? -1 : 1) * spring.side[side].weights[k] * more * spring.stiffness * shift);
         }
     }
 
@@ -202,7 +202,7 @@ double StepBounds::estimate(const Model& model, const Adjacency& adjacency, doub
     const Operator matrix(model, *this, step);
     const std::size_t n = matrix.size(), most = std::min(steps, n);
     if (n == 0) return 0;
-    Vector now(n), before(n, 0.0), diagonal, beside;
+    Vector now(n), before(n, 0.0), diagonal, off_diagonal;
     std::uint64_t bits = 1; // no direction is left out
     for (double& x : now) {
         bits = bits * 6364136223846793005u + 1442695040888963407u;
@@ -217,15 +217,15 @@ double StepBounds::estimate(const Model& model, const Adjacency& adjacency, doub
         for (std::size_t i = 0; i < n; ++i) next[i] -= along * now[i] + last * before[i];
         last = std::sqrt(dot(next, next));
         diagonal.push_back(along);
-        beside.push_back(last);
+        off_diagonal.push_back(last);
         if (!(last > 1e-12 * diagonal.front())) break;
         before.swap(now);
         for (std::size_t i = 0; i < n; ++i) now[i] = next[i] / last;
     }
     const std::size_t count = diagonal.size();
-    const double largest = largest_eigenvalue(diagonal, beside, count);
+    const double largest = largest_eigenvalue(diagonal, off_diagonal, count);
     if (count < steps) return largest;
-    return 2 * largest - largest_eigenvalue(diagonal, beside, count - last_steps);
+    return 2 * largest - largest_eigenvalue(diagonal, off_diagonal, count - last_steps);
 }
 
 } // namespace kaya

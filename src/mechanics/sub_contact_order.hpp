@@ -5,7 +5,7 @@
 
 namespace kaya {
 
-/// Puts sub-contacts of one property set behind each other, so that a joint model gets many in one call where joint sets of
+/// Puts sub-contacts of one property set one after the other, so that a joint model gets many in one call where joint sets of
 /// several materials cross. Contacts near each other in their table stay near each other: forces are gathered block by
 /// block. The rows of a contact stay together. Does nothing where they stand so already.
 void order_sub_contacts(Model& model);

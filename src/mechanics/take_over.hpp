@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "model/model.hpp"
 
 #include <vector>

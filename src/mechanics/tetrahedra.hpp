@@ -94,15 +94,15 @@ struct Deformation {
     Lanes3 half_spin; ///< axial vector of half the skew part
 
     /// `edges` at the end of the step, `way`: by how much they have changed; with `large` they were shorter by that before.
-    Deformation(const Edges& edges, const Edges& way, bool large) {
+    Deformation(const Edges& edges, const Edges& shift, bool large) {
         Edges middle = edges;
         if (large)
-            for (std::size_t i = 0; i < 3; ++i) middle[i] = edges[i] - way[i] * Lanes::Constant(0.5);
+            for (std::size_t i = 0; i < 3; ++i) middle[i] = edges[i] - shift[i] * Lanes::Constant(0.5);
         const FaceAreas faces(middle);
         const Lanes over = 1.0 / faces.six_volumes;
         const auto& c = faces.twice_area;
         const auto row = [&](auto component) { // of the gradient: of one component of the motion
-            return (c[0] * component(way[0]) + c[1] * component(way[1]) + c[2] * component(way[2])) * over;
+            return (c[0] * component(shift[0]) + c[1] * component(shift[1]) + c[2] * component(shift[2])) * over;
         };
         const Lanes3 x = row([](const Lanes3& v) { return v.x; }), y = row([](const Lanes3& v) { return v.y; }),
                      z = row([](const Lanes3& v) { return v.z; });

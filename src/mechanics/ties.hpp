@@ -74,9 +74,9 @@ void add_tie_frequencies(Model& model, const TieLists& ties);
 /// Reads gridpoint motion; writes the forces of the springs.
 ZoneSums run_ties(Model& model, const TieLists& ties);
 
-/// Members of a group that others of it hold and drive get their velocity, as drive_velocities does for
+/// Members of a group that others of it hold and drive get their velocity, as apply_velocity_histories does for
 /// those.
-DriveSums follow_driven(Model& model, const TieLists& ties);
+HistorySums follow_prescribed(Model& model, const TieLists& ties);
 
 /// Shares the forces of a group's members: by mass where it is free, so that all are accelerated alike; in
 /// directions in which some of them are held these bear all. Sums over the group stay.

@@ -94,7 +94,7 @@ void TimeStep::audit(const Model& model) const {
 /// The longest step, not above `step`, at the end of which no joint will be so stiff that it is too long.
 double TimeStep::without_growth(const Model& model, const Adjacency& adjacency, double step) {
     const double fraction = time_step_fraction(model.settings);
-    for (int i = 0; i < 200 && ahead_.look(model, adjacency, step); ++i) {
+    for (int i = 0; i < 200 && ahead_.update(model, adjacency, step); ++i) {
         bounds_.foreseen = &ahead_.springs();
         bounds_.update_at(model, adjacency, ahead_.marks(), StepBounds::Of::bodies_and_neighbours);
         const double allowed = fraction * bounds_.limit(model, adjacency).stable;
@@ -105,12 +105,12 @@ double TimeStep::without_growth(const Model& model, const Adjacency& adjacency, 
     return step;
 }
 
-void TimeStep::limit(Model& model, const Adjacency& adjacency, std::vector<char>& changed, Look look) {
+void TimeStep::limit(Model& model, const Adjacency& adjacency, std::vector<char>& changed, Bodies bodies) {
     Clock& clock = model.clock;
     const Settings& settings = model.settings;
-    const bool scaled = settings.mass_scaling != MassScaling::none, may_grow = look == Look::all_and_grow;
+    const bool scaled = settings.mass_scaling != MassScaling::none, may_grow = bodies == Bodies::all_and_grow;
     // Dashpots follow the masses, and bounds of neighbours follow dashpots.
-    const bool all = look != Look::marked || clock.time_step == 0 || (scaled && joints_are_damped(settings));
+    const bool all = bodies != Bodies::marked || clock.time_step == 0 || (scaled && joints_are_damped(settings));
     double stable = std::numeric_limits<double>::infinity();
     if (all || std::find(changed.begin(), changed.end(), 1) != changed.end()) {
         if (all) bounds_.update(model, adjacency);
@@ -118,7 +118,7 @@ void TimeStep::limit(Model& model, const Adjacency& adjacency, std::vector<char>
         std::fill(changed.begin(), changed.end(), 0);
         if (scaled) {
             // The step stays and masses follow, also for the stiffness that is to come.
-            if (ahead_.needed() && clock.time_step > 0 && ahead_.look(model, adjacency, clock.time_step)) {
+            if (ahead_.needed() && clock.time_step > 0 && ahead_.update(model, adjacency, clock.time_step)) {
                 bounds_.foreseen = &ahead_.springs();
                 bounds_.update(model, adjacency);
             }

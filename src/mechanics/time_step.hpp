@@ -1,7 +1,7 @@
 // How long the next step may be: docs/theory/time-step.md.
 #pragma once
 
-#include "mechanics/look_ahead.hpp"
+#include "mechanics/stiffness_forecast.hpp"
 #include "mechanics/phases.hpp"
 #include "mechanics/step_bounds.hpp"
 
@@ -15,13 +15,13 @@ class TimeStep {
 public:
     /// Which bodies are looked at: those on the marked contacts and their neighbours, or all; and whether the step may
     /// become longer too.
-    enum class Look { marked, all, all_and_grow };
+    enum class Bodies { marked, all, all_and_grow };
 
     /// Clears the marks. Throws Diagnostic when the step that the deck gives is too long.
-    void limit(Model& model, const Adjacency& adjacency, std::vector<char>& changed, Look look);
+    void limit(Model& model, const Adjacency& adjacency, std::vector<char>& changed, Bodies bodies);
 
     /// Whether the step may have to be shorter though no stiffness has changed yet.
-    bool looks_ahead() const { return ahead_.needed(); }
+    bool forecasts() const { return ahead_.needed(); }
     void take(const Model& model, const std::vector<Batch>& batches) { ahead_.take(model, batches); }
     void take(const std::vector<ElasticConstants>& of_blocks) { bounds_.of_zones = &of_blocks; }
     void forget() { ahead_.forget(); }
@@ -39,7 +39,7 @@ private:
     double without_growth(const Model& model, const Adjacency& adjacency, double step);
 
     StepBounds bounds_;
-    LookAhead ahead_;
+    StiffnessForecast ahead_;
     bool beyond_bound_ = false; ///< the deck gives a step that only the estimate allows
 };
 

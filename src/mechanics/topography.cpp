@@ -76,8 +76,8 @@ double Overburden::at(const Vec3& place) const {
         if (crossed % 2 == 0) continue; // neither above nor below
         const Vec3 area = triangle_area_vector(model_, t);
         if (std::abs(area.z()) <= 1e-12 * area.norm()) continue; // upright
-        const Vec3 way = place - x[0];
-        const double height = x[0].z() - (area.x() * way.x() + area.y() * way.y()) / area.z() - place.z();
+        const Vec3 along = place - x[0];
+        const double height = x[0].z() - (area.x() * along.x() + area.y() * along.y()) / area.z() - place.z();
         const double weight = weight_[model_.faces.block[model_.triangles.face[t]]];
         if (height > 0) sum += std::copysign(weight * height, area.z());
     }

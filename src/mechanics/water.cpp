@@ -10,7 +10,7 @@ namespace kaya {
 namespace {
 
 /// Of one side of a joint, from the gridpoints around.
-double pressure_beside(const Model& model, const Attachment& side) {
+double pressure_next_to(const Model& model, const Attachment& side) {
     double sum = 0;
     if (side.attached())
         for (int k = 0; k < 3; ++k) sum += side.weights[k] * model.gridpoints.pore_pressure[side.gridpoints[k]];
@@ -26,7 +26,7 @@ void put_water(Model& model) {
         for_chunks(subs.size(), 4096, [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i)
                 subs.pore_pressure[i] =
-                    std::max(0.0, 0.5 * (pressure_beside(model, subs.side1[i]) + pressure_beside(model, subs.side2[i])));
+                    std::max(0.0, 0.5 * (pressure_next_to(model, subs.side1[i]) + pressure_next_to(model, subs.side2[i])));
         });
         return;
     }

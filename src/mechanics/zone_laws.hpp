@@ -1,7 +1,7 @@
 // The zone models of the blocks with the values that hold for them, and the zones in tiles of one law each; derived.
 #pragma once
 
-#include "joints/zone_model.hpp"
+#include "laws/zone_model.hpp"
 #include "mechanics/phases.hpp"
 #include "mechanics/zone_tiles.hpp"
 #include "model/model.hpp"

@@ -40,7 +40,7 @@ public:
     Column<std::int32_t> region;
     Column<std::int32_t> group; ///< index into Model::group_names, 0 is none
     Column<std::int32_t> body;  ///< blocks of equal body move as one (joined.hpp); 0: on its own
-    Column<std::int32_t> shape; ///< number of its surface and mesh, no two alike: another behind each cut and each meshing
+    Column<std::int32_t> shape; ///< number of its surface and mesh, no two alike: another after each cut and each meshing
     Column<std::int32_t> tied_shape; ///< its shape when its ties to the other blocks of its body were made (ties.hpp), 0: not yet
     Column<std::uint8_t> hidden;
     Column<std::uint8_t> deformable;
@@ -51,7 +51,7 @@ public:
     Column<Span> faces;
     Column<Span> triangles;
     Column<Span> zones;
-    Column<std::int32_t> cell_zones; ///< zones of a cell of `gen quad`, which stand behind each other; 0: there are no cells
+    Column<std::int32_t> cell_zones; ///< zones of a cell of `gen quad`, which stand one after the other; 0: there are no cells
     Column<double> volume;        ///< length^3
     Column<double> margin;        ///< how near another surface counts as touching: a small part of its size
     Column<double> travelled;     ///< longest way of one of its points since its contacts were looked at
@@ -197,7 +197,7 @@ public:
     Column<Stress> dashpot; ///< viscous stress besides, where damping asks for it
     Column<double> volume; ///< when the zones were made
     Column<std::uint32_t> state; ///< bits of the zone model
-    std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY> history; ///< of the zone model; those behind `history_columns` are empty
+    std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY> history; ///< of the zone model; those after `history_columns` are empty
     std::int32_t history_columns = 0; ///< as many as the zone model has that keeps most
 
     /// Makes room for a zone model that keeps that many; it stays.

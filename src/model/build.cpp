@@ -14,7 +14,7 @@ namespace kaya {
 namespace {
 
 /// Margin of contact over the size of a block.
-constexpr double touching_part = 0.005;
+constexpr double contact_part = 0.005;
 
 template <class TableType> Row append(TableType& table, std::size_t count) {
     const auto first = static_cast<Row>(table.size());
@@ -163,7 +163,7 @@ void give_shape(Model& model, Row b, const Polyhedron& polyhedron, const MassPro
     auto& blocks = model.blocks;
     blocks.shape[b] = model.next_shape_number++;
     blocks.volume[b] = mass.volume;
-    blocks.margin[b] = touching_part * std::cbrt(mass.volume);
+    blocks.margin[b] = contact_part * std::cbrt(mass.volume);
     blocks.inertia[b] = mass.inertia;
     blocks.centroid[b] = mass.centroid;
     blocks.orientation[b] = Quaternion(1, 0, 0, 0);
@@ -245,8 +245,8 @@ Polyhedron shape_of(const Model& model, Row block) {
         for (Row t = triangles.first; t < triangles.end(); ++t)
             for (int k = 0; k < 3; ++k) {
                 const Row a = model.triangles.gridpoints[t][k], c = model.triangles.gridpoints[t][(k + 1) % 3];
-                const auto twin = std::find(edges.begin(), edges.end(), std::array<Row, 2>{c, a});
-                if (twin != edges.end()) edges.erase(twin);
+                const auto opposite = std::find(edges.begin(), edges.end(), std::array<Row, 2>{c, a});
+                if (opposite != edges.end()) edges.erase(opposite);
                 else edges.push_back({a, c});
             }
         Polyhedron::Face face;
@@ -286,7 +286,7 @@ void delete_blocks(Model& model, const std::vector<Row>& rows) {
     }
     for (const auto& left : left_of_bodies) {
         unjoin(model, left);
-        join_pairs(model, touching_pairs(model, left));
+        join_pairs(model, adjacent_pairs(model, left));
     }
     std::vector<Row> kept, renamed(blocks.size(), no_row);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -334,7 +334,7 @@ constexpr double most_zones = 5e7; ///< more would not fit in the memory of any 
 
 /// Gives the rigid ones of the blocks the zones that mesh(block, shape) makes; first all meshes, then the model.
 template <class Mesh>
-std::size_t fill_with_zones(Model& model, const std::vector<Row>& rows, const Mesh& mesh, const Watch& watch) {
+std::size_t fill_with_zones(Model& model, const std::vector<Row>& rows, const Mesh& mesh, const ProgressCallback& progress) {
     struct Meshed {
         Row block;
         Polyhedron shape;
@@ -344,9 +344,9 @@ std::size_t fill_with_zones(Model& model, const std::vector<Row>& rows, const Me
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Row block = rows[i];
         if (model.blocks.deformable[block]) continue;
-        look(watch, i, rows.size());
+        report_progress(progress, i, rows.size());
         Polyhedron shape = shape_of(model, block);
-        const Watch of_block = [&](double done) { look(watch, i, rows.size(), done); };
+        const ProgressCallback of_block = [&](double done) { report_progress(progress, i, rows.size(), done); };
         TetMesh zones = mesh(block, shape, of_block);
         meshed.push_back({block, std::move(shape), std::move(zones)});
     }
@@ -360,11 +360,11 @@ std::size_t fill_with_zones(Model& model, const std::vector<Row>& rows, const Me
 
 } // namespace
 
-std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double edge, const Watch& watch) {
+std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double edge, const ProgressCallback& progress) {
     if (!(edge > 0) || !std::isfinite(edge))
         throw Diagnostic("the edge length of zones must be a number above 0");
     double count = 0;
-    return fill_with_zones(model, rows, [&](Row block, const Polyhedron& shape, const Watch& of_block) {
+    return fill_with_zones(model, rows, [&](Row block, const Polyhedron& shape, const ProgressCallback& of_block) {
         count += 6 * std::max(1.0, model.blocks.volume[block] / std::pow(edge, 3));
         if (count > most_zones)
             throw Diagnostic(fmt::format("an edge of {} would make more than {:.0e} zones", edge, most_zones),
@@ -374,13 +374,13 @@ std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double ed
         } catch (Diagnostic& problem) {
             throw problem.add(fmt::format("in block {}", model.blocks.number[block]));
         }
-    }, watch);
+    }, progress);
 }
 
 std::size_t generate_zones(Model& model, const std::vector<Row>& rows, const std::array<int, 3>& parts,
-                           const std::array<double, 3>& ratio, const Watch& watch) {
+                           const std::array<double, 3>& ratio, const ProgressCallback& progress) {
     double count = 0;
-    return fill_with_zones(model, rows, [&](Row block, const Polyhedron& shape, const Watch&) {
+    return fill_with_zones(model, rows, [&](Row block, const Polyhedron& shape, const ProgressCallback&) {
         count += 6.0 * parts[0] * parts[1] * parts[2];
         if (count > most_zones)
             throw Diagnostic(fmt::format("{} x {} x {} cells would make more than {:.0e} zones", parts[0], parts[1], parts[2],
@@ -392,7 +392,7 @@ std::size_t generate_zones(Model& model, const std::vector<Row>& rows, const std
                                          model.blocks.number[block]),
                              "leave it out of the range, or use `generate edge`");
         return std::move(*mesh);
-    }, watch);
+    }, progress);
 }
 
 } // namespace kaya

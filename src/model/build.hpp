@@ -1,7 +1,7 @@
 // Making and removing rows of the model: blocks and the zones in them.
 #pragma once
 
-#include "base/watch.hpp"
+#include "base/progress_callback.hpp"
 #include "geometry/mesh.hpp"
 #include "model/model.hpp"
 
@@ -46,10 +46,10 @@ void delete_blocks(Model& model, const std::vector<Row>& blocks);
 /// A conforming mesh of tetrahedra of average edge `edge` in each of the blocks that has none; they
 /// become deformable. Returns how many blocks were zoned. Throws Diagnostic, model unchanged.
 std::size_t generate_zones(Model& model, const std::vector<Row>& blocks, double edge,
-                           const Watch& watch = {});
+                           const ProgressCallback& progress = {});
 
 /// The same with six tetrahedra in each of so many cells along the axes of blocks with six faces of four corners: hexahedron_mesh.
 std::size_t generate_zones(Model& model, const std::vector<Row>& blocks, const std::array<int, 3>& parts,
-                           const std::array<double, 3>& ratio, const Watch& watch = {});
+                           const std::array<double, 3>& ratio, const ProgressCallback& progress = {});
 
 } // namespace kaya

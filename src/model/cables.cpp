@@ -109,9 +109,9 @@ Vec3 place_of_node(const Model& model, Row node) {
 
 double cable_force(const Model& model, Row node) {
     const auto& nodes = model.structures.nodes;
-    const bool before = node > 0 && has_bar(nodes, node - 1), behind = has_bar(nodes, node);
-    const double sum = (before ? nodes.bar_force[node - 1] : 0) + (behind ? nodes.bar_force[node] : 0);
-    return before && behind ? 0.5 * sum : sum;
+    const bool before = node > 0 && has_bar(nodes, node - 1), after = has_bar(nodes, node);
+    const double sum = (before ? nodes.bar_force[node - 1] : 0) + (after ? nodes.bar_force[node] : 0);
+    return before && after ? 0.5 * sum : sum;
 }
 
 Row make_cable(Model& model, const NewCable& wanted) {

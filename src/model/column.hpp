@@ -78,7 +78,7 @@ public:
         size_ = rows.size();
     }
 
-    /// Puts copies of the rows listed of another table behind the rows of this one. Returns the row of the first.
+    /// Puts copies of the rows listed of another table after the rows of this one. Returns the row of the first.
     std::int32_t append(Derived& from, const std::vector<std::int32_t>& rows) {
         std::vector<void*> columns;
         from.columns([&columns](const auto&, auto& column) { columns.push_back(&column); });

@@ -44,7 +44,7 @@ void check_spans(Findings& findings, const char* table, const char* target, cons
     for (std::size_t i = 0; i < spans.size() && findings.clean(); ++i) {
         const Span span = spans[i];
         const bool fits = span.count >= 0 && span.first >= 0 && span.first <= size && span.count <= size - span.first;
-        findings.require(fits, table, i, fmt::format("{} {} and the {} behind of {}", target, span.first,
+        findings.require(fits, table, i, fmt::format("{} {} and the {} after of {}", target, span.first,
                                                      span.count, size));
         if (!fits) return;
         for (Row row = span.first; row < span.end(); ++row)
@@ -120,7 +120,7 @@ void check_blocks(Findings& findings, const Model& model) {
 void check_geometry(Findings& findings, const Model& model) {
     check_spans(findings, "faces", "triangle", model.faces.triangles, model.triangles.face);
     if (!findings.clean()) return;
-    // A block's triangles are those of its faces, one behind the other.
+    // A block's triangles are those of its faces, one after the other.
     Column<Row> owner;
     for (const Row face : model.triangles.face) owner.push_back(model.faces.block[static_cast<std::size_t>(face)]);
     check_spans(findings, "blocks", "triangle", model.blocks.triangles, owner);
@@ -171,8 +171,8 @@ void check_contacts(Findings& findings, const Model& model) {
     for (std::size_t i = 0; i < contacts.size() && findings.clean(); ++i) {
         findings.require(contacts.block1[i] != contacts.block2[i], "contacts", i, "a block touches itself");
         check_faces(findings, model, i);
-        findings.require(between(contacts.touch[i], Touch::face_face, Touch::vertex_vertex), "contacts", i,
-                         "its kind of touch is unknown");
+        findings.require(between(contacts.type[i], ContactType::face_face, ContactType::vertex_vertex), "contacts", i,
+                         "its type is unknown");
         findings.require(between(contacts.kind[i], ContactKind::joint, ContactKind::overlap), "contacts", i,
                          "it is neither a joint nor an overlap");
         findings.require(contacts.number[i] >= 1 && contacts.number[i] < model.next_contact_number, "contacts", i,
@@ -210,8 +210,8 @@ void check_sub_contacts(Findings& findings, const Model& model) {
     check_attachments(findings, model, sub.side1, model.contacts.block1);
     check_attachments(findings, model, sub.side2, model.contacts.block2);
     for (std::size_t i = 0; i < sub.size() && findings.clean(); ++i) {
-        findings.require(between(sub.meeting[i], Meeting::vertex_face, Meeting::face_face), "sub_contacts", i,
-                         "its kind of meeting is unknown");
+        findings.require(between(sub.type[i], SubContactType::vertex_face, SubContactType::face_face), "sub_contacts", i,
+                         "its type is unknown");
         findings.require(sub.number[i] >= 1 && sub.number[i] < model.next_sub_contact_number, "sub_contacts", i,
                          fmt::format("number {} where {} is the next", sub.number[i],
                                      model.next_sub_contact_number));
@@ -256,22 +256,22 @@ void check_histories(Findings& findings, const Model& model) {
     }
 }
 
-void check_drives(Findings& findings, const Model& model) {
-    const auto& drives = model.drives;
+void check_boundary_histories(Findings& findings, const Model& model) {
+    const auto& histories = model.boundary_histories;
     using Kind = TimeFunction::Kind;
     for (std::size_t i = 0; i < model.time_functions.size(); ++i)
         findings.require(between(model.time_functions[i].kind, Kind::sine, Kind::script), "time_functions", i,
                          "its kind is unknown");
-    for (std::size_t i = 0; i < drives.size() && findings.clean(); ++i) {
-        const bool whole = drives.gridpoint[i] == no_row;
-        const std::int32_t components = !whole ? 3 : drives.what[i] == Drives::What::load ? Drives::loads : Drives::motions;
-        findings.require(between(drives.what[i], Drives::What::velocity, Drives::What::load), "drives", i,
+    for (std::size_t i = 0; i < histories.size() && findings.clean(); ++i) {
+        const bool whole = histories.gridpoint[i] == no_row;
+        const std::int32_t components = !whole ? 3 : histories.what[i] == BoundaryHistories::What::load ? BoundaryHistories::loads : BoundaryHistories::motions;
+        findings.require(between(histories.what[i], BoundaryHistories::What::velocity, BoundaryHistories::What::load), "drives", i,
                          "its kind is unknown");
-        findings.require(between(drives.component[i], 0, components - 1), "drives", i, "it has no such component");
-        findings.require(inside(drives.function[i], model.time_functions.size()), "drives", i,
-                         fmt::format("function {} of {}", drives.function[i], model.time_functions.size()));
-        const Row block = model.blocks.ids.row(drives.block[i]);
-        findings.require(whole || block == no_row || inside(drives.gridpoint[i], model.blocks.gridpoints[block].count),
+        findings.require(between(histories.component[i], 0, components - 1), "drives", i, "it has no such component");
+        findings.require(inside(histories.function[i], model.time_functions.size()), "drives", i,
+                         fmt::format("function {} of {}", histories.function[i], model.time_functions.size()));
+        const Row block = model.blocks.ids.row(histories.block[i]);
+        findings.require(whole || block == no_row || inside(histories.gridpoint[i], model.blocks.gridpoints[block].count),
                          "drives", i, "its block has no such gridpoint");
     }
 }
@@ -329,7 +329,7 @@ std::string inconsistency(Model& model) {
     if (!findings.clean()) return findings.text();
 
     for (const auto check :
-         {check_blocks, check_geometry, check_excavated, check_contacts, check_sub_contacts, check_ties, check_histories, check_drives, check_cables}) {
+         {check_blocks, check_geometry, check_excavated, check_contacts, check_sub_contacts, check_ties, check_histories, check_boundary_histories, check_cables}) {
         check(findings, model);
         if (!findings.clean()) break;
     }

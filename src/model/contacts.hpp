@@ -5,7 +5,7 @@
 #include "model/blocks.hpp"
 #include "model/column.hpp"
 
-#include "joints/joint_object.hpp"
+#include "laws/joint_object.hpp"
 
 #include <array>
 #include <cstdint>
@@ -18,12 +18,12 @@ struct SubContactTag {};
 using SubContactId = Id<SubContactTag>;
 
 /// How two blocks touch.
-enum class Touch : std::int32_t {
+enum class ContactType : std::int32_t {
     face_face = 1, face_edge, face_vertex, edge_edge, edge_vertex, vertex_vertex
 };
 
 /// What meets at a sub-contact.
-enum class Meeting : std::int32_t { vertex_face = 1, face_vertex, edge_edge, face_face };
+enum class SubContactType : std::int32_t { vertex_face = 1, face_vertex, edge_edge, face_face };
 
 /// What the normal force of a contact follows from.
 enum class ContactKind : std::int32_t {
@@ -41,7 +41,7 @@ public:
     Column<Row> block2;
     Column<Row> face1; ///< faces that lie on each other, no_row when the touch is not face-face
     Column<Row> face2;
-    Column<Touch> touch;
+    Column<ContactType> type;
     Column<std::int32_t> reference; ///< whose face gives the normal: 1, 2, or 0 for two edges
     Column<Vec3> normal;        ///< of the common plane, unit, from block1 to block2
     Column<Vec3> position;      ///< a point of the common plane
@@ -65,9 +65,9 @@ public:
     Column<double> energy_taken;  ///< what it has taken up and not given back
     Column<double> withheld;      ///< part of its force that does not act, so that it gives back no more than that
     // Of joints only.
-    Column<double> slid;       ///< relative tangential motion since the geometry was made anew
-    Column<double> sunk;       ///< overlap beyond that which its force belongs to
-    Column<double> given_up;   ///< energy that new geometry has taken from it, less what it has given back
+    Column<double> slip_since_update;       ///< relative tangential motion since the geometry was made anew
+    Column<double> unforced_overlap;       ///< overlap beyond that which its force belongs to
+    Column<double> withdrawn_energy;   ///< energy that new geometry has taken from it, less what it has given back
 
     template <class Visit> void columns(Visit&& visit) {
         visit("id", id);
@@ -76,7 +76,7 @@ public:
         visit("block2", block2);
         visit("face1", face1);
         visit("face2", face2);
-        visit("touch", touch);
+        visit("touch", type);
         visit("reference", reference);
         visit("normal", normal);
         visit("position", position);
@@ -98,9 +98,9 @@ public:
         visit("energy_length", energy_length);
         visit("energy_taken", energy_taken);
         visit("withheld", withheld);
-        visit("slid", slid);
-        visit("given_up", given_up);
-        visit("sunk", sunk);
+        visit("slid", slip_since_update);
+        visit("given_up", withdrawn_energy);
+        visit("sunk", unforced_overlap);
     }
 };
 
@@ -121,7 +121,7 @@ public:
     Column<SubContactId> id;
     Column<std::int32_t> number;
     Column<Row> contact;
-    Column<Meeting> meeting;
+    Column<SubContactType> type;
     Column<Attachment> side1;
     Column<Attachment> side2;
     VectorColumn position;
@@ -141,11 +141,11 @@ public:
     Column<double> shear_stiffness;
     Column<double> frictional_work;
     Column<std::uint32_t> state;
-    std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY> history; ///< those behind `history_columns` are empty
+    std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY> history; ///< those after `history_columns` are empty
     std::int32_t history_columns = 0; ///< as many as the joint model has that keeps most
 
     // Fields that joint models only read; a row whose bit is not set has the property, or the initial value.
-    std::array<Column<double>, KAYA_JMODEL_MAX_FIELDS> field; ///< those behind `field_columns` are empty
+    std::array<Column<double>, KAYA_JMODEL_MAX_FIELDS> field; ///< those after `field_columns` are empty
     Column<std::uint32_t> field_set;      ///< bit k: field k was set
     std::int32_t field_columns = 0;       ///< as many as the joint model has of which one was set
 
@@ -185,7 +185,7 @@ public:
         visit("id", id);
         visit("number", number);
         visit("contact", contact);
-        visit("meeting", meeting);
+        visit("meeting", type);
         visit("side1", side1);
         visit("side2", side2);
         visit_vector(visit, "position", position);

@@ -19,7 +19,7 @@ struct Placement {
 Placement reflection(const Vec3& normal, const Vec3& origin);
 
 /// Adds a copy of each block for each placement, with its zones, faces, material, region and groups: at rest, free, without
-/// load and stress. Copies of blocks that are joined are joined. Rows of the copies stand behind all others, those of
+/// load and stress. Copies of blocks that are joined are joined. Rows of the copies follow all others, those of
 /// the first placement first, in the order of `blocks`. Returns the row of the first.
 Row copy_blocks(Model& model, const std::vector<Row>& blocks, const std::vector<Placement>& placements);
 

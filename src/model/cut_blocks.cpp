@@ -83,51 +83,51 @@ struct Parent {
 
 /// Arms of loads that change with time are those in global axes from now on: pieces have no other.
 void turn_arms(Model& model, const Parent& from, BlockId block) {
-    auto& drives = model.drives;
+    auto& histories = model.boundary_histories;
     std::vector<Row> kept;
-    const std::size_t count = drives.size();
+    const std::size_t count = histories.size();
     for (std::size_t i = 0; i < count; ++i) {
-        if (drives.block[i] != block || drives.component[i] < Drives::motions) {
+        if (histories.block[i] != block || histories.component[i] < BoundaryHistories::motions) {
             kept.push_back(static_cast<Row>(i));
             continue;
         }
-        const int place = drives.component[i] - Drives::motions;
+        const int place = histories.component[i] - BoundaryHistories::motions;
         for (int k = 0; k < 3; ++k) {
             const double part = from.turn(k, place % 3);
             if (part == 0) continue;
-            const std::size_t row = drives.size();
-            kept.push_back(drives.append(drives, {static_cast<Row>(i)}));
-            drives.component[row] = Drives::motions + 3 * (place / 3) + k;
-            drives.amplitude[row] *= part;
-            drives.acting[row] *= part;
+            const std::size_t row = histories.size();
+            kept.push_back(histories.append(histories, {static_cast<Row>(i)}));
+            histories.component[row] = BoundaryHistories::motions + 3 * (place / 3) + k;
+            histories.amplitude[row] *= part;
+            histories.acting[row] *= part;
         }
     }
-    if (drives.size() != count) drives.gather(kept);
+    if (histories.size() != count) histories.gather(kept);
 }
 
 /// What drives a block drives its pieces; loads are shared like those that do not change with time.
-void share_drives(Model& model, const Parent& from, const std::vector<Row>& pieces) {
-    auto& drives = model.drives;
+void share_boundary_histories(Model& model, const Parent& from, const std::vector<Row>& pieces) {
+    auto& histories = model.boundary_histories;
     const BlockId whole = model.blocks.id[pieces.front()];
     turn_arms(model, from, whole);
-    const std::size_t count = drives.size();
+    const std::size_t count = histories.size();
     for (std::size_t i = 0; i < count; ++i) {
-        if (drives.block[i] != whole) continue;
-        const double amplitude = drives.amplitude[i], acting = drives.acting[i];
+        if (histories.block[i] != whole) continue;
+        const double amplitude = histories.amplitude[i], acting = histories.acting[i];
         for (const Row piece : pieces) {
             std::size_t row = i;
             if (piece != pieces.front()) {
-                row = drives.size();
-                drives.resize(row + 1);
+                row = histories.size();
+                histories.resize(row + 1);
             }
-            drives.block[row] = model.blocks.id[piece];
-            drives.gridpoint[row] = no_row;
-            drives.what[row] = drives.what[i];
-            drives.component[row] = drives.component[i];
-            drives.function[row] = drives.function[i];
-            const double share = drives.what[i] == Drives::What::load ? model.blocks.volume[piece] / from.volume : 1;
-            drives.amplitude[row] = share * amplitude;
-            drives.acting[row] = share * acting;
+            histories.block[row] = model.blocks.id[piece];
+            histories.gridpoint[row] = no_row;
+            histories.what[row] = histories.what[i];
+            histories.component[row] = histories.component[i];
+            histories.function[row] = histories.function[i];
+            const double share = histories.what[i] == BoundaryHistories::What::load ? model.blocks.volume[piece] / from.volume : 1;
+            histories.amplitude[row] = share * amplitude;
+            histories.acting[row] = share * acting;
         }
     }
 }
@@ -135,7 +135,7 @@ void share_drives(Model& model, const Parent& from, const std::vector<Row>& piec
 /// Joins the pieces of bodies again, all but those of one block.
 void rejoin(Model& model, const std::vector<std::vector<Row>>& bodies, const std::vector<Row>& cut_from) {
     for (const auto& rows : bodies) {
-        auto pairs = touching_pairs(model, rows);
+        auto pairs = adjacent_pairs(model, rows);
         std::erase_if(pairs, [&](const auto& pair) { return cut_from[pair.first] == cut_from[pair.second]; });
         join_pairs(model, pairs);
     }
@@ -175,7 +175,7 @@ std::vector<Row> replace_by_pieces(Model& model, const std::vector<Row>& rows, c
             cut_from.push_back(row);
             if (body_of[row] >= 0) bodies[static_cast<std::size_t>(body_of[row])].push_back(piece);
         }
-        if (!model.drives.empty()) share_drives(model, from, pieces);
+        if (!model.boundary_histories.empty()) share_boundary_histories(model, from, pieces);
         row_of_piece.insert(row_of_piece.end(), pieces.begin(), pieces.end());
     }
     put_in_block_order(model);

@@ -19,13 +19,13 @@ struct Energy {
     double structure_work = 0; ///< put into cables: stored in them or lost
     double step_made = 0;     ///< made by changes of the time step, docs/theory/energy.md (9)
     double inner_power = 0;   ///< of the forces of joints and zones on the bodies at the end of the last step
-    double behind = 0;        ///< time from the velocities to the end of the last step: half of it
+    double lag = 0;        ///< time from the velocities to the end of the last step: half of it
 
     double joint_stored() const { return joint_work - joint_friction - joint_lost; }
     double supplied() const { return start + gravity + boundary + step_made; }
     double accounted() const { return kinetic + joint_work + zone_work + structure_work + damped; }
     /// What is missing or too much. Joints and zones have done the last step to its end, bodies to its middle.
-    double error() const { return supplied() - accounted() - inner_power * behind; }
+    double error() const { return supplied() - accounted() - inner_power * lag; }
 };
 
 } // namespace kaya

@@ -9,7 +9,7 @@ namespace kaya {
 
 namespace {
 
-/// The rows of the blocks' parts, one block behind the other.
+/// The rows of the blocks' parts, one block after the other.
 std::vector<Row> rows_in(const Column<Span>& spans, const std::vector<Row>& blocks) {
     std::vector<Row> rows;
     for (const Row block : blocks)
@@ -17,7 +17,7 @@ std::vector<Row> rows_in(const Column<Span>& spans, const std::vector<Row>& bloc
     return rows;
 }
 
-/// Copies blocks with all that belongs to them behind those of another set of tables. `From` and `To` are Model or
+/// Copies blocks with all that belongs to them after those of another set of tables. `From` and `To` are Model or
 /// Excavated. Returns the row of the first.
 template <class From, class To> Row append_blocks(From& from, const std::vector<Row>& blocks, To& to) {
     const Row first = to.blocks.append(from.blocks, blocks);

@@ -62,7 +62,7 @@ template <class Key, class KeyOf> std::map<Key, const Field*> index_by(KeyOf&& k
     return index;
 }
 
-template <class Key> const Field* look_up(const std::map<Key, const Field*>& index, const Key& key) {
+template <class Key> const Field* find_field(const std::map<Key, const Field*>& index, const Key& key) {
     const auto found = index.find(key);
     return found == index.end() ? nullptr : found->second;
 }
@@ -77,17 +77,17 @@ std::span<const Field> fields() {
 const Field* find_field(FieldTable table, std::string_view name) {
     using Key = std::pair<FieldTable, std::string_view>;
     static const auto index = index_by<Key>([](const Field& field) { return Key(field.table, field.name); });
-    return look_up(index, Key(table, name));
+    return find_field(index, Key(table, name));
 }
 
 const Field* find_classic_field(std::string_view classic) {
     static const auto index = index_by<std::string_view>([](const Field& field) { return field.classic; });
-    return classic.empty() ? nullptr : look_up(index, classic);
+    return classic.empty() ? nullptr : find_field(index, classic);
 }
 
 const Field* find_history_field(std::string_view word) {
     static const auto index = index_by<std::string_view>([](const Field& field) { return field.history; });
-    return word.empty() ? nullptr : look_up(index, word);
+    return word.empty() ? nullptr : find_field(index, word);
 }
 
 std::size_t row_count(const Model& model, FieldTable table) {

@@ -59,7 +59,7 @@ const Fields& contact_fields() {
         {table, "id", "c_id", "", "-", "number, from 1", read<rows_of, &Contacts::number>, nullptr},
         {table, "type", "c_type", "", "-",
          "1 face-face, 2 face-edge, 3 face-vertex, 4 edge-edge, 5 edge-vertex, 6 vertex-vertex",
-         read<rows_of, &Contacts::touch>, nullptr},
+         read<rows_of, &Contacts::type>, nullptr},
         {table, "block1", "c_b1", "", "-", "block with the higher number",
          link<rows_of, &Contacts::block1, FieldTable::block>, nullptr},
         {table, "block2", "c_b2", "", "-", "block with the lower number",

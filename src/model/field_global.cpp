@@ -29,8 +29,8 @@ void set_fraction(Model& model, Row, const FieldValue& value) {
     model.properties_changed = true;
 }
 
-template <Damping way> FieldValue damped_by(const Model& model, Row) {
-    return static_cast<std::int64_t>(model.settings.damping == way);
+template <Damping style> FieldValue damped_by(const Model& model, Row) {
+    return static_cast<std::int64_t>(model.settings.damping == style);
 }
 
 template <auto factor> FieldValue rayleigh(const Model& model, Row) { return factor(model.settings); }

@@ -46,8 +46,8 @@ double pressure_force(const Model& model, Row row) {
 /// The vertex that meets a face, null where two edges meet.
 FieldValue vertex(const Model& model, Row row) {
     const auto& subs = model.sub_contacts;
-    if (subs.meeting[row] >= Meeting::edge_edge) return Link{FieldTable::gridpoint, no_row};
-    const Attachment& side = subs.meeting[row] == Meeting::vertex_face ? subs.side1[row] : subs.side2[row];
+    if (subs.type[row] >= SubContactType::edge_edge) return Link{FieldTable::gridpoint, no_row};
+    const Attachment& side = subs.type[row] == SubContactType::vertex_face ? subs.side1[row] : subs.side2[row];
     const auto heaviest = std::max_element(side.weights.begin(), side.weights.end()) - side.weights.begin();
     return Link{FieldTable::gridpoint, side.gridpoints[static_cast<std::size_t>(heaviest)]};
 }
@@ -56,8 +56,8 @@ FieldValue vertex(const Model& model, Row row) {
 FieldValue face(const Model& model, Row row) {
     const auto& subs = model.sub_contacts;
     const Row contact = contact_of(model, row);
-    if (subs.meeting[row] >= Meeting::edge_edge) return Link{FieldTable::face, no_row};
-    return Link{FieldTable::face, subs.meeting[row] == Meeting::vertex_face ? model.contacts.face2[contact]
+    if (subs.type[row] >= SubContactType::edge_edge) return Link{FieldTable::face, no_row};
+    return Link{FieldTable::face, subs.type[row] == SubContactType::vertex_face ? model.contacts.face2[contact]
                                                                             : model.contacts.face1[contact]};
 }
 
@@ -89,7 +89,7 @@ const Fields& sub_contact_fields() {
         {table, "block1", "", "", "-", "block with the higher number", block<&Contacts::block1>, nullptr},
         {table, "block2", "", "", "-", "block with the lower number", block<&Contacts::block2>, nullptr},
         {table, "type", "cx_type", "", "-", "1 vertex-face, 2 face-vertex, 3 edge-edge",
-         read<rows_of, &SubContacts::meeting>, nullptr},
+         read<rows_of, &SubContacts::type>, nullptr},
         {table, "position", "cx_pos", "", "length", "where it is now", read<rows_of, &SubContacts::position>,
          nullptr},
         {table, "x", "cx_x", "", "length", "x", read<rows_of, &SubContacts::position, 0>, nullptr},

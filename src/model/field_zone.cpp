@@ -29,12 +29,12 @@ double pore_pressure(const Model& model, Row zone) { return WaterPressure(model)
 Mat3 strain_of(const Model& model, Row zone, const Column<Vec3>& motion) {
     const auto& corner = model.zones.gridpoints[zone];
     const auto& x = model.gridpoints.reference;
-    Mat3 edges, ways;
+    Mat3 edges, shifts;
     for (int k = 0; k < 3; ++k) {
         edges.col(k) = x[corner[k + 1]] - x[corner[0]];
-        ways.col(k) = motion[corner[k + 1]] - motion[corner[0]];
+        shifts.col(k) = motion[corner[k + 1]] - motion[corner[0]];
     }
-    const Mat3 gradient = ways * edges.inverse();
+    const Mat3 gradient = shifts * edges.inverse();
     return 0.5 * (gradient + gradient.transpose());
 }
 double greatest_shear(const Mat3& strain) {

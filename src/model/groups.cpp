@@ -1,24 +1,15 @@
 #include "model/groups.hpp"
 
+#include "base/lower_case.hpp"
+
 #include <algorithm>
-#include <cctype>
 
 namespace kaya {
-
-namespace {
-
-bool same_letters(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char one, char other) {
-        return std::tolower(static_cast<unsigned char>(one)) == std::tolower(static_cast<unsigned char>(other));
-    });
-}
-
-} // namespace
 
 std::int32_t find_group(const Model& model, std::string_view name) {
     const auto& names = model.group_names;
     const auto found = std::find_if(names.begin(), names.end(),
-                                    [name](const std::string& other) { return same_letters(name, other); });
+                                    [name](const std::string& other) { return equal_ignoring_case(name, other); });
     return found == names.end() ? -1 : static_cast<std::int32_t>(found - names.begin());
 }
 

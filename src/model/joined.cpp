@@ -2,7 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "geometry/box_pairs.hpp"
-#include "geometry/touch.hpp"
+#include "geometry/face_contact.hpp"
 #include "model/build.hpp"
 
 #include <Eigen/Geometry>
@@ -121,7 +121,7 @@ void join_pairs(Model& model, const std::vector<std::pair<Row, Row>>& pairs) {
     if (!pairs.empty()) model.structure_changed = model.properties_changed = true;
 }
 
-std::vector<std::pair<Row, Row>> touching_pairs(const Model& model, const std::vector<Row>& rows) {
+std::vector<std::pair<Row, Row>> adjacent_pairs(const Model& model, const std::vector<Row>& rows) {
     std::vector<Polyhedron> shapes;
     std::vector<Box> boxes;
     for (const Row row : rows) {
@@ -137,7 +137,7 @@ std::vector<std::pair<Row, Row>> touching_pairs(const Model& model, const std::v
     std::vector<std::pair<Row, Row>> pairs;
     for (const auto& [i, j] : overlapping_boxes(boxes)) {
         const double near = std::min(model.blocks.margin[rows[i]], model.blocks.margin[rows[j]]);
-        if (faces_touch(shapes[i], shapes[j], near)) pairs.emplace_back(rows[i], rows[j]);
+        if (faces_in_contact(shapes[i], shapes[j], near)) pairs.emplace_back(rows[i], rows[j]);
     }
     return pairs;
 }

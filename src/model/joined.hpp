@@ -42,7 +42,7 @@ BodyMass body_mass(const Model& model, std::span<const Row> members);
 void join_pairs(Model& model, const std::vector<std::pair<Row, Row>>& pairs);
 
 /// Pairs of the rows that lie face on face.
-std::vector<std::pair<Row, Row>> touching_pairs(const Model& model, const std::vector<Row>& rows);
+std::vector<std::pair<Row, Row>> adjacent_pairs(const Model& model, const std::vector<Row>& rows);
 
 /// Takes apart the bodies that any of the rows belongs to; each part keeps its motion.
 void unjoin(Model& model, const std::vector<Row>& rows);

@@ -4,7 +4,7 @@
 #include "model/blocks.hpp"
 #include "model/cables.hpp"
 #include "model/contacts.hpp"
-#include "model/drives.hpp"
+#include "model/boundary_histories.hpp"
 #include "model/energy.hpp"
 #include "model/history.hpp"
 #include "model/materials.hpp"
@@ -54,7 +54,7 @@ struct Model {
     SubContacts sub_contacts;
     TiedPairs tied_pairs;
     Ties ties;
-    Drives drives;
+    BoundaryHistories boundary_histories;
     Excavated excavated; ///< blocks that were taken out and may be put back
     Structures structures;
 
@@ -102,7 +102,7 @@ struct Model {
         visit("sub_contacts", sub_contacts);
         visit("tied_pairs", tied_pairs);
         visit("ties", ties);
-        visit("drives", drives);
+        visit("drives", boundary_histories);
         visit("excavated_blocks", excavated.blocks);
         visit("excavated_gridpoints", excavated.gridpoints);
         visit("excavated_faces", excavated.faces);

@@ -14,10 +14,10 @@ namespace {
 using Corners = std::array<Vec3, 3>;
 
 double distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& place) {
-    const Vec3 way = b - a;
-    const double length = way.squaredNorm();
-    const double at = length > 0 ? std::clamp((place - a).dot(way) / length, 0.0, 1.0) : 0.0;
-    return (place - a - at * way).norm();
+    const Vec3 along = b - a;
+    const double length = along.squaredNorm();
+    const double at = length > 0 ? std::clamp((place - a).dot(along) / length, 0.0, 1.0) : 0.0;
+    return (place - a - at * along).norm();
 }
 
 double distance_to_triangle(const Corners& corner, const Vec3& place) {

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = HistorySource::Kind;
 
-/// What stands behind a kind of source.
+/// What follows a kind of source.
 struct KindInfo {
     FieldTable table;
     ObjectKind object;

@@ -70,7 +70,7 @@ template <class Archive> void visit_state(Archive& archive, Clock& clock) {
 
 template <class Archive> void visit_state(Archive& archive, Energy& energy) {
     auto& [kinetic, start, gravity, boundary, damped, joint_work, joint_friction, joint_lost, zone_work, structure_work, step_made, inner_power,
-           behind] = energy;
+           lag] = energy;
     archive.value("kinetic", kinetic);
     archive.value("start", start);
     archive.value("gravity", gravity);
@@ -83,7 +83,7 @@ template <class Archive> void visit_state(Archive& archive, Energy& energy) {
     archive.since(11, structure_work != 0, [&] { archive.value("structure_work", structure_work); });
     archive.value("step_made", step_made);
     archive.value("inner_power", inner_power);
-    archive.value("behind", behind);
+    archive.value("behind", lag);
 }
 
 /// Maps go through the walk as records of key and value.
@@ -230,7 +230,7 @@ void visit_column(Archive& archive, const std::string& name, Column<Attachment>&
 /// Objects have no bytes of their own to look at; visit_objects takes what they save.
 template <class Archive> void visit_column(Archive&, const std::string&, Column<JointObject>&) {}
 
-/// What joint models keep as objects: one size per row, and all bytes one behind the other. An archive that
+/// What joint models keep as objects: one size per row, and all bytes one after the other. An archive that
 /// restores leaves them asleep, since their joint models are loaded later.
 template <class Archive> void visit_objects(Archive& archive, Column<JointObject>& objects) {
     Column<std::uint64_t> sizes;
@@ -275,7 +275,7 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
 }
 
 template <class Archive> void visit_state(Archive& archive, Model& model) {
-    auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, tied_pairs, ties, drives, excavated, structures, materials, joint_properties,
+    auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, tied_pairs, ties, boundary_histories, excavated, structures, materials, joint_properties,
            zone_properties, joint_constitutive, group_names, time_functions, rollers, water_ground, settings, clock, energy, histories, next_block_number, next_shape_number, next_contact_number,
            next_sub_contact_number, structure_changed, properties_changed, lists_changed, unreduced, forces_set, taken_over] = model;
     // The tables named above stand here only to be counted: Model::tables() is their list.

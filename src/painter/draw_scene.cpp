@@ -113,19 +113,19 @@ void add_layer(vtkRenderer* renderer, const Scene& scene, const Layer& layer) {
     colour_by_values(mapper, scene, layer);
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
-    auto* look = actor->GetProperty();
-    look->SetColor(layer.colour[0], layer.colour[1], layer.colour[2]);
-    look->SetOpacity(layer.opacity);
+    auto* property = actor->GetProperty();
+    property->SetColor(layer.colour[0], layer.colour[1], layer.colour[2]);
+    property->SetOpacity(layer.opacity);
     if (layer.kind == Layer::Kind::lines) {
-        look->SetLineWidth(static_cast<float>(std::max(1.0, layer.width * scene.width / 1000.0)));
-        look->LightingOff();
+        property->SetLineWidth(static_cast<float>(std::max(1.0, layer.width * scene.width / 1000.0)));
+        property->LightingOff();
         mapper->SetResolveCoincidentTopologyToPolygonOffset();
         mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -20);
     } else {
         // Colours that are read off a legend stay near to those of the legend.
         const bool plain = layer.bar < 0;
-        look->SetAmbient(plain ? 0.3 : 0.6);
-        look->SetDiffuse(plain ? 0.75 : 0.45);
+        property->SetAmbient(plain ? 0.3 : 0.6);
+        property->SetDiffuse(plain ? 0.75 : 0.45);
         mapper->SetResolveCoincidentTopologyToPolygonOffset();
         mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
     }

@@ -28,7 +28,7 @@ struct Shown {
 /// A quantity that can be seen as colours; a vector by its length, a text by names.
 struct ColourField {
     FieldTable table = FieldTable::block;
-    std::string title; ///< as it is written beside the colours: "displacement [length]"
+    std::string title; ///< as it is written next to the colours: "displacement [length]"
     std::function<FieldValue(const Model&, Row)> get;
 };
 /// Finds a quantity of gridpoints, zones or blocks by its name in fields(), or by a word of plot lines: disp, vel, sxx, group.

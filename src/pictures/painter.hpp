@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-/// One program kaya-painter beside this one, which waits until the first picture is asked for.
+/// One program kaya-painter next to this one, which waits until the first picture is asked for.
 class Painter {
 public:
     explicit Painter(std::filesystem::path program) : program_(std::move(program)) {}
@@ -17,7 +17,7 @@ public:
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    /// Makes a process that becomes the painter when it is given its first drawing. Behind the lock of the file system no
+    /// Makes a process that becomes the painter when it is given its first drawing. Follows the lock of the file system no
     /// program can be started, so this comes before it; it draws numbers that it is given and knows no names of files.
     /// Nothing, when there is no such program.
     void stand_by();

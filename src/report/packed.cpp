@@ -38,7 +38,7 @@ std::string byte_planes(std::string_view bytes, std::size_t size) {
 
 float rounded(float number) {
     if (!std::isfinite(number)) return number;
-    constexpr std::uint32_t low = 0xff; // of the 23 bits behind the first
+    constexpr std::uint32_t low = 0xff; // of the 23 bits after the first
     const auto bits = std::bit_cast<std::uint32_t>(number) + (low + 1) / 2;
     const float result = std::bit_cast<float>(bits & ~low);
     return std::isfinite(result) ? result : number;

@@ -211,7 +211,7 @@ std::string boundary_table(const Model& model) {
                        {"gridpoints on rollers", fmt::format("{}", rollers)},
                        {"loaded gridpoints of deformable blocks", fmt::format("{}", loaded)},
                        {"sum of applied forces", place(load)},
-                       {"conditions that change with time", fmt::format("{}", model.drives.size())}});
+                       {"conditions that change with time", fmt::format("{}", model.boundary_histories.size())}});
 }
 
 std::string energy_table(const Model& model) {

@@ -20,7 +20,7 @@ using Colour = std::array<double, 3>;
 Colour sequential_colour(double part);
 /// Blue over white to brown.
 Colour diverging_colour(double part);
-/// Colours of Okabe and Ito, which all eyes tell apart; behind the eighth they are repeated.
+/// Colours of Okabe and Ito, which all eyes tell apart; after the eighth they are repeated.
 Colour named_colour(std::size_t index);
 
 } // namespace kaya

@@ -32,16 +32,16 @@ std::vector<Line> lines_of(const SlopeColumns& columns) {
         if (line.to.x() < line.from.x() || (line.to.x() == line.from.x() && line.to.y() < line.from.y())) std::swap(line.from, line.to);
         if (!(line.length() > near)) continue;
         const auto same = std::ranges::find_if(lines, [&](const Line& other) {
-            const SectionPoint way = (other.to - other.from).normalized();
-            return std::abs(cross(way, line.from - other.from)) < near && std::abs(cross(way, line.to - other.from)) < near;
+            const SectionPoint along = (other.to - other.from).normalized();
+            return std::abs(cross(along, line.from - other.from)) < near && std::abs(cross(along, line.to - other.from)) < near;
         });
         if (same == lines.end()) {
             lines.push_back(line);
             continue;
         }
-        const SectionPoint way = (same->to - same->from).normalized();
-        if ((line.from - same->from).dot(way) < 0) same->from = line.from;
-        if ((line.to - same->to).dot(way) > 0) same->to = line.to;
+        const SectionPoint along = (same->to - same->from).normalized();
+        if ((line.from - same->from).dot(along) < 0) same->from = line.from;
+        if ((line.to - same->to).dot(along) > 0) same->to = line.to;
     }
     std::ranges::stable_sort(lines, std::ranges::greater(), &Line::length);
     if (lines.size() > most_lines) lines.resize(most_lines);
@@ -66,7 +66,7 @@ public:
             if (base.upright()) continue;
             const auto left = legs(base, false), right = legs(base, true);
             for (const Leg& a : left)
-                for (const Leg& b : right) look(base, a, b);
+                for (const Leg& b : right) consider(base, a, b);
         }
         return best_;
     }
@@ -79,12 +79,12 @@ private:
         if (ground && std::abs(*ground - end.y()) < 1e3 * near_) all.push_back({Leg::Kind::daylight, end, end});
         for (const Line& other : lines_) {
             if (&other == &base || other.upright()) continue;
-            const SectionPoint way = base.to - base.from, leg = other.to - other.from;
-            const double across = cross(way, leg);
-            if (std::abs(across) < 1e-9 * way.norm() * leg.norm()) continue;
+            const SectionPoint along = base.to - base.from, leg = other.to - other.from;
+            const double across = cross(along, leg);
+            if (std::abs(across) < 1e-9 * along.norm() * leg.norm()) continue;
             const double part = cross(other.from - base.from, leg) / across;
             if (part < -1e-6 || part > 1 + 1e-6) continue;
-            const SectionPoint corner = base.from + part * way, top = right ? other.to : other.from;
+            const SectionPoint corner = base.from + part * along, top = right ? other.to : other.from;
             const auto height = columns_.ground_at(top.x(), right ? SlopeColumns::Side::left : SlopeColumns::Side::right);
             const bool onward = right ? top.x() > corner.x() + near_ : top.x() < corner.x() - near_;
             if (onward && height && std::abs(*height - top.y()) < 1e3 * near_) all.push_back({Leg::Kind::joint, corner, SectionPoint(top.x(), *height)});
@@ -123,7 +123,7 @@ private:
         return factor;
     }
 
-    void look(const Line& base, const Leg& a, const Leg& b) {
+    void consider(const Line& base, const Leg& a, const Leg& b) {
         std::vector<double> low, high;
         const double width = columns_.right() - columns_.left();
         for (const Leg* leg : {&a, &b})

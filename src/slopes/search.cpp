@@ -33,7 +33,7 @@ public:
     }
 
     /// Left and right ends, for a body that slides to the right or to the left.
-    std::vector<Ends> ways() const {
+    std::vector<Ends> both_ends() const {
         const std::array<double, 2> all{columns_.left(), columns_.right()};
         const auto entry = search_.entry.value_or(all), exit = search_.exit.value_or(all);
         const auto sorted = [](std::array<double, 2> pair) { return std::array{std::min(pair[0], pair[1]), std::max(pair[0], pair[1])}; };
@@ -45,9 +45,9 @@ public:
 
     /// Whether its ends and its depth are as asked for.
     bool allows(const SlipSurface& surface, bool right) const {
-        const Ends way = ways()[right ? 0 : 1];
+        const Ends ends = both_ends()[right ? 0 : 1];
         const auto within = [](double x, const std::array<double, 2>& limits) { return x >= limits[0] && x <= limits[1]; };
-        return within(surface.points.front().x(), way.left) && within(surface.points.back().x(), way.right) && depth_of(surface) >= least_depth_;
+        return within(surface.points.front().x(), ends.left) && within(surface.points.back().x(), ends.right) && depth_of(surface) >= least_depth_;
     }
 
     double factor(const SlipSurface& surface, SliceMethod method) const {
@@ -121,15 +121,15 @@ struct Candidate {
 
 /// The weakest circles of a net, none too near to a better one.
 std::vector<Candidate> circle_net(const Search& search, SliceMethod method) {
-    constexpr int ends = 28, sags = 14, kept = 6;
+    constexpr int steps = 28, sags = 14, kept = 6;
     std::vector<Candidate> all;
     bool right = true;
-    for (const Ends& way : search.ways()) {
-        for (int i = 0; i <= ends; ++i) {
+    for (const Ends& ends : search.both_ends()) {
+        for (int i = 0; i <= steps; ++i) {
             stop_point();
-            for (int j = 0; j <= ends; ++j)
+            for (int j = 0; j <= steps; ++j)
                 for (int k = 0; k < sags; ++k) {
-                    std::vector<double> x{way.left[0] + (way.left[1] - way.left[0]) * i / ends, way.right[0] + (way.right[1] - way.right[0]) * j / ends,
+                    std::vector<double> x{ends.left[0] + (ends.left[1] - ends.left[0]) * i / steps, ends.right[0] + (ends.right[1] - ends.right[0]) * j / steps,
                                           0.02 * std::pow(25.0, static_cast<double>(k) / (sags - 1))};
                     const auto surface = search.circle(x[0], x[1], x[2]);
                     if (!surface || !search.slides(*surface, right)) continue;
@@ -195,15 +195,15 @@ std::optional<Candidate> best_circle(const Search& search, std::vector<Candidate
     const auto starts = circle_net(search, SliceMethod::bishop);
     for (const Candidate& start : starts) {
         stop_point();
-        const auto ways = search.ways();
-        const Ends& way = ways[start.right ? 0 : 1];
+        const auto both_ends = search.both_ends();
+        const Ends& ends = both_ends[start.right ? 0 : 1];
         const Objective objective = [&](const std::vector<double>& x) {
             const auto surface = search.circle(x[0], x[1], x[2]);
             return surface && search.slides(*surface, start.right) ? search.factor(*surface, search.asked().method) : no_answer;
         };
         Candidate from = start;
         from.factor = objective(from.x);
-        from = downhill(from, {0.1 * search.size(), 0.1 * search.size(), 0.2 * from.x[2]}, {way.left[0], way.right[0], 1e-3}, {way.left[1], way.right[1], 0.5}, objective);
+        from = downhill(from, {0.1 * search.size(), 0.1 * search.size(), 0.2 * from.x[2]}, {ends.left[0], ends.right[0], 1e-3}, {ends.left[1], ends.right[1], 0.5}, objective);
         if (from.factor >= no_answer) continue;
         if (all != nullptr) all->push_back(from);
         if (!best || from.factor < best->factor) best = from;
@@ -239,14 +239,14 @@ std::optional<FoundSurface> weakest_polyline(const SlopeColumns& columns, const 
     const std::size_t inner = static_cast<std::size_t>(std::max(3, asked.corners)) - 2;
     std::optional<Candidate> best;
     for (const bool right : {true, false}) {
-        const auto ways = search.ways();
-        const Ends& way = ways[right ? 0 : 1];
+        const auto both_ends = search.both_ends();
+        const Ends& ends = both_ends[right ? 0 : 1];
         if (!right && !asked.entry && !asked.exit) break;
         const Objective objective = [&](const std::vector<double>& x) {
             const auto surface = search.polyline(x);
             return surface && search.slides(*surface, right) ? search.factor(*surface, by_forces.method) : no_answer;
         };
-        std::vector<double> low{way.left[0], way.right[0]}, high{way.left[1], way.right[1]}, steps{0.1 * search.size(), 0.1 * search.size()};
+        std::vector<double> low{ends.left[0], ends.right[0]}, high{ends.left[1], ends.right[1]}, steps{0.1 * search.size(), 0.1 * search.size()};
         low.resize(inner + 2, 0.0);
         high.resize(inner + 2, 1.0);
         steps.resize(inner + 2, 0.03);

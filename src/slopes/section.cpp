@@ -231,7 +231,7 @@ std::optional<SlipBody> body_above(const SlopeColumns& columns, const SlipSurfac
     marks.back() = last;
 
     const auto pressure = [&](const SectionPoint& at) { return section.pore_pressure ? std::max(0.0, section.pore_pressure(at)) : 0.0; };
-    const double way = rightward ? 1 : -1;
+    const double sense = rightward ? 1 : -1;
     const SectionPoint chord(last - first, surface_height(surface, last) - surface_height(surface, first));
     double depth = 0;
     for (std::size_t k = 0; k + 1 < marks.size(); ++k) {
@@ -243,7 +243,7 @@ std::optional<SlipBody> body_above(const SlopeColumns& columns, const SlipSurfac
         const SlopeColumns::Column column = columns.column(base);
         Slice slice;
         slice.width = to - from;
-        slice.base_angle = way * std::atan2(a.y() - b.y(), to - from);
+        slice.base_angle = sense * std::atan2(a.y() - b.y(), to - from);
         slice.weight = column.weight * slice.width;
         slice.centroid_arm = column.weight > 0 ? column.moment / column.weight : 0;
         slice.pore_pressure = pressure(base) + section.pressure_ratio * column.weight;
@@ -258,17 +258,17 @@ std::optional<SlipBody> body_above(const SlopeColumns& columns, const SlipSurfac
             slice.rightward += force;
             moment += force * (height - base.y());
         };
-        push(way * on_top * (right_top.y() - left_top.y()), *top);
+        push(sense * on_top * (right_top.y() - left_top.y()), *top);
         // Beside an upright part of the ground, on the slice that it bounds.
         const double beyond_right = k + 2 < marks.size() ? *columns.ground_at(to, SlopeColumns::Side::right) : right_top.y();
         const double beyond_left = k > 0 ? *columns.ground_at(from, SlopeColumns::Side::left) : left_top.y();
-        const auto beside = [&](double x, double high, double low, double direction) {
+        const auto limit_side = [&](double x, double high, double low, double direction) {
             if (!(high > low)) return;
             const double force = 0.5 * (pressure({x, high}) + pressure({x, low})) * (high - low);
-            push(way * direction * force, between(low, high, 1.0 / 3));
+            push(sense * direction * force, between(low, high, 1.0 / 3));
         };
-        beside(to, right_top.y(), beyond_right, -1);
-        beside(from, left_top.y(), beyond_left, 1);
+        limit_side(to, right_top.y(), beyond_right, -1);
+        limit_side(from, left_top.y(), beyond_left, 1);
         slice.rightward_arm = slice.rightward != 0 ? moment / slice.rightward : 0;
         body.slices.push_back(slice);
         if (surface.circle) body.centre_heights.push_back(surface.circle->centre.y() - base.y());

@@ -52,7 +52,7 @@ public:
     double right() const { return ground_.back().x(); }
     double lowest() const { return lowest_; }
 
-    /// Height of the ground; on an upright part that of its side to the left or to the right. None beside the section.
+    /// Height of the ground; on an upright part that of its side to the left or to the right. None next to the section.
     enum class Side { left, right };
     std::optional<double> ground_at(double distance, Side side = Side::right) const;
 

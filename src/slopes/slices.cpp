@@ -46,7 +46,7 @@ private:
         return slice.width / cosine_[i] * (lines_[i].cohesion - slice.pore_pressure * lines_[i].tan_friction);
     }
 
-    bool touch_envelopes(); ///< lines at the normal stresses of the moment; false where no strength is
+    bool contact_envelopes(); ///< lines at the normal stresses of the moment; false where no strength is
     std::optional<double> ordinary();
     std::optional<double> bishop();
     std::optional<double> balanced(double lambda); ///< horizontal forces
@@ -88,7 +88,7 @@ void Statics::shape(bool half_sine) {
     shapes_.back() = 0;
 }
 
-bool Statics::touch_envelopes() {
+bool Statics::contact_envelopes() {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         const Slice& slice = body_.slices[i];
         if (slice.strength == nullptr || !slice.strength->fails()) return false;
@@ -268,7 +268,7 @@ std::optional<SliceAnswer> Statics::solve(SliceMethod method) {
     shape(method == SliceMethod::morgenstern_price);
     std::optional<double> factor;
     for (int round = 0; round < (linear ? 1 : 100); ++round) {
-        if (!touch_envelopes()) return std::nullopt;
+        if (!contact_envelopes()) return std::nullopt;
         const std::optional<double> before = factor;
         switch (method) {
         case SliceMethod::ordinary: factor = ordinary(); break;

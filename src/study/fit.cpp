@@ -103,7 +103,7 @@ public:
                 auto& fitting = *static_cast<Fitting*>(self);
                 try {
                     return fitting.objective(point);
-                } catch (...) { // C lies between: it goes on behind NLopt
+                } catch (...) { // C lies between: it goes on after NLopt
                     fitting.thrown_ = std::current_exception();
                     throw nlopt::forced_stop();
                 }

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr int most_losses = 3;       ///< then a run that is killed is a row of its own
 constexpr double patience = 5;       ///< seconds from the wish to end to the end
-constexpr timespec look_again{0, 50'000'000};
+constexpr timespec poll{0, 50'000'000};
 constexpr const char* output_file = "output.txt";
 
 timespec now() {
@@ -190,7 +190,7 @@ void LocalRuns::stop_all(int signal) {
     while (!children_.empty()) {
         if (seconds_since(began) > patience)
             for (const auto& [id, child] : children_) ::kill(id, SIGKILL);
-        ::sigtimedwait(&set, nullptr, &look_again);
+        ::sigtimedwait(&set, nullptr, &poll);
         for (pid_t id = 0; (id = ::waitpid(-1, nullptr, WNOHANG)) > 0;) children_.erase(id);
     }
 }
@@ -222,7 +222,7 @@ std::vector<Outcome> LocalRuns::all(const std::vector<Case>& cases) {
                 if (started == Start::done) progress_.one_done(true);
             }
             siginfo_t heard{};
-            if (const int signal = ::sigtimedwait(&blocked.set(), &heard, &look_again); signal > 0 && signal != SIGCHLD) stop(signal);
+            if (const int signal = ::sigtimedwait(&blocked.set(), &heard, &poll); signal > 0 && signal != SIGCHLD) stop(signal);
             reap();
             end_late_ones();
             if (left.empty() && children_.empty()) std::swap(left, elsewhere); // done by now, or given up by who did them

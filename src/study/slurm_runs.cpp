@@ -19,9 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_losses = 5;          ///< batches behind which nothing more is there than before
-constexpr double look_again = 0.5;      ///< seconds between two looks at the outcomes
-constexpr int looks_per_question = 4;   ///< and so many of them to one question to the queue
+constexpr int most_losses = 5;          ///< batches after which nothing more is there than before
+constexpr double poll_interval = 0.5;      ///< seconds between two looks at the outcomes
+constexpr int polls_per_question = 4;   ///< and so many of them to one question to the queue
 constexpr double patience = 300;        ///< seconds for which sbatch may find nobody
 constexpr std::size_t usual_tasks = 1000; ///< of an array, where Slurm does not say
 
@@ -122,8 +122,8 @@ void SlurmRuns::follow(const std::vector<Case>& cases) {
     std::set<std::size_t> there;
     for (const auto& one : cases)
         if (folder_.outcome(one)) there.insert(one.number);
-    for (int look = 1; there.size() < cases.size(); ++look) {
-        const bool over = look % looks_per_question == 0 && !has_jobs();
+    for (int poll = 1; there.size() < cases.size(); ++poll) {
+        const bool over = poll % polls_per_question == 0 && !has_jobs();
         for (const auto& one : cases) {
             if (there.contains(one.number)) continue;
             const auto outcome = folder_.outcome(one);
@@ -132,7 +132,7 @@ void SlurmRuns::follow(const std::vector<Case>& cases) {
             progress_.one_done(outcome->end == Outcome::End::done);
         }
         if (over) return;
-        wait(look_again, cases);
+        wait(poll_interval, cases);
     }
 }
 

@@ -163,7 +163,7 @@ std::optional<Response> response_of(const std::string& result, const std::vector
         for (std::size_t t = 0; t < products.size(); ++t)
             matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(t)) = number(rows[i], products[t].first) * number(rows[i], products[t].second);
     }
-    // Columns of one size: a modulus in Pa stands beside a friction angle. What the runs do not tell apart gets the least factors.
+    // Columns of one size: a modulus in Pa stands next to a friction angle. What the runs do not tell apart gets the least factors.
     const Eigen::VectorXd scale = matrix.colwise().norm().cwiseMax(1e-300);
     const Eigen::VectorXd solution = (matrix * scale.cwiseInverse().asDiagonal()).completeOrthogonalDecomposition().solve(right).cwiseQuotient(scale);
     const auto name = [&](std::size_t j) { return cases[0].values[columns[j]].first; };

@@ -103,7 +103,7 @@ struct Study {
 
 /// Throws Diagnostic at the word that is wrong.
 Study read_study(const std::string& file);
-/// The same of a text, whose deck is beside `file`.
+/// The same of a text, whose deck is next to `file`.
 Study read_study(const std::string& file, const std::string& text);
 
 } // namespace kaya

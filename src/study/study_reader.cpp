@@ -217,7 +217,7 @@ void read_design(std::optional<TomlSection> found, Study& study) {
             in.fail(factor.place, fmt::format("method \"{}\" needs values of '{}'", method_names()[static_cast<std::size_t>(design.method)], factor.name),
                     "give values = [...], or from, to and count");
         if (design.method == Method::one_at_a_time && !factor.base)
-            in.fail(factor.place, fmt::format("method \"one-at-a-time\" needs the base of '{}'", factor.name), "give base = 30 beside its values");
+            in.fail(factor.place, fmt::format("method \"one-at-a-time\" needs the base of '{}'", factor.name), "give base = 30 next to its values");
         if (design.method == Method::list && factor.values.size() != study.factors.front().values.size())
             in.fail(factor.place, fmt::format("a list needs as many values of '{}' as of '{}': {}", factor.name, study.factors.front().name,
                                               study.factors.front().values.size()));
@@ -333,7 +333,7 @@ void read_questions(TomlSection& in, Study& study) {
     read_fit(in.section("fit"), study);
     if (study.critical && study.fit) in.fail(study.fit->place, "a study looks for a critical value or fits parameters, not both");
     if (!study.critical && !study.fit) return;
-    if (!study.factors.empty()) in.fail(study.factors.front().place, fmt::format("'{}' varies beside a search", study.factors.front().name),
+    if (!study.factors.empty()) in.fail(study.factors.front().place, fmt::format("'{}' varies besides a search", study.factors.front().name),
                                         "a study with [critical] or [fit] gives its other parameters one value each");
 }
 
@@ -392,7 +392,7 @@ Study read_study(const std::string& file, const std::string& text) {
     if (!deck) in.fail(in.place(), "a study needs its deck", "write deck = \"slope.3dd\" in its first lines");
     study.deck = (fs::path(file).parent_path() / *deck).string();
     std::error_code ignored;
-    if (!fs::is_regular_file(study.deck, ignored)) in.fail(in.place_of(*in.find("deck")), fmt::format("there is no deck '{}'", *deck), "the deck is looked for beside the study file");
+    if (!fs::is_regular_file(study.deck, ignored)) in.fail(in.place_of(*in.find("deck")), fmt::format("there is no deck '{}'", *deck), "the deck is looked for next to the study file");
     study.title = in.text("title").value_or("");
     if (auto parameters = in.section("parameters")) read_parameters(*parameters, study);
     auto results = in.section("results");

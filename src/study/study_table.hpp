@@ -14,7 +14,7 @@ namespace kaya {
 std::string csv_of(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes, const std::vector<Asked>& asked);
 
 /// The same as HDF5: groups `parameters` and `results` with a column each, and run, end, cycles, seconds, warnings, weight
-/// beside them. Truths are 0 and 1, what is not there is NaN; a column with texts is one text with a line for each run.
+/// next to them. Truths are 0 and 1, what is not there is NaN; a column with texts is one text with a line for each run.
 std::string hdf5_of(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes, const std::vector<Asked>& asked);
 
 /// Columns for a terminal, of at most so many runs.

@@ -37,12 +37,12 @@ public:
             r[static_cast<Eigen::Index>(i)] = tried.stress[unknown_[i]] - step_.value[unknown_[i]];
         return r;
     }
-    Matrix slope(const Vector& x, const Vector& at_x, double way) const {
+    Matrix slope(const Vector& x, const Vector& at_x, double shift) const {
         Matrix m(count(), count());
         for (Eigen::Index k = 0; k < count(); ++k) {
             Vector moved = x;
-            moved[k] += way;
-            m.col(k) = (residual(moved) - at_x) / way;
+            moved[k] += shift;
+            m.col(k) = (residual(moved) - at_x) / shift;
         }
         return m;
     }
@@ -77,8 +77,8 @@ bool solve(const StressEquations& equations, const ZoneModuli& moduli, double ex
         x = nearer, r = at_nearer;
     }
     for (int k = 0; k < most && r.norm() > exact; ++k) {
-        const double way = 1e-6 * std::max({x.norm(), step_strain, r.norm() / moduli.shear});
-        const Vector by_slope = x - equations.slope(x, r, way).fullPivLu().solve(r);
+        const double shift = 1e-6 * std::max({x.norm(), step_strain, r.norm() / moduli.shear});
+        const Vector by_slope = x - equations.slope(x, r, shift).fullPivLu().solve(r);
         const Vector by_elastic = x - elastic_inverse.solve(r);
         const Vector at_slope = by_slope.allFinite() ? equations.residual(by_slope) : r;
         const Vector at_elastic = equations.residual(by_elastic);
@@ -99,7 +99,7 @@ SingleZone::SingleZone(const ZoneModel& model_, std::vector<double> values_, dou
     : model(&model_), values(std::make_shared<const std::vector<double>>(std::move(values_))), volume(volume_) {
     if (const auto missing = model->missing(*values); !missing.empty())
         throw Diagnostic(fmt::format("zone model {} lacks {}", model->name, fmt::join(missing, ", ")),
-                         fmt::format("give it behind the path: {}=1e9", missing.front()));
+                         fmt::format("give it after the path: {}=1e9", missing.front()));
     if (const auto fault = model->check(*values); !fault.empty())
         throw Diagnostic(fmt::format("zone model {}: {}", model->name, fault), "correct the values");
 }

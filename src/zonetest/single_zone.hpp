@@ -1,7 +1,7 @@
 // One zone without an engine: a zone model is driven step by step, and steps can be tried.
 #pragma once
 
-#include "joints/zone_model.hpp"
+#include "laws/zone_model.hpp"
 
 #include <array>
 #include <cstdint>

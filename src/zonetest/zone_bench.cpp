@@ -1,7 +1,7 @@
 #include "zonetest/zone_bench.hpp"
 
 #include "base/diagnostic.hpp"
-#include "joints/given_values.hpp"
+#include "laws/given_values.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,11 +11,11 @@ namespace kaya {
 namespace {
 
 /// Looks at each step for what no rock does.
-class Watch {
+class ProgressCallback {
 public:
-    explicit Watch(std::vector<ZoneFinding>& findings) : findings_(findings) {}
+    explicit ProgressCallback(std::vector<ZoneFinding>& findings) : findings_(findings) {}
 
-    void look(std::size_t step, const SingleZone& before, const SingleZone& after, const SixNumbers& increment, double time) {
+    void compare(std::size_t step, const SingleZone& before, const SingleZone& after, const SixNumbers& increment, double time) {
         const double size = std::abs(before.put_in) + std::abs(after.put_in) + 1e-300;
         if (after.dissipated - before.dissipated < -1e-9 * size)
             found(negative_, step, fmt::format("plastic flow gives out work: {:.3g} per volume", before.dissipated - after.dissipated));
@@ -73,7 +73,7 @@ private:
         bool same = state[own] == after.state;
         for (std::size_t k = 0; k < 6; ++k) same = same && stress[k][own] == after.stress[k];
         for (std::size_t h = 0; h < before.model->history.size(); ++h) same = same && history[h][own] == after.history[h];
-        if (!same) found(neighbours_, step, "what a row answers depends on the rows beside it");
+        if (!same) found(neighbours_, step, "what a row answers depends on the rows next to it");
     }
 
     std::vector<ZoneFinding>& findings_;
@@ -87,7 +87,7 @@ ZoneCurve follow_zone_path(const ZoneModel& model, const std::vector<double>& va
     zone.stress = settings.stress;
     for (std::size_t k = 0; k < 6; ++k) (path.is_stress[k] ? zone.stress : zone.strain)[k] = path.points.front().value[k];
     ZoneCurve curve;
-    Watch watch(curve.findings);
+    ProgressCallback progress(curve.findings);
     curve.points.push_back(zone);
     curve.time.push_back(path.points.front().time);
     for (std::size_t p = 1; p < path.points.size(); ++p) {
@@ -104,7 +104,7 @@ ZoneCurve follow_zone_path(const ZoneModel& model, const std::vector<double>& va
             const SingleZone before = zone;
             try {
                 const SixNumbers increment = zone.step(step);
-                watch.look(curve.points.size(), before, zone, increment, step.time);
+                progress.compare(curve.points.size(), before, zone, increment, step.time);
             } catch (Diagnostic& problem) {
                 throw problem.add(fmt::format("on the way to point {} of the path, in step {} of {}", p + 1, i, settings.steps));
             }

@@ -21,7 +21,7 @@ struct ZoneFinding {
 };
 
 struct ZoneCurve {
-    std::vector<SingleZone> points; ///< the zone behind each step; the first is that of the beginning
+    std::vector<SingleZone> points; ///< the zone after each step; the first is that of the beginning
     std::vector<double> time;
     std::vector<ZoneFinding> findings; ///< the first of each kind
 };

@@ -135,9 +135,9 @@ template <int passes> void run_rows(kaya_jbatch* batch) {
         // Resistance on the side that is moved: minus the force on block 2.
         const Shear resistance = {-force_x[i] * per_area, -force_y[i] * per_area, -force_z[i] * per_area};
         const Shear motion = {motion_x[i], motion_y[i], motion_z[i]};
-        const double size = length(resistance), way = length(motion);
+        const double size = length(resistance), travel = length(motion);
         const double dot = resistance.x * motion.x + resistance.y * motion.y + resistance.z * motion.z;
-        const double per_way = way > 0 ? 1 / std::max(way, tiny) : 0;
+        const double per_travel = travel > 0 ? 1 / std::max(travel, tiny) : 0;
         // A bound that has worn off under the resistance; never more than it was worth at first.
         const double worn_off_by = std::min(size / std::max(old_bound, tiny), at_first / std::max(tangent, tiny));
         const double over = old_bound > 0 ? std::max(1.0, worn_off_by) : 1;
@@ -154,12 +154,12 @@ template <int passes> void run_rows(kaya_jbatch* batch) {
             // A normal stress that falls takes resistance with it, as much as stiffness (7) and bounding strength say.
             const double softer = std::min(1.0, ks / old_ks), held = bound * over / std::max(size, tiny);
             kept = size * softer > bound * over ? held : softer;
-            along = dot * per_way * kept; // component in the direction of motion
-            const bool moves = way > 0 && bound > 0;
+            along = dot * per_travel * kept; // component in the direction of motion
+            const bool moves = travel > 0 && bound > 0;
             const double some_bound = std::max(bound, tiny), some_normal = std::max(normal, tiny);
             const double turned = std::min(largest_ratio, along / some_bound);
             const Advance moved =
-                advance(along, way, ks, turns ? turned : ratio, some_normal, angle, intrinsic, per_roughness);
+                advance(along, travel, ks, turns ? turned : ratio, some_normal, angle, intrinsic, per_roughness);
             step.stress = moves ? moved.stress : along;
             step.plastic = moves ? moved.plastic : 0;
             step.friction = moves ? moved.friction : angle;
@@ -175,8 +175,8 @@ template <int passes> void run_rows(kaya_jbatch* batch) {
 
         // What is along the motion, and what is across it.
         const bool bears = bound > 0;
-        const double forward = bears ? (way > 0 ? step.stress : 0) * per_way : 0;
-        const double taken = along * per_way, rest = bears ? across : 0;
+        const double forward = bears ? (travel > 0 ? step.stress : 0) * per_travel : 0;
+        const double taken = along * per_travel, rest = bears ? across : 0;
         const Shear fresh = {(resistance.x * kept - taken * motion.x) * rest + forward * motion.x,
                              (resistance.y * kept - taken * motion.y) * rest + forward * motion.y,
                              (resistance.z * kept - taken * motion.z) * rest + forward * motion.z};
@@ -191,8 +191,8 @@ template <int passes> void run_rows(kaya_jbatch* batch) {
         const double lifted = 0.5 * (old_normal + new_normal) * lifting;
         work[i] += area * (worked - stored - lifted);
 
-        const double cosine = (fresh.x * motion.x + fresh.y * motion.y + fresh.z * motion.z) * per_way / std::max(new_size, tiny);
-        const double new_head = way > 0 && new_size > 0 ? cosine : head;
+        const double cosine = (fresh.x * motion.x + fresh.y * motion.y + fresh.z * motion.z) * per_travel / std::max(new_size, tiny);
+        const double new_head = travel > 0 && new_size > 0 ? cosine : head;
         const double new_angle = step.friction;
         const bool past_peak = step.stress > 0 && step.stress >= new_normal * tangent_of_degrees(new_angle) && step.plastic > 0;
         closures[i] = new_closed;

@@ -57,7 +57,7 @@ inline constexpr std::array<kaya_jhistory, history_count> history = {{
     {"slip", "length", "plastic shear displacement, added up"},
 }};
 
-/// What dilation keeps, behind all else that a model keeps; its first row is known to the model's Columns.
+/// What dilation keeps, after all else that a model keeps; its first row is known to the model's Columns.
 inline constexpr std::array<kaya_jhistory, 4> history_of_dilation = {{
     {"dilated", "length", "opening that dilation has brought and holds now"},
     {"dilating-x", "length", "plastic shear displacement from where dilation began"},
@@ -65,7 +65,7 @@ inline constexpr std::array<kaya_jhistory, 4> history_of_dilation = {{
     {"dilating-z", "length", "plastic shear displacement from where dilation began"},
 }};
 
-/// The rows that are shared, and behind them those of a model.
+/// The rows that are shared, and after them those of a model.
 template <class Row, std::size_t shared, std::size_t own>
 constexpr std::array<Row, shared + own> operator+(const std::array<Row, shared>& first, const std::array<Row, own>& more) {
     std::array<Row, shared + own> rows{};
@@ -108,15 +108,15 @@ inline const char* check(const double* p) {
 struct Columns {
     const double *area, *opening, *shear_x, *shear_y, *shear_z;
     double *normal_force, *force_x, *force_y, *force_z, *work, *gaps, *slips;
-    double *dilated, *way_x, *way_y, *way_z;
+    double *dilated, *travel_x, *travel_y, *travel_z;
     uint32_t* states;
 
     Columns(const kaya_jbatch& b, std::size_t dilation_at)
         : area(b.area), opening(b.normal_disp_inc), shear_x(b.shear_disp_inc[0]), shear_y(b.shear_disp_inc[1]),
           shear_z(b.shear_disp_inc[2]), normal_force(b.normal_force), force_x(b.shear_force[0]),
           force_y(b.shear_force[1]), force_z(b.shear_force[2]), work(b.frictional_work), gaps(b.history[gap]),
-          slips(b.history[slip]), dilated(b.history[dilation_at]), way_x(b.history[dilation_at + 1]),
-          way_y(b.history[dilation_at + 2]), way_z(b.history[dilation_at + 3]), states(b.state) {}
+          slips(b.history[slip]), dilated(b.history[dilation_at]), travel_x(b.history[dilation_at + 1]),
+          travel_y(b.history[dilation_at + 2]), travel_z(b.history[dilation_at + 3]), states(b.state) {}
 };
 
 /// Coulomb's straight line: shear force that is carried at a normal force (4).
@@ -172,9 +172,9 @@ struct Climb {
     double end;
 
     /// `way` is the unit vector of the step's slip.
-    [[gnu::always_inline]] static Climb of(const Columns& c, std::size_t i, const Shear& way, double dilatancy, double end) {
-        const double along = c.way_x[i] * way.x + c.way_y[i] * way.y + c.way_z[i] * way.z;
-        const double distance2 = c.way_x[i] * c.way_x[i] + c.way_y[i] * c.way_y[i] + c.way_z[i] * c.way_z[i];
+    [[gnu::always_inline]] static Climb of(const Columns& c, std::size_t i, const Shear& travel, double dilatancy, double end) {
+        const double along = c.travel_x[i] * travel.x + c.travel_y[i] * travel.y + c.travel_z[i] * travel.z;
+        const double distance2 = c.travel_x[i] * c.travel_x[i] + c.travel_y[i] * c.travel_y[i] + c.travel_z[i] * c.travel_z[i];
         const double height = std::min(std::sqrt(distance2), end);
         const double fall = c.dilated[i] / std::max(height, std::numeric_limits<double>::min());
         return {along, std::max(0.0, distance2 - along * along), height, dilatancy, fall, end};
@@ -223,7 +223,7 @@ template <bool dilates, class Strength, class Creep = Rigid>
 
     // Normal: the spring acts on the displacement beyond the gap (1), up to the tensile limit (2). A failed joint
     // without tension parts: beyond a gap of 0 its sides touch no more.
-    const double touching_gap = limits.residual_tension > 0 ? INFINITY : 0;
+    const double contact_gap = limits.residual_tension > 0 ? INFINITY : 0;
     const double lowest = -limits.residual_tension * area;
     const double held = old_gap > 0 ? lowest : old_normal;
     const double pulled = held - kn * area * (old_gap + c.opening[i]);
@@ -231,7 +231,7 @@ template <bool dilates, class Strength, class Creep = Rigid>
     const double stretched = breaks ? (lowest - pulled) * per_area / kn : 0;
     double new_gap = area > 0 ? stretched : std::max(0.0, old_gap + c.opening[i]);
     const double elastic_normal = breaks ? lowest : pulled;
-    const bool apart = new_gap > touching_gap;
+    const bool apart = new_gap > contact_gap;
 
     // Shear: elastic trial (3), less what creep lets go, against the limit (4).
     const double old_x = c.force_x[i], old_y = c.force_y[i], old_z = c.force_z[i];
@@ -276,9 +276,9 @@ template <bool dilates, class Strength, class Creep = Rigid>
     const double scale = limit / divisor; // exactly 1 where it neither yields nor creeps
     if constexpr (dilates) {
         const double part = excess > 0 ? (trial - limit) * per_area / ks / divisor : 0;
-        c.way_x[i] -= part * trial_x;
-        c.way_y[i] -= part * trial_y;
-        c.way_z[i] -= part * trial_z;
+        c.travel_x[i] -= part * trial_x;
+        c.travel_y[i] -= part * trial_y;
+        c.travel_z[i] -= part * trial_z;
     }
 
     // Work taken up: mean force times slip, less what dilation lifts (7), which is below 0 on the way back; and the energy

@@ -206,9 +206,9 @@ template <bool dilates> void run_rows(kaya_jbatch* batch) {
             if constexpr (dilates) {
                 const double part = t.slipped[j] / std::max(t.size[j], std::numeric_limits<double>::min());
                 c.dilated[i] += climbed;
-                c.way_x[i] -= part * t.x[j];
-                c.way_y[i] -= part * t.y[j];
-                c.way_z[i] -= part * t.z[j];
+                c.travel_x[i] -= part * t.x[j];
+                c.travel_y[i] -= part * t.y[j];
+                c.travel_z[i] -= part * t.z[j];
             }
             c.gaps[i] = closed;
             c.slips[i] += t.slipped[j];

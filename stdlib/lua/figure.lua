@@ -1,4 +1,4 @@
--- Pictures of results: curves beside closed forms, outlines of blocks. A figure is written as a gnuplot script that
+-- Pictures of results: curves next to closed forms, outlines of blocks. A figure is written as a gnuplot script that
 -- holds its data; scripts/verification draws the figures of the verification decks as SVG.
 --
 --     local figure = require "figure"

@@ -162,7 +162,7 @@ library.print = function(...)
 end
 
 -- `restore` runs the chunks of a saved model again for their definitions, and nothing outside may change by it: a file
--- that a chunk opens to write is opened when something is written after that, behind what is there already.
+-- that a chunk opens to write is opened when something is written after that, after what is there already.
 local function opened_later(open)
     local file, real = {}, nil
     local methods = {}

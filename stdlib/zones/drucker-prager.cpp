@@ -59,7 +59,7 @@ ptrdiff_t run(kaya_zbatch* batch) {
             if (opens) batch->history[plastic_tension][i] += opened;
             batch->dissipation[i] = 2 * tau * sheared + mean * opened;
         }
-        batch->state[i] = state_behind(batch->state[i], shear, opens);
+        batch->state[i] = state_after(batch->state[i], shear, opens);
         put_stress(*batch, i, stress);
     }
     return -1;

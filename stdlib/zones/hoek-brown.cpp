@@ -149,9 +149,9 @@ template <class Criterion> void run_with(kaya_zbatch* batch, const Criterion& cu
             principal.value = trial;
             flow = return_to(tangent(curve, at, flow_slope), moduli, principal.value);
             const double found = std::max(-principal.value[0], curve.tip());
-            const double way = std::abs(found - at);
+            const double shift = std::abs(found - at);
             at = found;
-            if (way <= 1e-10 * size) break;
+            if (shift <= 1e-10 * size) break;
         }
         put_stress(*batch, i, principal.tensor());
         batch->dissipation[i] = dot(principal.value, flow.strain);

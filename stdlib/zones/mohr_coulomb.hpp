@@ -141,7 +141,7 @@ inline Flow return_to(const Strength& strength, const Moduli& moduli, Vector3& s
 inline constexpr const char* states_of_flow = "shear-now tension-now shear-past tension-past";
 enum State : std::uint32_t { shear_now = 1, tension_now = 2, shear_past = 4, tension_past = 8 };
 
-inline std::uint32_t state_behind(std::uint32_t before, bool shear, bool tension) {
+inline std::uint32_t state_after(std::uint32_t before, bool shear, bool tension) {
     std::uint32_t state = before & (shear_past | tension_past);
     if (before & shear_now) state |= shear_past;
     if (before & tension_now) state |= tension_past;
@@ -152,7 +152,7 @@ inline std::uint32_t bits_of(const Flow& flow) { return (flow.shear ? shear_now 
 
 /// What flowed in the step before has flowed.
 inline void forget_flow(kaya_zbatch& batch) {
-    for (std::size_t i = 0; i < batch.n; ++i) batch.state[i] = state_behind(batch.state[i], false, false);
+    for (std::size_t i = 0; i < batch.n; ++i) batch.state[i] = state_after(batch.state[i], false, false);
 }
 
 /// The measure of plastic shear strain (5): the root of the second invariant of its deviator.

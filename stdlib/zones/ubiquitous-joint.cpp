@@ -95,8 +95,8 @@ ptrdiff_t run(kaya_zbatch* batch) {
     add_elastic(*batch, moduli);
     // What flowed in the step before has flowed, in the rock and on the planes.
     for (std::size_t i = 0; i < batch->n; ++i)
-        batch->state[i] = state_behind(batch->state[i] & 15u, false, false) |
-                          state_behind(batch->state[i] >> joint_bits, false, false) << joint_bits;
+        batch->state[i] = state_after(batch->state[i] & 15u, false, false) |
+                          state_after(batch->state[i] >> joint_bits, false, false) << joint_bits;
     const auto holds = [&](std::size_t, double high, double low) { return strength.holds(high, low); };
     for_rows_that_may_yield(*batch, holds, [&](std::size_t i, Principal& principal) {
         const Flow flow = return_to(strength, moduli, principal.value);

@@ -1,7 +1,7 @@
 // Sub-contact updates per second of one joint law written three times: native, in the dialect of 3DEC 9 through the
 // adapter, and in Lua. Rows slip to and fro under a constant closing, in batches as the engine makes them.
 #include "commands/lua_joint_models.hpp"
-#include "joints/batch.hpp"
+#include "laws/batch.hpp"
 
 #include <array>
 #include <benchmark/benchmark.h>
@@ -14,7 +14,7 @@ constexpr std::size_t batch_rows = 512, rows = 16 * batch_rows;
 kaya::JointRegistry& registry() {
     static kaya::JointRegistry joints = [] {
         kaya::JointRegistry made;
-        kaya::understand_lua_models(made);
+        kaya::add_lua_loader(made);
         made.set_path({KAYA_TEST_COMPAT, KAYA_TEST_COMPAT_SOURCES});
         return made;
     }();

@@ -1,8 +1,8 @@
 // Sub-contact updates per second of every joint model that ships, on one thread: rows that stay in the processor's
 // cache, and a million rows that do not. The last column is the traffic of the million rows against that of a plain
 // a = b + s c over as much memory, in the same run: where it is near 1, memory is what limits the model.
-#include "joints/batch.hpp"
-#include "joints/joint_model.hpp"
+#include "laws/batch.hpp"
+#include "laws/joint_model.hpp"
 
 #include <algorithm>
 #include <array>

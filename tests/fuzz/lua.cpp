@@ -14,15 +14,15 @@ using namespace kaya;
 namespace {
 
 /// Stops the scripts when they have run for too long, as a user does with Ctrl-C.
-class Watch {
+class FinishScripts {
 public:
-    explicit Watch(script::Scripts& scripts)
+    explicit FinishScripts(script::Scripts& scripts)
         : thread_([this, &scripts] {
               std::unique_lock lock(mutex_);
               while (!wake_.wait_for(lock, std::chrono::milliseconds(200), [this] { return over_; }))
                   scripts.interrupt();
           }) {}
-    ~Watch() {
+    ~FinishScripts() {
         {
             const std::lock_guard lock(mutex_);
             over_ = true;
@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     options.memory = 64 << 20;
     script::test::Stage stage(2, 4, options);
     stage.fish("def twice(a)\ntwice = 2 * a\nend\n");
-    const Watch watch(stage.scripts);
+    const FinishScripts watch(stage.scripts);
     survive([&] { stage.lua(text); });
     survive([&] { stage.scripts.run_hooks(script::Moment::after_cycle, 10); });
     survive([&] {

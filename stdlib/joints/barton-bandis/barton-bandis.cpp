@@ -249,10 +249,10 @@ template <bool thesis> void run_rows(kaya_jbatch* batch, const Law& law) {
         path.on_curve = turns ? 0 : was_on_curve;
 
         // Dilation can keep a joint closed whose sides move apart; it cannot close an open one.
-        const double touching_motion = std::max(closures[i], free_closure) > 0 ? path.motion : 0;
+        const double contact_motion = std::max(closures[i], free_closure) > 0 ? path.motion : 0;
         path.before = mobilised_at<thesis>(law, before);
-        path.after = mobilised_at<thesis>(law, before + touching_motion);
-        path.motion = touching_motion;
+        path.after = mobilised_at<thesis>(law, before + contact_motion);
+        path.motion = contact_motion;
         path.fallen = thesis && (states[i] & has_fallen) != 0 ? 1 : 0;
 
         // Dilation closes the joint further, which changes the normal stress, which changes dilation
@@ -293,15 +293,15 @@ template <bool thesis> void run_rows(kaya_jbatch* batch, const Law& law) {
         spent_before[i] = after;
 
         // After a separation the joint loads as it reloads: it keeps what it has spent.
-        const double touches = new_closure > 0 ? 1 : 0;
+        const double closes = new_closure > 0 ? 1 : 0;
         const double worn = before > 0 ? 0 : 1;
         const double reaches = last.excess > 0 ? 1 : path.on_curve;
-        const double continues = touches > 0 ? reaches : worn;
-        const double unloads = touches > 0 ? 1 - continues : 0;
+        const double continues = closes > 0 ? reaches : worn;
+        const double unloads = closes > 0 ? 1 - continues : 0;
         turn_x[i] = unloads * last.kept * from_x;
         turn_y[i] = unloads * last.kept * from_y;
         turn_z[i] = unloads * last.kept * from_z;
-        states[i] = (touches > 0 ? 0 : is_open) | (spent > 0 ? is_slipping : 0) |
+        states[i] = (closes > 0 ? 0 : is_open) | (spent > 0 ? is_slipping : 0) |
                     (after > law.peak_displacement ? is_past_peak : 0) | (continues > 0 ? 0 : is_unloading) |
                     (thesis ? (states[i] & has_fallen) | (law.falls && last.excess > 0 ? has_fallen : 0) : 0);
     }

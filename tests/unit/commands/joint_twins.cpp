@@ -1,7 +1,7 @@
 // The same joint model three times: native, in the dialect of 3DEC 9, in Lua; and what a Lua file may do wrong.
 #include "base/diagnostic.hpp"
 #include "commands/lua_joint_models.hpp"
-#include "joints/batch.hpp"
+#include "laws/batch.hpp"
 #include "tests/unit/scratch_folder.hpp"
 
 #include <array>
@@ -90,7 +90,7 @@ struct Rows {
 JointRegistry& registry() {
     static JointRegistry joints = [] {
         JointRegistry made;
-        understand_lua_models(made);
+        add_lua_loader(made);
         made.set_path({KAYA_TEST_COMPAT, KAYA_TEST_COMPAT_SOURCES});
         return made;
     }();
@@ -144,7 +144,7 @@ class Written {
 public:
     explicit Written(const std::string& text) : file_(folder_ / "kaya-joint.lua") { test::put(file_, text); }
     const JointModel& load() {
-        understand_lua_models(joints_);
+        add_lua_loader(joints_);
         return joints_.get(file_);
     }
     std::string refusal() {

@@ -46,7 +46,7 @@ struct Mistake {
 
 const Mistake mistakes[] = {
     {"def f\n a = 1\n", 1, 1, 3, "the function 'f' has no 'end'",
-     "write 'end' on a line of its own behind its last statement"},
+     "write 'end' on a line of its own after its last statement"},
     {"def\nend", 1, 4, 1, "expected the name of the function, found the end of the line", ""},
     {"def 3f\nend", 1, 5, 1, "'3f' is neither a number nor a name", "a name must not begin with a digit"},
     {"f\nend", 1, 1, 1, "a FISH function begins with 'def'", ""},
@@ -73,7 +73,7 @@ const Mistake mistakes[] = {
     {"def f\n a = sin(1, )\nend", 2, 13, 1, "expected a value, found ')'", ""},
     {"def f\n a = sin(1\nend", 2, 11, 1, "expected ')' for the arguments of 'sin', found the end of the line",
      ""},
-    {"def f\n a = 'text\nend", 2, 6, 5, "the text has no closing quote", "put ' behind it"},
+    {"def f\n a = 'text\nend", 2, 6, 5, "the text has no closing quote", "put ' after it"},
     {"def f\n a = b ~ c\nend", 2, 8, 1, "'~' has no meaning in FISH", ""},
     {"def f\n a = 12abc\nend", 2, 6, 2, "'12a' is neither a number nor a name",
      "a name must not begin with a digit"},
@@ -106,7 +106,7 @@ const Mistake mistakes[] = {
     {"def f\n case 1\nend", 2, 2, 4, "'case' closes nothing: no block is open here", ""},
     {"def f\n command\n poly brick\nend", 2, 2, 7, "this 'command' has no 'endcommand'", ""},
     {"def f\n command\n poly brick [a\n endcommand\nend", 3, 13, 1, "the bracket is not closed",
-     "put ] behind the expression"},
+     "put ] after the expression"},
     {"def f\n command\n poly brick [a + ]\n endcommand\nend", 3, 17, 1,
      "expected a value, found the end of the line", ""},
     {"def f\n def g\n end\nend", 2, 2, 3, "a function begins inside of another one",

@@ -1,7 +1,7 @@
 // A file of the first format that is read for good, as it was written then.
 #include "io/info.hpp"
 #include "io/save.hpp"
-#include "joints/joint_model.hpp"
+#include "laws/joint_model.hpp"
 #include "mechanics/cycle.hpp"
 #include "model/state.hpp"
 

@@ -161,7 +161,7 @@ TEST_F(JointBench, NamesColumnsAndTablesThatItHasNot) {
 TEST_F(JointBench, StopsAtAModelThatWritesWhereItMustNot) {
     const char* const path = "normal_displacement\n0\n-1e-4\n";
     EXPECT_THAT(refusal(order("writes-area", {{"k", 1}}, path)), HasSubstr("wrote to 'area', which it may only read"));
-    EXPECT_THAT(refusal(order("writes-behind", {{"k", 1}}, path)), HasSubstr("wrote behind the column 'shear_force'"));
+    EXPECT_THAT(refusal(order("writes-behind", {{"k", 1}}, path)), HasSubstr("wrote after the column 'shear_force'"));
     EXPECT_THAT(run_bench(registry, order("rounds-up", {{"k", 1}}, path)).text, HasSubstr("it changes how numbers are rounded"));
     EXPECT_THAT(run_bench(registry, order("works", {{"k", 1}}, path)).text, HasSubstr("found             no jump"));
 }

@@ -87,7 +87,7 @@ struct JoinedTee : Bench {
     JoinedTee() {
         const std::vector<Row> rows{brick({0, 0, 2}, {3, 1, 3}), brick({1, 0, 0.5}, {1.5, 0.75, 2}),
                                     brick({0.8, 0, 0}, {2.6, 1, 0.5})};
-        join_pairs(model, touching_pairs(model, rows));
+        join_pairs(model, adjacent_pairs(model, rows));
         find_contacts(model, joints);
     }
     /// Of all loads, and of their moments about the origin.
@@ -147,7 +147,7 @@ TEST(Boundaries, TheVerticesOfARigidBlockGoWithItInSmallStrainToo) {
     model.settings.large_strain = false;
     prescribe_velocity(model, {{rows[0]}, {}}, 0, 0.5);
     prescribe_velocity(model, {{rows[0]}, {}}, 5, 0.2);
-    join_pairs(model, touching_pairs(model, rows));
+    join_pairs(model, adjacent_pairs(model, rows));
     for (const Row b : {rows[1], rows[2]}) model.blocks.velocity[b] = {0, 0.25, 0};
     bench.run(20);
     const double time = model.clock.time;

@@ -69,7 +69,7 @@ inline void add_contact(Model& model, double x1, double x2) {
     contacts.block2[0] = 0;
     contacts.face1[0] = 4;
     contacts.face2[0] = 0;
-    contacts.touch[0] = Touch::face_face;
+    contacts.type[0] = ContactType::face_face;
     contacts.normal[0] = Vec3(0, 0, 1);
     contacts.position[0] = Vec3(0.5 * (x1 + x2), 0.25, 0);
     contacts.area[0] = 0.5;
@@ -85,7 +85,7 @@ inline void add_contact(Model& model, double x1, double x2) {
         sub.id[i] = sub.ids.create(i);
         sub.number[i] = model.next_sub_contact_number++;
         sub.contact[i] = 0;
-        sub.meeting[i] = Meeting::vertex_face;
+        sub.type[i] = SubContactType::vertex_face;
         sub.side1[i] = {{4, 5, 6}, {0.25, 0.25, 0.5}};
         sub.side2[i] = {{i, no_row, no_row}, {1, 0, 0}};
         sub.position.set(i, Vec3(i == 0 ? x1 : x2, 0.25, 0));

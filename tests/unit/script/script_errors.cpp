@@ -281,9 +281,9 @@ TEST(ScriptErrors, the_sandbox_holds) {
     EXPECT_EQ(lua_message("require '../x'"), "'../x' is not the name of a module | a name has letters, "
                                              "digits, '_' and '-'; a point stands for a folder");
     EXPECT_EQ(lua_message("require 'nowhere'"),
-              "there is no module 'nowhere' | it would be the file nowhere.lua beside the deck");
+              "there is no module 'nowhere' | it would be the file nowhere.lua next to the deck");
     EXPECT_EQ(lua_message("require 'library'"),
-              "there is no module 'library' | it would be the file library.lua beside the deck");
+              "there is no module 'library' | it would be the file library.lua next to the deck");
 }
 
 TEST(ScriptErrors, a_trusted_deck_may_do_all) {

@@ -1,0 +1,54 @@
+// Who moves on while the rest of a model is quiet.
+#pragma once
+
+#include "model/model.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// A block that moves.
+struct MovingBody {
+    Row block = no_row;
+    double speed = 0;  ///< now, length/time
+    double gained = 0; ///< displacement, length
+};
+
+/// The block that moves fastest and is not held; none when all stand. Of a deformable one the mean of its
+/// gridpoints.
+std::optional<MovingBody> fastest_body(const Model& model);
+
+/// "block 5 at (1, 2, 3)"
+std::string body_text(const Model& model, const MovingBody& body);
+
+/// Looks at how far blocks have come at a few cycles of a run, the later the farther apart.
+class RestMonitor {
+public:
+    explicit RestMonitor(const Model& model);
+
+    /// To be called after each cycle.
+    void sample();
+
+    std::int64_t cycles() const { return cycles_; }
+
+    /// The block that has gained most displacement lately, of those that are not held and do not slow down:
+    /// docs/theory/stopping.md. None when all come to rest, and when the run was too short to tell.
+    std::optional<MovingBody> moving() const;
+
+private:
+    struct Mark {
+        double time;
+        std::vector<BlockId> blocks;
+        std::vector<Vec3> centroid, vertex; ///< displacements
+    };
+    Mark mark() const;
+
+    const Model& model_;
+    std::vector<Mark> marks_;
+    std::int64_t cycles_ = 0, stride_ = 1;
+};
+
+} // namespace kaya

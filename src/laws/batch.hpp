@@ -1,0 +1,37 @@
+// Calls a joint model over a batch, with a guard around it.
+#pragma once
+
+#include "laws/joint_model.hpp"
+
+#include <optional>
+#include <string>
+
+namespace kaya {
+
+/// A row that failed, counted from the start of the batch, and the model's own sentence.
+struct BatchFailure {
+    std::size_t row;
+    std::string message;
+    bool trespass = false; ///< it wrote where it must not
+};
+
+/// What is looked at of that which a joint model gives back.
+enum class Guard { all, in_cycle };
+
+/// Runs one step. Catches what the model throws, and looks for forces, stiffnesses and history values
+/// that are not finite and for stiffnesses below 0; nullopt when all is well. Allocates nothing unless
+/// it fails. The columns of a failed batch hold what the model left there. `numbers` are those of the rows that
+/// users see, for the report of a crash; NULL: it gives rows.
+/// `guard`: the cycle sums forces and work, sees by the sums whether all are numbers, and asks unusable_output() then;
+/// stiffnesses it looks at when the model says that it wrote some.
+std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batch,
+                                      const std::int32_t* numbers = nullptr, Guard guard = Guard::all);
+
+/// The first row with a value that is not finite or must not be negative.
+std::optional<BatchFailure> unusable_output(const JointModel& model, const kaya_jbatch& batch, Guard guard = Guard::all);
+
+/// The same for `initialise`.
+std::optional<BatchFailure> initialise_batch(const JointModel& model, kaya_jbatch& batch,
+                                             const std::int32_t* numbers = nullptr);
+
+} // namespace kaya

@@ -1,0 +1,30 @@
+// One sub-contact that belongs to no model, as a joint model sees it when it is tried.
+#pragma once
+
+#include "laws/batch.hpp"
+#include "laws/joint_model.hpp"
+
+#include <array>
+
+namespace kaya {
+
+/// The columns of a batch of one row that come from a model elsewhere: fields as nobody has set them, a place in the
+/// origin with its normal in z, between blocks 1 and 2.
+struct LoneColumns {
+    std::array<double, KAYA_JMODEL_MAX_FIELDS> field{};
+    std::array<const double*, KAYA_JMODEL_MAX_FIELDS> fields{};
+    std::array<double, 3> position{}, normal{0, 0, 1};
+    std::array<std::int32_t, 2> block{1, 2};
+
+    /// Points the batch at them; they must live as long as it is used.
+    void add_to(kaya_jbatch& batch, const JointModel& model);
+};
+
+/// Runs one step of a batch of one row, in columns of its own between fences: a failure also names the column after or
+/// before which the model has written. The columns of the batch get what it has left.
+std::optional<BatchFailure> run_fenced(const JointModel& model, kaya_jbatch& batch);
+
+/// The same for `initialise`.
+std::optional<BatchFailure> initialise_fenced(const JointModel& model, kaya_jbatch& batch);
+
+} // namespace kaya

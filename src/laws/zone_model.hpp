@@ -1,0 +1,79 @@
+// Zone models that are known to the program: loaded libraries, by keyword. They come from the folders of joint models, and
+// from `zones` next to those that are called `joints`.
+#pragma once
+
+#include "laws/law_table.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace kaya {
+
+/// The moduli with which a zone resists, stress, at the greatest.
+struct ZoneModuli {
+    double bulk, shear;
+};
+
+/// Why a batch failed.
+struct ZoneFailure {
+    std::size_t row;
+    std::string message;
+};
+
+/// A zone model after loading: the descriptor, checked once, with its texts copied.
+class ZoneModel : public LawTable {
+public:
+    /// `library` keeps the descriptor loaded. Throws Diagnostic that says which entry of the table is wrong.
+    ZoneModel(const kaya_zmodel* descriptor, std::filesystem::path file, std::shared_ptr<void> library);
+
+    /// Whether volume strain and the plastic change of the mean stress are averaged over neighbours.
+    bool flows() const { return descriptor_.flows != 0; }
+
+    /// A sentence that says what is wrong with the values, or empty.
+    std::string check(const std::vector<double>& values) const;
+
+    /// Throws Diagnostic when the model throws, or gives a modulus that is not finite and above 0.
+    ZoneModuli moduli(const std::vector<double>& values) const;
+
+    /// One step of the rows of a batch. What the model throws and what it returns that is no number are failures too.
+    std::optional<ZoneFailure> run(kaya_zbatch& batch) const;
+
+    const kaya_jtables* tables = nullptr; ///< of the deck; NULL where there is none
+
+private:
+    kaya_zmodel descriptor_;
+    std::shared_ptr<void> library_;
+};
+
+/// Folders of joint models, and after each one that is called `joints` the folder `zones` next to it.
+std::vector<std::filesystem::path> with_zone_folders(const std::vector<std::filesystem::path>& folders);
+
+/// Finds, loads and keeps zone models. An explicit list: nothing registers itself.
+class ZoneModels {
+public:
+    void set_path(const std::vector<std::filesystem::path>& folders) { path_ = with_zone_folders(folders); }
+    void set_tables(const kaya_jtables* tables) { tables_ = tables; }
+
+    /// Is asked with each file before anything of it runs; throws Diagnostic to refuse it.
+    std::function<void(const std::filesystem::path&)> before_loading;
+
+    /// The model with that keyword, loaded when it is not yet. A name with a slash or with the ending .so is a file. Throws
+    /// Diagnostic: not found (with the names that are there and did-you-mean), no zone model, other interface version, bad
+    /// table, name taken.
+    const ZoneModel& get(std::string_view name);
+
+    const ZoneModel* find(std::string_view name) const; ///< among the loaded ones
+    std::vector<std::string> available() const;         ///< loaded or in the folders, sorted
+    const std::vector<std::unique_ptr<ZoneModel>>& loaded() const { return models_; }
+
+private:
+    const ZoneModel& load(const std::filesystem::path& file);
+    std::optional<std::filesystem::path> file_of(const std::string& keyword) const;
+
+    std::vector<std::filesystem::path> path_;
+    const kaya_jtables* tables_ = nullptr;
+    std::vector<std::unique_ptr<ZoneModel>> models_;
+};
+
+} // namespace kaya

@@ -1,0 +1,259 @@
+#include "mechanics/stiffness_forecast.hpp"
+
+#include "mechanics/held_directions.hpp"
+#include "base/parallel.hpp"
+#include "laws/lone_row.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace kaya {
+
+namespace {
+
+/// Steps ahead: the stiffness is to be stable when it is met, and not far from that when it is left.
+constexpr double steps_ahead = 2;
+/// A normal force that grows by no more than this part changes the stiffness of any joint law by little.
+constexpr double small_growth = 0.25;
+/// A way that a law refuses is as good as one at the end of which it is so many times as stiff.
+constexpr double refused = 1e6;
+/// The part of the stable step that is taken leaves room for a stiffness that grows so many times.
+constexpr double harmless = 1.25;
+/// Stiffnesses that differ by less than this part are the same.
+constexpr double same = 1e-9;
+
+/// A copy of one sub-contact.
+struct Copy {
+    double area = 1, opening = 0, opening_step = 0, pressure = 0, normal = 0, work = 0;
+    std::array<double, 3> shift{}, shift_step{}, shear{};
+    double normal_stiffness = 0, shear_stiffness = 0;
+    std::uint32_t state = 0;
+    std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
+    std::array<double*, KAYA_JMODEL_MAX_HISTORY> columns{};
+    JointObject object;
+    LoneColumns others;
+    Row row = no_row; ///< it is a copy of
+    const Model* of = nullptr;
+
+    void take(const Model& model, const JointModel& joint, Row s) {
+        const auto& subs = model.sub_contacts;
+        row = s;
+        of = &model;
+        area = subs.area[s];
+        opening = subs.normal_displacement[s];
+        pressure = subs.pore_pressure[s];
+        normal = subs.normal_force[s];
+        normal_stiffness = subs.normal_stiffness[s];
+        shear_stiffness = subs.shear_stiffness[s];
+        work = subs.frictional_work[s];
+        state = subs.state[s];
+        for (int k = 0; k < 3; ++k) {
+            shift[k] = subs.shear_displacement.component[k][s];
+            shear[k] = subs.shear_force.component[k][s];
+        }
+        for (std::size_t k = 0; k < joint.history.size(); ++k) history[k] = subs.history[k][s];
+        if (joint.keeps_objects()) object = subs.object[s];
+    }
+    /// Fields and place of the row.
+    void place(const JointModel& joint) {
+        const auto& subs = of->sub_contacts;
+        for (std::size_t k = 0; k < joint.fields.size() && static_cast<std::int32_t>(k) < subs.field_columns; ++k)
+            if (subs.field_set[row] >> k & 1u) others.field[k] = subs.field[k][row];
+        const Row c = subs.contact[row];
+        const Vec3 x = subs.position[row];
+        for (int k = 0; k < 3; ++k) others.position[k] = x[k], others.normal[k] = of->contacts.normal[c][k];
+        others.block = {of->blocks.number[of->contacts.block1[c]], of->blocks.number[of->contacts.block2[c]]};
+    }
+    kaya_jbatch batch(const JointModel& joint, const std::vector<double>& values, double step) {
+        for (std::size_t k = 0; k < history.size(); ++k) columns[k] = &history[k];
+        kaya_jbatch b{};
+        b.n = 1;
+        b.properties = values.data();
+        b.time_step = step;
+        b.area = &area;
+        b.normal_disp = &opening;
+        b.normal_disp_inc = &opening_step;
+        for (int k = 0; k < 3; ++k) {
+            b.shear_disp[k] = &shift[k];
+            b.shear_disp_inc[k] = &shift_step[k];
+            b.shear_force[k] = &shear[k];
+        }
+        b.pore_pressure = &pressure;
+        b.normal_force = &normal;
+        b.normal_stiffness = &normal_stiffness;
+        b.shear_stiffness = &shear_stiffness;
+        b.frictional_work = &work;
+        b.state = &state;
+        b.history = columns.data();
+        b.object = joint.keeps_objects() ? object.address() : nullptr;
+        b.tables = joint.tables;
+        others.add_to(b, joint);
+        if (of != nullptr) place(joint);
+        return b;
+    }
+};
+
+/// Whether the stiffness of a joint that has carried nothing depends on how far it is closed.
+bool varies(const JointModel& joint, const std::vector<double>& values) {
+    if (!joint.missing(values).empty()) return false;
+    Copy copy;
+    copy.opening = 1; // one that is apart may report another
+    auto batch = copy.batch(joint, values, 1);
+    if (initialise_batch(joint, batch)) return true;
+    const Springs apart{copy.normal_stiffness, copy.shear_stiffness};
+    copy = Copy{};
+    batch = copy.batch(joint, values, 1);
+    if (initialise_batch(joint, batch)) return true;
+    const auto differs = [](double a, double b) { return std::abs(a - b) > same * std::max(a, b); };
+    const auto changed = [&] {
+        return differs(copy.normal_stiffness, apart.normal) || differs(copy.shear_stiffness, apart.shear);
+    };
+    // Of the deck's length, whatever its unit is.
+    for (double closure = 1e-15; closure < 1e3; closure *= 10) {
+        if (changed()) return true;
+        copy.opening_step = -closure;
+        if (run_batch(joint, batch)) return true;
+        copy.opening += copy.opening_step;
+    }
+    return changed();
+}
+
+Vec3 free_part(Vec3 change, unsigned fixed) {
+    for (int k = 0; k < 3; ++k)
+        if (fixed & (1u << k)) change[k] = 0;
+    return change;
+}
+
+} // namespace
+
+void StiffnessForecast::take(const Model& model, const std::vector<Batch>& batches) {
+    varying_.clear();
+    in_varying_.assign(model.contacts.size(), 0);
+    for (const Batch& batch : batches) {
+        auto found = varies_.find(batch.properties);
+        if (found == varies_.end())
+            found = varies_.emplace(batch.properties,
+                                    varies(*batch.model, model.joint_properties[batch.properties].values)).first;
+        if (!found->second) continue;
+        varying_.push_back(batch);
+        for (const Row c : batch.contacts) in_varying_[c] = 1;
+    }
+}
+
+/// Velocities of rigid blocks after the forces of now have acted for a step.
+void StiffnessForecast::find_motions(const Model& model, const Adjacency& adjacency, double step) {
+    const auto& blocks = model.blocks;
+    motions_.resize(blocks.size());
+    const auto advance = [&](const Vec3& centre, double mass, double inertial, const Mat3& inertia, unsigned fixed, const Roller& roller, Row b,
+                             const Vec3& velocity, const Vec3& force, const Vec3& moment) {
+        Motion motion{centre, velocity, blocks.rotational_velocity[b]};
+        if (inertial > 0) {
+            motion.velocity += free_part(step / inertial * (force + mass * model.settings.gravity), fixed);
+            motion.spin += free_part(step * inertia.inverse() * moment, fixed / fix_rx);
+            if (roller.count != 0) motion.velocity += roller_change(roller, motion.velocity, static_cast<std::uint8_t>(fixed), roller.speed);
+        }
+        return motion;
+    };
+    for_chunks(blocks.size(), 512, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Row b = static_cast<Row>(i);
+            if (blocks.deformable[b] || blocks.body[b] != 0) continue;
+            const auto& q = blocks.orientation[b];
+            const Mat3 turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+            const double inertial = blocks.inertial_mass[b];
+            motions_[b] = advance(blocks.centroid[b], blocks.mass[b], inertial,
+                                  inertial / blocks.volume[b] * (turn * blocks.inertia[b] * turn.transpose()),
+                                  blocks.fixed[b], roller_of(model, b), b, blocks.velocity[b], blocks.force[b] + blocks.load[b],
+                                  blocks.moment[b] + blocks.torque[b]);
+        }
+    });
+    for (std::size_t i = 0; i < adjacency.bodies.size(); ++i) {
+        const auto members = adjacency.bodies.members(i);
+        const BodyMass body = body_mass(model, members);
+        const Row lead = members.front();
+        Vec3 force = Vec3::Zero(), moment = force, velocity = force;
+        unsigned fixed = 0;
+        for (const Row b : members) {
+            const Vec3 acting = blocks.force[b] + blocks.load[b];
+            force += acting;
+            moment += blocks.moment[b] + blocks.torque[b] + (blocks.centroid[b] - body.centroid).cross(acting);
+            fixed |= blocks.fixed[b];
+        }
+        velocity = blocks.velocity[lead] + blocks.rotational_velocity[lead].cross(body.centroid - blocks.centroid[lead]);
+        const double factor = blocks.mass[lead] > 0 ? blocks.inertial_mass[lead] / blocks.mass[lead] : 0;
+        const Motion motion = advance(body.centroid, body.mass, factor * body.mass, factor * body.inertia, fixed, roller_of_body(model, members), lead, velocity, force, moment);
+        for (const Row b : members) motions_[b] = motion;
+    }
+}
+
+Vec3 StiffnessForecast::velocity_of_side(const Model& model, Row block, const Attachment& side, const Vec3& place, double step) const {
+    if (!model.blocks.deformable[block]) {
+        const Motion& motion = motions_[block];
+        return motion.velocity + motion.spin.cross(place - motion.centre);
+    }
+    const auto& g = model.gridpoints;
+    Vec3 sum = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        const Row p = side.gridpoints[k];
+        if (side.weights[k] == 0) continue;
+        Vec3 velocity = g.velocity[p];
+        if (g.inertial_mass[p] > 0)
+            velocity += free_part(step / g.inertial_mass[p] * (g.force[p] + g.load[p] + g.mass[p] * model.settings.gravity), g.fixed[p]);
+        sum += side.weights[k] * velocity;
+    }
+    return sum;
+}
+
+bool StiffnessForecast::check(const Model& model, const Batch& batch, Row c, double step) {
+    static thread_local Copy copy;
+    const auto& subs = model.sub_contacts;
+    const auto& contacts = model.contacts;
+    const Span span = contacts.sub_contacts[c];
+    const NormalAreaFactor factor(model, c);
+    bool grows = false;
+    for (Row s = span.first; s < span.end(); ++s) {
+        Springs& springs = springs_[s];
+        springs = springs_of(subs, s, factor);
+        if (!subs.side1[s].attached() || !subs.side2[s].attached()) continue;
+        const Vec3 place = subs.position[s];
+        const double opening = contacts.normal[c].dot(velocity_of_side(model, contacts.block2[c], subs.side2[s], place, step) -
+                                                      velocity_of_side(model, contacts.block1[c], subs.side1[s], place, step));
+        const double closure = -opening * step * steps_ahead, force = subs.normal_force[s];
+        if (closure <= 0 || springs.normal * closure <= small_growth * force) continue;
+        if (force == 0 && closure <= subs.normal_displacement[s]) continue; // still apart
+        copy.take(model, *batch.model, s);
+        copy.opening_step = -closure;
+        auto columns = copy.batch(*batch.model, model.joint_properties[batch.properties].values, step);
+        const bool failed = run_batch(*batch.model, columns).has_value();
+        const double normal = failed ? refused * springs.normal : copy.normal_stiffness * copy.area * factor.of(s);
+        const double shear = failed ? springs.shear : copy.shear_stiffness * copy.area;
+        if (normal <= harmless * springs.normal && shear <= harmless * springs.shear) continue;
+        springs = {std::max(springs.normal, normal), std::max(springs.shear, shear)};
+        grows = true;
+    }
+    return grows;
+}
+
+bool StiffnessForecast::update(const Model& model, const Adjacency& adjacency, double step) {
+    find_motions(model, adjacency, step);
+    springs_.resize(model.sub_contacts.size());
+    marks_.assign(model.contacts.size(), 0);
+    for_chunks(varying_.size(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            for (const Row c : varying_[i].contacts)
+                marks_[c] = check(model, varying_[i], c, step);
+    });
+    if (std::find(marks_.begin(), marks_.end(), 1) == marks_.end()) return false;
+    for (std::size_t c = 0; c < in_varying_.size(); ++c) {
+        if (in_varying_[c]) continue;
+        const NormalAreaFactor factor(model, static_cast<Row>(c));
+        const Span span = model.contacts.sub_contacts[c];
+        for (Row s = span.first; s < span.end(); ++s) springs_[s] = springs_of(model.sub_contacts, s, factor);
+    }
+    return true;
+}
+
+} // namespace kaya

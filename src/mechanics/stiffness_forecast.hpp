@@ -1,0 +1,48 @@
+// What the next step will do to the stiffness of joints: docs/theory/time-step.md.
+#pragma once
+
+#include "mechanics/adjacency.hpp"
+#include "mechanics/batches.hpp"
+#include "mechanics/contact_stiffness.hpp"
+#include "model/model.hpp"
+
+#include <map>
+#include <vector>
+
+namespace kaya {
+
+/// Asks joint models on copies of sub-contacts; nothing in the model changes.
+class StiffnessForecast {
+public:
+    /// Takes the batches. Of property sets it remembers what it has found until it is told to forget.
+    void take(const Model& model, const std::vector<Batch>& batches);
+    void forget() { varies_.clear(); }
+
+    /// Whether any joint model in use has a stiffness that depends on its closure.
+    bool needed() const { return !varying_.empty(); }
+
+    /// Finds the stiffnesses at the end of a step of that length from the motion and forces of now. True when those
+    /// of any contact grow so much that they count: these contacts are marked.
+    bool update(const Model& model, const Adjacency& adjacency, double step);
+
+    const std::vector<Springs>& springs() const { return springs_; } ///< by sub-contact; as they are where nothing grows
+    const std::vector<char>& marks() const { return marks_; }        ///< by contact
+
+private:
+    struct Motion {
+        Vec3 centre, velocity, spin;
+    };
+
+    void find_motions(const Model& model, const Adjacency& adjacency, double step);
+    Vec3 velocity_of_side(const Model& model, Row block, const Attachment& side, const Vec3& place, double step) const;
+    bool check(const Model& model, const Batch& batch, Row contact, double step);
+
+    std::map<Row, bool> varies_;   ///< by row of Model::joint_properties
+    std::vector<Batch> varying_;
+    std::vector<char> in_varying_; ///< by contact
+    std::vector<Motion> motions_;  ///< by block: of rigid ones in the middle of the next step
+    std::vector<Springs> springs_;
+    std::vector<char> marks_;
+};
+
+} // namespace kaya
