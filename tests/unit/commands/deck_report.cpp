@@ -193,7 +193,7 @@ void gather(const lang::BoundFile& file, const lang::BareNames& bare, std::set<s
         for (const auto& inner : fish::inner_commands(function)) {
             lang::Lexer lexer(definition->place.source, inner.line);
             lang::Statement words;
-            if (!inner.glued && lexer.next(words))
+            if (!inner.joined && lexer.next(words))
                 names.insert(lang::bind_with_names(lang::classic(), words, bare).spec->name());
         }
     }
