@@ -107,4 +107,15 @@ TEST(Reduce, NothingGivesTheStartingValue) {
     EXPECT_EQ(result, 42);
 }
 
+/// Leaves of a tree whose nodes have four branches, each level by the same reduction.
+int leaves(int levels) {
+    if (levels == 0) return 1;
+    return reduce_chunks(
+        4, 1, 0, [&](std::size_t, std::size_t) { return leaves(levels - 1); }, [](int& sum, int part) { sum += part; });
+}
+
+TEST(Reduce, StandsInsideOfItself) {
+    with_threads([] { EXPECT_EQ(leaves(4), 256) << threads() << " threads"; });
+}
+
 } // namespace
