@@ -137,9 +137,9 @@ CommandSpec bound() {
     entry.keyword({"zgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"),
                   &Boundary::z_gradient, "change of the stress with z");
     add_multiplier(entry);
-    static constexpr const char* quiet[][2] = {{"xviscous", "quiet boundary: swallows waves by their velocity in x"},
-                                               {"yviscous", "quiet boundary: swallows waves by their velocity in y"},
-                                               {"zviscous", "quiet boundary: swallows waves by their velocity in z"},
+    static constexpr const char* quiet[][2] = {{"xviscous", "viscous (absorbing) boundary in x"},
+                                               {"yviscous", "viscous (absorbing) boundary in y"},
+                                               {"zviscous", "viscous (absorbing) boundary in z"},
                                                {"nviscous", "quiet boundary: by the velocity along the normal of a face"},
                                                {"sviscous", "quiet boundary: by the velocity in the plane of a face"}};
     for (std::size_t i = 0; i < 5; ++i)
@@ -147,7 +147,7 @@ CommandSpec bound() {
     static constexpr const char* reaction[] = {"xreaction", "yreaction", "zreaction"};
     for (std::size_t i = 0; i < 3; ++i)
         entry.action({Spelling{reaction[i], 3}}, [i](Boundary& b) { b.reaction[i] = true; },
-                     "lets go what is held in this direction, with the force that has held it as a load");
+                     "replaces what is held in this direction by its reaction force");
     entry.keyword({"nvel", "nvelocity"}, real("v").unit("velocity"), &Boundary::normal_velocity,
                   "velocity along the outward normals of faces that is held; their planes stay free");
     add_directed(entry, {"dvel", "dvelocity"}, real("v").unit("velocity"), &Boundary::directed_velocity,
@@ -185,7 +185,7 @@ CommandSpec bound() {
     entry.wrong("bound dload 5 1 0", "a number is missing after '0'");
     entry.wrong("bound dvel 1 0 0 1 hist sine 5", "hist has nothing to multiply");
     entry.wrong("bound", "bound does not say what acts on the boundary");
-    entry.wrong("bound xvel range x 0", "'range' stands where a number must be");
+    entry.wrong("bound xvel range x 0", "expected a number, found 'range'");
     entry.wrong("bound ff", "'boundary ff' is known, but kaya does not support it yet");
     entry.wrong("bound nvel", "a number is missing after 'nvel'");
     entry.wrong("bound xvisc 1", "'1' stands where a keyword of boundary must be");
@@ -353,7 +353,7 @@ Family boundary() {
                     .right("fix xvel rotation range id 2")
                     .right("fix direction 1 0 1 range id 3")
                     .wrong("fix direction 0 0 0", "(0, 0, 0) is not a direction")
-                    .wrong("fix range z a", "'a' stands where a number must be")
+                    .wrong("fix range z a", "expected a number, found 'a'")
                     .wrong("fix reigon 1", "'reigon' is not a keyword of fix"),
                 components<Free>({"free"})
                     .action({"direction", "directions"}, [](Free& f) { f.directions = true; }, "only the directions that `fix direction` and dvel hold")
@@ -371,7 +371,7 @@ Family boundary() {
                     .right("grav @g")
                     .wrong("gravity", "a number is missing after 'gravity'")
                     .wrong("gravity 0 0", "a number is missing after '0'")
-                    .wrong("gravity 0 0 -9.81 1", "'1' is left over at the end of the line"),
+                    .wrong("gravity 0 0 -9.81 1", "unexpected '1' after the end of the command"),
                 initialize(),
                 insitu(),
                 table(),

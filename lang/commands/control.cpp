@@ -126,7 +126,7 @@ Family control() {
                 Entry<New>({"new"})
                     .help("throws the model away and starts with an empty one")
                     .right("new")
-                    .wrong("new model", "'model' is left over at the end of the line"),
+                    .wrong("new model", "unexpected 'model' after the end of the command"),
                 Entry<CallFile>({"call"})
                     .help("reads commands from another file, then goes on here")
                     .argument(text("file").help("name of the file; .3dd, .dat and so on may be left out"),
@@ -136,7 +136,7 @@ Family control() {
                     .right("call 'second part.3dd'")
                     .right("call @name")
                     .wrong("call", "a word is missing after 'call'")
-                    .wrong("call a.dat b.dat", "'b.dat' is left over at the end of the line"),
+                    .wrong("call a.dat b.dat", "unexpected 'b.dat' after the end of the command"),
                 config(),
                 set(),
                 Entry<Save>({"save"})
@@ -190,19 +190,19 @@ Family control() {
                     .flow(Flow::leave_file)
                     .right("return")
                     .right("ret")
-                    .wrong("return 1", "'1' is left over at the end of the line"),
+                    .wrong("return 1", "unexpected '1' after the end of the command"),
                 Entry<Quit>({"quit", Spelling{"stop", 3}, "exit"}) // st is step
                     .help("ends the program")
                     .flow(Flow::leave_all)
                     .right("quit")
                     .right("stop")
                     .right("exit")
-                    .wrong("quit now", "'now' is left over at the end of the line"),
+                    .wrong("quit now", "unexpected 'now' after the end of the command"),
                 title(),
                 Entry<Pause>({"pause"})
                     .help("waits for a key when somebody sits at the terminal")
                     .right("pause")
-                    .wrong("pause 5", "'5' is left over at the end of the line"),
+                    .wrong("pause 5", "unexpected '5' after the end of the command"),
             }};
 }
 

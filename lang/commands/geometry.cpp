@@ -114,7 +114,7 @@ Family geometry() {
                 .wrong("gen edge", "a number is missing after 'edge'")
                 .wrong("gen edge 0", "edge must be greater than 0, not 0")
                 .wrong("gen edge -0.5", "edge must be greater than 0, not -0.5")
-                .wrong("gen edge big", "'big' stands where a number must be")
+                .wrong("gen edge big", "expected a number, found 'big'")
                 .wrong("gen egde 1", "'egde' is not a kind of generate"),
             generate_quad(),
             face_triangulation({"edge"}, FaceTriangulation::Style::edge)

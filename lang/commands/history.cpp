@@ -175,7 +175,7 @@ CommandSpec history_delete() {
     entry.right("hist delete 2").right("history delete 1 3");
     entry.wrong("hist delete", "history delete needs the number of a history");
     entry.wrong("hist delete 0", "delete must be at least 1, not 0");
-    entry.wrong("hist delete all", "'all' is left over at the end of the line");
+    entry.wrong("hist delete all", "unexpected 'all' after the end of the command");
     return entry;
 }
 

@@ -99,7 +99,7 @@ CommandSpec prop() {
     entry.right("prop jmat 1 jrco 15 sigmac 150");
     entry.wrong("prop mat 1", "no property is given");
     entry.wrong("prop mat 1 dens", "a number is missing after 'dens'");
-    entry.wrong("prop mat 1 dens heavy", "'heavy' stands where a number must be");
+    entry.wrong("prop mat 1 dens heavy", "expected a number, found 'heavy'");
     entry.wrong("prop jmat 1 jkn -1e9", "jkn must be at least 0, not -1e+09");
     entry.wrong("prop mat 1.5 dens 1", "mat takes a whole number, not 1.5");
     entry.wrong("prop mat 0 dens 1", "mat must be at least 1, not 0");
@@ -147,12 +147,12 @@ CommandSpec jmodel_load() {
         .finish([](const Reader& reader, JointModelCommand& c) { c.model_place = reader.previous().place; })
         .right("jmodel load barton-bandis")
         .wrong("jmodel load", "a word is missing after 'load'")
-        .wrong("jmodel load a b", "'b' is left over at the end of the line");
+        .wrong("jmodel load a b", "unexpected 'b' after the end of the command");
 }
 
 CommandSpec jmodel_test() {
     Entry<JointModelTest> entry({"jmodel"}, {Spelling{"test", 4}});
-    entry.help("leads one sub-contact of a joint model along a path and writes the answer");
+    entry.help("drives one sub-contact of a joint model along a path and writes the response");
     entry.argument(text("name").help("name of the joint model"), [](JointModelTest& c, std::string name) { c.model = std::move(name); });
     entry.argument(text("file").help("CSV file of the path"), &JointModelTest::path);
     entry.keyword({"steps"}, integer("n").at_least(1).at_most(1e8), &JointModelTest::steps, "steps between two points of the path; 1000");

@@ -222,7 +222,7 @@ CommandSpec plot() {
 } // namespace
 
 Family output() {
-    CommandSpec update = ignored("update", "read to its end, without effect: the cycle looks after itself");
+    CommandSpec update = ignored("update", "accepted and ignored: contacts are updated by the cycle");
     update.right = {{"update", {}}};
     CommandSpec label = ignored("label", "read to its end, without effect");
     label.right = {{"label arrow 1 2 3", {}}};

@@ -158,7 +158,7 @@ Family script() {
                     .argument(text("file").help("name of the file"), &LuaFile::file)
                     .place(&LuaFile::place)
                     .right("lua average.lua")
-                    .wrong("lua a.lua b.lua", "'b.lua' is left over at the end of the line"),
+                    .wrong("lua a.lua b.lua", "unexpected 'b.lua' after the end of the command"),
             }};
 }
 

@@ -66,7 +66,7 @@ CommandSpec poly_brick() {
     entry.wrong("poly brik 0,1 0,1 0,1", "'brik' is not a kind of poly");
     entry.wrong("poly brick", "a number is missing after 'brick'");
     entry.wrong("poly brick 0 1 0 1 0", "a number is missing after '0'");
-    entry.wrong("poly brick 0 one", "'one' stands where a number must be");
+    entry.wrong("poly brick 0 one", "expected a number, found 'one'");
     entry.wrong("poly brick 1 0", "the brick has no extent in x: from 1 to 0");
     entry.wrong("poly brick 0 1 0 1 0 1 0 1", "'0' stands where a keyword of poly brick must be");
     entry.wrong("poly brick 0 1 regoin 2", "'regoin' is not a keyword of poly brick");
@@ -92,7 +92,7 @@ CommandSpec poly_prism() {
     entry.right("poly region 2 prism a (0,0,0) (4,0,0) (4,1,0) (0,1,0) b (0,0,2) (4,0,2.2) (4,1,2.2) (0,1,2)");
     entry.right("poly prism a @v1 @v2 @v3 b @w1 @w2 @w3");
     entry.wrong("poly prism a 0 0 0 1 0 0 1 1 0", "a prism needs two polygons");
-    entry.wrong("poly prism a 0 0 0 1 0 0 1 1 b 0 0 1", "'b' stands where a number must be");
+    entry.wrong("poly prism a 0 0 0 1 0 0 1 1 b 0 0 1", "expected a number, found 'b'");
     entry.wrong("poly prism 0 0 0 1 0 0", "'0' stands where a keyword of poly prism must be");
     return entry;
 }
@@ -148,7 +148,7 @@ CommandSpec poly_face() {
     entry.right("poly reg 1 face id 3 0,0,0 1,0,0 0,1,0 face id 3 0,0,0 0,0,1 1,0,0 &\n"
                 "     face 0,0,0 0,1,0 0,0,1 face 1,0,0 0,0,1 0,1,0 mat 2");
     entry.wrong("poly face 0 0 0 1 0 0 0 1 0", "1 face does not close a polyhedron");
-    entry.wrong("poly face 0 0 0 1 0 face 1 0 0", "'face' stands where a number must be");
+    entry.wrong("poly face 0 0 0 1 0 face 1 0 0", "expected a number, found 'face'");
     entry.wrong("poly face 0 0 0 face 0 0 0 face 0 0 0 face 1 1 1", "face 1 has 1 corner");
     entry.wrong("poly face 0 0 0 1 0 0 0 1 0 fcae 0 0 0", "'fcae' is not a keyword of poly face");
     return entry;

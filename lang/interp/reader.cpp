@@ -117,7 +117,7 @@ void Reader::unknown(std::string_view what, const std::vector<std::string_view>&
                       {candidates.begin(), candidates.end()}, word.place);
     if (candidates.empty())
         throw wrong("left-over", word.place,
-                    fmt::format("{} is left over at the end of the line", word.shown()),
+                    fmt::format("unexpected {} after the end of the command", word.shown()),
                     "nothing more is expected here");
     if (word.kind != WordKind::word)
         throw wrong("not-a-word", word.place, fmt::format("{} stands where {} must be", word.shown(), what),
@@ -160,7 +160,7 @@ double Reader::real(const ArgumentSpec& argument) {
     }
     if (word.kind != WordKind::number)
         throw wrong("not-a-number", word.place,
-                    fmt::format("{} stands where a number must be", word.shown()), expected(argument));
+                    fmt::format("expected a number, found {}", word.shown()), expected(argument));
     if (std::isinf(word.number))
         throw wrong("out-of-limits", word.place, fmt::format("{} is too large for a number", word.text));
     check_limits(argument, word.number);

@@ -103,7 +103,7 @@ bool is_list(lua_State* L) {
         fail_outside(L);
     else
         fail_not_array(L);
-    throw std::logic_error("an array is and is not one");
+    throw std::logic_error("internal error: inconsistent array type");
 }
 
 /// (array, name, index)

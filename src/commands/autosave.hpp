@@ -29,7 +29,7 @@ public:
     void begins();
     /// To be called after cycles, several times a second.
     void advanced();
-    /// The model is in a file, or nobody wants it any more.
+    /// The model has been saved or discarded.
     void saved() {
         since_.reset();
         last_good_.drop();

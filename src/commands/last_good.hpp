@@ -23,7 +23,7 @@ public:
     void take(Session& session);
     /// Something else than cycles happens to the session: the copy no longer leads to it.
     void lose_track() { leads_here_ = false; }
-    /// The model is in a file, or nobody wants it any more.
+    /// The model has been saved or discarded.
     void drop();
 
     bool empty() const { return !taken_; }

@@ -1,4 +1,4 @@
-// How far a run is, for the person who waits.
+// Progress display of a run.
 #pragma once
 
 #include "commands/output.hpp"

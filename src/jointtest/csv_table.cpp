@@ -55,7 +55,7 @@ double number_of(std::string cell, const Style& style, const std::filesystem::pa
     double value = 0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
-        throw Diagnostic(fmt::format("{}, line {}: '{}' stands where a number must be", file.string(), line, cell),
+        throw Diagnostic(fmt::format("{}, line {}: expected a number, found '{}'", file.string(), line, cell),
                          "columns are parted by commas, semicolons or tabs, and the first line has their names");
     return value;
 }

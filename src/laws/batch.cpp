@@ -28,7 +28,7 @@ constexpr std::uint64_t exponent = 0x7ff0'0000'0000'0000;
 constexpr std::uint64_t sign = 0x8000'0000'0000'0000;
 
 bool all_usable(const double* __restrict column, std::size_t n, bool may_be_negative) {
-    // The stiffest check that needs no branch: as whole numbers without their sign the bits of what is finite are
+    // The strictest check without a branch: as whole numbers without their sign the bits of what is finite are
     // below the exponent. Where it must not be negative the sign makes them larger than that (the exact test, which
     // lets -0 pass, is made on a hit only).
     std::uint64_t largest = 0;

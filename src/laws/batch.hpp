@@ -15,7 +15,7 @@ struct BatchFailure {
     bool trespass = false; ///< it wrote where it must not
 };
 
-/// What is looked at of that which a joint model gives back.
+/// Which outputs of a joint model are validated.
 enum class Guard { all, in_cycle };
 
 /// Runs one step. Catches what the model throws, and looks for forces, stiffnesses and history values

@@ -175,7 +175,7 @@ void go_over_to_corners(const Model& model, const Surfaces& surfaces, ContactGeo
 bool intersect_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double cosine, double margin,
                double tolerance) {
     const PlaneAxes axes = axes_of(geometry.normal);
-    const Vec3 origin = model.blocks.centroid[model.faces.block[geometry.face2]]; // small numbers come of it
+    const Vec3 origin = model.blocks.centroid[model.faces.block[geometry.face2]]; // keeps coordinates small
     static thread_local FlatFace face1, face2; // kept, since a search lays very many
     face1.project(model, surfaces, geometry.face1, axes, origin);
     face2.project(model, surfaces, geometry.face2, axes, origin);
@@ -232,7 +232,7 @@ void add_middles(std::vector<Vec2>& polygon) {
 bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double margin, double tolerance) {
     const PlaneAxes axes = axes_of(geometry.normal);
     const Row block1 = model.faces.block[geometry.face1], block2 = model.faces.block[geometry.face2];
-    const Vec3 origin = model.blocks.centroid[block2]; // small numbers come of it
+    const Vec3 origin = model.blocks.centroid[block2]; // keeps coordinates small
     static thread_local FlatFace face1, face2; // kept, since a search lays very many
     static thread_local std::vector<Vec2> outline1, outline2, common;
     static thread_local Overlay found;

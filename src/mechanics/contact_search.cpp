@@ -371,7 +371,7 @@ ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints
         return all_together ||
                contacts.slip_since_update[c] > far_slide * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]]);
     };
-    // Going to and fro is no sliding.
+    // Back-and-forth motion does not count as slip.
     for_chunks(contacts.size(), 8 * grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c)
             if (contacts.kind[c] == ContactKind::joint && has_slipped(c)) contacts.slip_since_update[c] = slip_at(model, static_cast<Row>(c));

@@ -38,7 +38,7 @@ template <class Call>
 void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>& marked, Call call) {
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
     for (const Batch& batch : make_batches(model, joints, std::numeric_limits<Row>::max())) {
-        // A set that is not complete yet has nothing to start with; the command that completes it comes back.
+        // Skip incomplete property sets; the command that completes one initialises its contacts.
         if (!batch.model->missing(model.joint_properties[batch.properties].values).empty()) continue;
         const Row last = batch.first + batch.count;
         for (Row row = batch.first; row < last;) {
@@ -151,7 +151,7 @@ void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec
         subs.normal_force[s] *= scale;
         const Vec3 shear = subs.shear_force[s];
         subs.shear_force.set(s, scale * (shear - shear.dot(n) * n));
-        // The joint is opener or closer here than where the old one was: its law is told.
+        // The gap differs from that of the old location: the law gets the difference as a displacement.
         // Where the old one was is not known when its block got another shape meanwhile.
         const Attachment &side1 = subs.side1[s], &side2 = subs.side2[s];
         const bool known = side1.attached() && side2.attached();
@@ -188,7 +188,7 @@ double keep_passive(Model& model, Row c, const ContactLoad& before) {
     auto& subs = model.sub_contacts;
     double& account = model.contacts.withdrawn_energy[c];
     const double gain = after.energy - before.energy, allowed = std::min(gain, account);
-    // Old debts of a hard blow are not paid to what rests there now.
+    // Energy withdrawn in an impact is not returned to a contact at rest.
     account = std::min(account - allowed, before.energy);
     const double normal = gain > allowed ? std::sqrt((before.energy + allowed) / after.energy) : 1;
     const double shear = after.shear > before.shear ? before.shear / after.shear : 1;

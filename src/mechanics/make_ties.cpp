@@ -164,7 +164,7 @@ void tie_blocks(Model& model, Row block1, Row block2, ZonesBelow& below) {
             // The nearest points of the two faces along the normal.
             if (-reach(f2, n, -1) - reach(f1, n, 1) > near || -reach(f1, n, -1) - reach(f2, n, 1) > near)
                 continue;
-            const Vec3 origin = blocks.centroid[block2]; // small numbers come of it
+            const Vec3 origin = blocks.centroid[block2]; // keeps coordinates small
             tie_faces(model, pair, ProjectedFace(model, f1, origin, u, v), ProjectedFace(model, f2, origin, u, v), n,
                       near, below);
         }

@@ -81,7 +81,7 @@ void apply_load_histories(Model& model, HistoryLists& lists, const Hooks& hooks)
 /// and the positions of their vertices. Joined blocks move as one.
 MotionSums move_blocks(Model& model, const JoinedBodies& bodies);
 
-/// The same for gridpoints of deformable blocks; quiet boundaries brake theirs, rollers keep theirs on their way, and
+/// The same for gridpoints of deformable blocks; viscous boundaries damp, rollers constrain their gridpoints, and
 /// those that are tied to each other move as one.
 MotionSums move_gridpoints(Model& model, const QuietPoints& quiet, const TieLists& ties);
 

@@ -154,7 +154,7 @@ Separation find_separation(const Model& model, const Surfaces& surfaces, Row blo
     // The lower block (block 2) first: at a tie its face gives the normal.
     try_faces(false);
     if (best.distance > enough) return best;
-    // Most neighbours in a pile touch with edges and corners of faces that lie on each other: nothing to be had there.
+    // Most neighbours in a pile touch with edges and corners of faces that lie on each other: no face contact is possible.
     best.apart_sideways = overhangs(false);
     if (best.apart_sideways) {
         find_opposite(model, surfaces, block1, best.normal, best);

@@ -13,7 +13,7 @@
 
 namespace kaya {
 
-/// Area-weighted unit outward normal of a face where its gridpoints are now; zero for a lost face.
+/// Area-weighted unit outward normal of a face where its gridpoints are now; zero for a degenerate face.
 Vec3 current_normal(const Model& model, Row face);
 
 /// Where a block begins along a direction: the least x . direction of its vertices.
@@ -36,7 +36,7 @@ public:
     void update(const Model& model, const std::vector<Row>& blocks);
 
     const Vec3& normal(Row face) const { return planes_[face].normal; }
-    /// How far the block reaches along the normal: x . normal of its outermost vertex; infinite for a lost face.
+    /// How far the block reaches along the normal: x . normal of its outermost vertex; infinite for a degenerate face.
     double reach(Row face) const { return planes_[face].reach; }
     /// The vertices of a block, four at a time; the last one as often as is needed to make the last four whole.
     std::span<const Lanes3> vertices(Row block) const {

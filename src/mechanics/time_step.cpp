@@ -17,7 +17,7 @@ constexpr double shrink = 0.9;
 constexpr double rounding = 1e-8;
 /// The part of the energy that has been turned over which a step beyond the bound may have made.
 constexpr double most_made = 0.1;
-/// Full density scaling makes no body lighter than this part of its mass: gravity would throw one that is hardly held.
+/// Full density scaling makes no body lighter than this part of its mass: its weight would accelerate a lightly supported body too strongly.
 constexpr double lightest = 0.1;
 
 /// Where nothing is elastic, a thousandth of the time to fall through one's own size is fine enough.

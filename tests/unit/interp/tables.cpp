@@ -111,7 +111,7 @@ TEST(Tables, ShortSpellingsResolveInTableOrder) {
         {"see", "seek"}, {"sho", "seek"}, {"se dyn on", "set"}, {"del", "delete"},
         {"def f\nend", "define"}, {"jm jkn 1", "jmodel"}, {"hist wr a", "history write"},
         {"ti x", "title"},
-        // Spellings of decks of users, and the shortest forms of the other commands.
+        // Spellings of users' decks, and the shortest forms of the other commands.
         {"prop mat 1 dens 1", "property"}, {"property mat 1 density 1", "property"}, {"change mat 1", "change"},
         {"DAMP LOCAL 0.8", "damp"}, {"damp auto", "damp"}, {"cycle 1", "cycle"}, {"step 1", "cycle"},
         {"insitu str 0 0 0 0 0 0", "insitu"}, {"ins st 0 0 0 0 0 0", "insitu"}, {"bound stress 0 0 0 0 0 0", "boundary"},

@@ -192,7 +192,7 @@ TEST_F(JointBench, SaysWhatIsWrongWithPathOrValues) {
         {"normal_stress\n1\n", "two points"},
         {"normal_stress,time\n1,1\n1,0\n", "time goes back"},
         {"normal_stress,time\n1,1\n1\n", "line 3: 1 numbers where the first line has 2 names"},
-        {"normal_stress\n1\nmuch\n", "line 3: 'much' stands where a number must be"},
+        {"normal_stress\n1\nmuch\n", "line 3: expected a number, found 'much'"},
         {"normal_stress\n1\n-1\n", "cannot carry a normal stress of"},
     };
     for (const auto& [text, message] : paths) EXPECT_THAT(refusal(order("mohr", coulomb, text)), HasSubstr(message));
