@@ -17,8 +17,7 @@ template <class Work> void all_or_nothing(Session& session, Work work) {
         work();
     } catch (...) {
         session.model = std::move(*before);
-        session.model.lists_changed = true; // what the cycle has derived is of the model that is gone
-        session.world.rows_moved();
+        ModelEdit(session.model, Change::lists); // what the cycle has derived is of the model that is gone
         session.make_cycle();
         throw;
     }

@@ -10,6 +10,7 @@
 #include "mechanics/face_conditions.hpp"
 #include "mechanics/held_directions.hpp"
 #include "mechanics/rotation.hpp"
+#include "model/links.hpp"
 #include "model/measure.hpp"
 #include "model/nearest.hpp"
 
@@ -172,8 +173,8 @@ void reset_time(Session& session) { session.model.clock.time = 0; }
 void reset_histories(Session& session) { session.model.histories = Histories{}; }
 
 void reset_displacements(Session& session) {
-    std::ranges::fill(session.model.gridpoints.displacement, Vec3::Zero());
-    std::ranges::fill(session.model.blocks.displacement, Vec3::Zero());
+    links::clear(session.model.gridpoints, {Role::displacement});
+    links::clear(session.model.blocks, {Role::displacement});
 }
 
 void reset_velocities(Session& session) {
@@ -191,11 +192,7 @@ void reset_velocities(Session& session) {
     std::ranges::fill(blocks.angular_momentum, Vec3::Zero());
 }
 
-void reset_joint_displacements(Session& session) {
-    auto& points = session.model.sub_contacts;
-    std::ranges::fill(points.normal_displacement, 0.0);
-    for (auto& column : points.shear_displacement.component) std::ranges::fill(column, 0.0);
-}
+void reset_joint_displacements(Session& session) { links::clear(session.model.sub_contacts, {Role::displacement}); }
 
 void reset_energy(Session& session) {
     // The account is opened anew: what moves now is what it starts with.

@@ -26,7 +26,7 @@ void set_dynamic(Session& session, bool on) {
     auto& settings = session.model.settings;
     if (on == settings.dynamic) return;
     settings.dynamic = on;
-    session.model.properties_changed = true; // the part of the stable step that is taken may be another
+    ModelEdit(session.model, Change::properties); // the part of the stable step that is taken may be another
     const Settings fresh;
     const bool is_default = settings.damping == fresh.damping && settings.local_factor == fresh.local_factor;
     if (on && is_default) settings.damping = Damping::none;
@@ -41,16 +41,16 @@ void give_time_step(Session& session, double step) {
     auto& model = session.model;
     const double before = model.settings.given_time_step;
     model.settings.given_time_step = step;
-    if (!model.blocks.empty() && model.clock.time_step > 0 && !model.properties_changed && !model.structure_changed) {
+    if (!model.blocks.empty() && model.clock.time_step > 0 && !model.stale.properties() && !model.stale.contacts()) {
         try {
-            model.properties_changed = true;
+            ModelEdit(model, Change::properties);
             session.cycle->prepare();
         } catch (...) {
             model.settings.given_time_step = before;
             throw;
         }
     }
-    model.properties_changed = true;
+    ModelEdit(model, Change::properties);
 }
 
 } // namespace
@@ -86,11 +86,11 @@ void run(Session& session, const lang::Set& command) {
     if (command.dynamic) set_dynamic(session, *command.dynamic);
     if (command.small) {
         settings.large_strain = !*command.small;
-        session.model.properties_changed = true;
+        ModelEdit(session.model, Change::properties);
     }
     if (command.time_step_fraction) {
         settings.time_step_fraction = *command.time_step_fraction;
-        session.model.properties_changed = true;
+        ModelEdit(session.model, Change::properties);
     }
     if (command.time_step) give_time_step(session, *command.time_step);
     if (command.threads) set_threads(static_cast<int>(std::max<std::int64_t>(1, *command.threads)));

@@ -69,7 +69,6 @@ std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const Cut
         for (const int parent : cut.parents) parents.push_back(rows[static_cast<std::size_t>(parent)]);
         const auto given = given_joints(model, session.joints, parents);
         pieces = replace_by_pieces(model, rows, cut);
-        session.world.rows_moved();
         std::vector<BlockId> origin(model.blocks.id.begin(), model.blocks.id.end());
         for (std::size_t i = 0; i < pieces.size(); ++i)
             origin[pieces[i]] = model.blocks.id[rows[static_cast<std::size_t>(cut.pieces[i].parent)]];
@@ -256,7 +255,6 @@ void run(Session& session, const lang::Join& command) {
 }
 
 void run(Session& session, const lang::JoinContact& command) {
-    find_contacts(session.model, session.joints);
     std::vector<std::pair<Row, Row>> pairs;
     const auto& contacts = session.model.contacts;
     for (const Row contact : session.pick(ObjectKind::contact, command.range))

@@ -93,7 +93,6 @@ void run(Session& session, const lang::Import& command) {
             ++zoned;
         }
         if (zoned > 0) put_in_block_order(model);
-        session.world.rows_moved();
         session.output.say(fmt::format("{}: {} solid{} read, {} block{}, {} with zones", command.file, blocks.size(),
                                        blocks.size() == 1 ? "" : "s", parts, parts == 1 ? "" : "s", zoned));
     } catch (Diagnostic& mistake) {

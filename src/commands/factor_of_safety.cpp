@@ -174,7 +174,7 @@ private:
             for (std::size_t i = 0; i < sets.size(); ++i)
                 if (const auto values = reduced(session_.joints.get(sets[i].model), whole_[i], factor, asked_)) sets[i].values = *values;
         session_.model.settings.strength_factor = asked_(Reduced::zones) ? factor : 1;
-        session_.model.properties_changed = true;
+        ModelEdit(session_.model, Change::properties);
     }
 
     /// Contacts that are new in a trial get the values of their material, which are whole.
@@ -185,7 +185,7 @@ private:
 
     void go_back(const Model& state) {
         session_.model = state;
-        session_.model.lists_changed = true;
+        ModelEdit(session_.model, Change::lists);
     }
 
     std::string mechanism_text(double factor) const {
@@ -245,7 +245,7 @@ private:
             for (double& force : column) force *= 0.5;
         for (Stress& stress : model.zones.stress) stress *= 0.5;
         initialise_sub_contacts(model, session_.joints, std::vector<char>(model.sub_contacts.size(), 1));
-        model.properties_changed = true;
+        ModelEdit(model, Change::properties);
         progress_.expect("how long the model takes to come to rest", std::nullopt);
         const RestSpan span = run(patience, ratio_);
         if (span.at_rest) return std::max(span.cycles, shortest_span);

@@ -102,12 +102,10 @@ void refuse_missing_functions(Session& session, const Model& model, const std::s
 void restore_scripts(Session& session, Model& model, const script::ScriptState& scripts) {
     const script::ScriptState scripts_before = session.scripts->state();
     std::swap(session.model, model);
-    session.world.rows_moved();
     try {
         session.scripts->restore(scripts);
     } catch (...) {
         std::swap(session.model, model);
-        session.world.rows_moved();
         session.scripts->restore(scripts_before);
         throw;
     }
@@ -169,7 +167,6 @@ void run(Session& session, const lang::Restore& command) {
         refuse_missing_functions(session, model, file);
         session.scripts->change_model(&scripts);
         std::swap(session.model, model);
-        session.world.rows_moved();
     } else {
         restore_scripts(session, model, scripts);
     }

@@ -18,10 +18,7 @@ void give_zones_to_blocks(Session& session, const Command& command, const Genera
     if (blocks.empty()) return;
     try {
         LongWork work(session, "zones");
-        const std::size_t zoned = generate(blocks, std::ref(work));
-        if (zoned > 0)
-            session.world.rows_moved();
-        else
+        if (generate(blocks, std::ref(work)) == 0)
             session.warn(
                 Diagnostic(fmt::format("all {} blocks that this acts on have zones already", blocks.size()),
                            "the command has no effect")
@@ -48,7 +45,6 @@ void run(Session& session, const lang::Delete& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
     if (blocks.empty()) return;
     delete_blocks(session.model, blocks);
-    session.world.rows_moved();
 }
 
 void run(Session& session, const lang::FaceTriangulation& command) {
@@ -68,7 +64,7 @@ void run(Session& session, const lang::FaceTriangulation& command) {
                                                                       : FaceTriangles::fan;
         if (command.style == Style::fan) blocks.face_edge[block] = 0;
     }
-    if (rigid > 0) session.model.structure_changed = true;
+    if (rigid > 0) ModelEdit(session.model, Change::surfaces);
     else if (!picked.empty())
         session.warn(Diagnostic(fmt::format("all {} blocks that this acts on have zones", picked.size()),
                                 "their faces are cut by their zones; the command has no effect")

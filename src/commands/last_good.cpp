@@ -17,7 +17,7 @@ constexpr int part_of_time = 100;
 std::size_t bytes_of(Model& model) {
     std::size_t bytes = 0;
     model.tables([&](const char*, auto& table) {
-        table.columns([&](const std::string&, const auto& column) { bytes += column.size() * sizeof(column[0]); });
+        table.columns([&](const std::string&, const auto& column, Role) { bytes += column.size() * sizeof(column[0]); });
     });
     return bytes;
 }
@@ -68,7 +68,7 @@ void LastGood::drop() {
 
 void LastGood::run_on(Session& session, std::int64_t cycle) {
     if (!leads_here_ || scripts_act(session)) return;
-    model_.lists_changed = true; // what a cycle derives from the tables is not in the copy
+    ModelEdit(model_, Change::lists); // what a cycle derives from the tables is not in the copy
     Cycle cycles(model_, session.joints);
     cycles.hooks.table_value = session.cycle->hooks.table_value;
     while (model_.clock.cycle < cycle && !session.is_to_stop()) cycles.advance();

@@ -323,7 +323,7 @@ std::string list_memory(Session& session, const lang::List&) {
     session.model.tables([&](const char* name, auto& rows) {
         double bytes = 0;
         std::size_t columns = 0;
-        rows.columns([&](const std::string&, const auto& column) {
+        rows.columns([&](const std::string&, const auto& column, Role) {
             bytes += static_cast<double>(column.capacity() * sizeof(column[0]));
             ++columns;
         });

@@ -32,6 +32,7 @@ std::string fixity_text(const Model& model, std::uint8_t fixed, std::int32_t rol
 
 /// Visible rows in range. None is an answer, not a mistake.
 std::vector<Row> shown_rows(Session& session, const lang::List& command, ObjectKind kind) {
+    if (kind == ObjectKind::contact || kind == ObjectKind::sub_contact) find_contacts(session.model, session.joints);
     return select(session.model, kind, session.test_of(kind, command.range));
 }
 
@@ -191,7 +192,6 @@ std::string list_stresses(Session& session, const lang::List& command) {
 }
 
 std::string list_contacts(Session& session, const lang::List& command) {
-    find_contacts(session.model, session.joints);
     const auto& model = session.model;
     const auto& contacts = model.contacts;
     return rows_text(
@@ -229,7 +229,6 @@ std::string history_text(Session& session, std::int64_t number) {
 }
 
 std::string list_sub_contacts(Session& session, const lang::List& command) {
-    find_contacts(session.model, session.joints);
     const auto& model = session.model;
     const auto& points = model.sub_contacts;
     const std::string rows = rows_text(
@@ -250,7 +249,6 @@ std::string list_sub_contacts(Session& session, const lang::List& command) {
 }
 
 std::string list_states(Session& session, const lang::List& command) {
-    find_contacts(session.model, session.joints);
     const auto& model = session.model;
     struct Share {
         std::size_t count = 0;

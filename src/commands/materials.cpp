@@ -273,7 +273,7 @@ void run(Session& session, const lang::Property& typed) {
     }
     material.joint = session.model.materials[number].joint;
     session.model.materials[number] = std::move(material);
-    session.model.properties_changed = true;
+    ModelEdit(session.model, Change::properties);
 }
 
 void run(Session& session, const lang::Change& command) {
@@ -291,11 +291,10 @@ void run(Session& session, const lang::Change& command) {
                 given = 0;
                 model.blocks.constitutive[block] = number;
             }
-            model.properties_changed = true;
+            ModelEdit(model, Change::properties);
         }
     if (!command.joint_material && !command.joint_constitutive) return;
 
-    find_contacts(model, session.joints);
     const auto contacts = session.pick(ObjectKind::contact, command.range);
     if (contacts.empty()) return;
     if (command.joint_constitutive) {

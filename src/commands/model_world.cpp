@@ -154,7 +154,12 @@ Row ModelWorld::row_of(Handle object) const {
 
 Row ModelWorld::block_of_shape(std::uint32_t shape) const {
     const auto& blocks = model_.blocks;
-    // Blocks that are new since the last question stand at the end of their table; whatever else changes it says so.
+    if (known_rows_ != model_.stale.rows_revision()) {
+        block_of_shape_.clear();
+        next_known_shape_ = 0;
+        known_rows_ = model_.stale.rows_revision();
+    }
+    // Where no rows have moved, blocks that are new since the last question stand at the end of their table.
     if (next_known_shape_ != model_.next_shape_number) {
         for (std::size_t b = blocks.size(); b-- > 0 && blocks.shape[b] >= next_known_shape_;)
             block_of_shape_[blocks.shape[b]] = static_cast<Row>(b);

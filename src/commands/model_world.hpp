@@ -49,12 +49,6 @@ public:
     std::optional<Samples> history(const std::string& name) override;
     std::string command(const std::string& text, const std::string& chunk, int line, bool caught) override;
 
-    /// Blocks have come, gone or moved in their table.
-    void rows_moved() {
-        block_of_shape_.clear();
-        next_known_shape_ = 0;
-        forget_ranges();
-    }
     /// The tests of named ranges are kept from one question to the next until a command or a cycle has run.
     void forget_ranges() { range_tests_.clear(); }
 
@@ -88,8 +82,10 @@ private:
     JointRegistry& joints_;
     std::map<std::pair<std::string, ObjectKind>, RangeTest> range_tests_;
     std::int64_t cycle_of_tests_ = 0;
+    std::uint64_t rows_of_tests_ = 0; ///< Stale::rows_revision
     mutable std::unordered_map<std::int32_t, Row> block_of_shape_; ///< of shapes below this number
     mutable std::int32_t next_known_shape_ = 0;
+    mutable std::uint64_t known_rows_ = 0; ///< Stale::rows_revision
     std::vector<script::TableInfo> infos_;
     std::vector<std::vector<const Field*>> fields_; ///< of each table, in the order of its FieldInfo
     std::vector<script::FieldInfo> global_infos_;

@@ -36,8 +36,9 @@ script::Handle ModelWorld::next_of_block(script::Handle contact, int side) {
 bool ModelWorld::has_range(const std::string& name) { return range_phrase(name) != nullptr; }
 
 const RangeTest& ModelWorld::test_of(const std::string& range, ObjectKind kind) {
-    if (cycle_of_tests_ != model_.clock.cycle) forget_ranges();
+    if (cycle_of_tests_ != model_.clock.cycle || rows_of_tests_ != model_.stale.rows_revision()) forget_ranges();
     cycle_of_tests_ = model_.clock.cycle;
+    rows_of_tests_ = model_.stale.rows_revision();
     const auto found = range_tests_.find({range, kind});
     if (found != range_tests_.end()) return found->second;
     const lang::RangePhrase* phrase = range_phrase(range);

@@ -167,11 +167,11 @@ std::string reached(const Limits& limits, const Clock& start, const Model& model
 bool settle_forces(Session& session) {
     Model& model = session.model;
     if (model.forces_set.empty() && model.taken_over.empty()) return false;
-    if (!model.forces_set.empty()) model.properties_changed = true;
+    if (!model.forces_set.empty()) ModelEdit(model, Change::properties);
     model.taken_over.insert(model.taken_over.end(), model.forces_set.begin(), model.forces_set.end());
     tell_of_forces(model, session.joints);
     for (auto& warning : take_over_forces(model, session.joints)) session.warn(std::move(warning));
-    return model.properties_changed;
+    return model.stale.properties();
 }
 
 RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, FailureMonitor* monitor, Progress* progress) {

@@ -29,7 +29,6 @@ ObjectKind members_of(lang::Group::Kind kind) {
 
 void run(Session& session, const lang::Group& command) {
     const ObjectKind kind = members_of(command.kind);
-    if (kind == ObjectKind::contact) find_contacts(session.model, session.joints);
     const auto rows = session.pick(kind, command.range);
     if (rows.empty()) return;
     const std::int32_t group = make_group(session.model, command.name);
@@ -67,7 +66,6 @@ void run(Session& session, const lang::Excavate& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
     if (blocks.empty()) return;
     excavate_blocks(session.model, blocks);
-    session.world.rows_moved();
 }
 
 void run(Session& session, const lang::Fill& command) {
@@ -81,7 +79,6 @@ void run(Session& session, const lang::Fill& command) {
                                        "the command has no effect")
                                 .at(command.range.place));
     fill_blocks(session.model, rows);
-    session.world.rows_moved();
 }
 
 void run(Session& session, const lang::Copy& command) {
@@ -101,7 +98,6 @@ void run(Session& session, const lang::Copy& command) {
         if (command.region) model.blocks.region[b] = static_cast<std::int32_t>(*command.region);
         if (group != 0) model.blocks.group[b] = group;
     }
-    session.world.rows_moved();
     session.output.say(fmt::format("{} of {}", counted(command.number, "copy"), counted(blocks.size(), "block")));
     warn_of_overlaps(session, first, command.place);
 }

@@ -251,6 +251,7 @@ void Session::note_once(const std::string& message, const std::string& hint) {
 }
 
 std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& range, bool hidden_too) {
+    if (kind == ObjectKind::contact || kind == ObjectKind::sub_contact) find_contacts(model, joints);
     auto rows = select(model, kind, test_of(kind, range), hidden_too);
     if (!rows.empty()) return rows;
     const std::size_t tested = select(model, kind, {}, hidden_too).size();
@@ -338,7 +339,6 @@ void Session::clear() {
     ranges.clear();
     if (by_script) scripts->change_model();
     else scripts->clear();
-    world.rows_moved();
     title.clear();
     property_places.clear();
     if (!by_script) said_once.clear();

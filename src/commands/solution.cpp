@@ -120,7 +120,7 @@ void run(Session& session, const lang::Damp& command) {
     else if (settings.contact_damping > 0)
         settings.damping = Damping::none;
     if (stiff_part() == before) return;
-    model.properties_changed = true; // the stable step is another
+    ModelEdit(model, Change::properties); // the stable step is another
     if (joints_are_damped(settings)) return;
     std::ranges::fill(model.sub_contacts.dashpot_normal, 0.0);
     for (auto& column : model.sub_contacts.dashpot_shear.component) std::ranges::fill(column, 0.0);
@@ -140,12 +140,12 @@ void run(Session& session, const lang::MassScale& command) {
                                            : MassScaling::none;
     settings.scaled_time_step = command.step.value_or(0);
     if (command.off) restore_masses(model);
-    model.properties_changed = true;
+    ModelEdit(model, Change::properties);
 }
 
 void run(Session& session, const lang::Fraction& command) {
     session.model.settings.time_step_fraction = command.value;
-    session.model.properties_changed = true;
+    ModelEdit(session.model, Change::properties);
 }
 
 } // namespace kaya

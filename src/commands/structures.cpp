@@ -80,7 +80,7 @@ void run(Session& session, const lang::StructureProperty& command) {
     const bool given = std::ranges::any_of(command.items, [](const auto& item) { return item.name == "sbond"; });
     // Friction alone is a strength; the cohesion next to it is then none.
     if (properties.grout_friction > 0 && !given && std::isinf(properties.grout_cohesion)) properties.grout_cohesion = 0;
-    if (properties != before) model.properties_changed = true;
+    if (properties != before) ModelEdit(model, Change::properties);
 }
 
 void run(Session& session, const lang::StructureDelete& command) {

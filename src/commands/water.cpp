@@ -8,7 +8,7 @@ namespace kaya {
 
 void run(Session& session, const lang::WaterCommand& command) {
     auto& settings = session.model.settings;
-    session.model.properties_changed = true;
+    ModelEdit(session.model, Change::properties);
     if (command.kind == "off") {
         settings.water = Water::none;
         std::ranges::fill(session.model.sub_contacts.pore_pressure, 0.0);

@@ -30,7 +30,6 @@ void take_out(Session& session, const lang::ZoneModelCommand& command, const std
             .at(command.items.front().place);
     if (blocks.empty()) return;
     excavate_blocks(session.model, blocks);
-    session.world.rows_moved();
 }
 
 /// The values of a line by the names of the properties. Throws Diagnostic at the word that is wrong.
@@ -93,13 +92,13 @@ void run(Session& session, const lang::ZoneModelCommand& command) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         if (zone_model_of(model, blocks[i]) != wanted[i].model) forget_zones(model, blocks[i]);
         model.blocks.zone_properties[blocks[i]] = row_of(model, wanted[i]);
-        model.properties_changed = true;
+        ModelEdit(model, Change::properties);
     }
 }
 
 void run(Session& session, const lang::ZoneAveraging& command) {
     session.model.settings.mixed_discretisation = command.on;
-    session.model.properties_changed = true;
+    ModelEdit(session.model, Change::properties);
 }
 
 } // namespace kaya

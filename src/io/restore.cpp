@@ -52,7 +52,7 @@ public:
         value("rows", rows);
         if (rows > static_cast<std::uint64_t>(std::numeric_limits<Row>::max())) throw TreeError("too many rows");
         RowCheck check{tree_, static_cast<std::size_t>(rows)};
-        table.columns([&](const std::string& name, auto& column) { visit_column(check, name, column); });
+        table.columns([&](const std::string& name, auto& column, Role) { visit_column(check, name, column); });
         table.resize(static_cast<std::size_t>(rows));
     }
     template <class S, class Visit> void records(const std::string& name, std::vector<S>& all, Visit&& visit) {
@@ -131,7 +131,7 @@ SaveExtras restore_image(Model& model, std::string_view image, const std::string
     } catch (const std::bad_alloc&) {
         throw unusable(name, "there is not enough memory for it");
     }
-    fresh.lists_changed = true; // what the cycle derives from the tables is not in the file
+    ModelEdit(fresh, Change::lists); // what the cycle derives from the tables is not in the file
     model = std::move(fresh);
     return extras;
 }

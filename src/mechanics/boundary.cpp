@@ -137,7 +137,7 @@ public:
     }
     void finish() {
         for (const auto& [target, value] : sums_) add_boundary_history(model_, What::load, target, value, function_);
-        model_.properties_changed = true;
+        ModelEdit(model_, Change::properties);
     }
 
 private:
@@ -193,7 +193,7 @@ void prescribe_velocity(Model& model, const Bodies& bodies, int component, doubl
             targets.push_back(of_gridpoint(model, g, component));
             if (constant) points.velocity[g][component] = value;
         });
-    model.properties_changed = true;
+    ModelEdit(model, Change::properties);
     drop_velocity_histories(model, targets);
     if (constant) return;
     for (const Target& target : targets) add_boundary_history(model, What::velocity, target, value, function);
@@ -213,7 +213,7 @@ void release_velocity(Model& model, const Bodies& bodies, int component) {
             targets.push_back(of_gridpoint(model, g, component));
         });
     drop_velocity_histories(model, targets);
-    model.properties_changed = true;
+    ModelEdit(model, Change::properties);
 }
 
 void replace_by_reaction(Model& model, const Bodies& bodies, int axis) {
@@ -234,7 +234,7 @@ void replace_by_reaction(Model& model, const Bodies& bodies, int axis) {
 
 void initialize_velocity(Model& model, const Bodies& bodies, int component, double value) {
     auto& blocks = model.blocks;
-    if (is_rotation(component) && model.properties_changed) compute_masses(model);
+    if (is_rotation(component) && model.stale.properties()) compute_masses(model);
     if (is_rotation(component))
         for (const Row b : bodies.blocks)
             if (blocks.body[b] != 0)

@@ -112,13 +112,12 @@ Row property_set(Model& model, JointRegistry& joints, const std::string& name, s
 }
 
 void find_contacts(Model& model, JointRegistry& joints) {
-    if (!model.structure_changed) return;
+    if (!model.stale.contacts()) return;
     make_ties(model); // tied blocks have no contact
     model.tables([](const char*, auto& table) { table.trim(); });
     ContactSearch{}.search(model, joints, false);
     give_back_memory(); // the search takes much for a moment, and the columns made meanwhile follow it on the heap
-    model.structure_changed = false;
-    model.properties_changed = model.lists_changed = true;
+    model.stale.contacts_found();
 }
 
 void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<Row>& contacts,
@@ -144,7 +143,7 @@ void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<R
     }
     // Only then: who lowers the strength of a joint wants it to slip.
     note_taken_over(model, initialise_again(model, joints, contacts));
-    model.properties_changed = model.lists_changed = true;
+    ModelEdit(model, Change::contacts);
 }
 
 void set_joint_properties(Model& model, JointRegistry& joints, const std::vector<Row>& contacts, const Items& items,
@@ -175,7 +174,7 @@ void set_joint_properties(Model& model, JointRegistry& joints, const std::vector
     for (const Row c : contacts) model.contacts.properties[c] = renamed[model.contacts.properties[c]];
     if (all) model.settings.default_properties = renamed[model.settings.default_properties];
     initialise_again(model, joints, contacts);
-    model.properties_changed = model.lists_changed = true;
+    ModelEdit(model, Change::contacts);
 }
 
 void set_joint_material(Model& model, JointRegistry& joints, std::int32_t material, const Items& items,
@@ -195,7 +194,7 @@ void set_joint_material(Model& model, JointRegistry& joints, std::int32_t materi
         if (model.joint_properties[model.contacts.properties[c]].material == material)
             contacts.push_back(static_cast<Row>(c));
     initialise_again(model, joints, contacts);
-    model.properties_changed = model.lists_changed = true;
+    ModelEdit(model, Change::contacts);
 }
 
 void change_joint_material(Model& model, JointRegistry& joints, const std::vector<Row>& contacts,
@@ -211,7 +210,7 @@ void change_joint_material(Model& model, JointRegistry& joints, const std::vecto
         model.contacts.material[c] = material;
     }
     initialise_again(model, joints, contacts);
-    model.properties_changed = model.lists_changed = true;
+    ModelEdit(model, Change::contacts);
 }
 
 namespace {

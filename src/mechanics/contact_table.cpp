@@ -334,7 +334,7 @@ double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, C
         for (Row i = 0; i < span.count; ++i)
             write_sub_contact(model, span.first + i, draft.points[i], g.normal, false, g.type == ContactType::face_face, changes);
         // Weights of gridpoints are in the lists.
-        if (blocks.deformable[draft.block1] || blocks.deformable[draft.block2]) model.lists_changed = true;
+        if (blocks.deformable[draft.block1] || blocks.deformable[draft.block2]) ModelEdit(model, Change::lists);
     }
     return lost;
 }
@@ -452,7 +452,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     for (std::size_t s = 0; s < sub_kept.size(); ++s)
         if (!sub_kept[s]) subs.ids.destroy(old_sub_ids[s]);
 
-    model.lists_changed = true; // even if a joint model gives up below
+    ModelEdit(model, Change::lists); // even if a joint model gives up below
     for (const Row c : converted) lost += follow_overlap(model, c);
     tell_joint_models(model, joints, changes, moving);
     for (const auto& [row, load] : loads) lost += settle(model, row, load);

@@ -58,7 +58,7 @@ void give_to_pieces(Model& model, JointRegistry& joints, const std::vector<Given
         std::fill_n(marked.begin() + contacts.sub_contacts[c].first, contacts.sub_contacts[c].count, char{1});
     }
     initialise_sub_contacts(model, joints, marked);
-    model.properties_changed = model.lists_changed = true;
+    ModelEdit(model, Change::contacts);
 }
 
 } // namespace kaya

@@ -144,9 +144,9 @@ double Cycle::energy_in_zones() const {
 
 void Cycle::prepare() {
     Scratch& s = *scratch_;
-    if (model_.structure_changed) place_cable_nodes(model_);
+    if (model_.stale.contacts()) place_cable_nodes(model_);
     find_contacts(model_, joints_);
-    if (model_.properties_changed) {
+    if (model_.stale.properties()) {
         check_properties(model_, joints_);
         compute_masses(model_);
         take_zone_laws();
@@ -154,22 +154,22 @@ void Cycle::prepare() {
         zone_frequencies(model_, s.elastic);
         add_tie_frequencies(model_, s.ties);
     }
-    if (model_.lists_changed || model_.properties_changed) {
+    if (model_.stale.lists() || model_.stale.properties()) {
         take_cable_properties(model_);
-        if (!model_.properties_changed) take_zone_laws();
+        if (!model_.stale.properties()) take_zone_laws();
         s.step.forget(); // properties may be others now
         make_lists();
-        if (!model_.properties_changed) s.joints.stiffness_changed.assign(model_.contacts.size(), 0); // restored: all is known
+        if (!model_.stale.properties()) s.joints.stiffness_changed.assign(model_.contacts.size(), 0); // restored: all is known
         s.quiet = quiet_points(model_, s.elastic);
         s.search = ContactSearch{}; // blocks may be others now
-        model_.lists_changed = false;
+        model_.stale.lists_made();
         model_.tables([](const char*, auto& table) {
-            table.columns([](const std::string&, const auto& column) {
+            table.columns([](const std::string&, const auto& column, Role) {
                 use_large_pages(column.data(), column.size() * sizeof(column[0]));
             });
         });
     }
-    if (model_.properties_changed) {
+    if (model_.stale.properties()) {
         apply_load_histories(model_, s.boundary_histories, hooks);
         if (s.adjacency.has_cables()) model_.energy.structure_work += run_cables(model_, s.cables);
         // Forces of what is there already, so that the first step starts from them.
@@ -177,7 +177,7 @@ void Cycle::prepare() {
         model_.clock.time_step = 0;
         model_.clock.last_step = 0; // what a command has changed acts from now on
         s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, TimeStep::Bodies::all_and_grow);
-        model_.properties_changed = false;
+        model_.stale.properties_computed();
     }
 }
 
@@ -278,9 +278,9 @@ void Cycle::advance() {
         if (change == ContactChange::none) return change;
         // A contact that is new may have a joint material of its own.
         if (change == ContactChange::replaced) check_properties(model_, joints_);
-        if (model_.lists_changed) make_lists();
+        if (model_.stale.lists()) make_lists();
         else joint_forces_of_new(model_, s.joints);
-        model_.lists_changed = false;
+        model_.stale.lists_made();
         return change;
     });
     const double inner_power = s.timed(gather, [&] {

@@ -15,7 +15,7 @@ std::size_t make_quiet(Model& model, const std::vector<Row>& triangles, std::uin
         model.triangles.quiet[t] |= bits;
         ++count;
     }
-    model.properties_changed = true;
+    ModelEdit(model, Change::properties);
     return count;
 }
 
@@ -34,7 +34,7 @@ std::size_t hold_normals(Model& model, const std::vector<Row>& triangles, double
         add_directions(roller, model.rollers[static_cast<std::size_t>(model.gridpoints.roller[g])]);
         model.gridpoints.roller[g] = rows.row(roller);
     }
-    model.properties_changed = true;
+    ModelEdit(model, Change::properties);
     return held.size();
 }
 
@@ -49,7 +49,7 @@ void free_faces(Model& model, const std::vector<Row>& gridpoints, std::uint8_t a
     }
     if (axes == all)
         for (const Row g : gridpoints) model.gridpoints.roller[g] = 0;
-    model.properties_changed = true;
+    ModelEdit(model, Change::properties);
 }
 
 } // namespace kaya

@@ -13,7 +13,7 @@ template <class Visit> void each_roller(Model& model, const Bodies& bodies, Visi
     for (const Row b : bodies.blocks)
         for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g) visit(model.gridpoints.roller[g]);
     for (const Row g : bodies.gridpoints) visit(model.gridpoints.roller[g]);
-    model.properties_changed = true;
+    ModelEdit(model, Change::properties);
 }
 
 /// Bodies move along their directions from the next step on.

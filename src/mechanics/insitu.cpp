@@ -74,7 +74,7 @@ void put_joint_stress(Model& model, JointRegistry& joints, const std::vector<Row
     }
     initialise_sub_contacts(model, joints, marked);
     note_taken_over(model, marked);
-    model.properties_changed = true;
+    ModelEdit(model, Change::properties);
 }
 
 /// Sub-contacts stand at corners and edges of faces, where a vertical line may pass by the blocks; a place that is nearer
@@ -120,14 +120,14 @@ void set_stress_component(Model& model, const std::vector<Row>& zones, int compo
                           const Vec3& gradient) {
     for (const Row z : zones) model.zones.stress[z][component] = at_origin + gradient.dot(zone_centroid(model, z));
     set_tie_tractions(model, zones);
-    model.properties_changed = true;
+    ModelEdit(model, Change::properties);
 }
 
 void set_pore_pressure(Model& model, const std::vector<Row>& gridpoints, double at_origin, const Vec3& gradient) {
     auto& points = model.gridpoints;
     for (const Row g : gridpoints) points.pore_pressure[g] = at_origin + gradient.dot(points.position[g]);
     model.settings.water = Water::points;
-    model.properties_changed = true;
+    ModelEdit(model, Change::properties);
 }
 
 } // namespace kaya

@@ -180,7 +180,7 @@ std::vector<Diagnostic> take_over_forces(Model& model, JointRegistry& joints) {
     for (const auto& [name, reduction] : reductions) {
         if (reduction.rows == 0) continue;
         warnings.push_back(warning_of(model, name, reduction));
-        model.properties_changed = true; // forces are gathered anew
+        ModelEdit(model, Change::properties); // forces are gathered anew
     }
     return warnings;
 }

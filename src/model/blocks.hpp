@@ -28,6 +28,11 @@ enum Fixity : std::uint8_t { fix_x = 1, fix_y = 2, fix_z = 4, fix_rx = 8, fix_ry
 /// A quaternion as plain numbers: w, x, y, z.
 using Quaternion = Eigen::Vector4d;
 
+class Gridpoints;
+class Faces;
+class Triangles;
+class Zones;
+
 class Blocks : public Table<Blocks> {
 public:
     IdMap<BlockTag> ids;
@@ -74,45 +79,45 @@ public:
     Column<Vec3> last_moment;
 
     template <class Visit> void columns(Visit&& visit) {
-        visit("id", id);
-        visit("number", number);
-        visit("material", material);
-        visit("constitutive", constitutive);
-        visit("zone_properties", zone_properties);
-        visit("region", region);
-        visit("group", group);
-        visit("body", body);
-        visit("shape", shape);
-        visit("tied_shape", tied_shape);
-        visit("hidden", hidden);
-        visit("deformable", deformable);
-        visit("fixed", fixed);
-        visit("face_triangles", face_triangles);
-        visit("face_edge", face_edge);
-        visit("gridpoints", gridpoints);
-        visit("faces", faces);
-        visit("triangles", triangles);
-        visit("zones", zones);
-        visit("cell_zones", cell_zones);
-        visit("volume", volume);
-        visit("margin", margin);
-        visit("travelled", travelled);
-        visit("mass", mass);
-        visit("inertial_mass", inertial_mass);
-        visit("inertia", inertia);
-        visit("centroid", centroid);
-        visit("orientation", orientation);
-        visit("velocity", velocity);
-        visit("rotational_velocity", rotational_velocity);
-        visit("angular_momentum", angular_momentum);
-        visit("displacement", displacement);
-        visit("force", force);
-        visit("moment", moment);
-        visit("load", load);
-        visit("torque", torque);
-        visit("load_arms", load_arms);
-        visit("last_force", last_force);
-        visit("last_moment", last_moment);
+        visit("id", id, Role::identity);
+        visit("number", number, Role::identity);
+        visit("material", material, Role::setting);
+        visit("constitutive", constitutive, Role::setting);
+        visit("zone_properties", zone_properties, setting<ZoneProperties>());
+        visit("region", region, Role::setting);
+        visit("group", group, setting<Group>());
+        visit("body", body, Role::link);
+        visit("shape", shape, Role::identity);
+        visit("tied_shape", tied_shape, Role::link);
+        visit("hidden", hidden, Role::setting);
+        visit("deformable", deformable, Role::geometry);
+        visit("fixed", fixed, Role::condition);
+        visit("face_triangles", face_triangles, Role::setting);
+        visit("face_edge", face_edge, Role::setting);
+        visit("gridpoints", gridpoints, link<Gridpoints>());
+        visit("faces", faces, link<Faces>());
+        visit("triangles", triangles, link<Triangles>());
+        visit("zones", zones, link<Zones>());
+        visit("cell_zones", cell_zones, Role::geometry);
+        visit("volume", volume, Role::geometry);
+        visit("margin", margin, Role::geometry);
+        visit("travelled", travelled, Role::state);
+        visit("mass", mass, Role::geometry);
+        visit("inertial_mass", inertial_mass, Role::geometry);
+        visit("inertia", inertia, Role::geometry);
+        visit("centroid", centroid, Role::geometry);
+        visit("orientation", orientation, Role::geometry);
+        visit("velocity", velocity, Role::motion);
+        visit("rotational_velocity", rotational_velocity, Role::motion);
+        visit("angular_momentum", angular_momentum, Role::motion);
+        visit("displacement", displacement, Role::displacement);
+        visit("force", force, Role::state);
+        visit("moment", moment, Role::state);
+        visit("load", load, Role::load);
+        visit("torque", torque, Role::load);
+        visit("load_arms", load_arms, Role::load);
+        visit("last_force", last_force, Role::state);
+        visit("last_moment", last_moment, Role::state);
     }
 };
 
@@ -135,20 +140,20 @@ public:
     Column<double> zone_frequency; ///< bound of the zones' part of its frequency with its true mass, (rad/time)^2
 
     template <class Visit> void columns(Visit&& visit) {
-        visit("block", block);
-        visit("fixed", fixed);
-        visit("mass", mass);
-        visit("inertial_mass", inertial_mass);
-        visit("position", position);
-        visit("reference", reference);
-        visit("velocity", velocity);
-        visit("displacement", displacement);
-        visit("force", force);
-        visit("load", load);
-        visit("last_force", last_force);
-        visit("roller", roller);
-        visit("pore_pressure", pore_pressure);
-        visit("zone_frequency", zone_frequency);
+        visit("block", block, link<Blocks>());
+        visit("fixed", fixed, Role::condition);
+        visit("mass", mass, Role::geometry);
+        visit("inertial_mass", inertial_mass, Role::geometry);
+        visit("position", position, Role::geometry);
+        visit("reference", reference, Role::geometry);
+        visit("velocity", velocity, Role::motion);
+        visit("displacement", displacement, Role::displacement);
+        visit("force", force, Role::state);
+        visit("load", load, Role::load);
+        visit("last_force", last_force, Role::state);
+        visit("roller", roller, condition<Roller>());
+        visit("pore_pressure", pore_pressure, Role::condition);
+        visit("zone_frequency", zone_frequency, Role::geometry);
     }
 };
 
@@ -162,11 +167,11 @@ public:
     Column<Vec3> normal; ///< outward, unit, in the block's own axes
 
     template <class Visit> void columns(Visit&& visit) {
-        visit("block", block);
-        visit("joint_set", joint_set);
-        visit("group", group);
-        visit("triangles", triangles);
-        visit("normal", normal);
+        visit("block", block, link<Blocks>());
+        visit("joint_set", joint_set, Role::setting);
+        visit("group", group, setting<Group>());
+        visit("triangles", triangles, link<Triangles>());
+        visit("normal", normal, Role::geometry);
     }
 };
 
@@ -181,9 +186,9 @@ public:
     Column<std::uint8_t> quiet; ///< Quiet bits
 
     template <class Visit> void columns(Visit&& visit) {
-        visit("face", face);
-        visit("gridpoints", gridpoints);
-        visit("quiet", quiet);
+        visit("face", face, link<Faces>());
+        visit("gridpoints", gridpoints, link<Gridpoints>());
+        visit("quiet", quiet, Role::condition);
     }
 };
 
@@ -212,15 +217,15 @@ public:
     }
 
     template <class Visit> void columns(Visit&& visit) {
-        visit("block", block);
-        visit("group", group);
-        visit("gridpoints", gridpoints);
-        visit("stress", stress);
-        visit("dashpot", dashpot);
-        visit("volume", volume);
-        visit("state", state);
+        visit("block", block, link<Blocks>());
+        visit("group", group, setting<Group>());
+        visit("gridpoints", gridpoints, link<Gridpoints>());
+        visit("stress", stress, Role::state);
+        visit("dashpot", dashpot, Role::state);
+        visit("volume", volume, Role::geometry);
+        visit("state", state, Role::state);
         for (std::size_t k = 0; k < history.size() && static_cast<std::int32_t>(k) < history_columns; ++k)
-            visit("history_" + std::to_string(k), history[k]);
+            visit("history_" + std::to_string(k), history[k], Role::state);
     }
 };
 

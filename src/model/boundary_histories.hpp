@@ -39,13 +39,13 @@ public:
     Column<std::int32_t> function;  ///< row of Model::time_functions
 
     template <class Visit> void columns(Visit&& visit) {
-        visit("block", block);
-        visit("gridpoint", gridpoint);
-        visit("what", what);
-        visit("component", component);
-        visit("amplitude", amplitude);
-        visit("acting", acting);
-        visit("function", function);
+        visit("block", block, link<Blocks>());
+        visit("gridpoint", gridpoint, Role::local_link);
+        visit("what", what, Role::condition);
+        visit("component", component, Role::condition);
+        visit("amplitude", amplitude, Role::load);
+        visit("acting", acting, Role::load);
+        visit("function", function, condition<TimeFunction>());
     }
 };
 

@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "geometry/mesh.hpp"
 #include "model/joined.hpp"
+#include "model/links.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,7 @@ std::vector<std::array<int, 3>> fan(const Polyhedron& p, const std::vector<int>&
 } // namespace
 
 void give_zones(Model& model, Row block, const Polyhedron& shape, const TetMesh& mesh) {
+    const ModelEdit edit(model, Change::rows);
     auto& blocks = model.blocks;
     blocks.shape[block] = model.next_shape_number++;
     const std::int32_t roller = model.gridpoints.roller[blocks.gridpoints[block].first]; // of the vertices till now
@@ -84,75 +86,49 @@ void give_zones(Model& model, Row block, const Polyhedron& shape, const TetMesh&
     blocks.deformable[block] = 1;
     blocks.face_triangles[block] = FaceTriangles::fan; // its zones cut its faces
     blocks.face_edge[block] = 0;
-    model.structure_changed = model.properties_changed = true;
 }
 
 namespace {
 
-/// Contacts are told where the gridpoints and faces went on which they lie. A side that lost one of its gridpoints,
-/// because its block got another shape, is attached nowhere until its geometry is made anew.
-void rename_in_contacts(Model& model, const std::vector<Row>& gridpoint_of, const std::vector<Row>& face_of) {
-    const auto rename = [](Row& row, const std::vector<Row>& renamed) {
-        if (row != no_row) row = renamed[row];
-    };
-    for (auto* column : {&model.contacts.face1, &model.contacts.face2})
-        for (Row& face : *column) rename(face, face_of);
-    for (auto* column : {&model.sub_contacts.side1, &model.sub_contacts.side2})
-        for (Attachment& side : *column) {
-            bool lost = false;
-            for (std::size_t k = 0; k < side.gridpoints.size(); ++k) {
-                rename(side.gridpoints[k], gridpoint_of);
-                lost = lost || (side.weights[k] != 0 && side.gridpoints[k] == no_row);
+/// Rows of a table in the order of blocks, and what they are called then.
+struct BlockOrder {
+    std::vector<Row> rows;
+    Renamed renamed;
+
+    BlockOrder(const Column<Span>& spans, std::size_t size) : renamed(size, no_row) {
+        for (const Span& span : spans)
+            for (Row row = span.first; row < span.end(); ++row) {
+                renamed[static_cast<std::size_t>(row)] = static_cast<Row>(rows.size());
+                rows.push_back(row);
             }
-            if (lost) side = Attachment{};
-        }
+    }
+};
+
+/// A block's rows follow those of the block before.
+template <class TableType> void put_in_order(Model& model, TableType& table, Column<Span>& spans) {
+    const BlockOrder order(spans, table.size());
+    table.gather(order.rows);
+    renumber<TableType>(model, order.renamed);
+    Row next = 0;
+    for (Span& span : spans) {
+        span.first = next; // also of a span without rows, which has nothing to follow
+        next += span.count;
+    }
+    table.columns([&](const auto&, auto& column, auto role) {
+        if constexpr (links::names<Blocks, decltype(role)>())
+            for (std::size_t b = 0; b < spans.size(); ++b) std::fill_n(column.begin() + spans[b].first, spans[b].count, static_cast<Row>(b));
+    });
 }
 
 } // namespace
 
 void put_in_block_order(Model& model) {
+    const ModelEdit edit(model, Change::rows);
     auto& blocks = model.blocks;
-    std::vector<Row> gridpoints, faces, triangles, zones;
-    std::vector<Row> gridpoint_of(model.gridpoints.size(), no_row), face_of(model.faces.size(), no_row);
-    std::vector<Row> triangle_of(model.triangles.size(), no_row);
-
-    const auto take = [](Span& span, std::vector<Row>& kept, std::vector<Row>* renamed) {
-        const Span old = span;
-        span.first = static_cast<Row>(kept.size());
-        for (Row row = old.first; row < old.end(); ++row) {
-            if (renamed) (*renamed)[row] = static_cast<Row>(kept.size());
-            kept.push_back(row);
-        }
-    };
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-        take(blocks.gridpoints[b], gridpoints, &gridpoint_of);
-        take(blocks.faces[b], faces, &face_of);
-        take(blocks.triangles[b], triangles, &triangle_of);
-        take(blocks.zones[b], zones, nullptr);
-    }
-    model.gridpoints.gather(gridpoints);
-    model.faces.gather(faces);
-    model.triangles.gather(triangles);
-    model.zones.gather(zones);
-    rename_in_contacts(model, gridpoint_of, face_of);
-
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-        const Row row = static_cast<Row>(b);
-        for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g)
-            model.gridpoints.block[g] = row;
-        for (Row f = blocks.faces[b].first; f < blocks.faces[b].end(); ++f) {
-            model.faces.block[f] = row;
-            model.faces.triangles[f].first = triangle_of[model.faces.triangles[f].first];
-        }
-        for (Row t = blocks.triangles[b].first; t < blocks.triangles[b].end(); ++t) {
-            model.triangles.face[t] = face_of[model.triangles.face[t]];
-            for (auto& g : model.triangles.gridpoints[t]) g = gridpoint_of[g];
-        }
-        for (Row z = blocks.zones[b].first; z < blocks.zones[b].end(); ++z) {
-            model.zones.block[z] = row;
-            for (auto& g : model.zones.gridpoints[z]) g = gridpoint_of[g];
-        }
-    }
+    put_in_order(model, model.gridpoints, blocks.gridpoints);
+    put_in_order(model, model.faces, blocks.faces);
+    put_in_order(model, model.triangles, blocks.triangles);
+    put_in_order(model, model.zones, blocks.zones);
 }
 
 void give_shape(Model& model, Row block, const Polyhedron& polyhedron) {
@@ -160,6 +136,7 @@ void give_shape(Model& model, Row block, const Polyhedron& polyhedron) {
 }
 
 void give_shape(Model& model, Row b, const Polyhedron& polyhedron, const MassProperties& mass) {
+    const ModelEdit edit(model, Change::blocks);
     auto& blocks = model.blocks;
     blocks.shape[b] = model.next_shape_number++;
     blocks.volume[b] = mass.volume;
@@ -199,7 +176,6 @@ void give_shape(Model& model, Row b, const Polyhedron& polyhedron, const MassPro
     blocks.faces[b] = {f0, static_cast<Row>(polyhedron.faces.size())};
     blocks.triangles[b] = {t0, static_cast<Row>(model.triangles.size()) - t0};
     blocks.zones[b] = {static_cast<Row>(model.zones.size()), 0};
-    model.structure_changed = model.properties_changed = true;
 }
 
 Row add_block_row(Model& model) {
@@ -272,7 +248,37 @@ Polyhedron shape_of(const Model& model, Row block) {
     return shape;
 }
 
+namespace {
+
+/// Takes out the contacts of blocks that are gone, with their sub-contacts.
+void drop_contacts_of_none(Model& model) {
+    auto& contacts = model.contacts;
+    auto& sub_contacts = model.sub_contacts;
+    std::vector<Row> kept_contacts, kept_sub_contacts;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const Span span = contacts.sub_contacts[c];
+        if (contacts.block1[c] == no_row || contacts.block2[c] == no_row) {
+            contacts.ids.destroy(contacts.id[c]);
+            for (Row s = span.first; s < span.end(); ++s) sub_contacts.ids.destroy(sub_contacts.id[s]);
+            continue;
+        }
+        contacts.sub_contacts[c].first = static_cast<Row>(kept_sub_contacts.size());
+        for (Row s = span.first; s < span.end(); ++s) {
+            sub_contacts.contact[s] = static_cast<Row>(kept_contacts.size());
+            kept_sub_contacts.push_back(s);
+        }
+        kept_contacts.push_back(static_cast<Row>(c));
+    }
+    contacts.gather(kept_contacts);
+    sub_contacts.gather(kept_sub_contacts);
+    for (std::size_t c = 0; c < contacts.size(); ++c) contacts.ids.move(contacts.id[c], static_cast<Row>(c));
+    for (std::size_t s = 0; s < sub_contacts.size(); ++s) sub_contacts.ids.move(sub_contacts.id[s], static_cast<Row>(s));
+}
+
+} // namespace
+
 void delete_blocks(Model& model, const std::vector<Row>& rows) {
+    const ModelEdit edit(model, Change::rows);
     auto& blocks = model.blocks;
     std::vector<bool> gone(blocks.size(), false);
     for (const Row row : rows) gone[row] = true;
@@ -288,7 +294,8 @@ void delete_blocks(Model& model, const std::vector<Row>& rows) {
         unjoin(model, left);
         join_pairs(model, adjacent_pairs(model, left));
     }
-    std::vector<Row> kept, renamed(blocks.size(), no_row);
+    std::vector<Row> kept;
+    Renamed renamed(blocks.size(), no_row);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (gone[b]) {
             blocks.ids.destroy(blocks.id[b]);
@@ -299,33 +306,9 @@ void delete_blocks(Model& model, const std::vector<Row>& rows) {
     }
     blocks.gather(kept);
     for (std::size_t b = 0; b < blocks.size(); ++b) blocks.ids.move(blocks.id[b], static_cast<Row>(b));
+    renumber<Blocks>(model, renamed);
     put_in_block_order(model);
-    // Contacts of deleted blocks go; the others are renamed and their geometry is made anew.
-    auto& contacts = model.contacts;
-    std::vector<Row> kept_contacts, kept_sub_contacts;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        const Row b1 = renamed[contacts.block1[c]], b2 = renamed[contacts.block2[c]];
-        const Span span = contacts.sub_contacts[c];
-        if (b1 == no_row || b2 == no_row) {
-            contacts.ids.destroy(contacts.id[c]);
-            for (Row s = span.first; s < span.end(); ++s) model.sub_contacts.ids.destroy(model.sub_contacts.id[s]);
-            continue;
-        }
-        contacts.block1[c] = b1;
-        contacts.block2[c] = b2;
-        contacts.sub_contacts[c].first = static_cast<Row>(kept_sub_contacts.size());
-        for (Row s = span.first; s < span.end(); ++s) {
-            model.sub_contacts.contact[s] = static_cast<Row>(kept_contacts.size());
-            kept_sub_contacts.push_back(s);
-        }
-        kept_contacts.push_back(static_cast<Row>(c));
-    }
-    contacts.gather(kept_contacts);
-    model.sub_contacts.gather(kept_sub_contacts);
-    for (std::size_t c = 0; c < contacts.size(); ++c) contacts.ids.move(contacts.id[c], static_cast<Row>(c));
-    for (std::size_t s = 0; s < model.sub_contacts.size(); ++s)
-        model.sub_contacts.ids.move(model.sub_contacts.id[s], static_cast<Row>(s));
-    model.structure_changed = model.properties_changed = true;
+    drop_contacts_of_none(model);
 }
 
 namespace {
@@ -351,10 +334,7 @@ std::size_t fill_with_zones(Model& model, const std::vector<Row>& rows, const Me
         meshed.push_back({block, std::move(shape), std::move(zones)});
     }
     for (const auto& m : meshed) give_zones(model, m.block, m.shape, m.mesh);
-    if (!meshed.empty()) {
-        put_in_block_order(model);
-        model.structure_changed = model.properties_changed = true;
-    }
+    if (!meshed.empty()) put_in_block_order(model);
     return meshed.size();
 }
 

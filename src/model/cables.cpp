@@ -134,8 +134,7 @@ Row make_cable(Model& model, const NewCable& wanted) {
         if (k < wanted.segments) nodes.bar_length[node] = bar;
         place(model, node);
     }
-    model.properties_changed = true;
-    model.lists_changed = true;
+    ModelEdit(model, Change::contacts);
     return cable;
 }
 
@@ -154,8 +153,7 @@ void delete_cables(Model& model, const std::vector<Row>& gone) {
         cables.nodes[cable].first = next;
         for (; next < cables.nodes[cable].end(); ++next) nodes.cable[next] = static_cast<Row>(cable);
     }
-    model.properties_changed = true;
-    model.lists_changed = true;
+    ModelEdit(model, Change::contacts);
 }
 
 void take_cable_properties(Model& model) {

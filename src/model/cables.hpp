@@ -43,6 +43,8 @@ const std::vector<CableProperty>& cable_properties();
 /// Bits of CableNodes::bar_state and CableNodes::grout_state: now, or at any time before.
 enum CableState : std::uint8_t { yields = 1, has_yielded = 2, broken = 4 };
 
+class CableNodes;
+
 class Cables : public Table<Cables> {
 public:
     Column<std::int32_t> number;   ///< what users see
@@ -52,11 +54,11 @@ public:
     Column<double> work;           ///< done on the cable by the rock: stored in it or lost
 
     template <class Visit> void columns(Visit&& visit) {
-        visit("number", number);
-        visit("property", property);
-        visit("nodes", nodes);
-        visit("tension", tension);
-        visit("work", work);
+        visit("number", number, Role::identity);
+        visit("property", property, Role::setting);
+        visit("nodes", nodes, link<CableNodes>());
+        visit("tension", tension, Role::state);
+        visit("work", work, Role::state);
     }
 };
 
@@ -83,24 +85,24 @@ public:
     Column<std::uint8_t> bar_state;
 
     template <class Visit> void columns(Visit&& visit) {
-        visit("cable", cable);
-        visit("block", block);
-        visit("shape", shape);
-        visit("zone", zone);
-        visit("weights", weights);
-        visit("local", local);
-        visit("anchored", anchored);
-        visit("position", position);
-        visit("share", share);
-        visit("slip", slip);
-        visit("slip_lost", slip_lost);
-        visit("grout", grout);
-        visit("grout_state", grout_state);
-        visit("force", force);
-        visit("bar_length", bar_length);
-        visit("bar_yield", bar_yield);
-        visit("bar_force", bar_force);
-        visit("bar_state", bar_state);
+        visit("cable", cable, link<Cables>());
+        visit("block", block, link<Blocks>());
+        visit("shape", shape, Role::identity);
+        visit("zone", zone, Role::local_link);
+        visit("weights", weights, Role::geometry);
+        visit("local", local, Role::geometry);
+        visit("anchored", anchored, Role::setting);
+        visit("position", position, Role::geometry);
+        visit("share", share, Role::geometry);
+        visit("slip", slip, Role::state);
+        visit("slip_lost", slip_lost, Role::state);
+        visit("grout", grout, Role::state);
+        visit("grout_state", grout_state, Role::state);
+        visit("force", force, Role::state);
+        visit("bar_length", bar_length, Role::geometry);
+        visit("bar_yield", bar_yield, Role::state);
+        visit("bar_force", bar_force, Role::state);
+        visit("bar_state", bar_state, Role::state);
     }
 };
 

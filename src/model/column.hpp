@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/vector.hpp"
+#include "model/roles.hpp"
 
 #include <algorithm>
 #include <array>
@@ -38,7 +39,7 @@ template <class T> T new_value() {
 }
 
 /// What every table can do, given `template <class Visit> void columns(Visit&&)` in Derived.
-/// Visit is called as visit("name", column) with a Column<T>&.
+/// Visit is called as visit("name", column, role) with a Column<T>& and a Role or ColumnRole.
 template <class Derived> class Table {
 public:
     std::size_t size() const { return size_; }
@@ -46,7 +47,7 @@ public:
 
     /// New rows are zero.
     void resize(std::size_t n) {
-        derived().columns([n](const auto&, auto& column) {
+        derived().columns([n](const auto&, auto& column, Role) {
             using Value = typename std::decay_t<decltype(column)>::value_type;
             column.resize(n, new_value<Value>());
         });
@@ -57,7 +58,7 @@ public:
     void gather(const std::vector<std::int32_t>& rows) {
         const bool ascending = std::adjacent_find(rows.begin(), rows.end(), std::greater_equal<>()) == rows.end();
         if (ascending) return compact(rows);
-        derived().columns([&rows](const auto&, auto& column) {
+        derived().columns([&rows](const auto&, auto& column, Role) {
             std::decay_t<decltype(column)> kept;
             kept.reserve(rows.size());
             using Value = typename std::decay_t<decltype(column)>::value_type;
@@ -81,9 +82,9 @@ public:
     /// Puts copies of the rows listed of another table after the rows of this one. Returns the row of the first.
     std::int32_t append(Derived& from, const std::vector<std::int32_t>& rows) {
         std::vector<void*> columns;
-        from.columns([&columns](const auto&, auto& column) { columns.push_back(&column); });
+        from.columns([&columns](const auto&, auto& column, Role) { columns.push_back(&column); });
         std::size_t next = 0;
-        derived().columns([&](const auto&, auto& column) {
+        derived().columns([&](const auto&, auto& column, Role) {
             const auto& source = *static_cast<std::decay_t<decltype(column)>*>(columns[next++]);
             for (const auto row : rows) column.push_back(source[static_cast<std::size_t>(row)]);
         });
@@ -94,7 +95,7 @@ public:
 
     /// Gives back the room that growing has taken in advance.
     void trim() {
-        derived().columns([](const auto&, auto& column) { column.shrink_to_fit(); });
+        derived().columns([](const auto&, auto& column, Role) { column.shrink_to_fit(); });
     }
 
 private:
@@ -102,7 +103,7 @@ private:
     void compact(const std::vector<std::int32_t>& rows) {
         std::size_t gap = 0;
         while (gap < rows.size() && static_cast<std::size_t>(rows[gap]) == gap) ++gap;
-        derived().columns([&rows, gap](const auto&, auto& column) {
+        derived().columns([&rows, gap](const auto&, auto& column, Role) {
             for (std::size_t k = gap; k < rows.size(); ++k) column[k] = std::move(column[static_cast<std::size_t>(rows[k])]);
             column.erase(column.begin() + static_cast<std::ptrdiff_t>(rows.size()), column.end());
         });
@@ -114,9 +115,9 @@ private:
 };
 
 /// For columns() of a table that holds vector columns.
-template <class Visit> void visit_vector(Visit&& visit, const std::string& name, VectorColumn& column) {
+template <class Visit> void visit_vector(Visit&& visit, const std::string& name, VectorColumn& column, Role role) {
     static constexpr std::array axes{"_x", "_y", "_z"};
-    for (int k = 0; k < 3; ++k) visit(name + axes[k], column.component[k]);
+    for (int k = 0; k < 3; ++k) visit(name + axes[k], column.component[k], role);
 }
 
 } // namespace kaya

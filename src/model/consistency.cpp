@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <type_traits>
+
 namespace kaya {
 
 namespace {
@@ -27,14 +29,6 @@ private:
 
 bool inside(Row row, std::size_t size) { return row >= 0 && static_cast<std::size_t>(row) < size; }
 bool inside_or_none(Row row, std::size_t size) { return row == no_row || inside(row, size); }
-
-/// A column of rows of another table.
-void check_links(Findings& findings, const char* table, const char* target, const Column<Row>& column,
-                 std::size_t size, bool none_allowed = false) {
-    for (std::size_t i = 0; i < column.size() && findings.clean(); ++i)
-        findings.require(none_allowed ? inside_or_none(column[i], size) : inside(column[i], size), table, i,
-                         fmt::format("{} {} of {}", target, column[i], size));
-}
 
 /// Spans lie inside the other table, and the rows in them name their owner.
 void check_spans(Findings& findings, const char* table, const char* target, const Column<Span>& spans,
@@ -79,21 +73,82 @@ void check_ids(Findings& findings, const char* table, const IdMap<Tag>& ids, con
 
 template <class T> bool between(T value, T first, T last) { return value >= first && value <= last; }
 
-void check_groups(Findings& findings, const char* table, const Column<std::int32_t>& group, const Model& model) {
-    for (std::size_t i = 0; i < group.size() && findings.clean(); ++i)
-        findings.require(inside(group[i], model.group_names.size()), table, i,
-                         fmt::format("group {} of {}", group[i], model.group_names.size()));
+// What the rows that a column names are called, and how many there are of them.
+template <class To> constexpr const char* noun = nullptr;
+template <> constexpr const char* noun<Blocks> = "block";
+template <> constexpr const char* noun<Gridpoints> = "gridpoint";
+template <> constexpr const char* noun<Faces> = "face";
+template <> constexpr const char* noun<Triangles> = "triangle";
+template <> constexpr const char* noun<Zones> = "zone";
+template <> constexpr const char* noun<Contacts> = "contact";
+template <> constexpr const char* noun<SubContacts> = "sub-contact";
+template <> constexpr const char* noun<TiedPairs> = "pair";
+template <> constexpr const char* noun<Ties> = "tie";
+template <> constexpr const char* noun<Cables> = "cable";
+template <> constexpr const char* noun<CableNodes> = "node";
+template <> constexpr const char* noun<Group> = "group";
+template <> constexpr const char* noun<Roller> = "roller";
+template <> constexpr const char* noun<JointProperties> = "property set";
+template <> constexpr const char* noun<ZoneProperties> = "zone model";
+template <> constexpr const char* noun<TimeFunction> = "function";
+
+template <class Visit> void each_table(Model& model, Visit&& visit) {
+    model.present_tables(visit);
+    model.structure_tables(visit);
+}
+
+template <class To> std::size_t size_of(Model& model) {
+    if constexpr (std::is_same_v<To, Group>) return model.group_names.size();
+    else if constexpr (std::is_same_v<To, Roller>) return model.rollers.size();
+    else if constexpr (std::is_same_v<To, JointProperties>) return model.joint_properties.size();
+    else if constexpr (std::is_same_v<To, ZoneProperties>) return model.zone_properties.size();
+    else if constexpr (std::is_same_v<To, TimeFunction>) return model.time_functions.size();
+    else {
+        std::size_t size = 0;
+        each_table(model, [&](const char*, auto& table) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(table)>, To>) size = table.size();
+        });
+        return size;
+    }
+}
+
+/// The column in which rows of `Part` name the row of `Whole` that they belong to; null when there is none.
+template <class Whole, class Part> const Column<Row>* owners(Model& model) {
+    const Column<Row>* found = nullptr;
+    each_table(model, [&](const char*, auto& table) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(table)>, Part>)
+            table.columns([&](const auto&, auto& column, auto role) {
+                if constexpr (std::is_same_v<decltype(role), ColumnRole<Whole>>)
+                    if constexpr (std::is_same_v<std::decay_t<decltype(column)>, Column<Row>>) found = &column;
+            });
+    });
+    return found;
+}
+
+template <class To> std::type_identity<To> target_of(const ColumnRole<To>&);
+
+/// What columns name is there. Corners and attachments are looked at with their blocks.
+void check_links(Findings& findings, Model& model) {
+    each_table(model, [&](const char* name, auto& table) {
+        using Whole = std::decay_t<decltype(table)>;
+        table.columns([&]<class T, class RoleType>(const auto&, Column<T>& column, RoleType role) {
+            if constexpr (!std::is_same_v<RoleType, Role>) {
+                using To = typename decltype(target_of(role))::type;
+                if constexpr (std::is_same_v<T, Row>) {
+                    const std::size_t size = size_of<To>(model);
+                    for (std::size_t i = 0; i < column.size() && findings.clean(); ++i)
+                        findings.require(role.may_be_none ? inside_or_none(column[i], size) : inside(column[i], size), name, i,
+                                         fmt::format("{} {} of {}", noun<To>, column[i], size));
+                } else if constexpr (std::is_same_v<T, Span>) {
+                    if (const Column<Row>* belongs_to = owners<Whole, To>(model)) check_spans(findings, name, noun<To>, column, *belongs_to);
+                }
+            }
+        });
+    });
 }
 
 void check_rows_of_blocks(Findings& findings, const Model& model) {
     const auto& blocks = model.blocks;
-    check_spans(findings, "blocks", "gridpoint", blocks.gridpoints, model.gridpoints.block);
-    check_spans(findings, "blocks", "face", blocks.faces, model.faces.block);
-    check_spans(findings, "blocks", "zone", blocks.zones, model.zones.block);
-    check_groups(findings, "blocks", blocks.group, model);
-    check_groups(findings, "faces", model.faces.group, model);
-    check_groups(findings, "zones", model.zones.group, model);
-    check_links(findings, "blocks", "zone model", blocks.zone_properties, model.zone_properties.size());
     for (const auto* zones : {&model.zones, &model.excavated.zones})
         findings.require(zones->history_columns >= 0 && zones->history_columns <= KAYA_JMODEL_MAX_HISTORY,
                          "the history columns of zones are not counted right");
@@ -118,8 +173,6 @@ void check_blocks(Findings& findings, const Model& model) {
 
 /// Corners of triangles and zones belong to the block that the face or zone belongs to.
 void check_geometry(Findings& findings, const Model& model) {
-    check_spans(findings, "faces", "triangle", model.faces.triangles, model.triangles.face);
-    if (!findings.clean()) return;
     // A block's triangles are those of its faces, one after the other.
     Column<Row> owner;
     for (const Row face : model.triangles.face) owner.push_back(model.faces.block[static_cast<std::size_t>(face)]);
@@ -138,8 +191,9 @@ void check_geometry(Findings& findings, const Model& model) {
 /// What was excavated is linked in the same way.
 void check_excavated(Findings& findings, const Model& model) {
     if (model.excavated.blocks.empty() && model.excavated.gridpoints.empty()) return;
-    const Model kept = excavated_model(model);
-    check_rows_of_blocks(findings, kept);
+    Model kept = excavated_model(model);
+    check_links(findings, kept);
+    if (findings.clean()) check_rows_of_blocks(findings, kept);
     if (findings.clean()) check_geometry(findings, kept);
 }
 
@@ -161,13 +215,6 @@ void check_faces(Findings& findings, const Model& model, std::size_t i) {
 void check_contacts(Findings& findings, const Model& model) {
     const auto& contacts = model.contacts;
     check_ids(findings, "contacts", contacts.ids, contacts.id);
-    check_links(findings, "contacts", "block", contacts.block1, model.blocks.size());
-    check_links(findings, "contacts", "block", contacts.block2, model.blocks.size());
-    check_links(findings, "contacts", "face", contacts.face1, model.faces.size(), true);
-    check_links(findings, "contacts", "face", contacts.face2, model.faces.size(), true);
-    check_links(findings, "contacts", "property set", contacts.properties, model.joint_properties.size(), true);
-    check_spans(findings, "contacts", "sub-contact", contacts.sub_contacts, model.sub_contacts.contact);
-    check_groups(findings, "contacts", contacts.group, model);
     for (std::size_t i = 0; i < contacts.size() && findings.clean(); ++i) {
         findings.require(contacts.block1[i] != contacts.block2[i], "contacts", i, "a block touches itself");
         check_faces(findings, model, i);
@@ -222,7 +269,6 @@ void check_sub_contacts(Findings& findings, const Model& model) {
 void check_ties(Findings& findings, const Model& model) {
     const auto& pairs = model.tied_pairs;
     const auto& ties = model.ties;
-    check_spans(findings, "tied_pairs", "tie", pairs.ties, ties.pair);
     for (std::size_t p = 0; p < pairs.size() && findings.clean(); ++p) {
         std::array<Row, 2> blocks;
         if (!blocks_of_pair(model, static_cast<Row>(p), blocks)) continue;
@@ -268,8 +314,6 @@ void check_boundary_histories(Findings& findings, const Model& model) {
         findings.require(between(histories.what[i], BoundaryHistories::What::velocity, BoundaryHistories::What::load), "drives", i,
                          "its kind is unknown");
         findings.require(between(histories.component[i], 0, components - 1), "drives", i, "it has no such component");
-        findings.require(inside(histories.function[i], model.time_functions.size()), "drives", i,
-                         fmt::format("function {} of {}", histories.function[i], model.time_functions.size()));
         const Row block = model.blocks.ids.row(histories.block[i]);
         findings.require(whole || block == no_row || inside(histories.gridpoint[i], model.blocks.gridpoints[block].count),
                          "drives", i, "its block has no such gridpoint");
@@ -279,7 +323,6 @@ void check_boundary_histories(Findings& findings, const Model& model) {
 /// Blocks may be gone by now; a node whose block has its shape yet must have its zone.
 void check_cables(Findings& findings, const Model& model) {
     const auto& [cables, nodes, properties, next_number] = model.structures;
-    check_spans(findings, "cables", "node", cables.nodes, nodes.cable);
     for (std::size_t i = 0; i < cables.size() && findings.clean(); ++i) {
         const std::int32_t before = i == 0 ? 0 : cables.number[i - 1];
         findings.require(cables.number[i] > before && cables.number[i] < next_number, "cables", i, fmt::format("number {}", cables.number[i]));
@@ -302,7 +345,7 @@ std::string inconsistency(Model& model) {
     Findings findings;
     // Columns first: everything below reads as many rows as the table says.
     const auto check_columns = [&](const char* name, auto& table) {
-        table.columns([&](const std::string& column_name, auto& column) {
+        table.columns([&](const std::string& column_name, auto& column, Role) {
             findings.require(column.size() == table.size(),
                              fmt::format("column {} of {} has {} rows of {}", column_name, name, column.size(),
                                          table.size()));
@@ -314,8 +357,6 @@ std::string inconsistency(Model& model) {
     findings.require(!model.rollers.empty() && model.rollers.front().count == 0, "roller 0 holds something");
     for (const Roller& roller : model.rollers)
         findings.require(between(roller.count, 0, 3), "a roller holds another number of directions than 0 to 3");
-    for (std::size_t i = 0; i < model.gridpoints.size(); ++i)
-        findings.require(inside(model.gridpoints.roller[i], model.rollers.size()), "gridpoints", i, "its roller is not there");
     findings.require(between(model.settings.damping, Damping::none, Damping::rayleigh), "the damping is unknown");
     findings.require(between(model.settings.water, Water::none, Water::ground), "the kind of water is unknown");
     findings.require(model.settings.water != Water::ground || !model.water_ground.empty(), "the water table is not there");
@@ -326,6 +367,7 @@ std::string inconsistency(Model& model) {
     for (const auto next : {model.next_block_number, model.next_shape_number, model.next_contact_number, model.next_sub_contact_number,
                             model.structures.next_cable_number})
         findings.require(between(next, 1, 2'000'000'000), fmt::format("{} is the next number", next));
+    if (findings.clean()) check_links(findings, model);
     if (!findings.clean()) return findings.text();
 
     for (const auto check :

@@ -31,6 +31,8 @@ enum class ContactKind : std::int32_t {
     overlap ///< the volume that two rigid blocks have in common
 };
 
+class SubContacts;
+
 class Contacts : public Table<Contacts> {
 public:
     IdMap<ContactTag> ids;
@@ -70,37 +72,37 @@ public:
     Column<double> withdrawn_energy;   ///< energy that new geometry has taken from it, less what it has given back
 
     template <class Visit> void columns(Visit&& visit) {
-        visit("id", id);
-        visit("number", number);
-        visit("block1", block1);
-        visit("block2", block2);
-        visit("face1", face1);
-        visit("face2", face2);
-        visit("touch", type);
-        visit("reference", reference);
-        visit("normal", normal);
-        visit("position", position);
-        visit("area", area);
-        visit("material", material);
-        visit("properties", properties);
-        visit("joint_set", joint_set);
-        visit("group", group);
-        visit("sub_contacts", sub_contacts);
-        visit("kind", kind);
-        visit("least_area", least_area);
-        visit("stiffness_area", stiffness_area);
-        visit("depth", depth);
-        visit("twist", twist);
-        visit("offset", offset);
-        visit("offset_tilt", offset_tilt);
-        visit("offset_normal", offset_normal);
-        visit("axis", axis);
-        visit("energy_length", energy_length);
-        visit("energy_taken", energy_taken);
-        visit("withheld", withheld);
-        visit("slid", slip_since_update);
-        visit("given_up", withdrawn_energy);
-        visit("sunk", unforced_overlap);
+        visit("id", id, Role::identity);
+        visit("number", number, Role::identity);
+        visit("block1", block1, link<Blocks>());
+        visit("block2", block2, link<Blocks>());
+        visit("face1", face1, link_or_none<Faces>());
+        visit("face2", face2, link_or_none<Faces>());
+        visit("touch", type, Role::geometry);
+        visit("reference", reference, Role::geometry);
+        visit("normal", normal, Role::geometry);
+        visit("position", position, Role::geometry);
+        visit("area", area, Role::geometry);
+        visit("material", material, Role::setting);
+        visit("properties", properties, ColumnRole<JointProperties>{Role::setting, true});
+        visit("joint_set", joint_set, Role::setting);
+        visit("group", group, setting<Group>());
+        visit("sub_contacts", sub_contacts, link<SubContacts>());
+        visit("kind", kind, Role::geometry);
+        visit("least_area", least_area, Role::geometry);
+        visit("stiffness_area", stiffness_area, Role::geometry);
+        visit("depth", depth, Role::state);
+        visit("twist", twist, Role::state);
+        visit("offset", offset, Role::geometry);
+        visit("offset_tilt", offset_tilt, Role::geometry);
+        visit("offset_normal", offset_normal, Role::geometry);
+        visit("axis", axis, Role::geometry);
+        visit("energy_length", energy_length, Role::state);
+        visit("energy_taken", energy_taken, Role::state);
+        visit("withheld", withheld, Role::state);
+        visit("slid", slip_since_update, Role::state);
+        visit("given_up", withdrawn_energy, Role::state);
+        visit("sunk", unforced_overlap, Role::state);
     }
 };
 
@@ -182,33 +184,33 @@ public:
     }
 
     template <class Visit> void columns(Visit&& visit) {
-        visit("id", id);
-        visit("number", number);
-        visit("contact", contact);
-        visit("meeting", type);
-        visit("side1", side1);
-        visit("side2", side2);
-        visit_vector(visit, "position", position);
-        visit("area", area);
-        visit("normal_displacement", normal_displacement);
-        visit("normal_displacement_increment", normal_displacement_increment);
-        visit_vector(visit, "shear_displacement", shear_displacement);
-        visit_vector(visit, "shear_displacement_increment", shear_displacement_increment);
-        visit("pore_pressure", pore_pressure);
-        visit("normal_force", normal_force);
-        visit_vector(visit, "shear_force", shear_force);
-        visit("dashpot_normal", dashpot_normal);
-        visit_vector(visit, "dashpot_shear", dashpot_shear);
-        visit("normal_stiffness", normal_stiffness);
-        visit("shear_stiffness", shear_stiffness);
-        visit("frictional_work", frictional_work);
-        visit("state", state);
+        visit("id", id, Role::identity);
+        visit("number", number, Role::identity);
+        visit("contact", contact, link<Contacts>());
+        visit("meeting", type, Role::geometry);
+        visit("side1", side1, link_or_none<Gridpoints>());
+        visit("side2", side2, link_or_none<Gridpoints>());
+        visit_vector(visit, "position", position, Role::geometry);
+        visit("area", area, Role::geometry);
+        visit("normal_displacement", normal_displacement, Role::displacement);
+        visit("normal_displacement_increment", normal_displacement_increment, Role::state);
+        visit_vector(visit, "shear_displacement", shear_displacement, Role::displacement);
+        visit_vector(visit, "shear_displacement_increment", shear_displacement_increment, Role::state);
+        visit("pore_pressure", pore_pressure, Role::condition);
+        visit("normal_force", normal_force, Role::state);
+        visit_vector(visit, "shear_force", shear_force, Role::state);
+        visit("dashpot_normal", dashpot_normal, Role::state);
+        visit_vector(visit, "dashpot_shear", dashpot_shear, Role::state);
+        visit("normal_stiffness", normal_stiffness, Role::state);
+        visit("shear_stiffness", shear_stiffness, Role::state);
+        visit("frictional_work", frictional_work, Role::state);
+        visit("state", state, Role::state);
         for (std::size_t k = 0; k < history.size() && static_cast<std::int32_t>(k) < history_columns; ++k)
-            visit("history_" + std::to_string(k), history[k]);
+            visit("history_" + std::to_string(k), history[k], Role::state);
         for (std::size_t k = 0; k < field.size() && static_cast<std::int32_t>(k) < field_columns; ++k)
-            visit("field_" + std::to_string(k), field[k]);
-        if (field_columns > 0) visit("field_set", field_set);
-        if (keeps_objects) visit("object", object);
+            visit("field_" + std::to_string(k), field[k], Role::setting);
+        if (field_columns > 0) visit("field_set", field_set, Role::setting);
+        if (keeps_objects) visit("object", object, Role::state);
     }
 };
 

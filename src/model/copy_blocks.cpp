@@ -2,6 +2,7 @@
 
 #include "model/build.hpp"
 #include "model/joined.hpp"
+#include "model/links.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -47,23 +48,17 @@ TetMesh placed_mesh(const Model& model, Row block, const Placement& placement) {
 }
 
 Row copy_block(Model& model, Row block, const Placement& placement) {
-    const auto& blocks = model.blocks;
-    const NewBlock options{blocks.material[block], blocks.constitutive[block], blocks.region[block],
-                           blocks.group[block], blocks.zone_properties[block]};
     const Polyhedron shape = placed_shape(model, block, placement);
-    const Row copy = add_block(model, shape, options);
-    if (blocks.deformable[block]) {
-        give_zones(model, copy, shape, placed_mesh(model, block, placement));
-    } else {
-        model.blocks.face_triangles[copy] = blocks.face_triangles[block];
-        model.blocks.face_edge[copy] = blocks.face_edge[block];
-    }
-    const auto copy_groups = [&](Column<std::int32_t>& group, const Column<Span>& spans) {
-        const Span from = spans[block], to = spans[copy];
-        std::copy_n(group.begin() + from.first, from.count, group.begin() + to.first);
+    const Row copy = add_block(model, shape, {});
+    auto& blocks = model.blocks;
+    if (blocks.deformable[block]) give_zones(model, copy, shape, placed_mesh(model, block, placement));
+    // What the user has given to the block and to its parts.
+    const auto copy_settings = [](auto& table, const Span& from, const Span& to) {
+        links::take_over(table, to.first, table, from.first, std::min(from.count, to.count), {Role::setting});
     };
-    copy_groups(model.faces.group, blocks.faces);
-    copy_groups(model.zones.group, blocks.zones);
+    copy_settings(blocks, {block, 1}, {copy, 1});
+    copy_settings(model.faces, blocks.faces[block], blocks.faces[copy]);
+    copy_settings(model.zones, blocks.zones[block], blocks.zones[copy]);
     return copy;
 }
 

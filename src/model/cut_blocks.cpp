@@ -2,6 +2,7 @@
 
 #include "model/build.hpp"
 #include "model/joined.hpp"
+#include "model/links.hpp"
 #include "model/measure.hpp"
 
 #include <Eigen/Geometry>
@@ -16,59 +17,40 @@ namespace {
 /// Planes that differ by less, as an angle and as a part of the block's size, are one.
 constexpr double same_plane = 1e-9;
 
-/// What a piece takes over from the block that it was cut from.
+/// The block that pieces are cut from, as it was, and what they take over from it.
 struct Parent {
-    NewBlock options;
-    std::uint8_t hidden, fixed;
+    Blocks whole; ///< one row; its load_arms in global axes, which are those of the pieces
     std::int32_t roller = 0; ///< of a rigid block that is held along a direction
-    FaceTriangles face_triangles;
-    double face_edge, volume, density;
-    Vec3 centroid, velocity, rotational_velocity, displacement, load, torque;
-    Mat3 turn, load_arms; ///< from the block's own axes to global ones, which are those of the pieces
+    double volume, density;
+    Mat3 turn; ///< from the block's own axes to global ones
     struct Side {
         Vec3 normal, place;
         std::int32_t group;
     };
     std::vector<Side> sides; ///< faces that are in a group of their own
 
-    Parent(const Model& model, Row b) : Parent(model.blocks, b) {
+    Parent(Model& model, Row b) : volume(model.blocks.volume[b]), density(model.blocks.mass[b] / volume), turn(turn_of(model.blocks.orientation[b])) {
+        whole.append(model.blocks, {b});
+        whole.load_arms[0] = turn * whole.load_arms[0];
         if (!model.blocks.deformable[b]) roller = model.gridpoints.roller[model.blocks.gridpoints[b].first];
         for (Row f = model.blocks.faces[b].first; f < model.blocks.faces[b].end(); ++f)
             if (model.faces.group[f] != 0)
                 sides.push_back({face_area_vector(model, f).normalized(), face_centroid(model, f), model.faces.group[f]});
     }
-    Parent(const Blocks& blocks, Row b)
-        : options{blocks.material[b], blocks.constitutive[b], blocks.region[b], blocks.group[b], blocks.zone_properties[b]},
-          hidden(blocks.hidden[b]), fixed(blocks.fixed[b]),
-          face_triangles(blocks.face_triangles[b]), face_edge(blocks.face_edge[b]), volume(blocks.volume[b]),
-          density(blocks.mass[b] / blocks.volume[b]), centroid(blocks.centroid[b]), velocity(blocks.velocity[b]),
-          rotational_velocity(blocks.rotational_velocity[b]), displacement(blocks.displacement[b]),
-          load(blocks.load[b]), torque(blocks.torque[b]), turn(turn_of(blocks.orientation[b])),
-          load_arms(turn * blocks.load_arms[b]) {}
 
     static Mat3 turn_of(const Quaternion& q) { return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix(); }
 
-    void give(Model& model, Row b, const Polyhedron& piece) const {
+    void give(Model& model, Row b, const Polyhedron& piece) {
         const MassProperties mass = mass_properties(piece);
         auto& blocks = model.blocks;
-        blocks.material[b] = options.material;
-        blocks.constitutive[b] = options.constitutive;
-        blocks.region[b] = options.region;
-        blocks.group[b] = options.group;
-        blocks.zone_properties[b] = options.zone_properties;
-        blocks.hidden[b] = hidden;
-        blocks.fixed[b] = fixed;
-        blocks.face_triangles[b] = face_triangles;
-        blocks.face_edge[b] = face_edge;
-        blocks.velocity[b] = velocity + rotational_velocity.cross(mass.centroid - centroid);
-        blocks.rotational_velocity[b] = rotational_velocity;
-        blocks.angular_momentum[b] = density * (mass.inertia * rotational_velocity);
+        links::take_over(blocks, b, whole, 0, 1, {Role::setting, Role::condition, Role::displacement, Role::load});
+        const Vec3& rotation = whole.rotational_velocity[0];
+        blocks.velocity[b] = whole.velocity[0] + rotation.cross(mass.centroid - whole.centroid[0]);
+        blocks.rotational_velocity[b] = rotation;
+        blocks.angular_momentum[b] = density * (mass.inertia * rotation);
         blocks.mass[b] = blocks.inertial_mass[b] = density * mass.volume;
-        blocks.displacement[b] = displacement;
         // Moments of the shares about the old centroid cancel, as that is the mean of the pieces' centroids.
-        blocks.load[b] = mass.volume / volume * load;
-        blocks.torque[b] = mass.volume / volume * torque;
-        blocks.load_arms[b] = mass.volume / volume * load_arms;
+        links::scale(blocks, b, mass.volume / volume, Role::load);
         give_shape(model, b, piece);
         for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g) model.gridpoints.roller[g] = roller;
         for (Row f = blocks.faces[b].first; !sides.empty() && f < blocks.faces[b].end(); ++f) {
@@ -165,7 +147,7 @@ std::vector<Row> replace_by_pieces(Model& model, const std::vector<Row>& rows, c
     for (std::size_t i = 0; i < cut.pieces.size();) {
         const int parent = cut.pieces[i].parent;
         const Row row = rows[static_cast<std::size_t>(parent)];
-        const Parent from(model, row);
+        Parent from(model, row);
         from.give(model, row, cut.pieces[i].polyhedron);
         std::vector<Row> pieces{row};
         for (++i; i < cut.pieces.size() && cut.pieces[i].parent == parent; ++i) {

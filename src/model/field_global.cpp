@@ -26,7 +26,7 @@ void set_fraction(Model& model, Row, const FieldValue& value) {
         throw Diagnostic(fmt::format("the time step cannot be {} of the largest stable one", part),
                          "give a number above 0 and at most 1");
     model.settings.time_step_fraction = part;
-    model.properties_changed = true;
+    ModelEdit(model, Change::properties);
 }
 
 template <Damping style> FieldValue damped_by(const Model& model, Row) {

@@ -118,7 +118,7 @@ void join_pairs(Model& model, const std::vector<std::pair<Row, Row>>& pairs) {
         }
         if (!blocks.deformable[rows.front()]) share_motion(model, rows);
     }
-    if (!pairs.empty()) model.structure_changed = model.properties_changed = true;
+    if (!pairs.empty()) ModelEdit(model, Change::blocks);
 }
 
 std::vector<std::pair<Row, Row>> adjacent_pairs(const Model& model, const std::vector<Row>& rows) {
@@ -156,7 +156,7 @@ void unjoin(Model& model, const std::vector<Row>& rows) {
         blocks.angular_momentum[b] = block_inertia(model, row, blocks.mass[b]) * blocks.rotational_velocity[b];
         blocks.inertial_mass[b] = blocks.mass[b];
     }
-    model.structure_changed = model.properties_changed = true;
+    ModelEdit(model, Change::blocks);
 }
 
 } // namespace kaya

@@ -8,6 +8,7 @@
 #include "model/energy.hpp"
 #include "model/history.hpp"
 #include "model/materials.hpp"
+#include "model/model_edit.hpp"
 #include "model/settings.hpp"
 #include "geometry/ground.hpp"
 #include "model/ties.hpp"
@@ -77,10 +78,7 @@ struct Model {
     std::int32_t next_contact_number = 1;
     std::int32_t next_sub_contact_number = 1;
 
-    // What is stale. Not part of the state: a restored model has only `lists_changed`.
-    bool structure_changed = true;  ///< blocks were made, deleted or zoned: contacts are searched anew
-    bool properties_changed = true; ///< masses, stiffnesses or the time step are computed anew
-    bool lists_changed = true;      ///< contacts were replaced: lists of who acts on whom are made anew
+    Stale stale; ///< raised by ModelEdit
 
     /// Strengths of zones that Settings::strength_factor leaves alone, KeptStrength bits. Not part of the state: only trials of `solve
     /// fos` set it.
@@ -93,6 +91,15 @@ struct Model {
 
     /// Every table with its name, in a fixed order.
     template <class Visit> void tables(Visit&& visit) {
+        present_tables(visit);
+        visit("excavated_blocks", excavated.blocks);
+        visit("excavated_gridpoints", excavated.gridpoints);
+        visit("excavated_faces", excavated.faces);
+        visit("excavated_triangles", excavated.triangles);
+        visit("excavated_zones", excavated.zones);
+    }
+    /// Those of what takes part.
+    template <class Visit> void present_tables(Visit&& visit) {
         visit("blocks", blocks);
         visit("gridpoints", gridpoints);
         visit("faces", faces);
@@ -103,11 +110,6 @@ struct Model {
         visit("tied_pairs", tied_pairs);
         visit("ties", ties);
         visit("drives", boundary_histories);
-        visit("excavated_blocks", excavated.blocks);
-        visit("excavated_gridpoints", excavated.gridpoints);
-        visit("excavated_faces", excavated.faces);
-        visit("excavated_triangles", excavated.triangles);
-        visit("excavated_zones", excavated.zones);
     }
     /// The same of what stands in the rock.
     template <class Visit> void structure_tables(Visit&& visit) {
@@ -115,6 +117,8 @@ struct Model {
         visit("cable_nodes", structures.nodes);
     }
 };
+
+inline ModelEdit::ModelEdit(Model& model, Change change) : stale_(model.stale), change_(change) {}
 
 /// Digest of everything that decides how a run goes on: columns, settings, clock, properties,
 /// histories. Equal state, equal digest; independent of threads, of the machine's paths and of time.

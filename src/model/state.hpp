@@ -265,7 +265,7 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
         if constexpr (requires { table.field_columns; })
             archive.since(11, table.field_columns > 0, [&] { archive.value("field_columns", table.field_columns); });
         archive.rows(table);
-        table.columns([&](const std::string& column_name, auto& column) {
+        table.columns([&](const std::string& column_name, auto& column, Role) {
             visit_column(archive, column_name, column);
         });
         if constexpr (requires { table.keeps_objects; })
@@ -277,7 +277,7 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
 template <class Archive> void visit_state(Archive& archive, Model& model) {
     auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, tied_pairs, ties, boundary_histories, excavated, structures, materials, joint_properties,
            zone_properties, joint_constitutive, group_names, time_functions, rollers, water_ground, settings, clock, energy, histories, next_block_number, next_shape_number, next_contact_number,
-           next_sub_contact_number, structure_changed, properties_changed, lists_changed, unreduced, forces_set, taken_over] = model;
+           next_sub_contact_number, stale, unreduced, forces_set, taken_over] = model;
     // The tables named above stand here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
 
@@ -329,11 +329,7 @@ template <class Archive> void visit_state(Archive& archive, Model& model) {
     archive.value("next_shape_number", next_shape_number);
     archive.value("next_contact_number", next_contact_number);
     archive.value("next_sub_contact_number", next_sub_contact_number);
-    archive.aside([&] {
-        archive.value("structure_changed", structure_changed);
-        archive.value("properties_changed", properties_changed);
-        archive.value("lists_changed", lists_changed);
-    });
+    archive.aside([&] { stale.visit(archive); });
 }
 
 } // namespace kaya

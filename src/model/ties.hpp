@@ -12,6 +12,8 @@ namespace kaya {
 
 struct Model;
 
+class Ties;
+
 /// Pairs of joined blocks with zones whose surfaces have been looked at: there are no contacts between them.
 /// Blocks stand here by their ids, so that nothing needs to be renamed when rows move.
 class TiedPairs : public Table<TiedPairs> {
@@ -23,11 +25,11 @@ public:
                        ///< each other
 
     template <class Visit> void columns(Visit&& visit) {
-        visit("block1", block1);
-        visit("block2", block2);
-        visit("shape1", shape1);
-        visit("shape2", shape2);
-        visit("ties", ties);
+        visit("block1", block1, link<Blocks>());
+        visit("block2", block2, link<Blocks>());
+        visit("shape1", shape1, Role::identity);
+        visit("shape2", shape2, Role::identity);
+        visit("ties", ties, link<Ties>());
     }
 };
 
@@ -46,19 +48,19 @@ public:
     Column<Vec3> dashpot;                                ///< viscous force besides, where damping asks for it
 
     template <class Visit> void columns(Visit&& visit) {
-        visit("pair", pair);
-        visit("exact", exact);
-        visit("face1", face1);
-        visit("face2", face2);
-        visit("gridpoints1", gridpoints1);
-        visit("gridpoints2", gridpoints2);
-        visit("weights1", weights1);
-        visit("weights2", weights2);
-        visit("zone1", zone1);
-        visit("zone2", zone2);
-        visit("area", area);
-        visit("force", force);
-        visit("dashpot", dashpot);
+        visit("pair", pair, link<TiedPairs>());
+        visit("exact", exact, Role::geometry);
+        visit("face1", face1, Role::local_link);
+        visit("face2", face2, Role::local_link);
+        visit("gridpoints1", gridpoints1, Role::local_link);
+        visit("gridpoints2", gridpoints2, Role::local_link);
+        visit("weights1", weights1, Role::geometry);
+        visit("weights2", weights2, Role::geometry);
+        visit("zone1", zone1, Role::local_link);
+        visit("zone2", zone2, Role::local_link);
+        visit("area", area, Role::geometry);
+        visit("force", force, Role::state);
+        visit("dashpot", dashpot, Role::state);
     }
 };
 

@@ -80,9 +80,9 @@ TEST(Save, WhatIsRestoredIsWhatWasSaved) {
 
     EXPECT_EQ(state_hash(restored), state_hash(model));
     EXPECT_EQ(restored.joint_properties[0].place, "deck.3dd:23");
-    EXPECT_EQ(restored.structure_changed, model.structure_changed);
-    EXPECT_EQ(restored.properties_changed, model.properties_changed);
-    EXPECT_TRUE(restored.lists_changed);
+    EXPECT_EQ(restored.stale.contacts(), model.stale.contacts());
+    EXPECT_EQ(restored.stale.properties(), model.stale.properties());
+    EXPECT_TRUE(restored.stale.lists());
     EXPECT_EQ(restored.histories.all[1].label, "Shear, \"tau\"");
     EXPECT_TRUE(std::isnan(restored.materials.at(3).density));
     EXPECT_EQ(restored.contacts.ids.free_slots(), model.contacts.ids.free_slots());

@@ -29,7 +29,7 @@ struct BigAndSmall : Bench {
     void scale(MassScaling how, double step = 0) {
         model.settings.mass_scaling = how;
         model.settings.scaled_time_step = step;
-        model.properties_changed = true;
+        ModelEdit(model, Change::properties);
     }
     /// Cycles until no body is out of balance, at most `most`.
     int settle(int most) {

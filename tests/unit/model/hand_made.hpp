@@ -130,7 +130,7 @@ inline Model hand_made_model() {
     model.clock.cycle = 42;
     model.clock.unbalanced_force = 12.5;
     model.histories.interval = 1;
-    model.structure_changed = false;
+    model.stale.contacts_found();
     add_contact(model, 0.25, 0.5);
     return model;
 }

@@ -89,8 +89,8 @@ TEST(StateHash, EverySingleBitOfTheStateCounts) {
 TEST(StateHash, WhatDoesNotDecideTheRunIsLeftOut) {
     const auto original = hash_with([](Model&) {});
     EXPECT_EQ(hash_with([](Model& m) { m.joint_properties[0].place = "elsewhere.3dd:7"; }), original);
-    EXPECT_EQ(hash_with([](Model& m) { m.structure_changed = !m.structure_changed; }), original);
-    EXPECT_EQ(hash_with([](Model& m) { m.properties_changed = !m.properties_changed; }), original);
+    EXPECT_EQ(hash_with([](Model& m) { ModelEdit(m, Change::rows); }), original);
+    EXPECT_EQ(hash_with([](Model& m) { m.stale.properties_computed(); }), original);
 }
 
 TEST(StateHash, ThePaddingOfAttachmentsIsLeftOut) {

@@ -38,7 +38,7 @@ void hold_outside(Model& model, bool roof) {
         const bool side = p.x() < near || p.y() < near || p.y() > size - near || (roof ? p.x() > size - near || p.z() > size - near : p.z() < near);
         if (side) model.blocks.fixed[model.gridpoints.block[g]] = fix_all;
     }
-    model.lists_changed = model.properties_changed = true;
+    ModelEdit(model, Change::contacts);
 }
 
 Options quiet() {

@@ -1,0 +1,83 @@
+// Who may change the structure of a model: whoever holds a ModelEdit. It says what the change makes stale, and the model
+// knows it when the edit ends.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace kaya {
+
+struct Model;
+
+/// What a change of the model makes stale.
+enum class Change : std::uint8_t {
+    blocks,     ///< blocks were made: contacts are searched anew, and properties computed
+    rows,       ///< the same, and rows of blocks moved or a block that was there got another shape
+    surfaces,   ///< faces are divided in another way: contacts are searched anew
+    contacts,   ///< contacts or cables are others, or follow another law: properties and lists are made anew
+    properties, ///< masses, stiffnesses, conditions or the time step: they are computed anew
+    lists       ///< who acts on whom, where the whole model is another one
+};
+
+/// What is stale. Whoever makes it anew says so. Of a model that is restored the lists are.
+class Stale {
+public:
+    bool contacts() const { return contacts_; }     ///< are searched anew
+    bool properties() const { return properties_; } ///< masses, stiffnesses, the time step: are computed anew
+    bool lists() const { return lists_; }           ///< of who acts on whom: are made anew
+
+    void contacts_found() {
+        contacts_ = false;
+        properties_ = lists_ = true;
+    }
+    void properties_computed() { properties_ = false; }
+    void lists_made() { lists_ = false; }
+
+    /// Another number after each change in which rows of blocks moved, or the whole model became another one. No part of
+    /// the state.
+    std::uint64_t rows_revision() const { return rows_revision_; }
+
+    Stale() = default;
+    Stale(const Stale&) = default;
+    Stale& operator=(const Stale& other) {
+        contacts_ = other.contacts_;
+        properties_ = other.properties_;
+        lists_ = other.lists_;
+        rows_revision_ = std::max(rows_revision_, other.rows_revision_) + 1;
+        return *this;
+    }
+
+    template <class Archive> void visit(Archive& archive) {
+        archive.value("structure_changed", contacts_);
+        archive.value("properties_changed", properties_);
+        archive.value("lists_changed", lists_);
+    }
+
+private:
+    friend class ModelEdit;
+    void raise(Change change) {
+        const bool structure = change == Change::blocks || change == Change::rows;
+        contacts_ = contacts_ || structure || change == Change::surfaces;
+        properties_ = properties_ || structure || change == Change::properties || change == Change::contacts;
+        lists_ = lists_ || change == Change::contacts || change == Change::lists;
+        if (change == Change::rows) ++rows_revision_;
+    }
+
+    bool contacts_ = true, properties_ = true, lists_ = true;
+    std::uint64_t rows_revision_ = 0;
+};
+
+/// A change of the model, from here to the end of the block of statements; also when it ends half done.
+class ModelEdit {
+public:
+    ModelEdit(Model& model, Change change);
+    ~ModelEdit() { stale_.raise(change_); }
+    ModelEdit(const ModelEdit&) = delete;
+    ModelEdit& operator=(const ModelEdit&) = delete;
+
+private:
+    Stale& stale_;
+    Change change_;
+};
+
+} // namespace kaya
