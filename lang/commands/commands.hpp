@@ -2,6 +2,7 @@
 // The tables next to this header say which words and numbers go into which member.
 #pragma once
 
+#include "base/object_kind.hpp"
 #include "lang/commands/range.hpp"
 #include "lang/interp/value.hpp"
 
@@ -168,7 +169,7 @@ struct Copy {
     Place place;
 };
 struct Group {
-    enum class Kind { block, face, joint, zone } kind = Kind::block;
+    ObjectKind kind = ObjectKind::block; ///< contact: joints
     std::string name;
     RangePhrase range;
 };

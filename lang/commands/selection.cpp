@@ -7,7 +7,7 @@ namespace kaya::lang {
 
 namespace {
 
-Entry<Group> group(std::vector<Spelling> form, Group::Kind kind) {
+Entry<Group> group(std::vector<Spelling> form, ObjectKind kind) {
     Entry<Group> entry({"group"}, std::move(form));
     entry.start([kind](const Statement&, Group& command) { command.kind = kind; });
     entry.argument(text("name").help("name of the group"), &Group::name);
@@ -96,23 +96,23 @@ std::vector<CommandSpec> selection_commands() {
             .right("fill")
             .right("fill range group tunnel z 0 2")
             .wrong("fill tunnel", "'tunnel' is not a keyword of fill"),
-        group({"block"}, Group::Kind::block)
+        group({"block"}, ObjectKind::block)
             .help("gives blocks a name by which a range finds them")
             .right("group block wall range z 0 3")
             .right("group block 'left wall' range x -1 0 y 0 1")
             .wrong("group", "a word is missing after 'group'")
             .wrong("group wall", "'wall' is not a kind of group")
             .wrong("group block", "a word is missing after 'block'"),
-        group({"face"}, Group::Kind::face)
+        group({"face"}, ObjectKind::face)
             .help("gives faces a name by which a range finds them")
             .right("group face top range z 1")
             .wrong("group face", "a word is missing after 'face'"),
-        group({"joint", "contact"}, Group::Kind::joint)
+        group({"joint", "contact"}, ObjectKind::contact)
             .help("gives contacts a name by which range jgroup finds them")
             .right("group joint bed range plane dip 0 dd 0 org 0 0 1 distance 0.01")
             .right("group joint sides range jset 2")
             .wrong("group joint", "a word is missing after 'joint'"),
-        group({"zone"}, Group::Kind::zone)
+        group({"zone"}, ObjectKind::zone)
             .help("gives zones a name by which a range finds them")
             .right("group zone core range cyl end1 0 0 0 end2 0 0 9 radius 1")
             .wrong("group zone", "a word is missing after 'zone'"),

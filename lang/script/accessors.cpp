@@ -71,7 +71,7 @@ std::size_t global_of(lua_State* L) {
 }
 
 int read_global(lua_State* L) {
-    push_fish_value(L, machine_of(L).world.get_global(global_of(L)));
+    push_fish_value(L, machine_of(L).world.get(World::whole_model, global_of(L)));
     return 1;
 }
 
@@ -79,8 +79,8 @@ int write_global(lua_State* L) {
     Machine& machine = machine_of(L);
     if (machine.restoring) return 0;
     const std::size_t number = global_of(L);
-    machine.world.set_global(
-        number, value_at(L, 1, fmt::format("the new '{}'", machine.world.globals()[number].name)));
+    machine.world.set(
+        World::whole_model, number, value_at(L, 1, fmt::format("the new '{}'", machine.world.globals()[number].name)));
     return 0;
 }
 

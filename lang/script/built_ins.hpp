@@ -12,6 +12,7 @@
 namespace kaya::script {
 
 struct Machine;
+class World;
 
 /// One row of a table of built-ins. Both functions are wrapped by `guarded`.
 struct BuiltInFunction {
@@ -36,7 +37,7 @@ void add_accessors(Machine& machine);   ///< fields and globals of the world, by
 void add_traversals(Machine& machine);     ///< block_head, b_next, c_cx, gp_near, b_extra, ...
 void add_materials(Machine& machine);   ///< m_density, m_jkn, ...
 /// Each with the classic name that means the same.
-std::vector<std::pair<std::string, std::string>> modern_names();
+std::vector<std::pair<std::string, std::string>> modern_names(const World& world);
 void add_modern_names(Machine& machine); ///< math.sin, block.head, ...: the same functions; comes last
 
 } // namespace kaya::script

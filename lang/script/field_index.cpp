@@ -32,6 +32,20 @@ std::int32_t find_table(const World& world, std::string_view name) {
     return -1;
 }
 
+std::ptrdiff_t find_relation(const World& world, RelationInfo::Form form, std::int32_t from, std::int32_t to) {
+    const auto& relations = world.relations();
+    for (std::size_t i = 0; i < relations.size(); ++i)
+        if (relations[i].form == form && relations[i].from == from && relations[i].to == to) return static_cast<std::ptrdiff_t>(i);
+    return -1;
+}
+
+std::size_t list_of_parts(const World& world, std::int32_t from, std::int32_t to) {
+    const auto relation = find_relation(world, RelationInfo::Form::first, from, to);
+    if (relation >= 0) return static_cast<std::size_t>(relation);
+    const auto name = [&](std::int32_t table) { return world.tables()[static_cast<std::size_t>(table)].name; };
+    throw Diagnostic(fmt::format("a {} has no list of {}s", name(from), name(to)), {}, Fault::run);
+}
+
 std::ptrdiff_t find_field(const std::vector<FieldInfo>& fields, std::string_view name) {
     for (std::size_t i = 0; i < fields.size(); ++i)
         if (fields[i].name == name || (!name.empty() && fields[i].classic == name))

@@ -51,6 +51,10 @@ struct FieldIndex {
 
 /// Number of the table with this name; -1 when the world has none.
 std::int32_t find_table(const World& world, std::string_view name);
+/// Number of the first relation of that form between two tables; -1 when the world has none.
+std::ptrdiff_t find_relation(const World& world, RelationInfo::Form form, std::int32_t from, std::int32_t to);
+/// Number of the list of objects of one table that an object of another has. Throws Diagnostic when it has none.
+std::size_t list_of_parts(const World& world, std::int32_t from, std::int32_t to);
 /// Number of the field with this name, or its classic name; -1 when the list has none.
 std::ptrdiff_t find_field(const std::vector<FieldInfo>& fields, std::string_view name);
 

@@ -6,6 +6,7 @@
 #include "lang/script/value_text.hpp"
 #include "lang/script/values.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace kaya::script {
@@ -84,7 +85,9 @@ int next_child(lua_State* L) {
     const auto child = static_cast<std::int32_t>(lua_tointeger(L, lua_upvalueindex(1)));
     const bool first = lua_isnil(L, 2);
     const Handle handle = unpack_handle(lua_touserdata(L, first ? 1 : 2));
-    push_lua_value(L, first ? machine.world.first_child(handle, child) : machine.world.next(handle));
+    World& world = machine.world;
+    if (!first) push_lua_value(L, world.relate(machine.next_relations[static_cast<std::size_t>(handle.table)], handle));
+    else push_lua_value(L, world.relate(list_of_parts(world, handle.table, child), handle));
     return 1;
 }
 
@@ -125,6 +128,8 @@ void index_fields(lua_State* L) {
                 {kept_name(L, table.fields[i].name), MemberKind::field, static_cast<std::uint32_t>(i)});
         machine.fields.tables.push_back(std::move(members));
     }
+    for (std::int32_t table = 0; table < static_cast<std::int32_t>(tables.size()); ++table)
+        machine.next_relations.push_back(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, find_relation(machine.world, RelationInfo::Form::next, table, table))));
     const auto& globals = machine.world.globals();
     for (std::size_t i = 0; i < globals.size(); ++i)
         machine.fields.globals.add(

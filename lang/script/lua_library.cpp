@@ -87,7 +87,11 @@ int nearest(lua_State* L) {
         place = vector_argument(L, 2, "nearest");
     else
         for (int i = 0; i < 3; ++i) place[i] = number_argument(L, i + 2, "nearest");
-    push_lua_value(L, machine_of(L).world.nearest(table, place));
+    World& world = machine_of(L).world;
+    const auto relation = find_relation(world, RelationInfo::Form::nearest, -1, table);
+    if (relation < 0)
+        throw Diagnostic("corners of faces cannot be looked for", "look for the gridpoint", Fault::run);
+    push_lua_value(L, world.relate(static_cast<std::size_t>(relation), {}, place));
     return 1;
 }
 
@@ -164,7 +168,7 @@ const Member& global_argument(lua_State* L) {
 }
 
 int read_model(lua_State* L) {
-    push_lua_value(L, machine_of(L).world.get_global(global_argument(L).number));
+    push_lua_value(L, machine_of(L).world.get(World::whole_model, global_argument(L).number));
     return 1;
 }
 
@@ -175,7 +179,7 @@ int write_model(lua_State* L) {
     if (!info.writable)
         throw Diagnostic(fmt::format("'{}' of the model can be read, not set", info.name), {}, Fault::run);
     if (!machine.restoring)
-        machine.world.set_global(member.number, value_at(L, 3, fmt::format("the new '{}'", info.name)));
+        machine.world.set(World::whole_model, member.number, value_at(L, 3, fmt::format("the new '{}'", info.name)));
     return 0;
 }
 

@@ -8,6 +8,7 @@
 #include "lang/script/random.hpp"
 #include "lang/script/scripts.hpp"
 #include "lang/script/source_list.hpp"
+#include "lang/script/traversal.hpp"
 
 #include <fstream>
 #include <functional>
@@ -67,6 +68,8 @@ struct Machine {
     const void* array_type = nullptr;  ///< of arrays with one dimension
     const void* grid_type = nullptr;   ///< of arrays with more
     FieldIndex fields;
+    std::vector<std::size_t> next_relations; ///< by table number: from an object to the next one of its list
+    std::vector<Traversal> traversals;
     FishLibrary fish;
     SourceList sources;
     std::vector<Hook> hooks;

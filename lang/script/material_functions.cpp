@@ -49,7 +49,7 @@ std::int64_t number_of(lua_State* L) {
 }
 
 int read_material(lua_State* L) {
-    lua_pushnumber(L, machine_of(L).world.material_value(number_of(L), name_of(L).word));
+    push_fish_value(L, machine_of(L).world.property(World::Material{number_of(L)}, name_of(L).word));
     return 1;
 }
 
@@ -57,7 +57,7 @@ int write_material(lua_State* L) {
     Machine& machine = machine_of(L);
     const double value = number_argument(L, 2, name_of(L).name);
     const std::int64_t number = number_of(L);
-    if (!machine.restoring) machine.world.set_material_value(number, name_of(L).word, value);
+    if (!machine.restoring) machine.world.set_property(World::Material{number}, name_of(L).word, value);
     return 0;
 }
 

@@ -159,7 +159,7 @@ std::vector<std::pair<std::string, bool>> Scripts::built_in_names() const {
     return names;
 }
 
-std::vector<std::pair<std::string, std::string>> Scripts::newer_names() const { return modern_names(); }
+std::vector<std::pair<std::string, std::string>> Scripts::newer_names() const { return modern_names(impl_->machine->world); }
 
 fish::Meaning Scripts::meaning_of(const std::string& name) const { return dictionary_of(*impl_->machine)(name); }
 

@@ -1,5 +1,4 @@
-// How FISH walks over lists of the model: heads, next links, children, nearest objects; and b_extra, c_extra,
-// ...
+// How FISH walks over lists of the model, by the relations of the world; and b_extra, c_extra, ...
 #include "lang/script/built_ins.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/handles.hpp"
@@ -14,82 +13,25 @@ namespace kaya::script {
 
 namespace {
 
-enum class Walk { head, next, child, nearest, gridpoint, property, joint, side, extra };
-
-struct Traversal {
-    const char* name;
-    Walk walk;
-    const char* table; ///< that the argument is in, or that the list is made of
-    const char* child = "";
-};
-
-constexpr std::array<Traversal, 45> traversals{{
-    {"block_head", Walk::head, "block"},
-    {"contact_head", Walk::head, "contact"},
-    {"b_next", Walk::next, "block"},
-    {"c_next", Walk::next, "contact"},
-    {"cx_next", Walk::next, "sub_contact"},
-    {"gp_next", Walk::next, "gridpoint"},
-    {"z_next", Walk::next, "zone"},
-    {"face_next", Walk::next, "face"},
-    {"c_cx", Walk::child, "contact", "sub_contact"},
-    {"b_gp", Walk::child, "block", "gridpoint"},
-    {"b_zone", Walk::child, "block", "zone"},
-    {"b_face", Walk::child, "block", "face"},
-    {"b_near", Walk::nearest, "block"},
-    {"c_near", Walk::nearest, "contact"},
-    {"cx_near", Walk::nearest, "sub_contact"},
-    {"gp_near", Walk::nearest, "gridpoint"},
-    {"z_near", Walk::nearest, "zone"},
-    {"face_near", Walk::nearest, "face"},
-    {"z_gp", Walk::gridpoint, "zone"},
-    {"face_gp", Walk::gridpoint, "face"},
-    {"c_prop", Walk::property, "contact"},
-    {"cx_prop", Walk::property, "sub_contact"},
-    {"z_prop", Walk::property, "zone"},
-    {"j_prop", Walk::joint, "contact"},
-    {"j_model", Walk::joint, "contact"},
-    {"c_link1", Walk::side, "contact"},
-    {"c_link2", Walk::side, "contact"},
-    {"face_vlist", Walk::child, "face", "corner"},
-    {"vl_next", Walk::next, "corner"},
-    {"b_extra", Walk::extra, "block"},
-    {"c_extra", Walk::extra, "contact"},
-    {"cx_extra", Walk::extra, "sub_contact"},
-    {"gp_extra", Walk::extra, "gridpoint"},
-    {"z_extra", Walk::extra, "zone"},
-    {"face_extra", Walk::extra, "face"},
-    {"b_ispare", Walk::extra, "block"},
-    {"b_rspare", Walk::extra, "block"},
-    {"c_ispare", Walk::extra, "contact"},
-    {"c_rspare", Walk::extra, "contact"},
-    {"cx_ispare", Walk::extra, "sub_contact"},
-    {"cx_rspare", Walk::extra, "sub_contact"},
-    {"gp_ispare", Walk::extra, "gridpoint"},
-    {"gp_rspare", Walk::extra, "gridpoint"},
-    {"z_ispare", Walk::extra, "zone"},
-    {"z_rspare", Walk::extra, "zone"},
-}};
-
 const Traversal& traversal_of(lua_State* L) {
-    return traversals[static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)))];
+    return machine_of(L).traversals[static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)))];
 }
-std::int32_t table_of(lua_State* L) {
-    return static_cast<std::int32_t>(lua_tointeger(L, lua_upvalueindex(2)));
+std::string_view table_name(lua_State* L) {
+    return machine_of(L).world.tables()[static_cast<std::size_t>(traversal_of(L).table)].name;
 }
 
-/// Upvalues of all: number of the traversal, of its table, of its child table.
+/// The upvalue of all: number of the traversal.
 Handle pointer_argument(lua_State* L) {
     if (lua_type(L, 1) == LUA_TLIGHTUSERDATA) {
         const Handle handle = unpack_handle(lua_touserdata(L, 1));
-        if (handle.table == table_of(L)) return handle;
+        if (handle.table == traversal_of(L).table) return handle;
     }
     const Traversal& traversal = traversal_of(L);
     if (lua_type(L, 1) == LUA_TNUMBER && lua_tonumber(L, 1) == 0)
         throw Diagnostic(fmt::format("'{}' is given a null pointer", traversal.name),
                          "test the pointer against 0 before it is used", Fault::run);
     throw Diagnostic(fmt::format("'{}' needs a pointer to a {}, here it is given {}", traversal.name,
-                                 traversal.table, describe_value(L, 1)),
+                                 table_name(L), describe_value(L, 1)),
                      {}, Fault::run);
 }
 
@@ -100,26 +42,22 @@ void push_handle(lua_State* L, const Handle& handle) {
         lua_pushlightuserdata(L, pack_handle(handle));
 }
 
-int head(lua_State* L) {
-    World& world = machine_of(L).world;
-    push_handle(L, world.count(table_of(L)) > 0 ? world.at(table_of(L), 0) : Handle{});
+void push_related(lua_State* L, const Handle& from, const World::At& at = {}) {
+    push_handle(L, machine_of(L).world.relate(traversal_of(L).relation, from, at));
+}
+
+int first_of_model(lua_State* L) {
+    push_related(L, {});
     return 1;
 }
 
-int next(lua_State* L) {
-    push_handle(L, machine_of(L).world.next(pointer_argument(L)));
-    return 1;
-}
-
-int child(lua_State* L) {
-    const Handle parent = pointer_argument(L);
-    push_handle(L, machine_of(L).world.first_child(
-                       parent, static_cast<std::int32_t>(lua_tointeger(L, lua_upvalueindex(3)))));
+int related(lua_State* L) {
+    push_related(L, pointer_argument(L));
     return 1;
 }
 
 int nearest(lua_State* L) {
-    const char* name = traversal_of(L).name;
+    const char* name = traversal_of(L).name.c_str();
     Vec3 place;
     if (lua_gettop(L) == 1) {
         place = vector_argument(L, 1, name);
@@ -129,33 +67,36 @@ int nearest(lua_State* L) {
         throw Diagnostic(fmt::format("'{}' needs a place: three coordinates or one vector", name), {},
                          Fault::run);
     }
-    push_handle(L, machine_of(L).world.nearest(table_of(L), place));
+    push_related(L, {}, place);
     return 1;
 }
 
 /// (object, number from 1)
-int gridpoint(lua_State* L) {
+int numbered(lua_State* L) {
     const Handle owner = pointer_argument(L);
-    const std::int64_t number = integer_argument(L, 2, traversal_of(L).name);
-    if (number < 1)
-        throw Diagnostic(fmt::format("'{}' counts gridpoints from 1, not {}", traversal_of(L).name, number), {},
-                         Fault::run);
-    push_handle(L, machine_of(L).world.gridpoint_of(owner, static_cast<std::size_t>(number - 1)));
+    const Traversal& traversal = traversal_of(L);
+    const std::int64_t number = integer_argument(L, 2, traversal.name.c_str());
+    if (number < 1) {
+        const World& world = machine_of(L).world;
+        const auto to = static_cast<std::size_t>(world.relations()[traversal.relation].to);
+        throw Diagnostic(fmt::format("'{}' counts {}s from 1, not {}", traversal.name, world.tables()[to].name, number), {}, Fault::run);
+    }
+    push_related(L, owner, static_cast<std::size_t>(number - 1));
     return 1;
 }
 
 /// (object, name)
 int property(lua_State* L) {
     const Handle owner = pointer_argument(L);
-    push_fish_value(L, machine_of(L).world.property(owner, text_argument(L, 2, traversal_of(L).name)));
+    push_fish_value(L, machine_of(L).world.property(owner, text_argument(L, 2, traversal_of(L).name.c_str())));
     return 1;
 }
 
 /// (object, name, value)
 int write_property(lua_State* L) {
     const Handle owner = pointer_argument(L);
-    const std::string name = text_argument(L, 2, traversal_of(L).name);
-    if (!machine_of(L).restoring) machine_of(L).world.set_property(owner, name, number_argument(L, 3, traversal_of(L).name));
+    const std::string name = text_argument(L, 2, traversal_of(L).name.c_str());
+    if (!machine_of(L).restoring) machine_of(L).world.set_property(owner, name, number_argument(L, 3, traversal_of(L).name.c_str()));
     return 0;
 }
 
@@ -167,7 +108,7 @@ int joint(lua_State* L) {
     if (lua_type(L, 1) == LUA_TLIGHTUSERDATA) owner = unpack_handle(lua_touserdata(L, 1));
     if (owner.generation == 0 || owner.table != sub_contacts) owner = pointer_argument(L);
     if (lua_gettop(L) == 2) {
-        push_fish_value(L, machine.world.property(owner, text_argument(L, 2, traversal_of(L).name)));
+        push_fish_value(L, machine.world.property(owner, text_argument(L, 2, traversal_of(L).name.c_str())));
         return 1;
     }
     const auto& fields = machine.world.tables()[owner.table].fields;
@@ -176,24 +117,17 @@ int joint(lua_State* L) {
     return 1;
 }
 
-/// c_link1, c_link2: the last letter says whose list is walked.
-int side(lua_State* L) {
-    const Handle contact = pointer_argument(L);
-    push_handle(L, machine_of(L).world.next_of_block(contact, std::string_view(traversal_of(L).name).back() - '0'));
-    return 1;
-}
-
 /// "b_extra", or "b_extra 2" for a second value: `index` is the stack place of its number.
 std::string extra_name(lua_State* L, int index, bool given) {
-    const char* name = traversal_of(L).name;
-    const std::int64_t number = given ? integer_argument(L, index, name) : 1;
+    const std::string& name = traversal_of(L).name;
+    const std::int64_t number = given ? integer_argument(L, index, name.c_str()) : 1;
     return number == 1 ? name : fmt::format("{} {}", name, number);
 }
 
 int read_extra(lua_State* L) {
     const Handle owner = pointer_argument(L);
     if (!machine_of(L).world.alive(owner))
-        throw Diagnostic(fmt::format("this {} no longer exists", traversal_of(L).table), {}, Fault::run);
+        throw Diagnostic(fmt::format("this {} no longer exists", table_name(L)), {}, Fault::run);
     const std::string name = extra_name(L, 2, lua_gettop(L) == 2);
     push_anchor(L, machine_of(L).anchors.extras);
     lua_getfield(L, -1, name.c_str());
@@ -221,56 +155,71 @@ int write_extra(lua_State* L) {
     return 0;
 }
 
-struct Kind {
+struct Reader {
     lua_CFunction read;
     int least, most;
 };
 
-Kind kind_of(Walk walk) {
-    switch (walk) {
-    case Walk::head:
-        return {guarded<head>, 0, 0};
-    case Walk::next:
-        return {guarded<next>, 1, 1};
-    case Walk::child:
-        return {guarded<child>, 1, 1};
-    case Walk::nearest:
-        return {guarded<nearest>, 1, 3};
-    case Walk::gridpoint:
-        return {guarded<gridpoint>, 2, 2};
-    case Walk::property:
-        return {guarded<property>, 2, 2};
-    case Walk::joint:
-        return {guarded<joint>, 1, 2};
-    case Walk::side:
-        return {guarded<side>, 1, 1};
-    case Walk::extra:
-        break;
+Reader reader_of(const World& world, const Traversal& traversal) {
+    using Form = RelationInfo::Form;
+    switch (traversal.walk) {
+    case Walk::property: return {guarded<property>, 2, 2};
+    case Walk::joint: return {guarded<joint>, 1, 2};
+    case Walk::extra: return {guarded<read_extra>, 1, 2};
+    case Walk::relation: break;
     }
-    return {guarded<read_extra>, 1, 2};
+    const Form form = world.relations()[traversal.relation].form;
+    if (form == Form::nearest) return {guarded<nearest>, 1, 3};
+    if (form == Form::numbered) return {guarded<numbered>, 2, 2};
+    if (traversal.table < 0) return {guarded<first_of_model>, 0, 0};
+    return {guarded<related>, 1, 1};
+}
+
+/// All of them that the tables and relations of the world ask for.
+std::vector<Traversal> traversals_of(const World& world) {
+    std::vector<Traversal> all;
+    const auto& relations = world.relations();
+    for (std::size_t i = 0; i < relations.size(); ++i)
+        if (!relations[i].classic.empty()) all.push_back({std::string(relations[i].classic), Walk::relation, relations[i].from, i});
+    const auto& tables = world.tables();
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        if (tables[i].classic.empty()) continue;
+        const auto add = [&](const char* what, Walk walk) {
+            all.push_back({fmt::format("{}_{}", tables[i].classic, what), walk, static_cast<std::int32_t>(i), 0});
+        };
+        const auto table = static_cast<std::int32_t>(i);
+        if (const auto to_nearest = find_relation(world, RelationInfo::Form::nearest, -1, table); to_nearest >= 0)
+            all.push_back({fmt::format("{}_near", tables[i].classic), Walk::relation, -1, static_cast<std::size_t>(to_nearest)});
+        if (tables[i].has_properties) add("prop", Walk::property);
+        add("extra", Walk::extra);
+        if (!tables[i].has_spares) continue;
+        add("ispare", Walk::extra);
+        add("rspare", Walk::extra);
+    }
+    const std::int32_t contacts = find_table(world, "contact");
+    if (contacts < 0) return all;
+    all.push_back({"j_prop", Walk::joint, contacts, 0});
+    all.push_back({"j_model", Walk::joint, contacts, 0});
+    return all;
 }
 
 } // namespace
 
 void add_traversals(Machine& machine) {
     lua_State* L = machine.lua;
-    for (std::size_t i = 0; i < traversals.size(); ++i) {
-        const Traversal& traversal = traversals[i];
-        const std::int32_t table = find_table(machine.world, traversal.table);
-        const std::int32_t child_table = find_table(machine.world, traversal.child);
-        const bool needs_child = traversal.walk == Walk::child;
-        if (table < 0 || (needs_child && child_table < 0)) continue;
+    machine.traversals = traversals_of(machine.world);
+    const std::int32_t sub_contacts = find_table(machine.world, "sub_contact");
+    for (std::size_t i = 0; i < machine.traversals.size(); ++i) {
+        const Traversal& traversal = machine.traversals[i];
         if (traversal.walk == Walk::extra && machine.fish.built_ins.contains(traversal.name)) continue;
         const auto push = [&](lua_CFunction function) {
             lua_pushinteger(L, static_cast<lua_Integer>(i));
-            lua_pushinteger(L, table);
-            lua_pushinteger(L, child_table);
-            lua_pushcclosure(L, function, 3);
+            lua_pushcclosure(L, function, 1);
         };
-        const Kind kind = kind_of(traversal.walk);
-        push(kind.read);
-        add_reader(machine, traversal.name, kind.least, kind.most);
-        const bool history = traversal.walk == Walk::property && traversal.table == std::string_view("sub_contact");
+        const Reader reader = reader_of(machine.world, traversal);
+        push(reader.read);
+        add_reader(machine, traversal.name, reader.least, reader.most);
+        const bool history = traversal.walk == Walk::property && traversal.table == sub_contacts;
         if (traversal.walk != Walk::extra && !history) continue;
         push(history ? guarded<write_property> : guarded<write_extra>);
         add_writer(machine, traversal.name);

@@ -33,59 +33,78 @@ struct FieldInfo {
     std::string_view unit;
     std::string_view help;
     bool writable = false;
+    std::string_view modern = {}; ///< "block.subcontact.force.norm", or ""
 };
 
 struct TableInfo {
     std::string_view name; ///< "contact": Lua sees contact.normal_force, and iterates contacts()
     std::vector<FieldInfo> fields;
+    /// What FISH names for any kind of object begin with: "cx" in cx_near, cx_extra; "" when there are none.
+    std::string_view classic = {}, modern = {};
+    bool has_properties = false; ///< cx_prop
+    bool has_spares = false;     ///< cx_ispare, cx_rspare
 };
 
-/// A list that FISH walks: block_head / b_next, contact_head / c_next, c_cx / cx_next, gp_next, z_next.
+/// From an object, or from the whole model, to another object.
+struct RelationInfo {
+    enum class Form {
+        first,    ///< of a list of objects
+        next,     ///< in the list that the object stands in
+        other,    ///< of one object to another
+        numbered, ///< one of several, by a number from 0
+        nearest   ///< to a place
+    };
+    Form form = Form::first;
+    std::int32_t from = -1; ///< number of a table; -1: of the whole model
+    std::int32_t to = -1;
+    std::string_view classic = {}, modern = {}; ///< names in FISH; "" when there is none
+    std::string_view array = {}; ///< of `first`: the name of all objects of the list at once
+};
+
+/// Tables of objects with named fields, and relations between them.
 class World {
 public:
     virtual ~World() = default;
 
     virtual const std::vector<TableInfo>& tables() const = 0;
+    /// Quantities of the whole model: time, cycle, unbalanced force, ... by name or classic FISH name.
+    virtual const std::vector<FieldInfo>& globals() const = 0;
+    virtual const std::vector<RelationInfo>& relations() const = 0;
+
+    /// The table of whole_model has the fields of globals().
+    static constexpr Handle whole_model{.table = -1};
 
     /// Field number is the index into TableInfo::fields. Throws Diagnostic (object deleted, wrong type).
-    virtual Value get(Handle object, std::size_t field) = 0;
-    virtual void set(Handle object, std::size_t field, const Value& value) = 0;
+    virtual Value get(const Handle& object, std::size_t field) = 0;
+    virtual void set(const Handle& object, std::size_t field, const Value& value) = 0;
+
+    /// What `numbered` and `nearest` ask for.
+    using At = std::variant<std::monostate, std::size_t, Vec3>;
+    /// The relation is the index into relations(); null where there is no object. Throws Diagnostic (object deleted, no
+    /// such number).
+    virtual Handle relate(std::size_t relation, const Handle& object, const At& at = {}) = 0;
 
     /// Number of objects, and the i-th (from 0) in the order of FISH's next links.
     virtual std::size_t count(std::int32_t table) = 0;
     virtual Handle at(std::int32_t table, std::size_t index) = 0;
-    virtual bool alive(Handle object) = 0;
-    /// Next object in the list that the handle walks in (null at the end).
-    virtual Handle next(Handle object) = 0;
-    /// First child: the sub-contacts of a contact, gridpoints and zones of a block.
-    virtual Handle first_child(Handle parent, std::int32_t child_table) = 0;
-    virtual Handle nearest(std::int32_t table, const Vec3& place) = 0;
-    /// The i-th gridpoint (from 0) of a zone or a face. Throws Diagnostic when there is none.
-    virtual Handle gridpoint_of(Handle object, std::size_t index) = 0;
-
-    /// The next contact of the same block in the list of contacts: of its first (1) or second (2) block.
-    virtual Handle next_of_block(Handle contact, int side) = 0;
+    virtual bool alive(const Handle& object) = 0;
 
     /// Whether there is a range of that name.
     virtual bool has_range(const std::string& name) = 0;
     /// Whether an object, or a place, is in a named range. Throws Diagnostic when there is no such range, or when the
     /// range asks for more than a place.
-    virtual bool in_range(const std::string& name, Handle object) = 0;
-    virtual bool in_range(const std::string& name, const Vec3& place) = 0;
+    virtual bool in_range(const std::string& name, const std::variant<Handle, Vec3>& what) = 0;
 
-    /// A property by its name: of the joint model of a contact or sub-contact, of the material of a zone.
-    /// Of a sub-contact also what its joint model remembers (history variables).
-    virtual Value property(Handle object, const std::string& name) = 0;
-    /// A history variable of a sub-contact. Throws Diagnostic for anything else.
-    virtual void set_property(Handle object, const std::string& name, double value) = 0;
-    /// What the command `prop` has given to the material of that number, by the word of `prop`; 0 when nothing.
-    virtual double material_value(std::int64_t number, const std::string& word) = 0;
-    virtual void set_material_value(std::int64_t number, const std::string& word, double value) = 0;
-
-    /// Quantities of the whole model: time, cycle, unbalanced force, ... by name or classic FISH name.
-    virtual const std::vector<FieldInfo>& globals() const = 0;
-    virtual Value get_global(std::size_t index) = 0;
-    virtual void set_global(std::size_t index, const Value& value) = 0;
+    /// The material of that number, by the words of the command `prop`.
+    struct Material {
+        std::int64_t number;
+    };
+    using Owner = std::variant<Handle, Material>;
+    /// A property by its name: of the joint model of a contact or sub-contact, of the material of a zone. Of a
+    /// sub-contact also what its joint model remembers (history variables). Of a material 0 when nobody has given it.
+    virtual Value property(const Owner& owner, const std::string& name) = 0;
+    /// Of a sub-contact what its joint model remembers, or of a material. Throws Diagnostic for anything else.
+    virtual void set_property(const Owner& owner, const std::string& name, double value) = 0;
 
     /// Sum, minimum, maximum, mean of one numeric field over all rows, without a script loop.
     virtual double reduce(std::int32_t table, std::size_t field, std::string_view how) = 0;

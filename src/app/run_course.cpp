@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_samples = 600;
 
-double global(const Model& model, const char* name) { return std::get<double>(find_field(FieldTable::global, name)->get(model, 0)); }
+double global(const Model& model, const char* name) { return std::get<double>(find_field(ObjectKind::global, name)->get(model, 0)); }
 
 } // namespace
 

@@ -195,7 +195,7 @@ std::vector<std::string> export_saved(const std::string& saved, const std::strin
         written.push_back((into / name).string());
         write_whole_file(written.back(), text);
     };
-    for (const auto& [table, name] : field_table_names()) write(fmt::format("{}.csv", name), field_csv(model, table));
+    for (const ObjectKind kind : exported_kinds()) write(fmt::format("{}.csv", info_of(kind).file), field_csv(model, kind));
     write("fields.csv", field_list_csv());
     if (!model.histories.all.empty()) write("histories.csv", history_csv(model.histories, {}, {}));
     for (std::size_t i = 0; i < extras.decks.size(); ++i) write(fmt::format("deck-{}-{}", i + 1, fs::path(extras.decks[i].name).filename().string()), extras.decks[i].content);

@@ -18,24 +18,7 @@ namespace {
 using Kind = HistorySource::Kind;
 
 Kind kind_of(const Field& field) {
-    switch (field.table) {
-    case FieldTable::global:
-        return Kind::global;
-    case FieldTable::block:
-        return Kind::block;
-    case FieldTable::gridpoint:
-        return Kind::gridpoint;
-    case FieldTable::zone:
-        return Kind::zone;
-    case FieldTable::sub_contact:
-        return Kind::sub_contact;
-    case FieldTable::cable_node:
-        return Kind::cable_node;
-    case FieldTable::face:
-    case FieldTable::contact:
-    case FieldTable::corner:
-        break;
-    }
+    if (info_of(field.kind).history >= 0) return field.kind;
     throw Diagnostic(fmt::format("'{}' cannot be recorded", field.name),
                      "record a quantity of blocks, gridpoints, zones or sub-contacts");
 }
@@ -84,7 +67,7 @@ HistorySource source_of(Session& session, const lang::HistoryItem& item) {
     source.kind = kind_of(*field);
     source.quantity = field->name;
     // Contacts are found late, at the first cycle; a history of one wants them now.
-    if (source.kind == Kind::sub_contact) find_contacts(session.model, session.joints);
+    if (info_of(source.kind).found_late) find_contacts(session.model, session.joints);
     return source;
 }
 

@@ -32,7 +32,7 @@ std::string fixity_text(const Model& model, std::uint8_t fixed, std::int32_t rol
 
 /// Visible rows in range. None is an answer, not a mistake.
 std::vector<Row> shown_rows(Session& session, const lang::List& command, ObjectKind kind) {
-    if (kind == ObjectKind::contact || kind == ObjectKind::sub_contact) find_contacts(session.model, session.joints);
+    if (info_of(kind).found_late) find_contacts(session.model, session.joints);
     return select(session.model, kind, session.test_of(kind, command.range));
 }
 
@@ -40,7 +40,7 @@ std::vector<Row> shown_rows(Session& session, const lang::List& command, ObjectK
 template <class Line>
 std::string rows_text(const std::vector<Row>& rows, const lang::List& command, ObjectKind kind,
                       std::vector<std::string> headings, Line line) {
-    if (rows.empty()) return fmt::format("no {}{}", plural_of(kind), command.range.place ? " in range" : "");
+    if (rows.empty()) return fmt::format("no {}{}", info_of(kind).plural, command.range.place ? " in range" : "");
     TextTable table(std::move(headings));
     for (const Row row : rows) {
         if (table.size() == longest_table) break;
@@ -49,7 +49,7 @@ std::string rows_text(const std::vector<Row>& rows, const lang::List& command, O
     std::string text = table.text();
     if (rows.size() > longest_table)
         text += fmt::format("\n... and {} more {}; a range picks which are shown",
-                            rows.size() - longest_table, plural_of(kind));
+                            rows.size() - longest_table, info_of(kind).plural);
     return text;
 }
 

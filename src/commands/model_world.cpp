@@ -4,7 +4,6 @@
 #include "model/nearest.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <limits>
 
@@ -15,33 +14,10 @@ namespace {
 using script::Handle;
 using script::Value;
 
-/// What belongs to each script table, in the order of ScriptTable.
-struct TableEntry {
-    std::string_view name;
-    FieldTable fields;
-    ObjectKind kind;
-};
-constexpr std::array<TableEntry, 8> entries{{
-    {"block", FieldTable::block, ObjectKind::block},
-    {"gridpoint", FieldTable::gridpoint, ObjectKind::gridpoint},
-    {"zone", FieldTable::zone, ObjectKind::zone},
-    {"face", FieldTable::face, ObjectKind::face},
-    {"contact", FieldTable::contact, ObjectKind::contact},
-    {"sub_contact", FieldTable::sub_contact, ObjectKind::sub_contact},
-    {"corner", FieldTable::corner, ObjectKind::triangle}, // three rows for each triangle
-    {"cable_node", FieldTable::cable_node, ObjectKind::cable_node},
-}};
+const KindInfo& kind_of(const Handle& object) { return info_of(static_cast<ObjectKind>(object.table)); }
 
-std::string_view name_of(std::int32_t table) { return entries[static_cast<std::size_t>(table)].name; }
-
-ScriptTable script_table(FieldTable table) {
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        if (entries[i].fields == table) return static_cast<ScriptTable>(i);
-    throw std::logic_error("a link to a table that scripts do not see");
-}
-
-script::FieldInfo info_of(const Field& field) {
-    return {field.name, field.classic, field.unit, field.help, field.set != nullptr};
+script::FieldInfo script_info(const Field& field) {
+    return {field.name, field.classic, field.unit, field.help, field.set != nullptr, field.modern};
 }
 
 FieldValue field_value(const Value& value, const Field& field) {
@@ -60,94 +36,59 @@ void write(Model& model, const Field& field, Row row, const Value& value) {
     field.set(model, row, field_value(value, field));
 }
 
-/// The rows that `row` is listed with: a list of FISH ends with the block or contact it belongs to.
-Span siblings(const Model& model, ScriptTable table, Row row) {
-    switch (table) {
-    case ScriptTable::gridpoint:
-        return model.blocks.gridpoints[model.gridpoints.block[row]];
-    case ScriptTable::zone:
-        return model.blocks.zones[model.zones.block[row]];
-    case ScriptTable::face:
-        return model.blocks.faces[model.faces.block[row]];
-    case ScriptTable::sub_contact:
-        return model.contacts.sub_contacts[model.sub_contacts.contact[row]];
-    case ScriptTable::corner: {
-        const Span triangles = model.faces.triangles[model.triangles.face[row / 3]];
-        return {3 * triangles.first, 3 * triangles.count};
-    }
-    case ScriptTable::cable_node:
-        return model.structures.cables.nodes[model.structures.nodes.cable[row]];
-    case ScriptTable::block:
-    case ScriptTable::contact:
-        break;
-    }
-    return {0, static_cast<Row>(row_count(model, entries[static_cast<std::size_t>(table)].fields))};
-}
-
-/// The block that a gridpoint, zone, face or corner belongs to.
-Row block_of(const Model& model, ScriptTable table, Row row) {
-    if (table == ScriptTable::gridpoint) return model.gridpoints.block[row];
-    if (table == ScriptTable::zone) return model.zones.block[row];
-    return model.faces.block[table == ScriptTable::face ? row : model.triangles.face[row / 3]];
-}
-
-/// The rows of a block in such a table.
-Span rows_of_shape(const Model& model, ScriptTable table, Row block) {
-    const auto& blocks = model.blocks;
-    if (table == ScriptTable::gridpoint) return blocks.gridpoints[block];
-    if (table == ScriptTable::zone) return blocks.zones[block];
-    if (table == ScriptTable::face) return blocks.faces[block];
-    return {3 * blocks.triangles[block].first, 3 * blocks.triangles[block].count};
-}
-
-/// Triangles of a face share corners; a list names each gridpoint once.
-bool named_before(const Model& model, Row first, Row corner) {
-    const auto gridpoint = [&](Row row) { return model.triangles.gridpoints[row / 3][row % 3]; };
-    for (Row row = first; row < corner; ++row)
-        if (gridpoint(row) == gridpoint(corner)) return true;
-    return false;
+/// A list of FISH ends with the object that it belongs to.
+Row next_of(const Model& model, const Relation& list, Row row) {
+    const Span rows = list.list(model, list.owner == nullptr ? 0 : list.owner(model, row));
+    Row after = row + 1;
+    while (list.skips != nullptr && after < rows.end() && list.skips(model, rows, after)) ++after;
+    return after < rows.end() ? after : no_row;
 }
 
 } // namespace
 
-ObjectKind object_kind(ScriptTable table) { return entries[static_cast<std::size_t>(table)].kind; }
-
-ModelWorld::ModelWorld(Model& model, JointRegistry& joints)
-    : model_(model), joints_(joints), fields_(entries.size()) {
-    for (const auto& entry : entries) infos_.push_back({entry.name, {}});
+ModelWorld::ModelWorld(Model& model, JointRegistry& joints) : model_(model), joints_(joints) {
+    for (const KindInfo& kind : kinds())
+        if (kind.kind < end_of_script_kinds)
+            infos_.push_back({kind.name, {}, kind.classic, kind.modern, kind.has_properties, kind.has_spares});
+    fields_.resize(infos_.size());
     for (const Field& field : fields()) {
-        if (field.table == FieldTable::global) {
-            global_infos_.push_back(info_of(field));
+        if (field.kind == ObjectKind::global) {
+            global_infos_.push_back(script_info(field));
             global_fields_.push_back(&field);
             continue;
         }
-        const auto table = static_cast<std::size_t>(script_table(field.table));
-        infos_[table].fields.push_back(info_of(field));
+        const auto table = static_cast<std::size_t>(field.kind);
+        infos_[table].fields.push_back(script_info(field));
         fields_[table].push_back(&field);
     }
+    add_relations();
 }
 
-Row ModelWorld::row_of(Handle object) const {
-    if (object.generation == 0 || object.model != model_number) return no_row;
-    const auto table = static_cast<ScriptTable>(object.table);
-    switch (table) {
-    case ScriptTable::block:
-        return model_.blocks.ids.row({object.slot, object.generation});
-    case ScriptTable::contact:
-        return model_.contacts.ids.row({object.slot, object.generation});
-    case ScriptTable::sub_contact:
-        return model_.sub_contacts.ids.row({object.slot, object.generation});
-    case ScriptTable::cable_node:
-        return node_of_cable(model_, static_cast<std::int32_t>(object.slot), static_cast<Row>(object.generation) - 1);
-    case ScriptTable::gridpoint:
-    case ScriptTable::zone:
-    case ScriptTable::face:
-    case ScriptTable::corner:
-        break;
+void ModelWorld::add_relations() {
+    using Form = script::RelationInfo::Form;
+    const auto add = [&](Form form, ObjectKind from, ObjectKind to, const Relation::Names& names, const Relation* relation,
+                         std::string_view array = {}) {
+        relation_infos_.push_back({form, script_table(from), script_table(to), names.classic, names.modern, array});
+        relations_.push_back(relation);
+    };
+    for (const Relation& relation : kaya::relations()) {
+        const Form form = relation.list != nullptr ? Form::first : relation.one != nullptr ? Form::other : Form::numbered;
+        add(form, relation.from, relation.to, relation.first, &relation, relation.array);
+        if (!relation.next.classic.empty()) add(Form::next, relation.to, relation.to, relation.next, &relation);
     }
+    // Corners of faces have the places of gridpoints, which are looked for.
+    for (const auto& table : infos_)
+        if (const auto kind = static_cast<ObjectKind>(&table - infos_.data()); kind != ObjectKind::corner)
+            add(Form::nearest, ObjectKind::global, kind, {}, nullptr);
+}
+
+Row ModelWorld::row_of(const Handle& object) const {
+    if (object.generation == 0 || object.model != model_number) return no_row;
+    const KindInfo& kind = kind_of(object);
+    if (kind.in_block == nullptr) return kind.find(model_, {object.slot, object.generation});
     const Row block = block_of_shape(object.slot);
     if (block == no_row) return no_row;
-    const Span rows = rows_of_shape(model_, table, block);
+    const Span rows = kind.in_block(model_, block);
     return object.generation <= static_cast<std::uint32_t>(rows.count) ? rows.first + static_cast<Row>(object.generation) - 1
                                                                        : no_row;
 }
@@ -171,47 +112,31 @@ Row ModelWorld::block_of_shape(std::uint32_t shape) const {
     return block < blocks.size() && blocks.shape[block] == found->first ? found->second : no_row;
 }
 
-Row ModelWorld::living_row(Handle object) const {
+Row ModelWorld::living_row(const Handle& object) const {
     const Row row = row_of(object);
     if (row != no_row) return row;
+    const KindInfo& kind = kind_of(object);
     if (object.generation == 0)
-        throw Diagnostic(fmt::format("this {} is null", name_of(object.table)),
+        throw Diagnostic(fmt::format("this {} is null", kind.name),
                          "test it against 0 (FISH) or nil (Lua) before use", Fault::run);
-    const auto table = static_cast<ScriptTable>(object.table);
-    const bool lasting = table == ScriptTable::block || table == ScriptTable::contact || table == ScriptTable::sub_contact || table == ScriptTable::cable_node;
-    throw Diagnostic(fmt::format("this {} no longer exists", name_of(object.table)),
+    throw Diagnostic(fmt::format("this {} no longer exists", kind.name),
                      object.model != model_number ? "it belonged to a model that was replaced since (new, restore); find it again"
-                     : lasting ? "it was deleted; find another one"
-                             : "its block was deleted, cut, zoned or taken out since it was found; find it again",
+                     : kind.in_block == nullptr ? "it was deleted; find another one"
+                                                : "its block was deleted, cut, zoned or taken out since it was found; find it again",
                      Fault::run);
 }
 
-Handle ModelWorld::handle(ScriptTable table, Row row) const {
-    if (row == no_row) return {static_cast<std::int32_t>(table), 0, 0};
-    const auto from = [&](auto id) {
-        return Handle{static_cast<std::int32_t>(table), id.slot, id.generation, model_number};
-    };
-    switch (table) {
-    case ScriptTable::block:
-        return from(model_.blocks.id[row]);
-    case ScriptTable::contact:
-        return from(model_.contacts.id[row]);
-    case ScriptTable::sub_contact:
-        return from(model_.sub_contacts.id[row]);
-    case ScriptTable::cable_node: {
-        const Row cable = model_.structures.nodes.cable[row];
-        return {static_cast<std::int32_t>(table), static_cast<std::uint32_t>(model_.structures.cables.number[cable]),
-                static_cast<std::uint32_t>(row - model_.structures.cables.nodes[cable].first) + 1, model_number};
+Handle ModelWorld::handle(ObjectKind kind, Row row) const {
+    const std::int32_t table = script_table(kind);
+    if (row == no_row) return {table, 0, 0};
+    const KindInfo& info = info_of(kind);
+    if (info.in_block == nullptr) {
+        const Identity identity = info.identity(model_, row);
+        return {table, identity.slot, identity.generation, model_number};
     }
-    case ScriptTable::gridpoint:
-    case ScriptTable::zone:
-    case ScriptTable::face:
-    case ScriptTable::corner:
-        break;
-    }
-    const Row block = block_of(model_, table, row);
-    return {static_cast<std::int32_t>(table), static_cast<std::uint32_t>(model_.blocks.shape[block]),
-            static_cast<std::uint32_t>(row - rows_of_shape(model_, table, block).first) + 1, model_number};
+    const Row block = info.block(model_, row);
+    return {table, static_cast<std::uint32_t>(model_.blocks.shape[block]),
+            static_cast<std::uint32_t>(row - info.in_block(model_, block).first) + 1, model_number};
 }
 
 Value ModelWorld::script_value(const FieldValue& value) const {
@@ -228,59 +153,46 @@ Value ModelWorld::script_value(const FieldValue& value) const {
         break;
     }
     const Link& link = *std::get_if<Link>(&value);
-    return handle(script_table(link.table), link.row);
+    return handle(link.kind, link.row);
 }
 
-Value ModelWorld::get(Handle object, std::size_t field) {
+Value ModelWorld::get(const Handle& object, std::size_t field) {
+    if (object.table == whole_model.table) return script_value(global_fields_[field]->get(model_, 0));
     const Row row = living_row(object);
     return script_value(fields_[static_cast<std::size_t>(object.table)][field]->get(model_, row));
 }
 
-void ModelWorld::set(Handle object, std::size_t field, const Value& value) {
+void ModelWorld::set(const Handle& object, std::size_t field, const Value& value) {
+    if (object.table == whole_model.table) return write(model_, *global_fields_[field], 0, value);
     const Row row = living_row(object);
     write(model_, *fields_[static_cast<std::size_t>(object.table)][field], row, value);
 }
 
-std::size_t ModelWorld::count(std::int32_t table) { return row_count(model_, entries[static_cast<std::size_t>(table)].fields); }
-
 Handle ModelWorld::at(std::int32_t table, std::size_t index) {
-    return handle(static_cast<ScriptTable>(table), index < count(table) ? static_cast<Row>(index) : no_row);
+    return handle(static_cast<ObjectKind>(table), index < count(table) ? static_cast<Row>(index) : no_row);
 }
 
-bool ModelWorld::alive(Handle object) { return row_of(object) != no_row; }
-
-Handle ModelWorld::next(Handle object) {
-    const auto table = static_cast<ScriptTable>(object.table);
-    const Row row = living_row(object);
-    const Span list = siblings(model_, table, row);
-    Row after = row + 1;
-    while (table == ScriptTable::corner && after < list.end() && named_before(model_, list.first, after)) ++after;
-    return handle(table, after < list.end() ? after : no_row);
-}
-
-Handle ModelWorld::first_child(Handle parent, std::int32_t child_table) {
-    const Row row = living_row(parent);
-    const auto child = static_cast<ScriptTable>(child_table);
-    const auto from = static_cast<ScriptTable>(parent.table);
-    const auto first = [&](const Span& span) { return handle(child, span.count > 0 ? span.first : no_row); };
-    if (from == ScriptTable::block && child == ScriptTable::gridpoint)
-        return first(model_.blocks.gridpoints[row]);
-    if (from == ScriptTable::block && child == ScriptTable::zone) return first(model_.blocks.zones[row]);
-    if (from == ScriptTable::block && child == ScriptTable::face) return first(model_.blocks.faces[row]);
-    if (from == ScriptTable::contact && child == ScriptTable::sub_contact)
-        return first(model_.contacts.sub_contacts[row]);
-    if (from == ScriptTable::face && child == ScriptTable::corner) {
-        const Span triangles = model_.faces.triangles[row];
-        return first({3 * triangles.first, 3 * triangles.count});
+Handle ModelWorld::relate(std::size_t number, const Handle& object, const At& at) {
+    using Form = script::RelationInfo::Form;
+    const auto& info = relation_infos_[number];
+    const auto to = static_cast<ObjectKind>(info.to);
+    if (info.form == Form::nearest) return nearest(to, std::get<Vec3>(at));
+    const Relation& relation = *relations_[number];
+    const Row row = info.from == whole_model.table ? 0 : living_row(object);
+    if (info.form == Form::next) return handle(to, next_of(model_, relation, row));
+    if (info.form == Form::other) return handle(to, relation.one(model_, row));
+    if (info.form == Form::first) {
+        const Span rows = relation.list(model_, row);
+        return handle(to, rows.count > 0 ? rows.first : no_row);
     }
-    throw Diagnostic(fmt::format("a {} has no list of {}s", name_of(parent.table), name_of(child_table)), {},
-                     Fault::run);
+    const auto rows = relation.numbered(model_, row);
+    const std::size_t index = std::get<std::size_t>(at);
+    if (index >= rows.size())
+        throw Diagnostic(fmt::format("it has {} 1 to {}, not {}", info_of(to).plural, rows.size(), index + 1), {}, Fault::run);
+    return handle(to, rows[index]);
 }
 
-Handle ModelWorld::nearest(std::int32_t table, const Vec3& place) {
-    const ObjectKind kind = entries[static_cast<std::size_t>(table)].kind;
-    if (kind == ObjectKind::triangle)
-        throw Diagnostic("corners of faces cannot be looked for", "look for the gridpoint", Fault::run);
+Handle ModelWorld::nearest(ObjectKind kind, const Vec3& place) {
     const Row best = nearest_row(model_, kind, place);
     if (best != no_row && warn) {
         const double distance = distance_to(model_, kind, best, place);
@@ -288,18 +200,10 @@ Handle ModelWorld::nearest(std::int32_t table, const Vec3& place) {
         const double size = block == no_row ? distance : block_size(model_, block);
         if (distance > size)
             warn(Diagnostic(fmt::format("the nearest {} is {:.6g} away from ({:.6g}, {:.6g}, {:.6g}), and its block is {:.6g} across",
-                                        name_of(table), distance, place[0], place[1], place[2], size),
+                                        info_of(kind).name, distance, place[0], place[1], place[2], size),
                             "look at the place"));
     }
-    return handle(static_cast<ScriptTable>(table), best);
-}
-
-Value ModelWorld::get_global(std::size_t index) {
-    return script_value(global_fields_[index]->get(model_, 0));
-}
-
-void ModelWorld::set_global(std::size_t index, const Value& value) {
-    write(model_, *global_fields_[index], 0, value);
+    return handle(kind, best);
 }
 
 double ModelWorld::reduce(std::int32_t table, std::size_t field, std::string_view how) {
@@ -321,7 +225,7 @@ double ModelWorld::reduce(std::int32_t table, std::size_t field, std::string_vie
     }
     if (how == "sum") return sum;
     if (rows == 0)
-        throw Diagnostic(fmt::format("there is no {} to take the {} of", name_of(table), how), {},
+        throw Diagnostic(fmt::format("there is no {} to take the {} of", info_of(static_cast<ObjectKind>(table)).name, how), {},
                          Fault::run);
     if (how == "min" || how == "minimum") return low;
     if (how == "max" || how == "maximum") return high;

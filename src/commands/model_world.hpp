@@ -15,36 +15,28 @@
 
 namespace kaya {
 
-/// Numbers of the script tables, in the order of ModelWorld::tables().
-enum class ScriptTable : std::int32_t { block, gridpoint, zone, face, contact, sub_contact, corner, cable_node };
-
-ObjectKind object_kind(ScriptTable table);
+/// The number of a kind among ModelWorld::tables(); of the whole model that of World::whole_model.
+constexpr std::int32_t script_table(ObjectKind kind) {
+    return kind == ObjectKind::global ? script::World::whole_model.table : static_cast<std::int32_t>(kind);
+}
 
 class ModelWorld : public script::World {
 public:
     ModelWorld(Model& model, JointRegistry& joints);
 
     const std::vector<script::TableInfo>& tables() const override { return infos_; }
-    script::Value get(script::Handle object, std::size_t field) override;
-    void set(script::Handle object, std::size_t field, const script::Value& value) override;
-    std::size_t count(std::int32_t table) override;
-    script::Handle at(std::int32_t table, std::size_t index) override;
-    bool alive(script::Handle object) override;
-    script::Handle next(script::Handle object) override;
-    script::Handle first_child(script::Handle parent, std::int32_t child_table) override;
-    script::Handle nearest(std::int32_t table, const Vec3& place) override;
     const std::vector<script::FieldInfo>& globals() const override { return global_infos_; }
-    script::Handle gridpoint_of(script::Handle object, std::size_t index) override;
-    script::Handle next_of_block(script::Handle contact, int side) override;
-    bool has_range(const std::string& name) override;
-    bool in_range(const std::string& name, script::Handle object) override;
-    bool in_range(const std::string& name, const Vec3& place) override;
-    script::Value property(script::Handle object, const std::string& name) override;
-    void set_property(script::Handle object, const std::string& name, double value) override;
-    double material_value(std::int64_t number, const std::string& word) override;
-    void set_material_value(std::int64_t number, const std::string& word, double value) override;
-    script::Value get_global(std::size_t index) override;
-    void set_global(std::size_t index, const script::Value& value) override;
+    const std::vector<script::RelationInfo>& relations() const override { return relation_infos_; }
+    script::Value get(const script::Handle& object, std::size_t field) override;
+    void set(const script::Handle& object, std::size_t field, const script::Value& value) override;
+    script::Handle relate(std::size_t relation, const script::Handle& object, const At& at) override;
+    std::size_t count(std::int32_t table) override { return count_of(model_, static_cast<ObjectKind>(table)); }
+    script::Handle at(std::int32_t table, std::size_t index) override;
+    bool alive(const script::Handle& object) override { return row_of(object) != no_row; }
+    bool has_range(const std::string& name) override { return range_phrase(name) != nullptr; }
+    bool in_range(const std::string& name, const std::variant<script::Handle, Vec3>& what) override;
+    script::Value property(const Owner& owner, const std::string& name) override;
+    void set_property(const Owner& owner, const std::string& name, double value) override;
     double reduce(std::int32_t table, std::size_t field, std::string_view how) override;
     std::optional<Samples> history(const std::string& name) override;
     std::string command(const std::string& text, const std::string& chunk, int line, bool caught) override;
@@ -68,13 +60,16 @@ private:
     std::optional<double> own_value(Row sub_contact, const std::string& name);
     /// False when it has nothing of that name that can be set.
     bool set_own_value(Row sub_contact, const std::string& name, double value);
-    Row row_of(script::Handle object) const; ///< no_row when it is gone
+    Row row_of(const script::Handle& object) const; ///< no_row when it is gone
     /// What belongs to a block is known by the number of the block's shape and its place in the shape: it outlives whatever
     /// happens to other blocks.
     Row block_of_shape(std::uint32_t shape) const;
-    Row living_row(script::Handle object) const;
-    script::Handle handle(ScriptTable table, Row row) const;
+    Row living_row(const script::Handle& object) const;
+    script::Handle handle(ObjectKind kind, Row row) const;
     script::Value script_value(const FieldValue& value) const;
+    script::Handle nearest(ObjectKind kind, const Vec3& place);
+    script::Value object_property(const script::Handle& object, const std::string& name);
+    void add_relations();
 
     const RangeTest& test_of(const std::string& range, ObjectKind kind);
 
@@ -90,6 +85,8 @@ private:
     std::vector<std::vector<const Field*>> fields_; ///< of each table, in the order of its FieldInfo
     std::vector<script::FieldInfo> global_infos_;
     std::vector<const Field*> global_fields_;
+    std::vector<script::RelationInfo> relation_infos_;
+    std::vector<const Relation*> relations_; ///< of each RelationInfo; null: to the nearest
 };
 
 } // namespace kaya

@@ -1,4 +1,4 @@
-// What scripts ask by the name of a property, and corners of zones and faces.
+// What scripts ask by the name of a property, and of named ranges.
 #include "commands/materials.hpp"
 #include "commands/model_world.hpp"
 
@@ -9,31 +9,6 @@
 #include <fmt/format.h>
 
 namespace kaya {
-
-script::Handle ModelWorld::gridpoint_of(script::Handle object, std::size_t index) {
-    const Row row = living_row(object);
-    std::vector<Row> gridpoints;
-    if (static_cast<ScriptTable>(object.table) == ScriptTable::zone)
-        gridpoints.assign(model_.zones.gridpoints[row].begin(), model_.zones.gridpoints[row].end());
-    else
-        gridpoints = face_gridpoints(model_, row);
-    if (index >= gridpoints.size())
-        throw Diagnostic(fmt::format("it has gridpoints 1 to {}, not {}", gridpoints.size(), index + 1), {},
-                         Fault::run);
-    return handle(ScriptTable::gridpoint, gridpoints[index]);
-}
-
-script::Handle ModelWorld::next_of_block(script::Handle contact, int side) {
-    const Row row = living_row(contact);
-    const auto& contacts = model_.contacts;
-    const Row block = side == 1 ? contacts.block1[row] : contacts.block2[row];
-    Row after = row + 1;
-    const Row end = static_cast<Row>(contacts.size());
-    while (after < end && contacts.block1[after] != block && contacts.block2[after] != block) ++after;
-    return handle(ScriptTable::contact, after < end ? after : no_row);
-}
-
-bool ModelWorld::has_range(const std::string& name) { return range_phrase(name) != nullptr; }
 
 const RangeTest& ModelWorld::test_of(const std::string& range, ObjectKind kind) {
     if (cycle_of_tests_ != model_.clock.cycle || rows_of_tests_ != model_.stale.rows_revision()) forget_ranges();
@@ -48,24 +23,22 @@ const RangeTest& ModelWorld::test_of(const std::string& range, ObjectKind kind) 
     return range_tests_[{range, kind}] = range_test_of(kind, *phrase);
 }
 
-bool ModelWorld::in_range(const std::string& name, script::Handle object) {
-    const auto table = static_cast<ScriptTable>(object.table);
-    if (table == ScriptTable::corner)
-        throw Diagnostic("'in_range' needs an object, not a place in the list of a face", "use vl_gp", Fault::run);
-    const ObjectKind kind = object_kind(table);
-    const Row row = living_row(object);
-    return test_of(name, kind)(model_, kind, row);
-}
-
-/// A place is tested as a gridpoint that stands there.
-bool ModelWorld::in_range(const std::string& name, const Vec3& place) {
+bool ModelWorld::in_range(const std::string& name, const std::variant<script::Handle, Vec3>& what) {
+    if (const auto* object = std::get_if<script::Handle>(&what)) {
+        const auto kind = static_cast<ObjectKind>(object->table);
+        if (kind == ObjectKind::corner)
+            throw Diagnostic("'in_range' needs an object, not a place in the list of a face", "use vl_gp", Fault::run);
+        const Row row = living_row(*object);
+        return test_of(name, kind)(model_, kind, row);
+    }
+    // A place is tested as a gridpoint that stands there.
     const RangeTest& test = test_of(name, ObjectKind::gridpoint);
     if (asks_for_objects(*range_phrase(name)))
         throw Diagnostic(fmt::format("the range '{}' asks for more than a place", name),
                          "give a pointer to an object", Fault::run);
     Model only;
     only.gridpoints.resize(1);
-    only.gridpoints.position[0] = place;
+    only.gridpoints.position[0] = std::get<Vec3>(what);
     return test(only, ObjectKind::gridpoint, 0);
 }
 
@@ -129,9 +102,16 @@ bool ModelWorld::set_own_value(Row sub_contact, const std::string& name, double 
     return subs.keeps_objects && joint.set_object_value(subs.object[static_cast<std::size_t>(sub_contact)], *property, value);
 }
 
-void ModelWorld::set_property(script::Handle object, const std::string& name, double value) {
+void ModelWorld::set_property(const Owner& owner, const std::string& name, double value) {
+    if (const auto* material = std::get_if<Material>(&owner)) {
+        // The command itself, so that its checks and its way to the contacts are the same.
+        const bool joint = name.starts_with('j');
+        run_command(fmt::format("prop {} {} {} {}", joint ? "jmat" : "mat", material->number, name, value), "script", 1, false);
+        return;
+    }
+    const auto& object = std::get<script::Handle>(owner);
     const Row row = living_row(object);
-    if (static_cast<ScriptTable>(object.table) == ScriptTable::sub_contact && set_own_value(row, name, value)) return;
+    if (object.table == script_table(ObjectKind::sub_contact) && set_own_value(row, name, value)) return;
     throw Diagnostic(fmt::format("'{}' belongs to all that has this material", name),
                      "set it by a command: jmodel, prop jmat or prop mat", Fault::run);
 }
@@ -150,20 +130,24 @@ std::optional<double> ModelWorld::own_value(Row sub_contact, const std::string& 
     return joint.object_value(subs.object[static_cast<std::size_t>(sub_contact)], *property);
 }
 
-script::Value ModelWorld::property(script::Handle object, const std::string& name) {
+script::Value ModelWorld::property(const Owner& owner, const std::string& name) {
+    if (const auto* material = std::get_if<Material>(&owner)) return material_value(model_, joints_, material->number, name);
+    return object_property(std::get<script::Handle>(owner), name);
+}
+
+script::Value ModelWorld::object_property(const script::Handle& object, const std::string& name) {
     const Row row = living_row(object);
-    const auto table = static_cast<ScriptTable>(object.table);
-    if (table == ScriptTable::zone)
-        return kaya::material_value(model_, joints_, model_.blocks.material[model_.zones.block[row]], name);
-    if (table == ScriptTable::sub_contact)
+    const auto kind = static_cast<ObjectKind>(object.table);
+    if (kind == ObjectKind::zone) return material_value(model_, joints_, model_.blocks.material[model_.zones.block[row]], name);
+    if (kind == ObjectKind::sub_contact)
         if (const auto own = own_value(row, name)) return *own;
-    const Row contact = table == ScriptTable::contact ? row : model_.sub_contacts.contact[row];
+    const Row contact = kind == ObjectKind::contact ? row : model_.sub_contacts.contact[row];
     const JointProperties& set = set_of(model_, contact);
     const JointModel& joint = joints_.get(set.model);
     const auto found = joint.find_property(name);
     if (!found) fail_property(joint, name);
     if (joint.keeps_objects() && note)
-        note(table == ScriptTable::sub_contact
+        note(kind == ObjectKind::sub_contact
                  ? fmt::format("'{}' of joint model '{}' is what the deck gave: the model keeps its own for each sub-contact, and does "
                                "not show it",
                                name, joint.name)
@@ -171,16 +155,6 @@ script::Value ModelWorld::property(script::Handle object, const std::string& nam
                                joint.name));
     const double value = set.values[*found];
     return std::isnan(value) ? 0.0 : value;
-}
-
-double ModelWorld::material_value(std::int64_t number, const std::string& word) {
-    return kaya::material_value(model_, joints_, number, word);
-}
-
-/// The command itself, so that its checks and its way to the contacts are the same.
-void ModelWorld::set_material_value(std::int64_t number, const std::string& word, double value) {
-    const bool joint = word.starts_with('j');
-    run_command(fmt::format("prop {} {} {} {}", joint ? "jmat" : "mat", number, word, value), "script", 1, false);
 }
 
 } // namespace kaya

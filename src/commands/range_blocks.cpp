@@ -10,6 +10,7 @@
 #include "model/measure.hpp"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
@@ -97,17 +98,15 @@ bool leads_into(const Model& model, Row face, std::span<const Row> members) {
     });
 }
 
-} // namespace
-
-RangeTest by_edge_length(const RangeElement& e) {
+RangeTest by_edge_length(const RangeElement& e, RangeContext&) {
     return by_shape(e, [](const BlockQuality& quality) { return quality.shortest_edge; });
 }
 
-RangeTest by_aspect_ratio(const RangeElement& e) {
+RangeTest by_aspect_ratio(const RangeElement& e, RangeContext&) {
     return by_shape(e, [](const BlockQuality& quality) { return quality.extent / quality.thickness; });
 }
 
-RangeTest by_leader(const RangeElement& e, const RangeContext& context) {
+RangeTest by_leader(const RangeElement& e, RangeContext& context) {
     const auto& blocks = context.model.blocks;
     auto leader = std::make_shared<std::vector<std::int32_t>>(blocks.number.begin(), blocks.number.end());
     const JoinedBodies bodies = joined_bodies(context.model);
@@ -117,7 +116,7 @@ RangeTest by_leader(const RangeElement& e, const RangeContext& context) {
     return on_blocks([=](const Model&, Row block) { return (*leader)[block] >= low && (*leader)[block] <= high; });
 }
 
-RangeTest in_concave_body(const RangeContext& context) {
+RangeTest in_concave_body(const RangeElement&, RangeContext& context) {
     auto concave = std::make_shared<std::vector<char>>(context.model.blocks.size(), 0);
     const JoinedBodies bodies = joined_bodies(context.model);
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -127,10 +126,10 @@ RangeTest in_concave_body(const RangeContext& context) {
 }
 
 /// A face on which another block lies is not on the surface, as for `bound stress`.
-RangeTest on_surface(const RangeElement& e, const RangeContext& context) {
+RangeTest on_surface(const RangeElement& e, RangeContext& context) {
     if (is_contact(context.kind))
         throw Diagnostic("'surface' picks faces and what is on them, but this command acts on " +
-                         std::string(plural_of(context.kind)))
+                         std::string(info_of(context.kind).plural))
             .at(e.place);
     const Model& model = context.model;
     std::vector<char> covered(model.faces.size(), 0);
@@ -159,15 +158,12 @@ RangeTest on_surface(const RangeElement& e, const RangeContext& context) {
         case ObjectKind::triangle: return (*faces)[m.triangles.face[row]] != 0;
         case ObjectKind::zone:
             return std::ranges::count_if(m.zones.gridpoints[row], [&](Row g) { return (*points)[g] != 0; }) >= 3;
-        case ObjectKind::contact:
-        case ObjectKind::sub_contact:
-        case ObjectKind::cable_node: break;
+        default: return false;
         }
-        return false;
     };
 }
 
-RangeTest by_joint_state(const RangeElement& e, const RangeContext& context) {
+RangeTest by_joint_state(const RangeElement& e, RangeContext& context) {
     needs_contacts(e, context, "state");
     if (context.extras.joints == nullptr) throw std::logic_error("a range of states without joint models");
     const JointRegistry& joints = *context.extras.joints;
@@ -206,5 +202,16 @@ RangeTest by_joint_state(const RangeElement& e, const RangeContext& context) {
         return false;
     };
 }
+
+using Kind = RangeElement::Kind;
+constexpr std::array block_tests{
+    RangeEntry{Kind::edge_length, by_edge_length}, RangeEntry{Kind::aspect_ratio, by_aspect_ratio},
+    RangeEntry{Kind::leader, by_leader},           RangeEntry{Kind::concave, in_concave_body},
+    RangeEntry{Kind::surface, on_surface},         RangeEntry{Kind::joint_state, by_joint_state},
+};
+
+} // namespace
+
+std::span<const RangeEntry> tests_of_blocks() { return block_tests; }
 
 } // namespace kaya

@@ -5,6 +5,7 @@
 #include "model/measure.hpp"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -13,7 +14,9 @@ namespace kaya {
 
 using lang::RangeElement;
 
-RangeTest along_axis(const RangeElement& e, const RangeContext& context, int axis) {
+namespace {
+
+template <int axis> RangeTest along_axis(const RangeElement& e, RangeContext& context) {
     // One value means what lies in that plane, also when the loads have moved it a little.
     constexpr double plane_slack = 100; // a ten-thousandth of the model's size
     const double slack = context.tolerance * (e.low == e.high ? plane_slack : 1);
@@ -22,14 +25,14 @@ RangeTest along_axis(const RangeElement& e, const RangeContext& context, int axi
     return on_place(context, [=](const Vec3& p) { return p[axis] >= low && p[axis] <= high; });
 }
 
-RangeTest in_box(const RangeElement& e, const RangeContext& context) {
+RangeTest in_box(const RangeElement& e, RangeContext& context) {
     const Vec3 slack = Vec3::Constant(context.tolerance);
     const Vec3 low = e.centre.cwiseMin(e.end2) - slack, high = e.centre.cwiseMax(e.end2) + slack;
     return on_place(
         context, [=](const Vec3& p) { return (p.array() >= low.array()).all() && (p.array() <= high.array()).all(); });
 }
 
-RangeTest by_plane(const RangeElement& e, const RangeContext& context) {
+RangeTest by_plane(const RangeElement& e, RangeContext& context) {
     const Vec3 normal = e.normal.normalized(), origin = e.centre;
     const double slack = context.tolerance, limit = e.distance + slack;
     const int side = e.side;
@@ -41,7 +44,7 @@ RangeTest by_plane(const RangeElement& e, const RangeContext& context) {
     });
 }
 
-RangeTest in_sphere(const RangeElement& e, const RangeContext& context) {
+RangeTest in_sphere(const RangeElement& e, RangeContext& context) {
     const Vec3 centre = e.centre;
     const double inner = e.radius1 - context.tolerance, outer = e.radius2 + context.tolerance;
     return on_place(context, [=](const Vec3& p) {
@@ -50,7 +53,7 @@ RangeTest in_sphere(const RangeElement& e, const RangeContext& context) {
     });
 }
 
-RangeTest in_cylinder(const RangeElement& e, const RangeContext& context) {
+RangeTest in_cylinder(const RangeElement& e, RangeContext& context) {
     const Vec3 end1 = e.centre;
     const double length = (e.end2 - e.centre).norm();
     if (length <= context.tolerance)
@@ -64,8 +67,6 @@ RangeTest in_cylinder(const RangeElement& e, const RangeContext& context) {
         return along >= -slack && along <= length + slack && distance >= inner && distance <= outer;
     });
 }
-
-namespace {
 
 /// A plane figure in axes of its own: two along the plane, one across.
 struct FigurePlane {
@@ -99,9 +100,7 @@ bool inside_outline(const std::vector<Eigen::Vector2d>& outline, const Eigen::Ve
     return inside;
 }
 
-} // namespace
-
-RangeTest in_polygon(const RangeElement& e, const RangeContext& context) {
+RangeTest in_polygon(const RangeElement& e, RangeContext& context) {
     Vec3 normal = Vec3::Zero();
     for (std::size_t i = 1; i + 1 < e.vertices.size(); ++i)
         normal += (e.vertices[i] - e.vertices[0]).cross(e.vertices[i + 1] - e.vertices[0]);
@@ -114,7 +113,7 @@ RangeTest in_polygon(const RangeElement& e, const RangeContext& context) {
     });
 }
 
-RangeTest in_ellipse(const RangeElement& e, const RangeContext& context) {
+RangeTest in_ellipse(const RangeElement& e, RangeContext& context) {
     const Vec3 one = e.end2, two = e.normal;
     const FigurePlane plane = plane_of(e.centre, one, one.cross(two));
     Eigen::Matrix2d axes;
@@ -127,7 +126,7 @@ RangeTest in_ellipse(const RangeElement& e, const RangeContext& context) {
     });
 }
 
-RangeTest by_ground(const RangeElement& e, const RangeContext& context) {
+RangeTest by_ground(const RangeElement& e, RangeContext& context) {
     if (!context.extras.ground) throw std::logic_error("a range of a ground surface without a reader");
     try {
         const auto ground = std::make_shared<Ground>(context.extras.ground(e.name));
@@ -143,7 +142,7 @@ RangeTest by_ground(const RangeElement& e, const RangeContext& context) {
     }
 }
 
-RangeTest by_orientation(const RangeElement& e, const RangeContext& context) {
+RangeTest by_orientation(const RangeElement& e, RangeContext& context) {
     // As wide as rounding makes equal normals different.
     const double least = std::cos(e.radius1 * std::numbers::pi / 180) - 1e-9;
     const auto passes = [normal = e.normal, least](const Vec3& n) {
@@ -163,8 +162,22 @@ RangeTest by_orientation(const RangeElement& e, const RangeContext& context) {
         break;
     }
     throw Diagnostic(fmt::format("'orientation' picks faces and contacts, but this command acts on {}",
-                                 plural_of(context.kind)))
+                                 info_of(context.kind).plural))
         .at(e.place);
 }
+
+using Kind = RangeElement::Kind;
+constexpr std::array place_tests{
+    RangeEntry{Kind::x, along_axis<0>},        RangeEntry{Kind::y, along_axis<1>},     RangeEntry{Kind::z, along_axis<2>},
+    RangeEntry{Kind::box, in_box},             RangeEntry{Kind::plane, by_plane},      RangeEntry{Kind::sphere, in_sphere},
+    RangeEntry{Kind::cylinder, in_cylinder},   RangeEntry{Kind::polygon, in_polygon},  RangeEntry{Kind::ellipse, in_ellipse},
+    RangeEntry{Kind::ground, by_ground},
+};
+constexpr std::array face_tests{RangeEntry{Kind::orientation, by_orientation}};
+
+} // namespace
+
+std::span<const RangeEntry> tests_of_places() { return place_tests; }
+std::span<const RangeEntry> tests_of_faces() { return face_tests; }
 
 } // namespace kaya

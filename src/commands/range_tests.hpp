@@ -4,6 +4,7 @@
 #include "commands/ranges.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -67,12 +68,9 @@ template <class Passes> bool all_corners(const Model& model, ObjectKind kind, Ro
             if (!passes(model.sub_contacts.position[s])) return false;
         return true;
     }
-    case ObjectKind::gridpoint:
-    case ObjectKind::sub_contact:
-    case ObjectKind::cable_node:
-        break;
+    default:
+        return passes(reference_point(model, kind, row));
     }
-    return passes(reference_point(model, kind, row));
 }
 
 /// A test of the place of an object, or of all its corners.
@@ -87,23 +85,14 @@ template <class Passes> RangeTest on_place(const RangeContext& context, Passes p
 /// Throws when the command does not act on contacts or sub-contacts.
 void needs_contacts(const lang::RangeElement& e, const RangeContext& context, const char* word, const char* hint = "");
 
-// range_shapes.cpp
-RangeTest along_axis(const lang::RangeElement& e, const RangeContext& context, int axis);
-RangeTest in_box(const lang::RangeElement& e, const RangeContext& context);
-RangeTest by_plane(const lang::RangeElement& e, const RangeContext& context);
-RangeTest in_sphere(const lang::RangeElement& e, const RangeContext& context);
-RangeTest in_cylinder(const lang::RangeElement& e, const RangeContext& context);
-RangeTest in_polygon(const lang::RangeElement& e, const RangeContext& context);
-RangeTest by_ground(const lang::RangeElement& e, const RangeContext& context);
-RangeTest in_ellipse(const lang::RangeElement& e, const RangeContext& context);
-RangeTest by_orientation(const lang::RangeElement& e, const RangeContext& context);
-
-// range_blocks.cpp
-RangeTest by_edge_length(const lang::RangeElement& e);
-RangeTest by_aspect_ratio(const lang::RangeElement& e);
-RangeTest by_leader(const lang::RangeElement& e, const RangeContext& context);
-RangeTest in_concave_body(const RangeContext& context);
-RangeTest on_surface(const lang::RangeElement& e, const RangeContext& context);
-RangeTest by_joint_state(const lang::RangeElement& e, const RangeContext& context);
+/// The test of a kind of element. The rows stand where the tests do: range_shapes.cpp has the places in space, range_blocks.cpp what
+/// looks at blocks, bodies and joints, ranges.cpp the others.
+struct RangeEntry {
+    lang::RangeElement::Kind kind;
+    RangeTest (*test)(const lang::RangeElement& e, RangeContext& context);
+};
+std::span<const RangeEntry> tests_of_places(); ///< these ask for nothing but a place
+std::span<const RangeEntry> tests_of_faces();  ///< orientation
+std::span<const RangeEntry> tests_of_blocks();
 
 } // namespace kaya

@@ -17,7 +17,7 @@ using lang::RangeElement;
 
 void needs_contacts(const RangeElement& e, const RangeContext& context, const char* word, const char* hint) {
     if (is_contact(context.kind)) return;
-    throw Diagnostic(fmt::format("'{}' picks contacts, but this command acts on {}", word, plural_of(context.kind)),
+    throw Diagnostic(fmt::format("'{}' picks contacts, but this command acts on {}", word, info_of(context.kind).plural),
                      hint)
         .at(e.place);
 }
@@ -39,7 +39,7 @@ std::int32_t group_number(const RangeElement& e, const std::string& name, const 
 }
 
 /// An object is in a group itself, or because its block is; a contact because one of its blocks is, or both.
-RangeTest in_group(const RangeElement& e, const RangeContext& context) {
+RangeTest in_group(const RangeElement& e, RangeContext& context) {
     const auto group = group_number(e, e.name, context);
     const auto through_block =
         on_blocks([group](const Model& model, Row block) { return model.blocks.group[block] == group; }, e.both);
@@ -48,7 +48,7 @@ RangeTest in_group(const RangeElement& e, const RangeContext& context) {
     };
 }
 
-RangeTest in_joint_group(const RangeElement& e, const RangeContext& context) {
+RangeTest in_joint_group(const RangeElement& e, RangeContext& context) {
     needs_contacts(e, context, "jgroup", "use 'group' for groups of blocks, faces and zones");
     const auto group = group_number(e, e.name, context);
     return [group](const Model& model, ObjectKind kind, Row row) { return group_of(model, kind, row) == group; };
@@ -75,7 +75,7 @@ RangeTest between(const RangeElement& e, const RangeContext& context, const char
     };
 }
 
-RangeTest by_joint_material(const RangeElement& e, const RangeContext& context) {
+RangeTest by_joint_material(const RangeElement& e, RangeContext& context) {
     needs_contacts(e, context, "jmat", "use 'mat' for the material of blocks");
     const double low = std::min(e.low, e.high), high = std::max(e.low, e.high);
     return [=](const Model& model, ObjectKind kind, Row row) {
@@ -84,7 +84,7 @@ RangeTest by_joint_material(const RangeElement& e, const RangeContext& context) 
     };
 }
 
-RangeTest by_joint_model(const RangeElement& e, const RangeContext& context) {
+RangeTest by_joint_model(const RangeElement& e, RangeContext& context) {
     needs_contacts(e, context, "jmodel");
     // `jcons n` gives a number, `jmodel NAME` a name.
     std::string name;
@@ -99,7 +99,7 @@ RangeTest by_joint_model(const RangeElement& e, const RangeContext& context) {
     };
 }
 
-RangeTest by_volume(const RangeElement& e) {
+RangeTest by_volume(const RangeElement& e, RangeContext&) {
     // As wide as two numbers that were meant to be the same are apart.
     const double low = e.low * (1 - 1e-6), high = e.high * (1 + 1e-6);
     return on_blocks([=](const Model& model, Row block) {
@@ -107,7 +107,7 @@ RangeTest by_volume(const RangeElement& e) {
     });
 }
 
-RangeTest by_joint_set(const RangeElement& e, const RangeContext& context) {
+RangeTest by_joint_set(const RangeElement& e, RangeContext& context) {
     const double low = std::min(e.low, e.high), high = std::max(e.low, e.high);
     const auto passes = [low, high](double number) { return number >= low && number <= high; };
     switch (context.kind) {
@@ -126,25 +126,17 @@ RangeTest by_joint_set(const RangeElement& e, const RangeContext& context) {
         break;
     }
     throw Diagnostic(
-        fmt::format("'jset' picks contacts and faces, but this command acts on {}", plural_of(context.kind)))
+        fmt::format("'jset' picks contacts and faces, but this command acts on {}", info_of(context.kind).plural))
         .at(e.place);
 }
 
-/// The number that users see: blocks and contacts have one of their own, other rows count from 1.
+/// The number that users see.
 double number_of(const Model& model, ObjectKind kind, Row row) {
-    switch (kind) {
-    case ObjectKind::block:
-        return model.blocks.number[row];
-    case ObjectKind::contact:
-        return model.contacts.number[row];
-    case ObjectKind::sub_contact:
-        return model.sub_contacts.number[row];
-    default:
-        return row + 1.0;
-    }
+    const auto number = info_of(kind).number;
+    return number == nullptr ? row + 1.0 : static_cast<double>(number(model, row));
 }
 
-RangeTest by_id(const RangeElement& e) {
+RangeTest by_id(const RangeElement& e, RangeContext&) {
     const double low = std::min(e.low, e.high), high = std::max(e.low, e.high);
     return [=](const Model& model, ObjectKind kind, Row row) {
         const double number = number_of(model, kind, row);
@@ -152,7 +144,7 @@ RangeTest by_id(const RangeElement& e) {
     };
 }
 
-RangeTest by_id_list(const RangeElement& e) {
+RangeTest by_id_list(const RangeElement& e, RangeContext&) {
     std::vector<double> numbers(e.numbers.begin(), e.numbers.end());
     std::ranges::sort(numbers);
     return [numbers](const Model& model, ObjectKind kind, Row row) {
@@ -198,83 +190,46 @@ RangeTest by_any_number(const RangeElement& e, RangeContext& context) {
     };
 }
 
+template <auto column> RangeTest by_number(const RangeElement& e, RangeContext&) { return by_block_number(e, column); }
+
+constexpr std::array other_tests{
+    RangeEntry{Kind::group, in_group},
+    RangeEntry{Kind::joint_group, in_joint_group},
+    RangeEntry{Kind::material, by_number<&Blocks::material>},
+    RangeEntry{Kind::constitutive, by_number<&Blocks::constitutive>},
+    RangeEntry{Kind::region, by_number<&Blocks::region>},
+    RangeEntry{Kind::block_id, by_number<&Blocks::number>},
+    RangeEntry{Kind::joint_material, by_joint_material},
+    RangeEntry{Kind::joint_model, by_joint_model},
+    RangeEntry{Kind::joint_set, by_joint_set},
+    RangeEntry{Kind::id, by_id},
+    RangeEntry{Kind::id_list, by_id_list},
+    RangeEntry{Kind::volume, by_volume},
+    RangeEntry{Kind::named, by_name},
+    RangeEntry{Kind::material_intersection,
+               [](const RangeElement& e, RangeContext& context) { return between(e, context, "mintersection", &Blocks::material, e.low, e.high); }},
+    RangeEntry{Kind::region_intersection,
+               [](const RangeElement& e, RangeContext& context) { return between(e, context, "rintersection", &Blocks::region, e.low, e.high); }},
+    RangeEntry{Kind::group_intersection,
+               [](const RangeElement& e, RangeContext& context) {
+                   return between(e, context, "gintersection", &Blocks::group, group_number(e, e.name, context),
+                                  group_number(e, e.second_name, context));
+               }},
+    RangeEntry{Kind::deformable,
+               [](const RangeElement&, RangeContext&) { return on_blocks([](const Model& model, Row block) { return model.blocks.deformable[block] != 0; }); }},
+    RangeEntry{Kind::visible,
+               [](const RangeElement&, RangeContext&) { return on_blocks([](const Model& model, Row block) { return model.blocks.hidden[block] == 0; }); }},
+    RangeEntry{Kind::excavated,
+               [](const RangeElement&, RangeContext& context) -> RangeTest {
+                   return [excavated = context.extras.excavated](const Model&, ObjectKind, Row) { return excavated; };
+               }},
+};
+
 RangeTest element_test(const RangeElement& e, RangeContext& context) {
     if (!e.numbers.empty() && e.kind != Kind::id_list) return by_any_number(e, context);
-    switch (e.kind) {
-    case Kind::x:
-        return along_axis(e, context, 0);
-    case Kind::y:
-        return along_axis(e, context, 1);
-    case Kind::z:
-        return along_axis(e, context, 2);
-    case Kind::box:
-        return in_box(e, context);
-    case Kind::plane:
-        return by_plane(e, context);
-    case Kind::sphere:
-        return in_sphere(e, context);
-    case Kind::cylinder:
-        return in_cylinder(e, context);
-    case Kind::group:
-        return in_group(e, context);
-    case Kind::material:
-        return by_block_number(e, &Blocks::material);
-    case Kind::constitutive:
-        return by_block_number(e, &Blocks::constitutive);
-    case Kind::region:
-        return by_block_number(e, &Blocks::region);
-    case Kind::block_id:
-        return by_block_number(e, &Blocks::number);
-    case Kind::joint_material:
-        return by_joint_material(e, context);
-    case Kind::joint_set:
-        return by_joint_set(e, context);
-    case Kind::id:
-        return by_id(e);
-    case Kind::material_intersection:
-        return between(e, context, "mintersection", &Blocks::material, e.low, e.high);
-    case Kind::region_intersection:
-        return between(e, context, "rintersection", &Blocks::region, e.low, e.high);
-    case Kind::group_intersection:
-        return between(e, context, "gintersection", &Blocks::group, group_number(e, e.name, context),
-                       group_number(e, e.second_name, context));
-    case Kind::joint_model:
-        return by_joint_model(e, context);
-    case Kind::volume:
-        return by_volume(e);
-    case Kind::deformable:
-        return on_blocks([](const Model& model, Row block) { return model.blocks.deformable[block] != 0; });
-    case Kind::visible:
-        return on_blocks([](const Model& model, Row block) { return model.blocks.hidden[block] == 0; });
-    case Kind::id_list:
-        return by_id_list(e);
-    case Kind::joint_group:
-        return in_joint_group(e, context);
-    case Kind::excavated:
-        return [excavated = context.extras.excavated](const Model&, ObjectKind, Row) { return excavated; };
-    case Kind::named:
-        return by_name(e, context);
-    case Kind::joint_state:
-        return by_joint_state(e, context);
-    case Kind::surface:
-        return on_surface(e, context);
-    case Kind::orientation:
-        return by_orientation(e, context);
-    case Kind::concave:
-        return in_concave_body(context);
-    case Kind::edge_length:
-        return by_edge_length(e);
-    case Kind::aspect_ratio:
-        return by_aspect_ratio(e);
-    case Kind::leader:
-        return by_leader(e, context);
-    case Kind::polygon:
-        return in_polygon(e, context);
-    case Kind::ellipse:
-        return in_ellipse(e, context);
-    case Kind::ground:
-        return by_ground(e, context);
-    }
+    for (const auto entries : {tests_of_places(), tests_of_faces(), tests_of_blocks(), std::span<const RangeEntry>(other_tests)})
+        for (const RangeEntry& entry : entries)
+            if (entry.kind == e.kind) return entry.test(e, context);
     throw std::logic_error("a range element of no known kind");
 }
 
@@ -321,9 +276,9 @@ bool has_element(const NamedRanges& named, const lang::RangePhrase& phrase, Kind
 }
 
 bool asks_for_objects(const NamedRanges& named, const lang::RangePhrase& phrase) {
-    static const std::set<Kind> places{Kind::x,      Kind::y,        Kind::z,       Kind::box,    Kind::plane,
-                                       Kind::sphere, Kind::cylinder, Kind::polygon, Kind::ellipse, Kind::ground};
-    return any_element(named, phrase, [](Kind kind) { return !places.contains(kind); });
+    return any_element(named, phrase, [](Kind kind) {
+        return std::ranges::none_of(tests_of_places(), [kind](const RangeEntry& entry) { return entry.kind == kind; });
+    });
 }
 
 RangeTest range_test(const Model& model, const NamedRanges& named, const lang::RangePhrase& phrase,
@@ -331,12 +286,6 @@ RangeTest range_test(const Model& model, const NamedRanges& named, const lang::R
     if (phrase.elements.empty()) return {};
     RangeContext context{model, named, kind, 1e-6 * model_size(model), extras, false, {}};
     return phrase_test(phrase, context);
-}
-
-const char* plural_of(ObjectKind kind) {
-    static constexpr std::array names{"blocks", "gridpoints", "faces",       "triangles",
-                                      "zones",  "contacts",   "sub-contacts", "cable nodes"};
-    return names[static_cast<std::size_t>(kind)];
 }
 
 } // namespace kaya

@@ -36,7 +36,4 @@ bool asks_for_objects(const NamedRanges& named, const lang::RangePhrase& phrase)
 RangeTest range_test(const Model& model, const NamedRanges& named, const lang::RangePhrase& phrase,
                      ObjectKind kind, const RangeExtras& extras = {});
 
-/// "blocks", "gridpoints": for messages.
-const char* plural_of(ObjectKind kind);
-
 } // namespace kaya

@@ -13,26 +13,11 @@
 
 namespace kaya {
 
-namespace {
-
-ObjectKind members_of(lang::Group::Kind kind) {
-    switch (kind) {
-    case lang::Group::Kind::block: return ObjectKind::block;
-    case lang::Group::Kind::face: return ObjectKind::face;
-    case lang::Group::Kind::joint: return ObjectKind::contact;
-    case lang::Group::Kind::zone: return ObjectKind::zone;
-    }
-    return ObjectKind::block;
-}
-
-} // namespace
-
 void run(Session& session, const lang::Group& command) {
-    const ObjectKind kind = members_of(command.kind);
-    const auto rows = session.pick(kind, command.range);
+    const auto rows = session.pick(command.kind, command.range);
     if (rows.empty()) return;
     const std::int32_t group = make_group(session.model, command.name);
-    auto& column = *own_groups(session.model, kind);
+    auto& column = *own_groups(session.model, command.kind);
     for (const Row row : rows) column[row] = group;
 }
 

@@ -251,12 +251,12 @@ void Session::note_once(const std::string& message, const std::string& hint) {
 }
 
 std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& range, bool hidden_too) {
-    if (kind == ObjectKind::contact || kind == ObjectKind::sub_contact) find_contacts(model, joints);
+    if (info_of(kind).found_late) find_contacts(model, joints);
     auto rows = select(model, kind, test_of(kind, range), hidden_too);
     if (!rows.empty()) return rows;
     const std::size_t tested = select(model, kind, {}, hidden_too).size();
     const std::size_t hidden = hidden_too ? 0 : select(model, kind, {}, true).size() - tested;
-    const char* things = plural_of(kind);
+    const char* things = info_of(kind).plural;
     std::string text = tested > 0   ? fmt::format("0 of {} {} matched", tested, things)
                        : hidden > 0 ? fmt::format("all {} are hidden", things)
                                     : fmt::format("there are no {}", things);

@@ -3,6 +3,7 @@
 #include "io/csv.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace kaya {
@@ -20,19 +21,18 @@ std::string cell_of(const Model& model, const FieldValue& value) {
 
 } // namespace
 
-const std::vector<FieldTableName>& field_table_names() {
-    static const std::vector<FieldTableName> names{{FieldTable::global, "model"}, {FieldTable::block, "blocks"}, {FieldTable::gridpoint, "gridpoints"}, {FieldTable::face, "faces"},
-                                                   {FieldTable::zone, "zones"},   {FieldTable::contact, "contacts"}, {FieldTable::sub_contact, "sub-contacts"},
-                                                   {FieldTable::cable_node, "cable-nodes"}};
-    return names;
+std::span<const ObjectKind> exported_kinds() {
+    using enum ObjectKind;
+    static constexpr std::array all{global, block, gridpoint, face, zone, contact, sub_contact, cable_node};
+    return all;
 }
 
-std::string field_csv(const Model& model, FieldTable table) {
-    const auto rows = static_cast<Row>(row_count(model, table));
+std::string field_csv(const Model& model, ObjectKind kind) {
+    const auto rows = static_cast<Row>(count_of(model, kind));
     std::vector<const Field*> columns;
     std::string text;
     for (const Field& field : fields()) {
-        if (field.table != table) continue;
+        if (field.kind != kind) continue;
         // A vector is there by its components; without an object nothing tells what is one.
         if (rows > 0 && std::holds_alternative<Vec3>(field.get(model, 0))) continue;
         text += fmt::format("{}{}", text.empty() ? "" : ",", csv_cell(field.name));
@@ -51,9 +51,9 @@ std::string field_csv(const Model& model, FieldTable table) {
 
 std::string field_list_csv() {
     std::string text = "table,field,quantity,meaning\n";
-    for (const auto& [table, name] : field_table_names())
+    for (const ObjectKind kind : exported_kinds())
         for (const Field& field : fields())
-            if (field.table == table) text += fmt::format("{},{},{},{}\n", name, csv_cell(field.name), csv_cell(field.unit), csv_cell(field.help));
+            if (field.kind == kind) text += fmt::format("{},{},{},{}\n", info_of(kind).file, csv_cell(field.name), csv_cell(field.unit), csv_cell(field.help));
     return text;
 }
 

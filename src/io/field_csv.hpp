@@ -3,22 +3,17 @@
 
 #include "model/field.hpp"
 
+#include <span>
 #include <string>
-#include <vector>
 
 namespace kaya {
 
-struct FieldTableName {
-    FieldTable table;
-    const char* name; ///< "sub-contacts"
-};
-
-/// The tables of objects, by the names of their files.
-const std::vector<FieldTableName>& field_table_names();
+/// The kinds of objects that have tables, whose files are named by KindInfo::file.
+std::span<const ObjectKind> exported_kinds();
 
 /// One row for each object, one column for each field; the header has the names of the fields. Vectors are given by their components, objects
 /// by their numbers, an empty cell where there is none. Numbers have the fewest digits that give back the same bits.
-std::string field_csv(const Model& model, FieldTable table);
+std::string field_csv(const Model& model, ObjectKind kind);
 
 /// What the columns are: table, field, kind of quantity, help.
 std::string field_list_csv();

@@ -30,19 +30,6 @@ const History& find_history(const Histories& histories, std::int64_t number) {
                                  : fmt::format("these histories are defined: {}", known));
 }
 
-const char* object_name(Kind kind) {
-    switch (kind) {
-    case Kind::gridpoint: return "gridpoint";
-    case Kind::zone: return "zone";
-    case Kind::sub_contact: return "sub-contact";
-    case Kind::block: return "block";
-    case Kind::cable_node: return "cable node";
-    case Kind::global:
-    case Kind::function: break;
-    }
-    return "";
-}
-
 /// The sample of a history in that row of the table, NaN where it has none.
 double sample_at(const History& history, std::size_t row) {
     const bool there = row >= history.first_sample && row - history.first_sample < history.values.size();
@@ -60,7 +47,7 @@ std::string column_title(const History& history) {
     const std::string name = history.label == source.quantity ? "" : source.quantity + ", ";
     const char* rate = source.rate ? "/time" : "";
     if (source.kind == Kind::global) return fmt::format("{} [{}{}{}]", head, name, unit, rate);
-    return fmt::format("{} [{}{}{}, {} nearest to {} {} {}]", head, name, unit, rate, object_name(source.kind),
+    return fmt::format("{} [{}{}{}, {} nearest to {} {} {}]", head, name, unit, rate, info_of(source.kind).noun,
                        source.place.x(), source.place.y(), source.place.z());
 }
 

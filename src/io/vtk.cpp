@@ -75,7 +75,7 @@ std::vector<Row> all_rows(std::size_t count) {
 }
 
 void add_sub_contacts(vtkFieldData* target, vtkFieldData* whole, const Model& model, const std::vector<Row>& rows, const OwnValues& own) {
-    add_fields(target, whole, model, FieldTable::sub_contact, rows);
+    add_fields(target, whole, model, ObjectKind::sub_contact, rows);
     add_own_values(target, model, own, rows);
 }
 
@@ -201,10 +201,10 @@ std::string vtk_blocks(const Model& model) {
     }
 
     vtkFieldData* whole = grid->GetFieldData();
-    add_fields(grid->GetPointData(), whole, model, FieldTable::gridpoint, all_rows(gridpoints.size()));
+    add_fields(grid->GetPointData(), whole, model, ObjectKind::gridpoint, all_rows(gridpoints.size()));
     add_stress(grid, model, zone_of_cell);
-    add_fields(grid->GetCellData(), whole, model, FieldTable::zone, zone_of_cell);
-    add_fields(grid->GetCellData(), whole, model, FieldTable::block, block_of_cell, "block_");
+    add_fields(grid->GetCellData(), whole, model, ObjectKind::zone, zone_of_cell);
+    add_fields(grid->GetCellData(), whole, model, ObjectKind::block, block_of_cell, "block_");
     add_time(grid, model.clock);
     return bytes_of(grid);
 }
@@ -228,9 +228,9 @@ std::string vtk_faces(const Model& model) {
         }
     }
     vtkFieldData* whole = grid->GetFieldData();
-    add_fields(grid->GetPointData(), whole, model, FieldTable::gridpoint, all_rows(model.gridpoints.size()));
-    add_fields(grid->GetCellData(), whole, model, FieldTable::face, face_of_cell);
-    add_fields(grid->GetCellData(), whole, model, FieldTable::block, block_of_cell, "block_");
+    add_fields(grid->GetPointData(), whole, model, ObjectKind::gridpoint, all_rows(model.gridpoints.size()));
+    add_fields(grid->GetCellData(), whole, model, ObjectKind::face, face_of_cell);
+    add_fields(grid->GetCellData(), whole, model, ObjectKind::block, block_of_cell, "block_");
     add_time(grid, model.clock);
     return bytes_of(grid);
 }
@@ -258,7 +258,7 @@ std::string vtk_joints(const Model& model, const OwnValues& own) {
     grid->SetPoints(points);
     add_sub_contacts(grid->GetPointData(), grid->GetFieldData(), model, sub_of_point, own);
     add_sub_contacts(grid->GetCellData(), grid->GetFieldData(), model, sub_of_cell, own);
-    add_fields(grid->GetCellData(), grid->GetFieldData(), model, FieldTable::contact, contact_of_cell, "contact_");
+    add_fields(grid->GetCellData(), grid->GetFieldData(), model, ObjectKind::contact, contact_of_cell, "contact_");
     add_time(grid, model.clock);
     return bytes_of(grid);
 }
@@ -278,7 +278,7 @@ std::string vtk_sub_contacts(const Model& model, const OwnValues& own) {
     }
     grid->SetPoints(points);
     add_sub_contacts(grid->GetCellData(), grid->GetFieldData(), model, rows, own);
-    add_fields(grid->GetCellData(), grid->GetFieldData(), model, FieldTable::contact, contacts, "contact_");
+    add_fields(grid->GetCellData(), grid->GetFieldData(), model, ObjectKind::contact, contacts, "contact_");
     add_time(grid, model.clock);
     return bytes_of(grid);
 }
@@ -299,8 +299,8 @@ std::string vtk_cables(const Model& model) {
         grid->InsertNextCell(VTK_LINE, 2, ids.data());
         first_of_bar.push_back(row);
     }
-    add_fields(grid->GetPointData(), grid->GetFieldData(), model, FieldTable::cable_node, rows);
-    add_fields(grid->GetCellData(), grid->GetFieldData(), model, FieldTable::cable_node, first_of_bar);
+    add_fields(grid->GetPointData(), grid->GetFieldData(), model, ObjectKind::cable_node, rows);
+    add_fields(grid->GetCellData(), grid->GetFieldData(), model, ObjectKind::cable_node, first_of_bar);
     add_time(grid, model.clock);
     return bytes_of(grid);
 }

@@ -25,7 +25,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 bool is_component(const Field& field) {
     const std::string_view name = field.name;
     const auto has = [&](const std::string& whole) {
-        const Field* found = find_field(field.table, whole);
+        const Field* found = find_field(field.kind, whole);
         return found != nullptr && found != &field;
     };
     if (name == "x" || name == "y" || name == "z") return true;
@@ -33,7 +33,7 @@ bool is_component(const Field& field) {
         const std::string rest(name.substr(2));
         return has(rest) || has(rest + "_vector");
     }
-    return field.table == FieldTable::zone && name.size() == 9 && name.ends_with("_stress");
+    return field.kind == ObjectKind::zone && name.size() == 9 && name.ends_with("_stress");
 }
 
 /// Objects by the numbers that users see.
@@ -91,11 +91,11 @@ void add_field(vtkFieldData* target, vtkFieldData* whole, const Model& model, co
 
 void set_unit(vtkDataArray* array, std::string_view unit) { array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), std::string(unit).c_str()); }
 
-void add_fields(vtkFieldData* target, vtkFieldData* whole, const Model& model, FieldTable table, std::span<const Row> rows, std::string_view prefix) {
+void add_fields(vtkFieldData* target, vtkFieldData* whole, const Model& model, ObjectKind table, std::span<const Row> rows, std::string_view prefix) {
     const auto first = std::ranges::find_if(rows, [](Row row) { return row != no_row; });
     if (first == rows.end()) return; // nothing tells what its values would be
     for (const Field& field : fields()) {
-        if (field.table != table || is_component(field)) continue;
+        if (field.kind != table || is_component(field)) continue;
         const std::string name = fmt::format("{}{}", prefix, field.name);
         if (target->HasArray(name.c_str())) continue;
         add_field(target, whole, model, name, field, rows, field.get(model, *first));

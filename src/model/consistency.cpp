@@ -1,6 +1,7 @@
 #include "model/consistency.hpp"
 
 #include "model/excavation.hpp"
+#include "model/kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -297,7 +298,7 @@ void check_histories(Findings& findings, const Model& model) {
         findings.require(history.number > before, "histories", k, "its number is not above the one before");
         findings.require(history.first_sample <= samples && history.values.size() == samples - history.first_sample,
                          "histories", k, "it has not as many values as there are samples");
-        findings.require(between(history.source.kind, HistorySource::Kind::global, HistorySource::Kind::cable_node),
+        findings.require(history.source.kind != ObjectKind::none && info_of(history.source.kind).history >= 0,
                          "histories", k, "its kind is unknown");
     }
 }

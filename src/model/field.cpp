@@ -74,10 +74,10 @@ std::span<const Field> fields() {
     return all;
 }
 
-const Field* find_field(FieldTable table, std::string_view name) {
-    using Key = std::pair<FieldTable, std::string_view>;
-    static const auto index = index_by<Key>([](const Field& field) { return Key(field.table, field.name); });
-    return find_field(index, Key(table, name));
+const Field* find_field(ObjectKind kind, std::string_view name) {
+    using Key = std::pair<ObjectKind, std::string_view>;
+    static const auto index = index_by<Key>([](const Field& field) { return Key(field.kind, field.name); });
+    return find_field(index, Key(kind, name));
 }
 
 const Field* find_classic_field(std::string_view classic) {
@@ -90,25 +90,10 @@ const Field* find_history_field(std::string_view word) {
     return word.empty() ? nullptr : find_field(index, word);
 }
 
-std::size_t row_count(const Model& model, FieldTable table) {
-    switch (table) {
-    case FieldTable::global: return 1;
-    case FieldTable::block: return model.blocks.size();
-    case FieldTable::gridpoint: return model.gridpoints.size();
-    case FieldTable::face: return model.faces.size();
-    case FieldTable::zone: return model.zones.size();
-    case FieldTable::contact: return model.contacts.size();
-    case FieldTable::sub_contact: return model.sub_contacts.size();
-    case FieldTable::corner: return 3 * model.triangles.size();
-    case FieldTable::cable_node: return model.structures.nodes.size();
-    }
-    return 0;
-}
-
 std::optional<std::int64_t> object_number(const Model& model, const Link& link) {
-    const Field* id = link.row == no_row ? nullptr : find_field(link.table, "id");
-    if (id == nullptr) return std::nullopt;
-    return std::get<std::int64_t>(id->get(model, link.row));
+    const auto number = info_of(link.kind).number;
+    if (link.row == no_row || number == nullptr) return std::nullopt;
+    return number(model, link.row);
 }
 
 } // namespace kaya

@@ -1,7 +1,7 @@
 // Every quantity that a user can name: for histories, Lua and FISH, lists and VTK. One table.
 #pragma once
 
-#include "model/model.hpp"
+#include "model/kinds.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -11,11 +11,9 @@
 
 namespace kaya {
 
-enum class FieldTable { global, block, gridpoint, face, zone, contact, sub_contact, corner, cable_node };
-
 /// A link to a row of another table.
 struct Link {
-    FieldTable table;
+    ObjectKind kind;
     Row row;
 };
 
@@ -23,10 +21,11 @@ using FieldValue = std::variant<double, std::int64_t, Vec3, std::string, Link>;
 
 /// One quantity: `gridpoint.velocity` and the classic FISH names that read it.
 struct Field {
-    FieldTable table;
+    ObjectKind kind;
     std::string_view name;    ///< "normal_force"
     std::string_view classic; ///< "cx_nforce"; "" when there is none. A vector has its components as
                               ///< own fields: "x_velocity", classic "gp_xvel".
+    std::string_view modern;  ///< "block.subcontact.force.norm": FISH of newer versions; "" when there is none
     std::string_view history; ///< word of `hist`: "nforce"; "" when none
     std::string_view unit;    ///< quantity: "length", "stress", "force", "-"
     std::string_view help;
@@ -34,14 +33,12 @@ struct Field {
     void (*set)(Model&, Row, const FieldValue&); ///< null: read only
 };
 
-/// All fields, grouped by table.
+/// All fields, grouped by kinds of objects.
 std::span<const Field> fields();
-const Field* find_field(FieldTable table, std::string_view name);
+const Field* find_field(ObjectKind kind, std::string_view name);
 const Field* find_classic_field(std::string_view classic);
 const Field* find_history_field(std::string_view word);
 
-/// How many rows a table of fields has; 1 for global.
-std::size_t row_count(const Model& model, FieldTable table);
 /// The number by which users know an object; none for no object and for what has none, such as a corner.
 std::optional<std::int64_t> object_number(const Model& model, const Link& link);
 

@@ -6,20 +6,20 @@ namespace kaya::field_rows {
 
 namespace {
 
-constexpr auto table = FieldTable::corner;
+constexpr auto table = ObjectKind::corner;
 
-FieldValue face(const Model& model, Row corner) { return Link{FieldTable::face, model.triangles.face[corner / 3]}; }
+FieldValue face(const Model& model, Row corner) { return Link{ObjectKind::face, model.triangles.face[corner / 3]}; }
 FieldValue gridpoint(const Model& model, Row corner) {
-    return Link{FieldTable::gridpoint, model.triangles.gridpoints[corner / 3][corner % 3]};
+    return Link{ObjectKind::gridpoint, model.triangles.gridpoints[corner / 3][corner % 3]};
 }
 
 } // namespace
 
 const Fields& corner_fields() {
     static const Fields rows{
-        {table, "face", "", "", "-", "face that it is on", face, nullptr},
-        {table, "gridpoint", "vl_gp", "", "-", "gridpoint that is there", gridpoint, nullptr},
-        {table, "vertex", "vl_vertex", "", "-", "the same: a vertex of a rigid block is a gridpoint", gridpoint, nullptr},
+        {table, "face", "", "", "", "-", "face that it is on", face, nullptr},
+        {table, "gridpoint", "vl_gp", "", "", "-", "gridpoint that is there", gridpoint, nullptr},
+        {table, "vertex", "vl_vertex", "", "", "-", "the same: a vertex of a rigid block is a gridpoint", gridpoint, nullptr},
     };
     return rows;
 }

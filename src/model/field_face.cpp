@@ -6,7 +6,7 @@ namespace kaya::field_rows {
 
 namespace {
 
-constexpr auto table = FieldTable::face;
+constexpr auto table = ObjectKind::face;
 constexpr auto rows_of = &Model::faces;
 
 double area(const Model& model, Row face) { return face_area_vector(model, face).norm(); }
@@ -25,24 +25,24 @@ std::int64_t vertex_count(const Model& model, Row face) {
 
 const Fields& face_fields() {
     static const Fields rows{
-        {table, "id", "face_id", "", "-", "number, from 1; changes when blocks are deleted", call<count_from_one>,
+        {table, "id", "face_id", "", "", "-", "number, from 1; changes when blocks are deleted", call<count_from_one>,
          nullptr},
-        {table, "block", "face_block", "", "-", "block that it bounds",
-         link<rows_of, &Faces::block, FieldTable::block>, nullptr},
-        {table, "joint_set", "face_jset", "", "-", "joint set that cut it, 0 when made with the block",
+        {table, "block", "face_block", "block.face.hostblock", "", "-", "block that it bounds",
+         link<rows_of, &Faces::block, ObjectKind::block>, nullptr},
+        {table, "joint_set", "face_jset", "block.face.jset", "", "-", "joint set that cut it, 0 when made with the block",
          read<rows_of, &Faces::joint_set>, nullptr},
-        {table, "group", "face_group", "", "-", "group that it is in itself, else that of its block",
+        {table, "group", "face_group", "", "", "-", "group that it is in itself, else that of its block",
          read_group<ObjectKind::face>, write_group<ObjectKind::face>},
-        {table, "position", "face_pos", "", "length", "centroid", call<face_centroid>, nullptr},
-        {table, "x", "face_x", "", "length", "x of the centroid", call<face_centroid, 0>, nullptr},
-        {table, "y", "face_y", "", "length", "y of the centroid", call<face_centroid, 1>, nullptr},
-        {table, "z", "face_z", "", "length", "z of the centroid", call<face_centroid, 2>, nullptr},
-        {table, "normal", "face_n", "", "-", "outward unit normal", call<normal>, nullptr},
-        {table, "x_normal", "face_nx", "", "-", "x of the normal", call<normal, 0>, nullptr},
-        {table, "y_normal", "face_ny", "", "-", "y of the normal", call<normal, 1>, nullptr},
-        {table, "z_normal", "face_nz", "", "-", "z of the normal", call<normal, 2>, nullptr},
-        {table, "vertex_count", "face_ngp", "", "-", "number of gridpoints on it", call<vertex_count>, nullptr},
-        {table, "area", "face_area", "", "area", "area", call<area>, nullptr},
+        {table, "position", "face_pos", "block.face.pos", "", "length", "centroid", call<face_centroid>, nullptr},
+        {table, "x", "face_x", "", "", "length", "x of the centroid", call<face_centroid, 0>, nullptr},
+        {table, "y", "face_y", "", "", "length", "y of the centroid", call<face_centroid, 1>, nullptr},
+        {table, "z", "face_z", "", "", "length", "z of the centroid", call<face_centroid, 2>, nullptr},
+        {table, "normal", "face_n", "block.face.normal", "", "-", "outward unit normal", call<normal>, nullptr},
+        {table, "x_normal", "face_nx", "", "", "-", "x of the normal", call<normal, 0>, nullptr},
+        {table, "y_normal", "face_ny", "", "", "-", "y of the normal", call<normal, 1>, nullptr},
+        {table, "z_normal", "face_nz", "", "", "-", "z of the normal", call<normal, 2>, nullptr},
+        {table, "vertex_count", "face_ngp", "block.face.ngp", "", "-", "number of gridpoints on it", call<vertex_count>, nullptr},
+        {table, "area", "face_area", "block.face.area", "", "area", "area", call<area>, nullptr},
     };
     return rows;
 }

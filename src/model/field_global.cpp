@@ -8,7 +8,7 @@ namespace kaya::field_rows {
 
 namespace {
 
-constexpr auto table = FieldTable::global;
+constexpr auto table = ObjectKind::global;
 
 template <auto member> FieldValue clock(const Model& model, Row) { return value_of(model.clock.*member); }
 template <auto member> FieldValue energy(const Model& model, Row) { return value_of(model.energy.*member); }
@@ -39,78 +39,78 @@ template <auto rows> FieldValue count(const Model& model, Row) {
     return static_cast<std::int64_t>((model.*rows).size());
 }
 /// Objects that FISH lists begin with; null when there are none.
-template <auto rows, FieldTable to> FieldValue head(const Model& model, Row) {
+template <auto rows, ObjectKind to> FieldValue head(const Model& model, Row) {
     return Link{to, (model.*rows).empty() ? no_row : 0};
 }
 
 /// The block that was made last: new rows stand at the end.
-FieldValue last_block(const Model& model, Row) { return Link{FieldTable::block, static_cast<Row>(model.blocks.size()) - 1}; }
+FieldValue last_block(const Model& model, Row) { return Link{ObjectKind::block, static_cast<Row>(model.blocks.size()) - 1}; }
 
 } // namespace
 
 const Fields& global_fields() {
     static const Fields rows{
-        {table, "time", "time", "time", "time", "model time", clock<&Clock::time>, nullptr},
-        {table, "cycle", "cycle", "", "-", "cycles done so far", clock<&Clock::cycle>, nullptr},
-        {table, "step", "step", "", "-", "the same as cycle", clock<&Clock::cycle>, nullptr},
-        {table, "time_step", "tdel", "", "time", "time step, 0 until it is computed", clock<&Clock::time_step>,
+        {table, "time", "time", "mech.time", "time", "time", "model time", clock<&Clock::time>, nullptr},
+        {table, "cycle", "cycle", "mech.cycle", "", "-", "cycles done so far", clock<&Clock::cycle>, nullptr},
+        {table, "step", "step", "mech.step", "", "-", "the same as cycle", clock<&Clock::cycle>, nullptr},
+        {table, "time_step", "tdel", "mech.timestep", "", "time", "time step, 0 until it is computed", clock<&Clock::time_step>,
          nullptr},
-        {table, "unbalanced_force", "unbal", "unbal", "force", "largest unbalanced force of the last cycle",
+        {table, "unbalanced_force", "unbal", "mech.unbalanced", "unbal", "force", "largest unbalanced force of the last cycle",
          clock<&Clock::unbalanced_force>, nullptr},
-        {table, "average_ratio", "", "", "-", "mean unbalanced force over mean acting force",
+        {table, "average_ratio", "", "", "", "-", "mean unbalanced force over mean acting force",
          clock<&Clock::average_ratio>, nullptr},
-        {table, "maximum_ratio", "", "", "-", "largest unbalanced force over mean acting force",
+        {table, "maximum_ratio", "", "", "", "-", "largest unbalanced force over mean acting force",
          clock<&Clock::maximum_ratio>, nullptr},
-        {table, "local_ratio", "", "", "-", "largest ratio of unbalanced to acting force of one body",
+        {table, "local_ratio", "", "", "", "-", "largest ratio of unbalanced to acting force of one body",
          clock<&Clock::local_ratio>, nullptr},
-        {table, "factor_of_safety", "fos", "", "-", "found last by solve fos, limit equilibrium or list stability (then the least of the blocks); 0 when there was none",
+        {table, "factor_of_safety", "fos", "", "", "-", "found last by solve fos, limit equilibrium or list stability (then the least of the blocks); 0 when there was none",
          clock<&Clock::factor_of_safety>, nullptr},
-        {table, "global_viscosity", "", "damp", "1/time", "viscosity of adaptive global damping",
+        {table, "global_viscosity", "", "", "damp", "1/time", "viscosity of adaptive global damping",
          clock<&Clock::global_viscosity>, nullptr},
-        {table, "kinetic_energy", "", "ekinetic", "energy", "of all blocks, half a step ago", energy<&Energy::kinetic>, nullptr},
-        {table, "gravity_work", "", "egravity", "energy", "done by gravity on the blocks", energy<&Energy::gravity>, nullptr},
-        {table, "boundary_work", "", "eboundary", "energy", "done by loads and prescribed velocities on the blocks",
+        {table, "kinetic_energy", "", "", "ekinetic", "energy", "of all blocks, half a step ago", energy<&Energy::kinetic>, nullptr},
+        {table, "gravity_work", "", "", "egravity", "energy", "done by gravity on the blocks", energy<&Energy::gravity>, nullptr},
+        {table, "boundary_work", "", "", "eboundary", "energy", "done by loads and prescribed velocities on the blocks",
          energy<&Energy::boundary>, nullptr},
-        {table, "damped_energy", "", "edamped", "energy", "taken out by damping", energy<&Energy::damped>, nullptr},
-        {table, "joint_work", "", "ejoint", "energy", "put into joints: stored or lost", energy<&Energy::joint_work>,
+        {table, "damped_energy", "", "", "edamped", "energy", "taken out by damping", energy<&Energy::damped>, nullptr},
+        {table, "joint_work", "", "", "ejoint", "energy", "put into joints: stored or lost", energy<&Energy::joint_work>,
          nullptr},
-        {table, "frictional_energy", "", "efriction", "energy", "lost in slip and breaking", energy<&Energy::joint_friction>,
+        {table, "frictional_energy", "", "", "efriction", "energy", "lost in slip and breaking", energy<&Energy::joint_friction>,
          nullptr},
-        {table, "touch_energy", "", "etouch", "energy", "lost where touches change", energy<&Energy::joint_lost>, nullptr},
-        {table, "zone_work", "", "ezone", "energy", "put into zones", energy<&Energy::zone_work>, nullptr},
-        {table, "structure_work", "", "ecable", "energy", "put into cables: stored or lost", energy<&Energy::structure_work>, nullptr},
-        {table, "step_energy", "", "", "energy", "made by changes of the time step", energy<&Energy::step_made>, nullptr},
-        {table, "energy_error", "", "eerror", "energy", "what the account of energy does not explain", energy_error,
+        {table, "touch_energy", "", "", "etouch", "energy", "lost where touches change", energy<&Energy::joint_lost>, nullptr},
+        {table, "zone_work", "", "", "ezone", "energy", "put into zones", energy<&Energy::zone_work>, nullptr},
+        {table, "structure_work", "", "", "ecable", "energy", "put into cables: stored or lost", energy<&Energy::structure_work>, nullptr},
+        {table, "step_energy", "", "", "", "energy", "made by changes of the time step", energy<&Energy::step_made>, nullptr},
+        {table, "energy_error", "", "", "eerror", "energy", "what the account of energy does not explain", energy_error,
          nullptr},
-        {table, "gravity", "grav", "", "acceleration", "gravity", setting<&Settings::gravity>, set_gravity_vector},
-        {table, "x_gravity", "xgrav", "", "acceleration", "x component of gravity", gravity<0>, set_gravity<0>},
-        {table, "y_gravity", "ygrav", "", "acceleration", "y component of gravity", gravity<1>, set_gravity<1>},
-        {table, "z_gravity", "zgrav", "", "acceleration", "z component of gravity", gravity<2>, set_gravity<2>},
-        {table, "gravity_x", "grav_x", "", "acceleration", "the same as x_gravity", gravity<0>, set_gravity<0>},
-        {table, "gravity_y", "grav_y", "", "acceleration", "the same as y_gravity", gravity<1>, set_gravity<1>},
-        {table, "gravity_z", "grav_z", "", "acceleration", "the same as z_gravity", gravity<2>, set_gravity<2>},
-        {table, "time_step_fraction", "fracb", "", "-", "time step as a part of the largest stable one",
+        {table, "gravity", "grav", "global.gravity", "", "acceleration", "gravity", setting<&Settings::gravity>, set_gravity_vector},
+        {table, "x_gravity", "xgrav", "global.gravity.x", "", "acceleration", "x component of gravity", gravity<0>, set_gravity<0>},
+        {table, "y_gravity", "ygrav", "global.gravity.y", "", "acceleration", "y component of gravity", gravity<1>, set_gravity<1>},
+        {table, "z_gravity", "zgrav", "global.gravity.z", "", "acceleration", "z component of gravity", gravity<2>, set_gravity<2>},
+        {table, "gravity_x", "grav_x", "", "", "acceleration", "the same as x_gravity", gravity<0>, set_gravity<0>},
+        {table, "gravity_y", "grav_y", "", "", "acceleration", "the same as y_gravity", gravity<1>, set_gravity<1>},
+        {table, "gravity_z", "grav_z", "", "", "acceleration", "the same as z_gravity", gravity<2>, set_gravity<2>},
+        {table, "time_step_fraction", "fracb", "", "", "-", "time step as a part of the largest stable one",
          fraction, set_fraction},
-        {table, "zone_time_step_fraction", "fracz", "", "-", "the same as time_step_fraction",
+        {table, "zone_time_step_fraction", "fracz", "", "", "-", "the same as time_step_fraction",
          fraction, set_fraction},
-        {table, "globally_damped", "damp_auto", "", "-", "1 with adaptive global damping", damped_by<Damping::global>,
+        {table, "globally_damped", "damp_auto", "", "", "-", "1 with adaptive global damping", damped_by<Damping::global>,
          nullptr},
-        {table, "locally_damped", "damp_local", "", "-", "1 with local damping", damped_by<Damping::local>, nullptr},
-        {table, "rayleigh_alpha", "damp_alpha", "", "1/time", "Rayleigh damping of the mass, 0 when that part does not act",
+        {table, "locally_damped", "damp_local", "", "", "-", "1 with local damping", damped_by<Damping::local>, nullptr},
+        {table, "rayleigh_alpha", "damp_alpha", "", "", "1/time", "Rayleigh damping of the mass, 0 when that part does not act",
          rayleigh<mass_damping>, nullptr},
-        {table, "rayleigh_beta", "damp_beta", "", "time", "Rayleigh damping of the stiffness, 0 when that part does not act",
+        {table, "rayleigh_beta", "damp_beta", "", "", "time", "Rayleigh damping of the stiffness, 0 when that part does not act",
          rayleigh<stiffness_damping>, nullptr},
-        {table, "block_count", "nblock", "", "-", "number of blocks", count<&Model::blocks>, nullptr},
-        {table, "gridpoint_count", "", "", "-", "number of gridpoints and vertices", count<&Model::gridpoints>,
+        {table, "block_count", "nblock", "block.num", "", "-", "number of blocks", count<&Model::blocks>, nullptr},
+        {table, "gridpoint_count", "", "", "", "-", "number of gridpoints and vertices", count<&Model::gridpoints>,
          nullptr},
-        {table, "zone_count", "nzone", "", "-", "number of zones", count<&Model::zones>, nullptr},
-        {table, "contact_count", "", "", "-", "number of contacts", count<&Model::contacts>, nullptr},
-        {table, "sub_contact_count", "", "", "-", "number of sub-contacts", count<&Model::sub_contacts>, nullptr},
-        {table, "first_block", "block_head", "", "-", "first block of the list that b_next walks",
-         head<&Model::blocks, FieldTable::block>, nullptr},
-        {table, "last_block", "last_block", "", "-", "block that was made last, the last part of a concave one", last_block, nullptr},
-        {table, "first_contact", "contact_head", "", "-", "first contact of the list that c_next walks",
-         head<&Model::contacts, FieldTable::contact>, nullptr},
+        {table, "zone_count", "nzone", "", "", "-", "number of zones", count<&Model::zones>, nullptr},
+        {table, "contact_count", "", "", "", "-", "number of contacts", count<&Model::contacts>, nullptr},
+        {table, "sub_contact_count", "", "", "", "-", "number of sub-contacts", count<&Model::sub_contacts>, nullptr},
+        {table, "first_block", "block_head", "", "", "-", "first block of the list that b_next walks",
+         head<&Model::blocks, ObjectKind::block>, nullptr},
+        {table, "last_block", "last_block", "", "", "-", "block that was made last, the last part of a concave one", last_block, nullptr},
+        {table, "first_contact", "contact_head", "", "", "-", "first contact of the list that c_next walks",
+         head<&Model::contacts, ObjectKind::contact>, nullptr},
     };
     return rows;
 }

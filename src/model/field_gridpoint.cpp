@@ -6,7 +6,7 @@ namespace kaya::field_rows {
 
 namespace {
 
-constexpr auto table = FieldTable::gridpoint;
+constexpr auto table = ObjectKind::gridpoint;
 constexpr auto rows_of = &Model::gridpoints;
 
 /// A rigid block's vertex follows the block: its own velocity cannot be given.
@@ -44,67 +44,67 @@ Vec3 reaction(const Model& model, Row row) {
 }
 
 FieldValue group(const Model& model, Row gridpoint) {
-    return find_field(FieldTable::block, "group")->get(model, model.gridpoints.block[gridpoint]);
+    return find_field(ObjectKind::block, "group")->get(model, model.gridpoints.block[gridpoint]);
 }
 
 } // namespace
 
 const Fields& gridpoint_fields() {
     static const Fields rows{
-        {table, "id", "gp_id", "", "-", "number, from 1; changes when blocks are deleted", call<count_from_one>,
+        {table, "id", "gp_id", "block.gp.id", "", "-", "number, from 1; changes when blocks are deleted", call<count_from_one>,
          nullptr},
-        {table, "block", "gp_block", "", "-", "block that it belongs to",
-         link<rows_of, &Gridpoints::block, FieldTable::block>, nullptr},
-        {table, "position", "gp_pos", "", "length", "where it is now", read<rows_of, &Gridpoints::position>,
+        {table, "block", "gp_block", "block.gp.hostblock", "", "-", "block that it belongs to",
+         link<rows_of, &Gridpoints::block, ObjectKind::block>, nullptr},
+        {table, "position", "gp_pos", "block.gp.pos", "", "length", "where it is now", read<rows_of, &Gridpoints::position>,
          nullptr},
-        {table, "x", "gp_x", "", "length", "x", read<rows_of, &Gridpoints::position, 0>, nullptr},
-        {table, "y", "gp_y", "", "length", "y", read<rows_of, &Gridpoints::position, 1>, nullptr},
-        {table, "z", "gp_z", "", "length", "z", read<rows_of, &Gridpoints::position, 2>, nullptr},
-        {table, "mass", "gp_mass", "", "mass", "mass, 0 before the first cycle", read<rows_of, &Gridpoints::mass>,
+        {table, "x", "gp_x", "block.gp.pos.x", "", "length", "x", read<rows_of, &Gridpoints::position, 0>, nullptr},
+        {table, "y", "gp_y", "block.gp.pos.y", "", "length", "y", read<rows_of, &Gridpoints::position, 1>, nullptr},
+        {table, "z", "gp_z", "block.gp.pos.z", "", "length", "z", read<rows_of, &Gridpoints::position, 2>, nullptr},
+        {table, "mass", "gp_mass", "block.gp.mass", "", "mass", "mass, 0 before the first cycle", read<rows_of, &Gridpoints::mass>,
          nullptr},
-        {table, "density_scaling", "gp_dsf", "", "-", "mass in the equation of motion over true mass",
+        {table, "density_scaling", "gp_dsf", "", "", "-", "mass in the equation of motion over true mass",
          call<density_scaling>, nullptr},
-        {table, "group", "gp_group", "", "-", "group of its block", group, nullptr},
-        {table, "fixed", "", "", "-", "sum of 1, 2, 4 for x, y, z velocities that are prescribed",
+        {table, "group", "gp_group", "block.gp.group", "", "-", "group of its block", group, nullptr},
+        {table, "fixed", "", "", "", "-", "sum of 1, 2, 4 for x, y, z velocities that are prescribed",
          read<rows_of, &Gridpoints::fixed>, nullptr},
-        {table, "velocity", "gp_vel", "", "length/time", "velocity", call<gridpoint_velocity>,
+        {table, "velocity", "gp_vel", "block.gp.vel", "", "length/time", "velocity", call<gridpoint_velocity>,
          set_velocity},
-        {table, "x_velocity", "gp_xvel", "xvel", "length/time", "x velocity",
+        {table, "x_velocity", "gp_xvel", "block.gp.vel.x", "xvel", "length/time", "x velocity",
          call<gridpoint_velocity, 0>, set_velocity_component<0>},
-        {table, "y_velocity", "gp_yvel", "yvel", "length/time", "y velocity",
+        {table, "y_velocity", "gp_yvel", "block.gp.vel.y", "yvel", "length/time", "y velocity",
          call<gridpoint_velocity, 1>, set_velocity_component<1>},
-        {table, "z_velocity", "gp_zvel", "zvel", "length/time", "z velocity",
+        {table, "z_velocity", "gp_zvel", "block.gp.vel.z", "zvel", "length/time", "z velocity",
          call<gridpoint_velocity, 2>, set_velocity_component<2>},
-        {table, "displacement", "gp_dis", "", "length", "displacement", read<rows_of, &Gridpoints::displacement>,
+        {table, "displacement", "gp_dis", "block.gp.disp", "", "length", "displacement", read<rows_of, &Gridpoints::displacement>,
          write<rows_of, &Gridpoints::displacement>},
-        {table, "x_displacement", "gp_xdis", "xdis", "length", "x displacement",
+        {table, "x_displacement", "gp_xdis", "block.gp.disp.x", "xdis", "length", "x displacement",
          read<rows_of, &Gridpoints::displacement, 0>, write<rows_of, &Gridpoints::displacement, 0>},
-        {table, "y_displacement", "gp_ydis", "ydis", "length", "y displacement",
+        {table, "y_displacement", "gp_ydis", "block.gp.disp.y", "ydis", "length", "y displacement",
          read<rows_of, &Gridpoints::displacement, 1>, write<rows_of, &Gridpoints::displacement, 1>},
-        {table, "z_displacement", "gp_zdis", "zdis", "length", "z displacement",
+        {table, "z_displacement", "gp_zdis", "block.gp.disp.z", "zdis", "length", "z displacement",
          read<rows_of, &Gridpoints::displacement, 2>, write<rows_of, &Gridpoints::displacement, 2>},
-        {table, "force", "gp_force", "", "force", "unbalanced force of the last cycle",
+        {table, "force", "gp_force", "block.gp.force.unbal", "", "force", "unbalanced force of the last cycle",
          read<rows_of, &Gridpoints::force>, nullptr},
-        {table, "x_force", "gp_xforce", "", "force", "x unbalanced force", read<rows_of, &Gridpoints::force, 0>,
+        {table, "x_force", "gp_xforce", "", "", "force", "x unbalanced force", read<rows_of, &Gridpoints::force, 0>,
          nullptr},
-        {table, "y_force", "gp_yforce", "", "force", "y unbalanced force", read<rows_of, &Gridpoints::force, 1>,
+        {table, "y_force", "gp_yforce", "", "", "force", "y unbalanced force", read<rows_of, &Gridpoints::force, 1>,
          nullptr},
-        {table, "z_force", "gp_zforce", "", "force", "z unbalanced force", read<rows_of, &Gridpoints::force, 2>,
+        {table, "z_force", "gp_zforce", "", "", "force", "z unbalanced force", read<rows_of, &Gridpoints::force, 2>,
          nullptr},
-        {table, "reaction", "gp_reaction", "", "force",
+        {table, "reaction", "gp_reaction", "block.gp.force.reaction", "", "force",
          "force that holds what is prescribed of its velocity, of deformable blocks", call<reaction>, nullptr},
-        {table, "x_reaction", "gp_xreaction", "", "force", "x reaction", call<reaction, 0>, nullptr},
-        {table, "y_reaction", "gp_yreaction", "", "force", "y reaction", call<reaction, 1>, nullptr},
-        {table, "z_reaction", "gp_zreaction", "", "force", "z reaction", call<reaction, 2>, nullptr},
-        {table, "pore_pressure", "gp_pp", "", "stress", "pore pressure given by initialize pp or insitu pp",
+        {table, "x_reaction", "gp_xreaction", "", "", "force", "x reaction", call<reaction, 0>, nullptr},
+        {table, "y_reaction", "gp_yreaction", "", "", "force", "y reaction", call<reaction, 1>, nullptr},
+        {table, "z_reaction", "gp_zreaction", "", "", "force", "z reaction", call<reaction, 2>, nullptr},
+        {table, "pore_pressure", "gp_pp", "", "", "stress", "pore pressure given by initialize pp or insitu pp",
          read<rows_of, &Gridpoints::pore_pressure>, write<rows_of, &Gridpoints::pore_pressure>},
-        {table, "load", "gp_load", "", "force", "applied force", read<rows_of, &Gridpoints::load>,
+        {table, "load", "gp_load", "block.gp.force.app", "", "force", "applied force", read<rows_of, &Gridpoints::load>,
          write<rows_of, &Gridpoints::load>},
-        {table, "x_load", "gp_xload", "", "force", "x applied force", read<rows_of, &Gridpoints::load, 0>,
+        {table, "x_load", "gp_xload", "", "", "force", "x applied force", read<rows_of, &Gridpoints::load, 0>,
          write<rows_of, &Gridpoints::load, 0>},
-        {table, "y_load", "gp_yload", "", "force", "y applied force", read<rows_of, &Gridpoints::load, 1>,
+        {table, "y_load", "gp_yload", "", "", "force", "y applied force", read<rows_of, &Gridpoints::load, 1>,
          write<rows_of, &Gridpoints::load, 1>},
-        {table, "z_load", "gp_zload", "", "force", "z applied force", read<rows_of, &Gridpoints::load, 2>,
+        {table, "z_load", "gp_zload", "", "", "force", "z applied force", read<rows_of, &Gridpoints::load, 2>,
          write<rows_of, &Gridpoints::load, 2>},
     };
     return rows;

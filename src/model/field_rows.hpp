@@ -47,11 +47,11 @@ template <auto table, auto column, int k> FieldValue read(const Model& model, Ro
     return ((model.*table).*column)[row][k];
 }
 /// A column of rows of another table.
-template <auto table, auto column, FieldTable to> FieldValue link(const Model& model, Row row) {
+template <auto table, auto column, ObjectKind to> FieldValue link(const Model& model, Row row) {
     return Link{to, ((model.*table).*column)[row]};
 }
 /// The first row of a span; an empty span links to nothing.
-template <auto table, auto column, FieldTable to> FieldValue first(const Model& model, Row row) {
+template <auto table, auto column, ObjectKind to> FieldValue first(const Model& model, Row row) {
     const Span span = ((model.*table).*column)[row];
     return Link{to, span.count > 0 ? span.first : no_row};
 }

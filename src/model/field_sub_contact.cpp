@@ -7,7 +7,7 @@ namespace kaya::field_rows {
 
 namespace {
 
-constexpr auto table = FieldTable::sub_contact;
+constexpr auto table = ObjectKind::sub_contact;
 constexpr auto rows_of = &Model::sub_contacts;
 
 double shear_force_size(const Model& model, Row row) { return model.sub_contacts.shear_force[row].norm(); }
@@ -28,7 +28,7 @@ double shear_stress(const Model& model, Row row) { return stress(model, row, she
 /// What belongs to the contact.
 Row contact_of(const Model& model, Row row) { return model.sub_contacts.contact[row]; }
 template <auto column> FieldValue block(const Model& model, Row row) {
-    return Link{FieldTable::block, (model.contacts.*column)[contact_of(model, row)]};
+    return Link{ObjectKind::block, (model.contacts.*column)[contact_of(model, row)]};
 }
 template <auto column> FieldValue of_contact(const Model& model, Row row) {
     return value_of((model.contacts.*column)[contact_of(model, row)]);
@@ -37,7 +37,7 @@ template <auto column, int k> FieldValue of_contact(const Model& model, Row row)
     return (model.contacts.*column)[contact_of(model, row)][k];
 }
 FieldValue constitutive(const Model& model, Row row) {
-    return find_field(FieldTable::contact, "constitutive")->get(model, contact_of(model, row));
+    return find_field(ObjectKind::contact, "constitutive")->get(model, contact_of(model, row));
 }
 double pressure_force(const Model& model, Row row) {
     return model.sub_contacts.pore_pressure[row] * model.sub_contacts.area[row];
@@ -46,18 +46,18 @@ double pressure_force(const Model& model, Row row) {
 /// The vertex that meets a face, null where two edges meet.
 FieldValue vertex(const Model& model, Row row) {
     const auto& subs = model.sub_contacts;
-    if (subs.type[row] >= SubContactType::edge_edge) return Link{FieldTable::gridpoint, no_row};
+    if (subs.type[row] >= SubContactType::edge_edge) return Link{ObjectKind::gridpoint, no_row};
     const Attachment& side = subs.type[row] == SubContactType::vertex_face ? subs.side1[row] : subs.side2[row];
     const auto heaviest = std::max_element(side.weights.begin(), side.weights.end()) - side.weights.begin();
-    return Link{FieldTable::gridpoint, side.gridpoints[static_cast<std::size_t>(heaviest)]};
+    return Link{ObjectKind::gridpoint, side.gridpoints[static_cast<std::size_t>(heaviest)]};
 }
 
 /// The face that the vertex meets, null when the blocks do not touch with faces.
 FieldValue face(const Model& model, Row row) {
     const auto& subs = model.sub_contacts;
     const Row contact = contact_of(model, row);
-    if (subs.type[row] >= SubContactType::edge_edge) return Link{FieldTable::face, no_row};
-    return Link{FieldTable::face, subs.type[row] == SubContactType::vertex_face ? model.contacts.face2[contact]
+    if (subs.type[row] >= SubContactType::edge_edge) return Link{ObjectKind::face, no_row};
+    return Link{ObjectKind::face, subs.type[row] == SubContactType::vertex_face ? model.contacts.face2[contact]
                                                                             : model.contacts.face1[contact]};
 }
 
@@ -76,81 +76,81 @@ template <auto column, int k> void write_force(Model& model, Row row, const Fiel
 }
 
 FieldValue joint_model(const Model& model, Row row) {
-    return find_field(FieldTable::contact, "model")->get(model, contact_of(model, row));
+    return find_field(ObjectKind::contact, "model")->get(model, contact_of(model, row));
 }
 
 } // namespace
 
 const Fields& sub_contact_fields() {
     static const Fields rows{
-        {table, "id", "cx_id", "", "-", "number, from 1", read<rows_of, &SubContacts::number>, nullptr},
-        {table, "contact", "cx_contact", "", "-", "contact that it belongs to",
-         link<rows_of, &SubContacts::contact, FieldTable::contact>, nullptr},
-        {table, "block1", "", "", "-", "block with the higher number", block<&Contacts::block1>, nullptr},
-        {table, "block2", "", "", "-", "block with the lower number", block<&Contacts::block2>, nullptr},
-        {table, "type", "cx_type", "", "-", "1 vertex-face, 2 face-vertex, 3 edge-edge",
+        {table, "id", "cx_id", "block.subcontact.id", "", "-", "number, from 1", read<rows_of, &SubContacts::number>, nullptr},
+        {table, "contact", "cx_contact", "block.subcontact.contact", "", "-", "contact that it belongs to",
+         link<rows_of, &SubContacts::contact, ObjectKind::contact>, nullptr},
+        {table, "block1", "", "", "", "-", "block with the higher number", block<&Contacts::block1>, nullptr},
+        {table, "block2", "", "", "", "-", "block with the lower number", block<&Contacts::block2>, nullptr},
+        {table, "type", "cx_type", "block.subcontact.type", "", "-", "1 vertex-face, 2 face-vertex, 3 edge-edge",
          read<rows_of, &SubContacts::type>, nullptr},
-        {table, "position", "cx_pos", "", "length", "where it is now", read<rows_of, &SubContacts::position>,
+        {table, "position", "cx_pos", "block.subcontact.pos", "", "length", "where it is now", read<rows_of, &SubContacts::position>,
          nullptr},
-        {table, "x", "cx_x", "", "length", "x", read<rows_of, &SubContacts::position, 0>, nullptr},
-        {table, "y", "cx_y", "", "length", "y", read<rows_of, &SubContacts::position, 1>, nullptr},
-        {table, "z", "cx_z", "", "length", "z", read<rows_of, &SubContacts::position, 2>, nullptr},
-        {table, "normal", "", "", "-", "unit normal of the contact, from block1 to block2",
+        {table, "x", "cx_x", "block.subcontact.pos.x", "", "length", "x", read<rows_of, &SubContacts::position, 0>, nullptr},
+        {table, "y", "cx_y", "block.subcontact.pos.y", "", "length", "y", read<rows_of, &SubContacts::position, 1>, nullptr},
+        {table, "z", "cx_z", "block.subcontact.pos.z", "", "length", "z", read<rows_of, &SubContacts::position, 2>, nullptr},
+        {table, "normal", "", "", "", "-", "unit normal of the contact, from block1 to block2",
          of_contact<&Contacts::normal>, nullptr},
-        {table, "x_normal", "", "", "-", "x of the normal", of_contact<&Contacts::normal, 0>, nullptr},
-        {table, "y_normal", "", "", "-", "y of the normal", of_contact<&Contacts::normal, 1>, nullptr},
-        {table, "z_normal", "", "", "-", "z of the normal", of_contact<&Contacts::normal, 2>, nullptr},
-        {table, "area", "cx_area", "", "area", "part of the contact's area", read<rows_of, &SubContacts::area>,
+        {table, "x_normal", "", "", "", "-", "x of the normal", of_contact<&Contacts::normal, 0>, nullptr},
+        {table, "y_normal", "", "", "", "-", "y of the normal", of_contact<&Contacts::normal, 1>, nullptr},
+        {table, "z_normal", "", "", "", "-", "z of the normal", of_contact<&Contacts::normal, 2>, nullptr},
+        {table, "area", "cx_area", "block.subcontact.area", "", "area", "part of the contact's area", read<rows_of, &SubContacts::area>,
          nullptr},
-        {table, "material", "cx_mat", "", "-", "number of its joint material", of_contact<&Contacts::material>,
+        {table, "material", "cx_mat", "", "", "-", "number of its joint material", of_contact<&Contacts::material>,
          nullptr},
-        {table, "constitutive", "cx_cons", "", "-", "number of its joint model, 0 when that has none", constitutive,
+        {table, "constitutive", "cx_cons", "", "", "-", "number of its joint model, 0 when that has none", constitutive,
          nullptr},
-        {table, "vertex", "cx_vertex", "", "-", "vertex that meets a face, null between two edges", vertex, nullptr},
-        {table, "face", "cx_face", "", "-", "face that a vertex meets, null when there is none", face, nullptr},
-        {table, "pressure_force", "cx_ppforce", "", "force", "pore pressure times area", call<pressure_force>,
+        {table, "vertex", "cx_vertex", "block.subcontact.gp", "", "-", "vertex that meets a face, null between two edges", vertex, nullptr},
+        {table, "face", "cx_face", "block.subcontact.face", "", "-", "face that a vertex meets, null when there is none", face, nullptr},
+        {table, "pressure_force", "cx_ppforce", "block.subcontact.force.pp", "", "force", "pore pressure times area", call<pressure_force>,
          nullptr},
-        {table, "group", "cx_group", "", "-", "group of its contact, empty when that has none",
+        {table, "group", "cx_group", "", "", "-", "group of its contact, empty when that has none",
          read_group<ObjectKind::sub_contact>, nullptr},
-        {table, "model", "cx_model", "", "-", "name of its joint model, empty when it has none", joint_model,
+        {table, "model", "cx_model", "block.subcontact.model", "", "-", "name of its joint model, empty when it has none", joint_model,
          nullptr},
-        {table, "normal_displacement", "cx_ndis", "ndis", "length", "opening positive",
+        {table, "normal_displacement", "cx_ndis", "block.subcontact.disp.norm", "ndis", "length", "opening positive",
          read<rows_of, &SubContacts::normal_displacement>, write<rows_of, &SubContacts::normal_displacement>},
-        {table, "shear_displacement", "", "sdis", "length", "length of the shear displacement vector",
+        {table, "shear_displacement", "", "", "sdis", "length", "length of the shear displacement vector",
          call<shear_displacement_size>, nullptr},
-        {table, "shear_displacement_vector", "cx_sdis", "", "length", "in global axes",
+        {table, "shear_displacement_vector", "cx_sdis", "block.subcontact.disp.shear", "", "length", "in global axes",
          read<rows_of, &SubContacts::shear_displacement>, write<rows_of, &SubContacts::shear_displacement>},
-        {table, "x_shear_displacement", "cx_xsdis", "xsdis", "length", "global x component",
+        {table, "x_shear_displacement", "cx_xsdis", "block.subcontact.disp.shear.x", "xsdis", "length", "global x component",
          read<rows_of, &SubContacts::shear_displacement, 0>, write<rows_of, &SubContacts::shear_displacement, 0>},
-        {table, "y_shear_displacement", "cx_ysdis", "ysdis", "length", "global y component",
+        {table, "y_shear_displacement", "cx_ysdis", "block.subcontact.disp.shear.y", "ysdis", "length", "global y component",
          read<rows_of, &SubContacts::shear_displacement, 1>, write<rows_of, &SubContacts::shear_displacement, 1>},
-        {table, "z_shear_displacement", "cx_zsdis", "zsdis", "length", "global z component",
+        {table, "z_shear_displacement", "cx_zsdis", "block.subcontact.disp.shear.z", "zsdis", "length", "global z component",
          read<rows_of, &SubContacts::shear_displacement, 2>, write<rows_of, &SubContacts::shear_displacement, 2>},
-        {table, "normal_force", "cx_nforce", "nfor", "force", "compression positive",
+        {table, "normal_force", "cx_nforce", "block.subcontact.force.norm", "nfor", "force", "compression positive",
          read<rows_of, &SubContacts::normal_force>, write_force<&SubContacts::normal_force>},
-        {table, "shear_force", "", "sfor", "force", "length of the shear force vector",
+        {table, "shear_force", "", "", "sfor", "force", "length of the shear force vector",
          call<shear_force_size>, nullptr},
-        {table, "shear_force_vector", "cx_sforce", "", "force", "on block2, in global axes",
+        {table, "shear_force_vector", "cx_sforce", "block.subcontact.force.shear", "", "force", "on block2, in global axes",
          read<rows_of, &SubContacts::shear_force>, write_force<&SubContacts::shear_force>},
-        {table, "x_shear_force", "cx_xsforce", "xsfor", "force", "global x component",
+        {table, "x_shear_force", "cx_xsforce", "block.subcontact.force.shear.x", "xsfor", "force", "global x component",
          read<rows_of, &SubContacts::shear_force, 0>, write_force<&SubContacts::shear_force, 0>},
-        {table, "y_shear_force", "cx_ysforce", "ysfor", "force", "global y component",
+        {table, "y_shear_force", "cx_ysforce", "block.subcontact.force.shear.y", "ysfor", "force", "global y component",
          read<rows_of, &SubContacts::shear_force, 1>, write_force<&SubContacts::shear_force, 1>},
-        {table, "z_shear_force", "cx_zsforce", "zsfor", "force", "global z component",
+        {table, "z_shear_force", "cx_zsforce", "block.subcontact.force.shear.z", "zsfor", "force", "global z component",
          read<rows_of, &SubContacts::shear_force, 2>, write_force<&SubContacts::shear_force, 2>},
-        {table, "normal_stress", "", "nstr", "stress", "normal force over area, compression positive",
+        {table, "normal_stress", "", "", "nstr", "stress", "normal force over area, compression positive",
          call<normal_stress>, nullptr},
-        {table, "shear_stress", "", "sstr", "stress", "length of the shear force over area", call<shear_stress>,
+        {table, "shear_stress", "", "", "sstr", "stress", "length of the shear force over area", call<shear_stress>,
          nullptr},
-        {table, "normal_stiffness", "", "", "stress/length", "tangent stiffness",
+        {table, "normal_stiffness", "", "", "", "stress/length", "tangent stiffness",
          read<rows_of, &SubContacts::normal_stiffness>, nullptr},
-        {table, "shear_stiffness", "", "", "stress/length", "tangent stiffness",
+        {table, "shear_stiffness", "", "", "", "stress/length", "tangent stiffness",
          read<rows_of, &SubContacts::shear_stiffness>, nullptr},
-        {table, "pore_pressure", "cx_pp", "", "stress", "in the joint, compression positive",
+        {table, "pore_pressure", "cx_pp", "block.subcontact.pp", "", "stress", "in the joint, compression positive",
          read<rows_of, &SubContacts::pore_pressure>, write<rows_of, &SubContacts::pore_pressure>},
-        {table, "frictional_work", "", "", "energy", "done by slip", read<rows_of, &SubContacts::frictional_work>,
+        {table, "frictional_work", "", "", "", "energy", "done by slip", read<rows_of, &SubContacts::frictional_work>,
          nullptr},
-        {table, "state", "cx_state", "", "-", "sum of 1, 2, 4, ... for the model's state names",
+        {table, "state", "cx_state", "block.subcontact.state", "", "-", "sum of 1, 2, 4, ... for the model's state names",
          read<rows_of, &SubContacts::state>, write<rows_of, &SubContacts::state>},
     };
     return rows;

@@ -20,35 +20,17 @@ std::int32_t make_group(Model& model, std::string_view name) {
     return static_cast<std::int32_t>(model.group_names.size() - 1);
 }
 
-const Column<std::int32_t>* own_groups(const Model& model, ObjectKind kind) {
-    switch (kind) {
-    case ObjectKind::block: return &model.blocks.group;
-    case ObjectKind::face: return &model.faces.group;
-    case ObjectKind::zone: return &model.zones.group;
-    case ObjectKind::contact: return &model.contacts.group;
-    case ObjectKind::gridpoint:
-    case ObjectKind::triangle:
-    case ObjectKind::sub_contact:
-    case ObjectKind::cable_node: break;
-    }
-    return nullptr;
+Column<std::int32_t>* own_groups(Model& model, ObjectKind kind) {
+    const auto groups = info_of(kind).groups;
+    return groups == nullptr ? nullptr : &groups(model);
 }
 
-Column<std::int32_t>* own_groups(Model& model, ObjectKind kind) {
-    return const_cast<Column<std::int32_t>*>(own_groups(static_cast<const Model&>(model), kind));
-}
+const Column<std::int32_t>* own_groups(const Model& model, ObjectKind kind) { return own_groups(const_cast<Model&>(model), kind); }
 
 std::int32_t group_of(const Model& model, ObjectKind kind, Row row) {
-    switch (kind) {
-    case ObjectKind::contact: return model.contacts.group[row];
-    case ObjectKind::sub_contact: return model.contacts.group[model.sub_contacts.contact[row]];
-    case ObjectKind::triangle: return group_of(model, ObjectKind::face, model.triangles.face[row]);
-    case ObjectKind::block:
-    case ObjectKind::gridpoint:
-    case ObjectKind::face:
-    case ObjectKind::zone:
-    case ObjectKind::cable_node: break;
-    }
+    if (kind == ObjectKind::contact) return model.contacts.group[row];
+    if (kind == ObjectKind::sub_contact) return model.contacts.group[model.sub_contacts.contact[row]];
+    if (kind == ObjectKind::triangle) return group_of(model, ObjectKind::face, model.triangles.face[row]);
     const auto* own = own_groups(model, kind);
     if (own != nullptr && (*own)[row] != 0) return (*own)[row];
     const Row block = block_of(model, kind, row);

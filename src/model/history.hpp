@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/id.hpp"
+#include "base/object_kind.hpp"
 #include "model/column.hpp"
 
 #include <cstdint>
@@ -13,8 +14,8 @@ namespace kaya {
 /// What a history samples: a named quantity of the nearest row to a place, of the whole model, or a
 /// function of the deck.
 struct HistorySource {
-    enum class Kind : std::int32_t { global, gridpoint, zone, sub_contact, block, function, cable_node };
-    Kind kind = Kind::global;
+    using Kind = ObjectKind;
+    Kind kind = Kind::global; ///< one that KindInfo::history numbers
     std::string quantity; ///< field name ("shear_stress", "unbalanced_force") or function name
     Vec3 place = Vec3::Zero();
     Row row = no_row; ///< found when the history is made and again when that row is gone

@@ -14,48 +14,16 @@ namespace {
 
 using Kind = HistorySource::Kind;
 
-/// What follows a kind of source.
-struct KindInfo {
-    FieldTable table;
-    ObjectKind object;
-    const char* singular;
-    const char* plural;
-    const char* remedy;
-};
-
-KindInfo info_of(Kind kind) {
-    switch (kind) {
-    case Kind::gridpoint:
-        return {FieldTable::gridpoint, ObjectKind::gridpoint, "gridpoint", "gridpoints", "make blocks before this history"};
-    case Kind::zone:
-        return {FieldTable::zone, ObjectKind::zone, "zone", "zones", "make zones (generate edge ...) before this history"};
-    case Kind::sub_contact:
-        return {FieldTable::sub_contact, ObjectKind::sub_contact, "sub-contact", "sub-contacts",
-                "make blocks that touch before this history"};
-    case Kind::block: return {FieldTable::block, ObjectKind::block, "block", "blocks", "make blocks before this history"};
-    case Kind::cable_node:
-        return {FieldTable::cable_node, ObjectKind::cable_node, "cable node", "cables", "make cables (structure cable ...) before this history"};
-    case Kind::global:
-    case Kind::function: break;
-    }
-    return {FieldTable::global, ObjectKind::block, "", "", ""};
-}
-
 bool has_place(Kind kind) { return kind != Kind::global && kind != Kind::function; }
-
-/// The owner of a gridpoint or zone and where its rows are.
-Span rows_of(const Model& model, Kind kind, Row block) {
-    return kind == Kind::gridpoint ? model.blocks.gridpoints[block] : model.blocks.zones[block];
-}
 
 /// The row where the source's object is now, no_row when it is gone.
 Row present_row(const Model& model, const HistorySource& source) {
-    if (source.kind == Kind::sub_contact)
-        return model.sub_contacts.ids.row({source.slot, source.generation});
     if (source.kind == Kind::cable_node) return node_of_cable(model, static_cast<std::int32_t>(source.slot), source.offset);
+    const auto in_block = info_of(source.kind).in_block;
+    if (in_block == nullptr) return info_of(source.kind).find(model, {source.slot, source.generation});
     const Row block = model.blocks.ids.row({source.slot, source.generation});
-    if (block == no_row || source.kind == Kind::block) return block;
-    const Span span = rows_of(model, source.kind, block);
+    if (block == no_row) return no_row;
+    const Span span = in_block(model, block);
     if (span.count != source.rows_of_block || source.offset >= span.count) return no_row;
     return span.first + source.offset;
 }
@@ -85,14 +53,14 @@ bool any_rate(const Histories& histories) {
 
 const Field* sampled_field(const HistorySource& source) {
     if (source.kind == Kind::function || is_own_value(source)) return nullptr;
-    const Field* field = find_field(info_of(source.kind).table, source.quantity);
+    const Field* field = find_field(source.kind, source.quantity);
     if (!field) {
         std::vector<std::string_view> names;
         for (const auto& candidate : fields())
-            if (candidate.table == info_of(source.kind).table) names.push_back(candidate.name);
+            if (candidate.kind == source.kind) names.push_back(candidate.name);
         const auto near = did_you_mean(source.quantity, names);
         throw Diagnostic(fmt::format("'{}' is not a quantity of {}", source.quantity,
-                                     has_place(source.kind) ? info_of(source.kind).plural : "the whole model"),
+                                     has_place(source.kind) ? info_of(source.kind).missing : "the whole model"),
                          near.empty() ? std::string() : fmt::format("did you mean '{}'?", near));
     }
     return field;
@@ -100,24 +68,18 @@ const Field* sampled_field(const HistorySource& source) {
 
 void locate(const Model& model, HistorySource& source) {
     if (!has_place(source.kind)) return;
-    const KindInfo info = info_of(source.kind);
-    const auto rows = select(model, info.object, {}, true);
-    if (rows.empty()) throw Diagnostic(fmt::format("there are no {} for a history", info.plural), info.remedy);
+    const KindInfo& info = info_of(source.kind);
+    const auto rows = select(model, info.kind, {}, true);
+    if (rows.empty()) throw Diagnostic(fmt::format("there are no {} for a history", info.missing), info.remedy);
 
     double nearest = std::numeric_limits<double>::infinity();
     source.row = rows.front();
     for (const Row row : rows) {
-        const double distance = (reference_point(model, info.object, row) - source.place).squaredNorm();
+        const double distance = (info.place(model, row) - source.place).squaredNorm();
         if (distance < nearest) {
             nearest = distance;
             source.row = row;
         }
-    }
-    if (source.kind == Kind::sub_contact) {
-        const auto id = model.sub_contacts.id[source.row];
-        source.slot = id.slot;
-        source.generation = id.generation;
-        return;
     }
     if (source.kind == Kind::cable_node) {
         const Row cable = model.structures.nodes.cable[source.row];
@@ -126,11 +88,12 @@ void locate(const Model& model, HistorySource& source) {
         source.offset = source.row - model.structures.cables.nodes[cable].first;
         return;
     }
-    const Row block = block_of(model, info.object, source.row);
-    source.slot = model.blocks.id[block].slot;
-    source.generation = model.blocks.id[block].generation;
-    if (source.kind == Kind::block) return;
-    const Span span = rows_of(model, source.kind, block);
+    const Row owner = info.in_block == nullptr ? source.row : info.block(model, source.row);
+    const Identity identity = info_of(info.in_block == nullptr ? info.kind : Kind::block).identity(model, owner);
+    source.slot = identity.slot;
+    source.generation = identity.generation;
+    if (info.in_block == nullptr) return;
+    const Span span = info.in_block(model, owner);
     source.offset = source.row - span.first;
     source.rows_of_block = span.count;
 }
@@ -139,14 +102,13 @@ std::optional<SampledObject> sampled_object(const Model& model, const HistorySou
     if (!has_place(source.kind)) return std::nullopt;
     const Row row = present_row(model, source);
     if (row == no_row) return std::nullopt;
-    const KindInfo info = info_of(source.kind);
+    const KindInfo& info = info_of(source.kind);
     SampledObject object;
-    const FieldValue number = find_field(info.table, "id")->get(model, row);
-    object.name = fmt::format("{} {}", info.singular, std::get<std::int64_t>(number));
-    object.place = reference_point(model, info.object, row);
+    object.name = fmt::format("{} {}", info.noun, info.number(model, row));
+    object.place = info.place(model, row);
     object.distance = (object.place - source.place).norm();
-    const Row block = block_of(model, info.object, row);
-    object.far = block != no_row && distance_to(model, info.object, row, source.place) > block_size(model, block);
+    const Row block = info.block(model, row);
+    object.far = block != no_row && distance_to(model, info.kind, row, source.place) > block_size(model, block);
     return object;
 }
 
@@ -185,7 +147,7 @@ void sample_histories(Model& model, const std::function<double(const std::string
         const Field* field = sampled_field(source);
         if (has_place(source.kind)) {
             source.row = present_row(model, source);
-            if (source.row == no_row && count_of(model, info_of(source.kind).object) > 0) locate(model, source);
+            if (source.row == no_row && count_of(model, source.kind) > 0) locate(model, source);
             if (source.row == no_row) { // nothing of the kind is left: the run goes on all the same
                 values.push_back(std::numeric_limits<double>::quiet_NaN());
                 continue;

@@ -2,6 +2,7 @@
 // along it, so that none of them can forget what another one knows.
 #pragma once
 
+#include "model/kinds.hpp"
 #include "model/model.hpp"
 #include "model/plain.hpp"
 
@@ -160,7 +161,9 @@ template <class Archive> void visit_state(Archive& archive, TimeFunction& functi
 
 template <class Archive> void visit_state(Archive& archive, HistorySource& source) {
     auto& [kind, quantity, place, row, slot, generation, offset, rows_of_block, rate, last] = source;
-    archive.value("kind", kind);
+    std::int32_t number = kind == ObjectKind::none ? -1 : info_of(kind).history;
+    archive.value("kind", number);
+    kind = recorded_kind(number);
     archive.text("quantity", quantity);
     archive.value("place", place);
     archive.value("row", row);

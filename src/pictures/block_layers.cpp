@@ -16,9 +16,9 @@ public:
 
     void add(Row block) {
         block_ = block;
-        block_value_ = colouring_ != nullptr && colouring_->table() == FieldTable::block ? colouring_->value(model_, block) : 0;
+        block_value_ = colouring_ != nullptr && colouring_->table() == ObjectKind::block ? colouring_->value(model_, block) : 0;
         zone_of_face_.clear();
-        if (colouring_ != nullptr && colouring_->table() == FieldTable::zone) find_zones();
+        if (colouring_ != nullptr && colouring_->table() == ObjectKind::zone) find_zones();
         rim_.clear();
         const Span faces = model_.blocks.faces[block];
         for (Row face = faces.first; face < faces.end(); ++face) add_face(face);
@@ -48,7 +48,7 @@ private:
     Corner corner(Row gridpoint, float value) {
         const auto& g = model_.gridpoints;
         Corner result{g.position[gridpoint] + shown_.deformation * g.displacement[gridpoint], value};
-        if (colouring_ != nullptr && colouring_->table() == FieldTable::gridpoint) result.value = colouring_->value(model_, gridpoint);
+        if (colouring_ != nullptr && colouring_->table() == ObjectKind::gridpoint) result.value = colouring_->value(model_, gridpoint);
         return result;
     }
 
@@ -72,7 +72,7 @@ private:
 
     void add_triangle(const std::array<Row, 3>& ids) {
         float value = block_value_;
-        if (colouring_ != nullptr && colouring_->table() == FieldTable::zone) {
+        if (colouring_ != nullptr && colouring_->table() == ObjectKind::zone) {
             std::array<Row, 3> key = ids;
             std::ranges::sort(key);
             const auto found = zone_of_face_.find(key);
@@ -98,7 +98,7 @@ private:
             return add_polygon(surface, rim_);
         }
         for (Row zone = zones.first; zone < zones.end(); ++zone) {
-            const float value = colouring_ != nullptr && colouring_->table() == FieldTable::zone ? zone_value(zone) : block_value_;
+            const float value = colouring_ != nullptr && colouring_->table() == ObjectKind::zone ? zone_value(zone) : block_value_;
             std::array<Corner, 4> corners;
             for (std::size_t k = 0; k < 4; ++k) corners[k] = corner(model_.zones.gridpoints[zone][k], value);
             add_polygon(surface, slice_of(corners, *shown_.cut));

@@ -9,7 +9,7 @@
 namespace kaya {
 
 void add_cables(Scene& scene, const Model& model, const Shown& shown, const std::string& word) {
-    const Field& field = *find_field(FieldTable::cable_node, word);
+    const Field& field = *find_field(ObjectKind::cable_node, word);
     const auto& nodes = model.structures.nodes;
     Layer layer;
     layer.kind = Layer::Kind::lines;

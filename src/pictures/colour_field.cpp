@@ -11,9 +11,9 @@ namespace kaya {
 namespace {
 
 /// Short words of plot lines.
-const std::map<std::string, std::pair<FieldTable, std::string>>& short_words() {
-    using enum FieldTable;
-    static const std::map<std::string, std::pair<FieldTable, std::string>> words{
+const std::map<std::string, std::pair<ObjectKind, std::string>>& short_words() {
+    using enum ObjectKind;
+    static const std::map<std::string, std::pair<ObjectKind, std::string>> words{
         {"disp", {gridpoint, "displacement"}},   {"dis", {gridpoint, "displacement"}},
         {"vel", {gridpoint, "velocity"}},        {"xdis", {gridpoint, "x_displacement"}},
         {"ydis", {gridpoint, "y_displacement"}}, {"zdis", {gridpoint, "z_displacement"}},
@@ -44,7 +44,7 @@ ColourField made_of(const Field& field) {
     std::string title(field.name);
     std::ranges::replace(title, '_', ' ');
     if (field.unit != "-" && !field.unit.empty()) title += fmt::format(" [{}]", field.unit);
-    return {field.table, title, field.get};
+    return {field.kind, title, field.get};
 }
 
 } // namespace
@@ -52,9 +52,9 @@ ColourField made_of(const Field& field) {
 std::optional<ColourField> find_colour_field(const std::string& word) {
     const auto found = short_words().find(word);
     if (found != short_words().end()) return made_of(*find_field(found->second.first, found->second.second));
-    for (const FieldTable table : {FieldTable::block, FieldTable::gridpoint, FieldTable::zone}) {
+    for (const ObjectKind table : {ObjectKind::block, ObjectKind::gridpoint, ObjectKind::zone}) {
         const bool of_points = word == "displacement" || word == "velocity" || word.ends_with("_displacement") || word.ends_with("_velocity");
-        if (table == FieldTable::block && of_points && word.find("rotational") == std::string::npos) continue;
+        if (table == ObjectKind::block && of_points && word.find("rotational") == std::string::npos) continue;
         if (const Field* field = find_field(table, word)) return made_of(*field);
     }
     return std::nullopt;
@@ -62,7 +62,7 @@ std::optional<ColourField> find_colour_field(const std::string& word) {
 
 std::optional<ColourField> find_joint_field(const std::string& word) {
     const auto found = joint_words().find(word);
-    const Field* field = find_field(FieldTable::sub_contact, found != joint_words().end() ? found->second : word);
+    const Field* field = find_field(ObjectKind::sub_contact, found != joint_words().end() ? found->second : word);
     if (field == nullptr) return std::nullopt;
     return made_of(*field);
 }

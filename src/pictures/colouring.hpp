@@ -10,7 +10,7 @@ namespace kaya {
 class Colouring {
 public:
     explicit Colouring(ColourField field) : field_(std::move(field)) {}
-    FieldTable table() const { return field_.table; }
+    ObjectKind table() const { return field_.table; }
     /// A text is the number of its name. NaN for what has no number.
     float value(const Model& model, Row row);
     bool gives_names() const { return !bar_.names.empty(); }

@@ -27,7 +27,7 @@ struct Shown {
 
 /// A quantity that can be seen as colours; a vector by its length, a text by names.
 struct ColourField {
-    FieldTable table = FieldTable::block;
+    ObjectKind table = ObjectKind::block;
     std::string title; ///< as it is written next to the colours: "displacement [length]"
     std::function<FieldValue(const Model&, Row)> get;
 };

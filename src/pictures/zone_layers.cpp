@@ -34,9 +34,9 @@ std::vector<float> at_gridpoints(const Model& model, const Shown& shown, Colouri
     std::vector<double> sum(model.gridpoints.size()), weight(model.gridpoints.size());
     each_zone(model, shown, [&](Row block, Row zone) {
         const double volume = zone_volume(model, zone);
-        const double value = colouring.table() == FieldTable::gridpoint ? 0 : colouring.value(model, colouring.table() == FieldTable::zone ? zone : block);
+        const double value = colouring.table() == ObjectKind::gridpoint ? 0 : colouring.value(model, colouring.table() == ObjectKind::zone ? zone : block);
         for (const Row g : model.zones.gridpoints[zone]) {
-            sum[g] += colouring.table() == FieldTable::gridpoint ? volume * static_cast<double>(colouring.value(model, g)) : volume * value;
+            sum[g] += colouring.table() == ObjectKind::gridpoint ? volume * static_cast<double>(colouring.value(model, g)) : volume * value;
             weight[g] += volume;
         }
     });

@@ -84,7 +84,7 @@ double length_of(const Model& model, const FieldValue& value) {
     if (const auto* d = std::get_if<double>(&value)) return *d;
     if (const auto* i = std::get_if<std::int64_t>(&value)) return static_cast<double>(*i);
     const auto* link = std::get_if<Link>(&value);
-    const auto number = link == nullptr || link->table != FieldTable::block ? std::nullopt : object_number(model, *link);
+    const auto number = link == nullptr || link->kind != ObjectKind::block ? std::nullopt : object_number(model, *link);
     return number ? static_cast<double>(*number) : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -175,7 +175,7 @@ void add_joint(const Model& model, Row contact, const Vec3& centre, Surface& sur
 
 /// The largest of a field over the sub-contacts of each contact.
 std::string largest_json(const Model& model, const char* name, const char* title, const std::vector<Row>& contacts) {
-    const Field* field = find_field(FieldTable::sub_contact, name);
+    const Field* field = find_field(ObjectKind::sub_contact, name);
     std::vector<float> values;
     for (const Row contact : contacts) {
         double largest = -std::numeric_limits<double>::infinity();
@@ -204,7 +204,7 @@ std::string joint_scene_json(const Model& model, const Vec3& centre) {
                                     largest_json(model, "normal_stress", "normal stress", shown), largest_json(model, "shear_stress", "shear stress", shown),
                                     largest_json(model, "state", "state", shown)};
     for (const char* name : {"area", "joint_set", "model", "block1", "block2"})
-        if (const Field* field = find_field(FieldTable::contact, name)) fields.push_back(field_json(model, *field, "block", shown));
+        if (const Field* field = find_field(ObjectKind::contact, name)) fields.push_back(field_json(model, *field, "block", shown));
     return surface_json(surface, centre, (box.high - box.low).norm(), fields);
 }
 
@@ -216,15 +216,15 @@ std::string scene_json(const Model& model, const Vec3& centre) {
         if (!model.blocks.hidden[block]) add_block(model, block, centre, surface), blocks.push_back(block);
     std::vector<std::string> fields;
     for (const char* name : {"displacement", "velocity"})
-        if (const Field* field = find_field(FieldTable::gridpoint, name)) fields.push_back(field_json(model, *field, "corner", surface.gridpoints));
+        if (const Field* field = find_field(ObjectKind::gridpoint, name)) fields.push_back(field_json(model, *field, "corner", surface.gridpoints));
     for (const char* name : {"z_displacement"})
-        if (const Field* field = find_field(FieldTable::gridpoint, name)) fields.push_back(field_json(model, *field, "corner", surface.gridpoints));
+        if (const Field* field = find_field(ObjectKind::gridpoint, name)) fields.push_back(field_json(model, *field, "corner", surface.gridpoints));
     if (!model.zones.gridpoints.empty()) {
         fields.push_back(stress_json(model, surface, "greatest compression", [](const Model& m, Row zone) { return -principal_stresses(m, zone)[0]; }));
         fields.push_back(stress_json(model, surface, "least compression", [](const Model& m, Row zone) { return -principal_stresses(m, zone)[2]; }));
     }
     for (const char* name : {"group", "material", "region", "id", "volume", "type"})
-        if (const Field* field = find_field(FieldTable::block, name)) fields.push_back(field_json(model, *field, "block", blocks));
+        if (const Field* field = find_field(ObjectKind::block, name)) fields.push_back(field_json(model, *field, "block", blocks));
     return surface_json(surface, centre, (box.high - box.low).norm(), fields);
 }
 

@@ -15,13 +15,13 @@ namespace kaya {
 namespace {
 
 struct Section {
-    FieldTable table;
+    ObjectKind table;
     const char* title;
 };
 constexpr Section sections[] = {
-    {FieldTable::global, "The whole model"}, {FieldTable::block, "Blocks"},     {FieldTable::gridpoint, "Gridpoints"},
-    {FieldTable::zone, "Zones"},             {FieldTable::face, "Faces"},       {FieldTable::contact, "Contacts"},
-    {FieldTable::sub_contact, "Sub-contacts"}, {FieldTable::corner, "Corners of faces"}};
+    {ObjectKind::global, "The whole model"}, {ObjectKind::block, "Blocks"},     {ObjectKind::gridpoint, "Gridpoints"},
+    {ObjectKind::zone, "Zones"},             {ObjectKind::face, "Faces"},       {ObjectKind::contact, "Contacts"},
+    {ObjectKind::sub_contact, "Sub-contacts"}, {ObjectKind::corner, "Corners of faces"}};
 
 constexpr const char* head =
     "# Fields of objects\n\n"
@@ -59,7 +59,7 @@ protected:
         for (const auto& section : sections) {
             text += fmt::format("\n## {}\n\n| Lua | FISH | newer FISH | kind | unit | |\n|---|---|---|---|---|---|\n", section.title);
             for (const auto& field : fields())
-                if (field.table == section.table) text += row(field, newer);
+                if (field.kind == section.table) text += row(field, newer);
         }
         return text;
     }

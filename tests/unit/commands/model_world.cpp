@@ -1,5 +1,7 @@
 #include "tests/unit/commands/running.hpp"
 
+#include "lang/script/field_index.hpp"
+
 #include <gmock/gmock.h>
 
 namespace kaya {
@@ -8,10 +10,10 @@ namespace {
 using script::Handle;
 using testing::ElementsAre;
 
-constexpr auto block_table = static_cast<std::int32_t>(ScriptTable::block);
-constexpr auto gridpoint_table = static_cast<std::int32_t>(ScriptTable::gridpoint);
-constexpr auto zone_table = static_cast<std::int32_t>(ScriptTable::zone);
-constexpr auto contact_table = static_cast<std::int32_t>(ScriptTable::contact);
+constexpr auto block_table = script_table(ObjectKind::block);
+constexpr auto gridpoint_table = script_table(ObjectKind::gridpoint);
+constexpr auto zone_table = script_table(ObjectKind::zone);
+constexpr auto contact_table = script_table(ObjectKind::contact);
 
 class ModelWorldTest : public Running {
 protected:
@@ -24,6 +26,14 @@ protected:
             if (all[i].name == name) return i;
         ADD_FAILURE() << "no field " << name;
         return 0;
+    }
+    using Form = script::RelationInfo::Form;
+    Handle next(Handle object) {
+        return world().relate(static_cast<std::size_t>(script::find_relation(world(), Form::next, object.table, object.table)), object, {});
+    }
+    Handle first_of(Handle object, std::int32_t table) { return world().relate(script::list_of_parts(world(), object.table, table), object, {}); }
+    Handle nearest(std::int32_t table, const Vec3& place) {
+        return world().relate(static_cast<std::size_t>(script::find_relation(world(), Form::nearest, -1, table)), {}, place);
     }
     double number(Handle object, std::string_view name) {
         return std::get<double>(world().get(object, field(object.table, name)));
@@ -38,23 +48,23 @@ TEST_F(ModelWorldTest, TablesAreNamedInTheOrderOfTheirNumbers) {
 }
 
 TEST_F(ModelWorldTest, NextWalksThroughAllBlocks) {
-    const Handle first = world().at(block_table, 0), second = world().next(first);
+    const Handle first = world().at(block_table, 0), second = next(first);
     EXPECT_EQ(second, world().at(block_table, 1));
-    EXPECT_EQ(world().next(second).generation, 0u);
+    EXPECT_EQ(next(second).generation, 0u);
     EXPECT_EQ(world().at(block_table, 2).generation, 0u);
 }
 
 TEST_F(ModelWorldTest, GridpointsAreWalkedThroughBlockByBlock) {
     int count = 0;
-    for (Handle p = world().first_child(world().at(block_table, 1), gridpoint_table); p.generation != 0;
-         p = world().next(p))
+    for (Handle p = first_of(world().at(block_table, 1), gridpoint_table); p.generation != 0;
+         p = next(p))
         ++count;
     EXPECT_EQ(count, 8);
 }
 
 TEST_F(ModelWorldTest, ARigidBlockHasNoZonesAndAContactTableNoBlocks) {
-    EXPECT_EQ(world().first_child(world().at(block_table, 0), zone_table).generation, 0u);
-    EXPECT_THROW(world().first_child(world().at(block_table, 0), contact_table), Diagnostic);
+    EXPECT_EQ(first_of(world().at(block_table, 0), zone_table).generation, 0u);
+    EXPECT_THROW(first_of(world().at(block_table, 0), contact_table), Diagnostic);
 }
 
 TEST_F(ModelWorldTest, AHandleOfADeletedBlockSaysSo) {
@@ -86,9 +96,9 @@ TEST_F(ModelWorldTest, NullIsNotDead) {
 }
 
 TEST_F(ModelWorldTest, NearestLooksAtTheReferencePoint) {
-    EXPECT_EQ(world().nearest(block_table, Vec3(0.9, 0.5, 0.5)), world().at(block_table, 0));
-    EXPECT_EQ(world().nearest(block_table, Vec3(99, 0, 0)), world().at(block_table, 1));
-    EXPECT_EQ(world().nearest(zone_table, Vec3::Zero()).generation, 0u);
+    EXPECT_EQ(nearest(block_table, Vec3(0.9, 0.5, 0.5)), world().at(block_table, 0));
+    EXPECT_EQ(nearest(block_table, Vec3(99, 0, 0)), world().at(block_table, 1));
+    EXPECT_EQ(nearest(zone_table, Vec3::Zero()).generation, 0u);
 }
 
 TEST_F(ModelWorldTest, ReductionsNeedNoScriptLoop) {

@@ -163,15 +163,15 @@ TEST(VtkArrays, CarryTheKindOfTheirQuantity) {
 TEST(VtkArrays, EveryFieldOfTheModelIsThere) {
     const Model model = hand_made_model();
     const auto blocks = parsed(vtk_blocks(model)), faces = parsed(vtk_faces(model)), subs = parsed(vtk_sub_contacts(model));
-    const std::map<FieldTable, std::pair<vtkFieldData*, std::string>> data{{FieldTable::gridpoint, {blocks->GetPointData(), ""}},
-                                                                           {FieldTable::zone, {blocks->GetCellData(), ""}},
-                                                                           {FieldTable::block, {blocks->GetCellData(), "block_"}},
-                                                                           {FieldTable::face, {faces->GetCellData(), ""}},
-                                                                           {FieldTable::sub_contact, {subs->GetCellData(), ""}},
-                                                                           {FieldTable::contact, {subs->GetCellData(), "contact_"}}};
+    const std::map<ObjectKind, std::pair<vtkFieldData*, std::string>> data{{ObjectKind::gridpoint, {blocks->GetPointData(), ""}},
+                                                                           {ObjectKind::zone, {blocks->GetCellData(), ""}},
+                                                                           {ObjectKind::block, {blocks->GetCellData(), "block_"}},
+                                                                           {ObjectKind::face, {faces->GetCellData(), ""}},
+                                                                           {ObjectKind::sub_contact, {subs->GetCellData(), ""}},
+                                                                           {ObjectKind::contact, {subs->GetCellData(), "contact_"}}};
     std::string missing;
     for (const Field& field : fields()) {
-        const auto found = data.find(field.table);
+        const auto found = data.find(field.kind);
         if (found == data.end()) continue;
         const auto& [arrays, prefix] = found->second;
         const std::string name(field.name);

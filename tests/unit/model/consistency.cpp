@@ -100,7 +100,7 @@ const std::vector<Damage>& damages() {
          },
          "the fields of sub-contacts are not counted right"},
         {"field without rows", [](Model& m) { m.sub_contacts.field_columns = 1; }, "column field_0 of sub_contacts has 0 rows of 2"},
-        {"history kind", [](Model& m) { m.histories.all[0].source.kind = static_cast<HistorySource::Kind>(7); },
+        {"history kind", [](Model& m) { m.histories.all[0].source.kind = ObjectKind::none; },
          "row 0 of histories: its kind is unknown"},
         {"history number", [](Model& m) { m.histories.all[0].number = 0; },
          "row 0 of histories: its number is not above the one before"},

@@ -25,7 +25,7 @@ double number(const Model& model, std::string_view classic, Row row) {
     if (const auto* whole = std::get_if<std::int64_t>(&v)) return static_cast<double>(*whole);
     return std::get<double>(v);
 }
-double named(const Model& model, FieldTable table, std::string_view name, Row row) {
+double named(const Model& model, ObjectKind table, std::string_view name, Row row) {
     return std::get<double>(find_field(table, name)->get(model, row));
 }
 void set(Model& model, std::string_view classic, Row row, const FieldValue& v) {
@@ -35,10 +35,10 @@ void set(Model& model, std::string_view classic, Row row, const FieldValue& v) {
 } // namespace
 
 TEST(Fields, NamesAreUniqueWithinATable) {
-    std::set<std::pair<FieldTable, std::string_view>> names;
+    std::set<std::pair<ObjectKind, std::string_view>> names;
     std::set<std::string_view> classics, words;
     for (const auto& field : fields()) {
-        EXPECT_TRUE(names.insert({field.table, field.name}).second) << field.name;
+        EXPECT_TRUE(names.insert({field.kind, field.name}).second) << field.name;
         if (!field.classic.empty()) {
             EXPECT_TRUE(classics.insert(field.classic).second) << field.classic;
         }
@@ -54,7 +54,7 @@ TEST(Fields, EveryFieldHasNameUnitAndHelpAndIsFoundByItsWords) {
         for (const char c : field.name)
             EXPECT_TRUE(std::islower(static_cast<unsigned char>(c)) || std::isdigit(static_cast<unsigned char>(c)) || c == '_')
                 << field.name;
-        EXPECT_EQ(find_field(field.table, field.name), &field);
+        EXPECT_EQ(find_field(field.kind, field.name), &field);
         if (!field.classic.empty()) {
             EXPECT_EQ(find_classic_field(field.classic), &field);
         }
@@ -65,8 +65,8 @@ TEST(Fields, EveryFieldHasNameUnitAndHelpAndIsFoundByItsWords) {
 }
 
 TEST(Fields, UnknownWordsFindNothing) {
-    EXPECT_EQ(find_field(FieldTable::zone, "normal_force"), nullptr);
-    EXPECT_EQ(find_field(FieldTable::block, ""), nullptr);
+    EXPECT_EQ(find_field(ObjectKind::zone, "normal_force"), nullptr);
+    EXPECT_EQ(find_field(ObjectKind::block, ""), nullptr);
     EXPECT_EQ(find_classic_field("cx_nforces"), nullptr);
     EXPECT_EQ(find_classic_field(""), nullptr);
     EXPECT_EQ(find_history_field(""), nullptr);
@@ -77,12 +77,12 @@ TEST(Fields, EveryFieldOfEveryRowCanBeReadAndLinksStayInsideTheModel) {
     const Model model = hand_made_model();
     std::size_t read = 0;
     for (const auto& field : fields())
-        for (std::size_t row = 0; row < row_count(model, field.table); ++row) {
+        for (std::size_t row = 0; row < count_of(model, field.kind); ++row) {
             const FieldValue v = field.get(model, static_cast<Row>(row));
             ++read;
             if (const auto* link = std::get_if<Link>(&v)) {
                 EXPECT_GE(link->row, no_row) << field.name;
-                EXPECT_LT(link->row, static_cast<Row>(row_count(model, link->table))) << field.name;
+                EXPECT_LT(link->row, static_cast<Row>(count_of(model, link->kind))) << field.name;
             }
         }
     EXPECT_GT(read, 300u);
@@ -94,7 +94,7 @@ TEST(Fields, WhatIsWrittenIsReadBack) {
     for (const auto& field : fields()) {
         if (!field.set) continue;
         // Row 0 is deformable, and only rigid blocks take a load as a whole.
-        const Row row = field.table == FieldTable::block ? 1 : 0;
+        const Row row = field.kind == ObjectKind::block ? 1 : 0;
         const FieldValue before = field.get(model, row);
         FieldValue given;
         if (std::holds_alternative<double>(before)) given = 0.75; // also a part of a time step
@@ -128,7 +128,7 @@ TEST(Fields, WritingTheWrongTypeSaysWhatIsNeeded) {
         const bool takes_text = field.name == "group";
         const FieldValue wrong = takes_text ? FieldValue(1.0) : FieldValue(std::string("much"));
         const std::uint64_t before = state_hash(model);
-        const Row row = field.table == FieldTable::block ? 1 : 0;
+        const Row row = field.kind == ObjectKind::block ? 1 : 0;
         EXPECT_THROW(field.set(model, row, wrong), Diagnostic) << field.name;
         EXPECT_EQ(state_hash(model), before) << field.name;
     }
@@ -154,20 +154,20 @@ TEST(Fields, JointSignsAndSizes) {
     EXPECT_EQ(number(model, "cx_ndis", 1), -0.002);
     EXPECT_EQ(std::get<Vec3>(value(model, "cx_sforce", 0)), Vec3(-3, -4, 0)); // vectors, as in 3DEC
     EXPECT_EQ(std::get<Vec3>(value(model, "cx_sdis", 0)), Vec3(3e-3, 4e-3, 0));
-    EXPECT_DOUBLE_EQ(named(model, FieldTable::sub_contact, "shear_force", 0), 5);
-    EXPECT_DOUBLE_EQ(named(model, FieldTable::sub_contact, "shear_displacement", 0), 5e-3);
+    EXPECT_DOUBLE_EQ(named(model, ObjectKind::sub_contact, "shear_force", 0), 5);
+    EXPECT_DOUBLE_EQ(named(model, ObjectKind::sub_contact, "shear_displacement", 0), 5e-3);
     EXPECT_EQ(number(model, "cx_xsforce", 0), -3);
     EXPECT_EQ(number(model, "cx_ysdis", 0), 4e-3);
-    EXPECT_DOUBLE_EQ(named(model, FieldTable::sub_contact, "normal_stress", 1), 80);
-    EXPECT_DOUBLE_EQ(named(model, FieldTable::sub_contact, "shear_stress", 0), 20);
+    EXPECT_DOUBLE_EQ(named(model, ObjectKind::sub_contact, "normal_stress", 1), 80);
+    EXPECT_DOUBLE_EQ(named(model, ObjectKind::sub_contact, "shear_stress", 0), 20);
     EXPECT_EQ(std::get<std::string>(value(model, "cx_model", 0)), "mohr");
 }
 
 TEST(Fields, ASubContactWithoutAreaCarriesNoStress) {
     Model model = hand_made_model();
     model.sub_contacts.area[0] = 0;
-    EXPECT_EQ(named(model, FieldTable::sub_contact, "normal_stress", 0), 0);
-    EXPECT_EQ(named(model, FieldTable::sub_contact, "shear_stress", 0), 0);
+    EXPECT_EQ(named(model, ObjectKind::sub_contact, "normal_stress", 0), 0);
+    EXPECT_EQ(named(model, ObjectKind::sub_contact, "shear_stress", 0), 0);
 }
 
 TEST(Fields, ContactsSumTheirSubContacts) {

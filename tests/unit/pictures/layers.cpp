@@ -51,7 +51,7 @@ TEST(JointNet, JointsOfBlocksThatAreNotShownAreLeftOut) {
 TEST(IsoSurfaces, LieWhereTheFieldHasTheValue) {
     const Model model = hand_made_model();
     Scene scene;
-    const ColourField height{FieldTable::gridpoint, "z", [](const Model& m, Row g) -> FieldValue { return m.gridpoints.position[g].z(); }};
+    const ColourField height{ObjectKind::gridpoint, "z", [](const Model& m, Row g) -> FieldValue { return m.gridpoints.position[g].z(); }};
     add_iso_surfaces(scene, model, all_of(model), height, {0.25, 7});
     ASSERT_EQ(scene.layers.size(), 1U);
     const auto& points = scene.layers[0].points;

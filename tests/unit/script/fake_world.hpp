@@ -26,18 +26,32 @@ public:
             {"block",
              {{"id", "b_id", "-", "number of the block", false},
               {"velocity", "b_vel", "velocity", "of the centroid", true},
-              {"volume", "b_vol", "volume", "", false}}},
+              {"volume", "b_vol", "volume", "", false}},
+             "b", "block", false, true},
             {"contact",
              {{"id", "c_id", "-", "", false},
               {"block", "c_b1", "-", "first block", false},
-              {"normal", "c_n", "-", "unit normal", false}}},
+              {"normal", "c_n", "-", "unit normal", false}},
+             "c", "block.contact", true, true},
             {"sub_contact",
              {{"normal_force", "cx_nforce", "force", "compression positive", true},
               {"x_shear_force", "cx_xsforce", "force", "", false},
               {"normal_displacement", "cx_ndis", "length", "", false},
               {"x_shear_displacement", "cx_xsdis", "length", "", false},
-              {"model", "cx_model", "-", "", false}}},
+              {"model", "cx_model", "-", "", false}},
+             "cx", "block.subcontact", true, true},
         };
+        using enum RelationInfo::Form;
+        relations_ = {{first, -1, block, "block_head", "block.head", "block.list"},
+                      {first, -1, contact, "contact_head", "block.contact.head", "block.contact.list"},
+                      {first, contact, sub_contact, "c_cx", "", "block.contact.subcontactlist"},
+                      {next, block, block, "b_next", "block.next"},
+                      {next, contact, contact, "c_next", "block.contact.next"},
+                      {next, sub_contact, sub_contact, "cx_next", "block.subcontact.next"},
+                      {other, contact, contact, "c_link1", ""},
+                      {nearest, -1, block},
+                      {nearest, -1, contact},
+                      {nearest, -1, sub_contact}};
         globals_ = {{"time", "time", "time", "", false},
                     {"cycle", "cycle", "-", "", false},
                     {"damping", "damp_local", "-", "", true},
@@ -55,7 +69,10 @@ public:
     const std::vector<TableInfo>& tables() const override { return tables_; }
     const std::vector<FieldInfo>& globals() const override { return globals_; }
 
-    Value get(Handle object, std::size_t field) override {
+    const std::vector<RelationInfo>& relations() const override { return relations_; }
+
+    Value get(const Handle& object, std::size_t field) override {
+        if (object.table == whole_model.table) return global(field);
         check(object);
         const std::size_t row = object.slot;
         if (object.table == block) {
@@ -82,7 +99,11 @@ public:
         }
     }
 
-    void set(Handle object, std::size_t field, const Value& value) override {
+    void set(const Handle& object, std::size_t field, const Value& value) override {
+        if (object.table == whole_model.table) {
+            damping = number(value);
+            return;
+        }
         check(object);
         if (object.table == block) {
             velocity = taken<Vec3>(value);
@@ -98,55 +119,41 @@ public:
     Handle at(std::int32_t table, std::size_t index) override {
         return {table, static_cast<std::uint32_t>(index), generation, model_number};
     }
-    bool alive(Handle object) override { return object.generation == generation && object.model == model_number; }
-    Handle next(Handle object) override {
+    bool alive(const Handle& object) override { return object.generation == generation && object.model == model_number; }
+    Handle relate(std::size_t relation, const Handle& object, const At& at) override {
+        const RelationInfo& info = relations_[relation];
+        if (info.form == RelationInfo::Form::nearest) {
+            asked = std::get<Vec3>(at);
+            return {info.to, 0, generation};
+        }
+        if (info.from < 0) return count(info.to) > 0 ? this->at(info.to, 0) : Handle{info.to};
         check(object);
+        if (info.form == RelationInfo::Form::first)
+            return {info.to, static_cast<std::uint32_t>(object.slot * per_contact_), generation};
+        if (info.form == RelationInfo::Form::other) return {info.to, 1, generation};
         const std::size_t row = object.slot + 1;
         const bool ends = object.table == sub_contact ? row % per_contact_ == 0 : row >= count(object.table);
         return {object.table, static_cast<std::uint32_t>(row), ends ? 0 : generation};
     }
-    Handle first_child(Handle parent, std::int32_t child) override {
-        check(parent);
-        if (parent.table != contact || child != sub_contact)
-            throw Diagnostic("a block has no list of sub_contacts", {}, Fault::run);
-        return {child, static_cast<std::uint32_t>(parent.slot * per_contact_), generation};
-    }
-    Handle nearest(std::int32_t table, const Vec3& place) override {
-        asked = place;
-        return {table, 0, generation};
-    }
-    Handle gridpoint_of(Handle object, std::size_t index) override {
-        return {object.table, static_cast<std::uint32_t>(index), generation};
-    }
-    Handle next_of_block(Handle object, int side) override {
-        check(object);
-        return {object.table, static_cast<std::uint32_t>(side), generation};
-    }
     bool has_range(const std::string& name) override { return name == "box"; }
-    bool in_range(const std::string&, Handle object) override { return object.slot == 0; }
-    bool in_range(const std::string&, const Vec3& place) override { return place[0] < 1; }
-    void set_property(Handle, const std::string& name, double value) override { properties_set.emplace_back(name, value); }
+    bool in_range(const std::string&, const std::variant<Handle, Vec3>& what) override {
+        const auto* object = std::get_if<Handle>(&what);
+        return object != nullptr ? object->slot == 0 : std::get<Vec3>(what)[0] < 1;
+    }
+    void set_property(const Owner& owner, const std::string& name, double value) override {
+        if (const auto* material = std::get_if<Material>(&owner)) materials[{material->number, name}] = value;
+        else properties_set.emplace_back(name, value);
+    }
     std::vector<std::pair<std::string, double>> properties_set;
     std::optional<Samples> history(const std::string& name) override {
         if (name != "tau") return std::nullopt;
         return Samples{tau, tau_times};
     }
-    Value property(Handle object, const std::string& name) override {
-        check(object);
+    Value property(const Owner& owner, const std::string& name) override {
+        if (const auto* material = std::get_if<Material>(&owner)) return materials[{material->number, name}];
+        check(std::get<Handle>(owner));
         return name + " of it";
     }
-    double material_value(std::int64_t number, const std::string& word) override {
-        return materials[{number, word}];
-    }
-    void set_material_value(std::int64_t number, const std::string& word, double value) override {
-        materials[{number, word}] = value;
-    }
-    Value get_global(std::size_t index) override {
-        if (index == 0) return 0.25;
-        if (index == 1) return std::int64_t{100};
-        return index == 2 ? damping : 1.5;
-    }
-    void set_global(std::size_t, const Value& value) override { damping = number(value); }
     double reduce(std::int32_t, std::size_t, std::string_view how) override {
         double sum = 0;
         for (const double force : normal_force) sum += force;
@@ -169,6 +176,11 @@ public:
     std::function<void(const std::string&)> on_command;
 
 private:
+    Value global(std::size_t index) const {
+        if (index == 0) return 0.25;
+        if (index == 1) return std::int64_t{100};
+        return index == 2 ? damping : 1.5;
+    }
     static void require_field(bool right) {
         if (!right) throw Diagnostic("the test world has only one writable field", {}, Fault::own);
     }
@@ -181,12 +193,13 @@ private:
         if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
         return taken<double>(value);
     }
-    void check(Handle object) const {
+    void check(const Handle& object) const {
         if (object.generation != generation) throw Diagnostic("this object no longer exists", {}, Fault::run);
     }
 
     std::vector<TableInfo> tables_;
     std::vector<FieldInfo> globals_;
+    std::vector<RelationInfo> relations_;
     std::size_t contacts_, per_contact_;
 };
 

@@ -1,0 +1,28 @@
+// Kinds of objects of a model, for the engine and for the languages; src/model/kinds.hpp has a row for each of them.
+#pragma once
+
+#include <cstdint>
+
+namespace kaya {
+
+enum class ObjectKind : std::int32_t {
+    // Those that scripts see, under these numbers: handles of objects are in save files.
+    block,
+    gridpoint,
+    zone,
+    face,
+    contact,
+    sub_contact,
+    corner, ///< of the triangles of a face
+    cable_node,
+    // Others.
+    triangle,
+    global,   ///< the whole model
+    function, ///< no object: a function of the deck, which a history records
+    none
+};
+
+/// Kinds from block to this one, without it, are those that scripts see.
+inline constexpr ObjectKind end_of_script_kinds = ObjectKind::triangle;
+
+} // namespace kaya
