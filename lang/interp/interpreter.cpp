@@ -61,8 +61,7 @@ Ended Interpreter::run_step(const BoundFile::Step& step) {
     Ended ended = Ended::end_of_deck;
     try {
         if (command->spec->flow == Flow::call) ended = run_call(step, *command);
-        else if (handlers_.has(command->command.type())) handlers_.run(command->command);
-        else throw Diagnostic(fmt::format("{} is known, but kaya cannot run it yet", command->spec->name()));
+        else run_command_(*command);
     } catch (...) {
         if (failed_command) failed_command(*command);
         throw;

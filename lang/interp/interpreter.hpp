@@ -2,12 +2,12 @@
 #pragma once
 
 #include "lang/interp/deck.hpp"
-#include "lang/interp/handlers.hpp"
 #include "lang/interp/value.hpp"
 
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kaya::lang {
@@ -15,13 +15,13 @@ namespace kaya::lang {
 /// Why a run came to its end.
 enum class Ended { end_of_deck, quit };
 
-/// Runs decks through handlers. Handlers may run further text (command ... endcommand of a script) on the
-/// same interpreter while one of them is running.
+/// Runs decks, command by command. A command may run further text (command ... endcommand of a script) on the
+/// same interpreter while it is running.
 class Interpreter {
 public:
-    /// Both are kept by reference.
-    Interpreter(const Language& language, const Handlers& handlers)
-        : language_(language), handlers_(handlers) {}
+    /// The language is kept by reference. `run_command` does what a command says.
+    Interpreter(const Language& language, std::function<void(const BoundCommand&)> run_command)
+        : language_(language), run_command_(std::move(run_command)) {}
 
     // Set by the session that owns the interpreter; each may stay empty.
     ValueSource values;                                      ///< gives the value of @name and [expression]
@@ -62,7 +62,7 @@ private:
     Ended run_call(const BoundFile::Step& step, const BoundCommand& command);
 
     const Language& language_;
-    const Handlers& handlers_;
+    std::function<void(const BoundCommand&)> run_command_;
     BareNames names_;           ///< of all that was bound
     std::vector<Frame> frames_; ///< one for each file or text that is being run
 };

@@ -62,7 +62,7 @@ std::size_t memory_for_scripts(std::size_t megabytes) {
 } // namespace
 
 Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
-    : options(given), output(results, messages), world(model, joints), interpreter(lang::classic(), handlers) {
+    : options(given), output(results, messages), world(model, joints), interpreter(lang::classic(), [this](const lang::BoundCommand& command) { run_command(*this, command); }) {
     output.quiet = options.quiet;
     set_threads(options.threads > 0 ? options.threads
                                     : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
@@ -103,7 +103,6 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
     world.range_test_of = [this](ObjectKind kind, const lang::RangePhrase& range) { return test_of(kind, range); };
     world.asks_for_objects = [this](const lang::RangePhrase& range) { return asks_for_objects(ranges, range); };
 
-    register_handlers(*this, handlers);
     interpreter.values = [this](const std::string& expression, const Place& place) {
         return command_value(scripts->value(expression, place), expression, place);
     };
@@ -347,14 +346,15 @@ void Session::clear() {
 }
 
 lang::Checks deck_checks() {
-    lang::Checks checks;
     // A function that does not compile is found before the first command runs, not hours later. What its names
     // mean is known when it is defined; names that are not supported are refused whatever they mean.
-    checks.on<lang::FishDefinition>([](const lang::FishDefinition& command) {
-        fish::generate(fish::read_function(command.text, command.place),
-                       [](std::string_view) { return fish::Meaning{}; });
-    });
-    checks.on<lang::LuaChunk>([](const lang::LuaChunk& command) { script::check_lua_text(command.text, command.place); });
+    lang::Checks checks;
+    checks.command = [](const std::any& command) {
+        if (const auto* function = std::any_cast<lang::FishDefinition>(&command))
+            fish::generate(fish::read_function(function->text, function->place), [](std::string_view) { return fish::Meaning{}; });
+        else if (const auto* chunk = std::any_cast<lang::LuaChunk>(&command))
+            script::check_lua_text(chunk->text, chunk->place);
+    };
     return checks;
 }
 

@@ -112,7 +112,6 @@ public:
     ModelWorld world;
     std::unique_ptr<script::Scripts> scripts;
     std::unique_ptr<Cycle> cycle;
-    lang::Handlers handlers;
     lang::Interpreter interpreter;
 
     std::map<std::string, script::Value> parameters; ///< of `param` and `kaya --set`, by folded name; `new` keeps them

@@ -102,4 +102,6 @@ void run(Session& session, const lang::ZoneAveraging& command) {
     session.model.properties_changed = true;
 }
 
+void add_handlers(HandlerTable& table, lang::ZoneModelCommands list) { fill(table, list); }
+
 } // namespace kaya

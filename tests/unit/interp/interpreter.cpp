@@ -17,21 +17,22 @@ namespace fs = std::filesystem;
 
 class Decks : public testing::Test {
 protected:
-    Decks() : interpreter(classic(), handlers) {}
+    Decks() : interpreter(classic(), [this](const BoundCommand& command) { run(command.command); }) {}
 
     void SetUp() override {
         folder = fs::temp_directory_path() / ("kaya_decks_" + std::to_string(::getpid()));
         fs::create_directories(folder);
         interpreter.folders = {folder};
-        handlers.on<Title>([this](const Title& t) { done.push_back(t.text); });
-        handlers.on<CycleCommand>(
-            [this](const CycleCommand& c) { done.push_back(fmt::format("cycle {}", *c.cycles)); });
-        handlers.on<PolyBrick>([this](const PolyBrick&) { done.emplace_back("brick"); });
-        handlers.on<FishDefinition>([](const FishDefinition&) {});
-        handlers.on<FishCall>([this](const FishCall& call) { on_call(call.expression); });
-        handlers.on<Pause>([](const Pause&) { throw Diagnostic("no key is there"); });
     }
     void TearDown() override { fs::remove_all(folder); }
+
+    void run(const std::any& command) {
+        if (const auto* title = std::any_cast<Title>(&command)) done.push_back(title->text);
+        else if (const auto* cycle = std::any_cast<CycleCommand>(&command)) done.push_back(fmt::format("cycle {}", *cycle->cycles));
+        else if (std::any_cast<PolyBrick>(&command)) done.emplace_back("brick");
+        else if (const auto* call = std::any_cast<FishCall>(&command)) on_call(call->expression);
+        else if (std::any_cast<Pause>(&command)) throw Diagnostic("no key is there");
+    }
 
     void write(const std::string& name, const std::string& text) {
         fs::create_directories((folder / name).parent_path());
@@ -58,7 +59,6 @@ protected:
     }
 
     fs::path folder;
-    Handlers handlers;
     Interpreter interpreter;
     std::vector<std::string> done;
     std::function<void(const std::string&)> on_call = [](const std::string&) {};
@@ -204,11 +204,6 @@ TEST_F(Decks, FailureGetsItsPlaceAndItsCallers) {
     EXPECT_FALSE(interpreter.current_place()) << "the interpreter is ready for the next deck";
 }
 
-TEST_F(Decks, CommandWithoutHandler) {
-    write("a.3dd", "fix\n");
-    EXPECT_EQ(failure("a.3dd").message, "fix is known, but kaya cannot run it yet");
-}
-
 TEST_F(Decks, NamesGetTheirValuesWhenReached) {
     std::int64_t n = 1;
     interpreter.values = [&](const std::string&, const Place&) { return Value(n); };
@@ -241,9 +236,10 @@ TEST_F(Decks, ObserversSeeEachCommand) {
 }
 
 TEST_F(Decks, ChecksRunBeforeAnyCommand) {
-    interpreter.checks.on<FishDefinition>([](const FishDefinition& d) {
-        if (d.text.find("wrong") != std::string::npos) throw Diagnostic("the function is wrong");
-    });
+    interpreter.checks.command = [](const std::any& command) {
+        const auto* function = std::any_cast<FishDefinition>(&command);
+        if (function && function->text.find("wrong") != std::string::npos) throw Diagnostic("the function is wrong");
+    };
     write("a.3dd", "title one\ndef f\n wrong\nend\n");
     const Diagnostic d = failure("a.3dd");
     EXPECT_EQ(d.message, "the function is wrong");
