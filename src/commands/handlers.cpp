@@ -1,5 +1,7 @@
 #include "commands/handlers.hpp"
 
+#include "commands/remedies.hpp"
+
 #include <utility>
 
 namespace kaya {
@@ -20,7 +22,11 @@ const HandlerTable& handlers() {
 } // namespace
 
 void run_command(Session& session, const lang::BoundCommand& command) {
-    handlers()[command.spec->index](session, command.command);
+    try {
+        handlers()[command.spec->index](session, command.command);
+    } catch (const Advised& mistake) {
+        throw worded(mistake);
+    }
 }
 
 void put_off(Session& session, std::function<void()> change) {

@@ -8,7 +8,7 @@
 #include "commands/time_step.hpp"
 
 #include "mechanics/dashpots.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/density_scaling.hpp"
 
 #include <algorithm>
 #include <array>

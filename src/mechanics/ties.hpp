@@ -2,7 +2,8 @@
 #pragma once
 
 #include "mechanics/adjacency.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/elastic_constants.hpp"
+#include "mechanics/phase_sums.hpp"
 #include "model/model.hpp"
 
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mechanics/stiffness_forecast.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/batches.hpp"
 #include "mechanics/step_bounds.hpp"
 
 #include <string>
