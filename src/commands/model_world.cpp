@@ -112,8 +112,7 @@ bool named_before(const Model& model, Row first, Row corner) {
 
 ObjectKind object_kind(ScriptTable table) { return entries[static_cast<std::size_t>(table)].kind; }
 
-ModelWorld::ModelWorld(Model& model, JointRegistry& joints)
-    : model_(model), joints_(joints), fields_(entries.size()) {
+ModelWorld::ModelWorld(Model& model, JointRegistry& joints, WorldHost& host) : model_(model), joints_(joints), host_(host), fields_(entries.size()) {
     for (const auto& entry : entries) infos_.push_back({entry.name, {}});
     for (const Field& field : fields()) {
         if (field.table == FieldTable::global) {
@@ -282,7 +281,7 @@ Handle ModelWorld::nearest(std::int32_t table, const Vec3& place) {
         const Row block = block_of(model_, kind, best);
         const double size = block == no_row ? distance : block_size(model_, block);
         if (distance > size)
-            warn(Diagnostic(fmt::format("the nearest {} is {:.6g} away from ({:.6g}, {:.6g}, {:.6g}), and its block is {:.6g} across",
+            host_.warn_once_here(Diagnostic(fmt::format("the nearest {} is {:.6g} away from ({:.6g}, {:.6g}, {:.6g}), and its block is {:.6g} across",
                                         name_of(table), distance, place[0], place[1], place[2], size),
                             "look at the place"));
     }
@@ -335,7 +334,7 @@ std::optional<script::World::Samples> ModelWorld::history(const std::string& nam
 }
 
 std::string ModelWorld::command(const std::string& text, const std::string& chunk, int line, bool caught) {
-    return run_command(text, chunk, line, caught);
+    return host_.run_text(text, chunk, line, caught);
 }
 
 } // namespace kaya

@@ -20,9 +20,23 @@ enum class ScriptTable : std::int32_t { block, gridpoint, zone, face, contact, s
 
 ObjectKind object_kind(ScriptTable table);
 
+/// What scripts need of the session besides the model.
+class WorldHost {
+public:
+    virtual ~WorldHost() = default;
+    /// What `command` does; gives what was printed when it is to be caught.
+    virtual std::string run_text(const std::string& text, const std::string& chunk, int line, bool caught) = 0;
+    virtual void note(const std::string& message) = 0;         ///< said once
+    virtual void warn_once_here(Diagnostic warning) = 0;       ///< once for the command that runs
+    /// The phrase of a named range and its test; null when there is none.
+    virtual const lang::RangePhrase* range_phrase(const std::string& name) = 0;
+    virtual RangeTest range_test_of(ObjectKind kind, const lang::RangePhrase& range) = 0;
+    virtual bool asks_for_objects(const lang::RangePhrase& range) = 0; ///< for more than a place
+};
+
 class ModelWorld : public script::World {
 public:
-    ModelWorld(Model& model, JointRegistry& joints);
+    ModelWorld(Model& model, JointRegistry& joints, WorldHost& host);
 
     const std::vector<script::TableInfo>& tables() const override { return infos_; }
     script::Value get(script::Handle object, std::size_t field) override;
@@ -58,15 +72,6 @@ public:
     /// The tests of named ranges are kept from one question to the next until a command or a cycle has run.
     void forget_ranges() { range_tests_.clear(); }
 
-    /// What `command` does; given by the session.
-    std::function<std::string(const std::string& text, const std::string& chunk, int line, bool caught)> run_command;
-    std::function<void(const std::string&)> note; ///< said once; given by the session
-    std::function<void(Diagnostic)> warn; ///< of a place that is far from everything; given by the session
-    /// The phrase of a named range and its test; null and nothing when there is none. Given by the session.
-    std::function<const lang::RangePhrase*(const std::string& name)> range_phrase;
-    std::function<RangeTest(ObjectKind kind, const lang::RangePhrase& range)> range_test_of;
-    std::function<bool(const lang::RangePhrase& range)> asks_for_objects; ///< for more than a place
-
 private:
     /// The history variable of that name, of the joint model of a sub-contact; null when there is none.
     double* history_value(Row sub_contact, const std::string& name);
@@ -86,6 +91,7 @@ private:
 
     Model& model_;
     JointRegistry& joints_;
+    WorldHost& host_;
     std::map<std::pair<std::string, ObjectKind>, RangeTest> range_tests_;
     std::int64_t cycle_of_tests_ = 0;
     mutable std::unordered_map<std::int32_t, Row> block_of_shape_; ///< of shapes below this number

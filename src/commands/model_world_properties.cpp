@@ -33,18 +33,18 @@ script::Handle ModelWorld::next_of_block(script::Handle contact, int side) {
     return handle(ScriptTable::contact, after < end ? after : no_row);
 }
 
-bool ModelWorld::has_range(const std::string& name) { return range_phrase(name) != nullptr; }
+bool ModelWorld::has_range(const std::string& name) { return host_.range_phrase(name) != nullptr; }
 
 const RangeTest& ModelWorld::test_of(const std::string& range, ObjectKind kind) {
     if (cycle_of_tests_ != model_.clock.cycle) forget_ranges();
     cycle_of_tests_ = model_.clock.cycle;
     const auto found = range_tests_.find({range, kind});
     if (found != range_tests_.end()) return found->second;
-    const lang::RangePhrase* phrase = range_phrase(range);
+    const lang::RangePhrase* phrase = host_.range_phrase(range);
     if (phrase == nullptr)
         throw Diagnostic(fmt::format("there is no named range '{}'", range), "'range name NAME ...' makes one",
                          Fault::run);
-    return range_tests_[{range, kind}] = range_test_of(kind, *phrase);
+    return range_tests_[{range, kind}] = host_.range_test_of(kind, *phrase);
 }
 
 bool ModelWorld::in_range(const std::string& name, script::Handle object) {
@@ -59,7 +59,7 @@ bool ModelWorld::in_range(const std::string& name, script::Handle object) {
 /// A place is tested as a gridpoint that stands there.
 bool ModelWorld::in_range(const std::string& name, const Vec3& place) {
     const RangeTest& test = test_of(name, ObjectKind::gridpoint);
-    if (asks_for_objects(*range_phrase(name)))
+    if (host_.asks_for_objects(*host_.range_phrase(name)))
         throw Diagnostic(fmt::format("the range '{}' asks for more than a place", name),
                          "give a pointer to an object", Fault::run);
     Model only;
@@ -162,7 +162,7 @@ script::Value ModelWorld::property(script::Handle object, const std::string& nam
     const auto found = joint.find_property(name);
     if (!found) fail_property(joint, name);
     if (joint.keeps_objects() && note)
-        note(table == ScriptTable::sub_contact
+        host_.note(table == ScriptTable::sub_contact
                  ? fmt::format("'{}' of joint model '{}' is what the deck gave: the model keeps its own for each sub-contact, and does "
                                "not show it",
                                name, joint.name)
@@ -179,7 +179,7 @@ double ModelWorld::material_value(std::int64_t number, const std::string& word) 
 /// The command itself, so that its checks and its way to the contacts are the same.
 void ModelWorld::set_material_value(std::int64_t number, const std::string& word, double value) {
     const bool joint = word.starts_with('j');
-    run_command(fmt::format("prop {} {} {} {}", joint ? "jmat" : "mat", number, word, value), "script", 1, false);
+    host_.run_text(fmt::format("prop {} {} {} {}", joint ? "jmat" : "mat", number, word, value), "script", 1, false);
 }
 
 } // namespace kaya
