@@ -32,7 +32,7 @@ public:
 
     /// Shows a warning; under `--strict` throws it as an error. The place of the running command is
     /// added when it has none.
-    void warn(Diagnostic warning) override;
+    void warn(Diagnostic warning);
     /// Shows a note at the running command, the first time that it is said.
     void note_once(const std::string& message, const std::string& hint = {});
 

@@ -1,6 +1,6 @@
 // What density scaling does to masses: docs/theory/time-step.md.
 // reads: blocks.mass, gridpoints.mass, settings.mass_scaling
-// writes: blocks.inertial_mass, gridpoints.inertial_mass, energy
+// writes: blocks.inertial_mass, blocks.velocity, blocks.rotational_velocity, blocks.angular_momentum, gridpoints.inertial_mass, gridpoints.velocity, energy
 #pragma once
 
 #include "model/model.hpp"

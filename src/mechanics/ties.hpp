@@ -1,4 +1,6 @@
 // Ties between joined blocks with zones, at work: docs/theory/ties.md.
+// reads: gridpoints.velocity, gridpoints.position, gridpoints.mass, zones.stress, ties.gridpoints
+// writes: ties.force, ties.dashpot, gridpoints.velocity, gridpoints.force, gridpoints.zone_frequency
 #pragma once
 
 #include "mechanics/adjacency.hpp"
