@@ -41,23 +41,23 @@ std::vector<KeywordSpec> multiplier_kinds() {
     Keywords<Multiplier> kinds;
     const auto frequency = real("f").unit("1/time").above(0);
     const auto duration = real("t").unit("time").above(0).optional();
-    const auto wave = [&](const char* word, std::string_view help) {
+    const auto wave = [&](const char* word, Wave::Form form, std::string_view help) {
         kinds.special({word}, {frequency.spec, duration.spec},
                       [=](Reader& reader, Multiplier& multiplier) {
-                          multiplier.kind = word;
-                          multiplier.frequency = reader.real(frequency.spec);
-                          if (reader.at_number()) multiplier.duration = reader.real(duration.spec);
+                          Wave factor{form, reader.real(frequency.spec)};
+                          if (reader.at_number()) factor.duration = reader.real(duration.spec);
+                          multiplier.function = factor;
                       },
                       help);
     };
-    wave("sine", "sin(2 pi f time), for the time t or without end");
-    wave("cosine", "cos(2 pi f time), for the time t or without end");
-    wave("impulse", "(1 - cos(2 pi f time))/2, for the time t or without end");
+    using enum Wave::Form;
+    wave("sine", sine, "sin(2 pi f time), for the time t or without end");
+    wave("cosine", cosine, "cos(2 pi f time), for the time t or without end");
+    wave("impulse", impulse, "(1 - cos(2 pi f time))/2, for the time t or without end");
     const auto number = integer("n").at_least(0);
     kinds.special({"table"}, {number.spec},
                   [=](Reader& reader, Multiplier& multiplier) {
-                      multiplier.kind = "table";
-                      multiplier.table = reader.integer(number.spec);
+                      multiplier.function = TableValue{reader.integer(number.spec)};
                   },
                   "value of table n over time");
     return std::move(kinds).list();
@@ -69,8 +69,7 @@ void read_multiplier(Reader& reader, std::optional<Multiplier>& to, const std::v
     if (!word) reader.missing({.name = "sine, cosine, impulse, table or @name", .kind = ArgumentKind::text});
     multiplier.place = word->place;
     if (word->kind == WordKind::symbol) {
-        multiplier.kind = "script";
-        multiplier.symbol = reader.symbol(text("@name").spec);
+        multiplier.function = ScriptValue{reader.symbol(text("@name").spec)};
     } else {
         const KeywordSpec* kind = word->kind == WordKind::word ? find_keyword(kinds, word->folded) : nullptr;
         if (!kind) reader.unknown("a kind of history", {"sine", "cosine", "impulse", "table", "@name"});
@@ -298,7 +297,7 @@ CommandSpec water() {
     const auto origin = vector("x y z").unit("length");
     entry.special({"table"}, {origin.spec},
                   [=](Reader& reader, WaterCommand& w) {
-                      w.kind = "table";
+                      w.kind = WaterCommand::Kind::table;
                       w.origin = reader.vector(origin.spec);
                   },
                   "hydrostatic pressure below a plane through this point; it follows gravity");
@@ -308,7 +307,7 @@ CommandSpec water() {
     const auto pressure = real("p").unit("stress");
     entry.special({"pressure", "pp"}, {pressure.spec},
                   [=](Reader& reader, WaterCommand& w) {
-                      w.kind = "pressure";
+                      w.kind = WaterCommand::Kind::pressure;
                       w.pressure = reader.real(pressure.spec);
                   },
                   "pressure at the origin of coordinates; where it would be negative it is 0");
@@ -317,14 +316,14 @@ CommandSpec water() {
     const auto file = text("file");
     entry.special({"ground"}, {file.spec},
                   [file](Reader& reader, WaterCommand& w) {
-                      w.kind = "ground";
+                      w.kind = WaterCommand::Kind::ground;
                       w.file = reader.text(file.spec);
                   },
                   "hydrostatic pressure below the surface of a file, as `cut ground` reads it; beyond its edge it goes on level");
     entry.keyword({"shift"}, vector("dx dy dz").unit("length"), &WaterCommand::origin, "moves that surface");
-    entry.action({"off"}, [](WaterCommand& w) { w.kind = "off"; }, "no water any more");
+    entry.action({"off"}, [](WaterCommand& w) { w.kind = WaterCommand::Kind::off; }, "no water any more");
     entry.finish([](const Reader& reader, WaterCommand& w) {
-        if (w.kind.empty())
+        if (!w.kind)
             incomplete_line(reader, "water does not say where it is", "expected: table, ground, pressure or off");
     });
     entry.right("water ground 'hill.xyz' shift 0 0 -2").right("water table 0 0 10").right("water table 0 0 10 normal 0.1 0 1 density 1025");

@@ -2,7 +2,7 @@
 // The ties are pointers to members or typed lambdas: when the struct changes, the table stops compiling.
 #pragma once
 
-#include "lang/commands/range.hpp"
+#include "lang/commands/commands.hpp"
 #include "lang/interp/reader.hpp"
 
 #include <concepts>
@@ -128,6 +128,7 @@ public:
     explicit Entry(std::vector<Spelling> words, std::vector<Spelling> form = {}) {
         spec_.words = std::move(words);
         spec_.form = std::move(form);
+        spec_.index = index_of<Command>;
         spec_.make = [] { return std::any(Command{}); };
         spec_.address = [](std::any& command) -> void* { return std::any_cast<Command>(&command); };
     }

@@ -1,8 +1,9 @@
 // Every command as a struct of typed arguments: what the tables fill and the handlers take.
-// The tables next to this header say which words and numbers go into which member.
+// The tables next to this header say which words and numbers go into which member; the lists at the end say who runs them.
 #pragma once
 
 #include "base/object_kind.hpp"
+#include "lang/commands/command_list.hpp"
 #include "lang/commands/range.hpp"
 #include "lang/interp/value.hpp"
 
@@ -11,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace kaya::lang {
@@ -42,14 +44,11 @@ struct Set {
     std::optional<bool> report; ///< report on|off
     std::optional<Vec3> gravity;
     std::optional<std::int64_t> seed; ///< random n: of urand and grand
-    std::vector<std::string> accepted; ///< words that have no effect here (pagination, ...)
     std::vector<std::pair<std::string, Value>> fish; ///< set @name = value; the name is without @
 };
 
 // --- geometry -----------------------------------------------------------------------------------
-struct BlockOptions {
-    std::int64_t region = 0, material = 1, constitutive = 1;
-};
+struct BlockOptions { std::int64_t region = 0, material = 1, constitutive = 1; };
 struct PolyBrick {
     std::array<double, 2> x{}, y{}, z{}; ///< y and z are the x limits when they are left out
     BlockOptions options;
@@ -69,11 +68,7 @@ struct PolyFace {
     BlockOptions options;
     Place place;
 };
-struct PolyTet {
-    std::vector<Vec3> corners;
-    BlockOptions options;
-    Place place;
-};
+struct PolyTet { std::vector<Vec3> corners; BlockOptions options; Place place; };
 struct PolyCube {
     Vec3 centre = Vec3::Zero();
     double edge = 0;
@@ -136,11 +131,7 @@ struct Densify {
     Place place;
 };
 /// Blocks from a file: its suffix says the format.
-struct Import {
-    std::string file;
-    BlockOptions options;
-    Place place;
-};
+struct Import { std::string file; BlockOptions options; Place place; };
 struct Export { std::string file; RangePhrase range; Place place; };
 struct Mark { std::int64_t region = 0; RangePhrase range; };
 /// Gives faces, and the contacts on them, the number of a joint set.
@@ -252,13 +243,13 @@ struct Directed {
 };
 struct Gravity { Vec3 value = Vec3::Zero(); };
 /// hist sine f [t] | cosine f [t] | impulse f [t] | table n | @name: what a load or velocity is multiplied by.
-struct Multiplier {
-    std::string kind;
+struct Wave {
+    enum class Form { sine, cosine, impulse } form = Form::sine;
     double frequency = 0, duration = 0; ///< duration 0: no end
-    std::int64_t table = 0;
-    std::string symbol; ///< without @
-    Place place;
 };
+struct TableValue { std::int64_t table = 0; };
+struct ScriptValue { std::string symbol; }; ///< without @
+struct Multiplier { std::variant<Wave, TableValue, ScriptValue> function; Place place; };
 /// A number at the origin of coordinates and its change with x, y and z.
 struct LinearNumber { double at_origin = 0; Vec3 gradient = Vec3::Zero(); };
 struct Boundary {
@@ -313,17 +304,24 @@ struct TableCommand {
 };
 /// water table x y z [normal ..] [density d] | water pressure p [gradient ..] | water off
 struct WaterCommand {
-    std::string kind;
+    enum class Kind { off, table, pressure, ground };
+    std::optional<Kind> kind;
     Vec3 origin = Vec3::Zero(), normal = Vec3(0, 0, 1), gradient = Vec3::Zero();
     double density = 1000, pressure = 0;
     std::string file; ///< of the ground surface that is the water table
     Place place;
 };
-struct Reset { std::vector<std::string> what; }; ///< time hist disp vel jdisp energy damp
+struct Reset {
+    enum class What { time, histories, displacements, velocities, joint_displacements, energy, damping };
+    std::vector<What> what;
+};
 
 // --- histories and output --------------------------------------------------------------------------
 struct HistoryItem {
-    std::string word; ///< canonical: unbal, time, damp, xdis, ndis, sstr, szz, ... or "@name"
+    struct Quantity { std::string word; }; ///< one of recorded_words(): unbal, xdis, sstr, szz, ...
+    struct Own { std::string name; };      ///< what the nearest sub-contact has for itself
+    struct Script { std::string symbol; }; ///< without @
+    std::variant<Quantity, Own, Script> what;
     Vec3 place = Vec3::Zero();
     Place text;
 };
@@ -343,14 +341,18 @@ struct HistoryWrite {
 };
 struct VtkWrite { std::string file; };
 struct List {
-    std::string what; ///< canonical: blocks, contacts, subcontacts, gridpoints, zones, prop, hist, time,
-                      ///< timestep, max, energy, timing, hash, jmodel, ... or "" with `symbols`
+    enum class What {
+        blocks, quality, contacts, sub_contacts, gridpoints, zones, faces, properties, histories, extremes, time, unbalanced,
+        damping, information, time_step, timing, energy, hash, joint_models, boundary, groups, excavated, states, stresses,
+        stability, structures, joint_sets, memory, version, settings, tables, ranges, symbols
+    };
+    std::optional<What> what;         ///< none: `symbols` only
     std::vector<std::string> symbols; ///< print @a @b: without @
     std::optional<std::int64_t> number; ///< list hist n, list prop jmat n
     enum class Part { all, blocks, joints } part = Part::all; ///< list prop mat | jmat
     RangePhrase range;
 };
-struct Ignored { std::string word; }; ///< label, ...: read to its end
+struct Ignored { std::string word, instead; }; ///< label, ...: read to its end; `instead`: what there is in its place
 /// plot: hundreds of forms, looked at when it runs, so that no word of it stops a deck.
 struct Plot {
     struct Item {
@@ -361,11 +363,7 @@ struct Plot {
     std::string range; ///< from the word `range` on, "" without one
     Place place;
 };
-
-struct Movie {
-    std::vector<Plot::Item> words;
-    Place place;
-};
+struct Movie { std::vector<Plot::Item> words; Place place; };
 
 // --- solution ---------------------------------------------------------------------------------------
 struct CycleCommand { std::optional<std::int64_t> cycles; std::optional<double> time; };
@@ -418,7 +416,8 @@ struct StructureProperty {
 };
 struct StructureDelete { std::optional<std::int64_t> number; RangePhrase range; };
 struct Damp {
-    std::string kind; ///< auto (=global), local, global, combined, rayleigh, none; empty: as it was
+    enum class Kind { none, local, global, combined, rayleigh };
+    std::optional<Kind> kind;            ///< none given: as it was
     std::optional<double> value;         ///< local 0.8
     double fraction = 0, frequency = 0;  ///< rayleigh
     bool mass = true, stiffness = true;
@@ -443,10 +442,51 @@ struct FishCallback {
 /// param name = value: the first value of a name counts, and kaya --set gives it before the deck does.
 struct Parameter { std::string name; Value value; Place place; };
 struct FishCall { std::string expression; Place place; }; ///< a line @f(1) or [f(1)]: without @ and brackets
-struct LuaChunk {
-    std::string text;
-    Place place;
-}; ///< the lines between lua and endlua; place of the first
+struct LuaChunk { std::string text; Place place; }; ///< the lines between lua and endlua; place of the first
 struct LuaFile { std::string file; Place place; };
+
+// --- all of them ---------------------------------------------------------------------------------------
+struct NotSupportedYet {}; ///< known by name, and refused when the deck is read
+
+/// Those that nobody has to run.
+using OwnCommands = CommandList<CallFile, Return, Quit, NotSupportedYet>;
+
+// By the files of src/commands that run them. A command that stands in no list does not compile where its words are, and one that
+// stands in a list and has no handler does not compile in that file.
+using ControlCommands = CommandList<New, Config, Title, Pause, Set, NameRange>;
+using FileCommands = CommandList<Save, Restore, HistoryWrite, VtkWrite, Ignored>;
+using ShapeCommands = CommandList<PolyBrick, PolyPrism, PolyFace, PolyTet, PolyCube, PolyDrum, PolyTunnel>;
+using CutCommands = CommandList<JointSetCommand, TunnelCommand, CutGround, Densify, Join, JoinContact>;
+using ExchangeCommands = CommandList<Import, Export>;
+using SelectionCommands = CommandList<Group, Mark, MarkJoint, Excavate, Fill, Copy>;
+using GeometryCommands = CommandList<Hide, Seek, Delete, FaceTriangulation, GenerateEdge, GenerateQuad>;
+using MaterialCommands = CommandList<Property, Change, JointModelCommand, JointModelTest>;
+using ZoneModelCommands = CommandList<ZoneModelCommand, ZoneAveraging>;
+using BoundaryCommands = CommandList<Fix, Free, Gravity, Boundary, Apply, Reset>;
+using InitialStateCommands = CommandList<Initialize, InSitu>;
+using TableCommands = CommandList<TableCommand>;
+using WaterCommands = CommandList<WaterCommand>;
+using SlopeCommands = CommandList<LimitEquilibrium>;
+using StructureCommands = CommandList<StructureCable, StructureProperty, StructureDelete>;
+using HistoryCommands = CommandList<HistoryAdd, HistoryLabel, HistoryDelete>;
+using ListCommands = CommandList<List>;
+using PlotCommands = CommandList<Plot>;
+using MovieCommands = CommandList<Movie>;
+using SolutionCommands = CommandList<CycleCommand, Solve, Damp, MassScale, Fraction>;
+using ScriptCommands = CommandList<FishDefinition, FishCall, FishCallback, LuaChunk, LuaFile, Parameter>;
+
+using HandledCommands =
+    CommandLists<ControlCommands, FileCommands, ShapeCommands, CutCommands, ExchangeCommands, SelectionCommands, GeometryCommands,
+                 MaterialCommands, ZoneModelCommands, BoundaryCommands, InitialStateCommands, TableCommands, WaterCommands, SlopeCommands,
+                 StructureCommands, HistoryCommands, ListCommands, PlotCommands, MovieCommands, SolutionCommands, ScriptCommands>;
+using Commands = JoinedLists<OwnCommands, HandledCommands>::All;
+
+template <class Command> inline constexpr std::size_t index_of = index_in<Command>(Commands{});
+
+/// Of commands that a script gives inside a cycle: those that read, or write what may be written at any time, and those that would
+/// cycle inside a cycle or take away the model that is cycling. The others change the structure, and wait for the end of the cycle.
+using RunInCycle = CommandList<Title, Pause, NameRange, Mark, Hide, Seek, Group, Gravity, Initialize, TableCommand, HistoryLabel, HistoryWrite,
+                               List, Plot, Movie, Ignored, FishDefinition, FishCall, FishCallback, LuaChunk, LuaFile>;
+using RefusedInCycle = CommandList<New, Restore, LimitEquilibrium, CycleCommand, Solve>;
 
 } // namespace kaya::lang

@@ -39,8 +39,7 @@ CommandSpec set() {
          {"pagination", "atol", "btol", "ctol", "dtol", "etol", "nmech", "ncyc", "cust1", "cust2", "messages", "warnings",
           "overwrite", "delcontact"})
         entry.special({word}, {},
-                      [word](Reader& reader, Set& set) {
-                          set.accepted.emplace_back(word);
+                      [](Reader& reader, Set&) {
                           const auto value = text("value").spec;
                           while (const Word* next = reader.peek()) {
                               const bool its_own = next->kind == WordKind::number || next->folded == "on" ||
@@ -53,10 +52,7 @@ CommandSpec set() {
     // What shows a model on a screen takes the rest of its line.
     for (const char* word : {"plot", "background", "directory", "output"})
         entry.special({word}, {text("...").optional().spec},
-                      [word](Reader& reader, Set& set) {
-                          set.accepted.emplace_back(word);
-                          (void)reader.take_raw();
-                      },
+                      [](Reader& reader, Set&) { (void)reader.take_raw(); },
                       "accepted with the rest of the line, without effect").ignored();
     entry.otherwise({text("@name value").optional().spec}, [](Reader& reader, Set& set) {
         if (reader.peek()->kind != WordKind::symbol) return false;
@@ -149,24 +145,24 @@ Family control() {
                 Entry<Reset>({"reset"})
                     .help("sets quantities back to zero; several may stand on one line")
                     .action(
-                        {"time"}, [](Reset& r) { r.what.emplace_back("time"); }, "the time")
+                        {"time"}, [](Reset& r) { r.what.push_back(Reset::What::time); }, "the time")
                     .action(
-                        {"hist", "history", "histories"}, [](Reset& r) { r.what.emplace_back("hist"); },
+                        {"hist", "history", "histories"}, [](Reset& r) { r.what.push_back(Reset::What::histories); },
                         "all histories")
                     .action(
-                        {"disp", "displacements"}, [](Reset& r) { r.what.emplace_back("disp"); },
+                        {"disp", "displacements"}, [](Reset& r) { r.what.push_back(Reset::What::displacements); },
                         "displacements of gridpoints and blocks")
                     .action(
-                        {"vel", "velocity", "velocities"}, [](Reset& r) { r.what.emplace_back("vel"); },
+                        {"vel", "velocity", "velocities"}, [](Reset& r) { r.what.push_back(Reset::What::velocities); },
                         "velocities and spins")
                     .action(
-                        {"jdisp", "jdisplacements"}, [](Reset& r) { r.what.emplace_back("jdisp"); },
+                        {"jdisp", "jdisplacements"}, [](Reset& r) { r.what.push_back(Reset::What::joint_displacements); },
                         "displacements of joints")
                     .action(
-                        {"energy"}, [](Reset& r) { r.what.emplace_back("energy"); },
+                        {"energy"}, [](Reset& r) { r.what.push_back(Reset::What::energy); },
                         "sums of energy and work")
                     .action(
-                        {"damp", "damping"}, [](Reset& r) { r.what.emplace_back("damp"); },
+                        {"damp", "damping"}, [](Reset& r) { r.what.push_back(Reset::What::damping); },
                         "the state of adaptive damping")
                     .finish([](const Reader& reader, Reset& reset) {
                         if (reset.what.empty())

@@ -71,7 +71,7 @@ CommandSpec history_add() {
                       [=](Reader& reader, HistoryAdd& history) {
                           const Place at = reader.previous().place;
                           const Vec3 where = has_place ? reader.vector(place.spec) : Vec3(Vec3::Zero());
-                          history.items.push_back({std::string(word), where, at});
+                          history.items.push_back({HistoryItem::Quantity{std::string(word)}, where, at});
                       },
                       item.help);
     }
@@ -79,7 +79,7 @@ CommandSpec history_add() {
                   [=](Reader& reader, HistoryAdd& history) {
                       const Place at = reader.previous().place;
                       const std::string own = reader.text(text("name").spec);
-                      history.items.push_back({"jprop " + own, reader.vector(place.spec), at});
+                      history.items.push_back({HistoryItem::Own{own}, reader.vector(place.spec), at});
                   },
                   "what the nearest sub-contact has for itself by that name: history of its joint model, a field, a property that its object holds");
     entry.keyword({"ncyc", "ncycle", Spelling{"nstep", 1}}, integer("n").at_least(1), &HistoryAdd::interval,
@@ -93,7 +93,7 @@ CommandSpec history_add() {
         }
         if (reader.peek()->kind != WordKind::symbol) return false;
         const std::string name = reader.symbol(text("@name").spec);
-        history.items.push_back({"@" + name, Vec3::Zero(), reader.previous().place});
+        history.items.push_back({HistoryItem::Script{name}, Vec3::Zero(), reader.previous().place});
         return true;
     });
     entry.finish([](const Reader& reader, HistoryAdd& history) {
@@ -180,6 +180,12 @@ CommandSpec history_delete() {
 }
 
 } // namespace
+
+std::vector<std::string_view> recorded_words() {
+    std::vector<std::string_view> words;
+    for (const auto& item : recorded()) words.push_back(item.words.front().word);
+    return words;
+}
 
 Family history() {
     return {"history", "curves over cycles", {history_add(), history_write(), history_label(), history_delete()}};

@@ -26,6 +26,13 @@ std::vector<CommandSpec> selection_commands(); ///< group, mark, excavate, fill
 CommandSpec insitu();
 CommandSpec initialize();
 
+/// What `history` can record by a word of its own; the first spelling of each.
+std::vector<std::string_view> recorded_words();
+/// The whole words of `prop` for joints, whatever joint model they have.
+std::vector<std::string_view> joint_property_words();
+/// The names of the properties of structures.
+std::vector<std::string_view> structure_property_words();
+
 /// Built once, on first use.
 const Language& classic();
 

@@ -10,7 +10,8 @@ namespace kaya::lang {
 namespace {
 
 struct ClassicWord {
-    std::vector<Spelling> words;
+    enum class Of { blocks, joints } of;
+    std::vector<Spelling> words; ///< the last is the whole word
     const char* unit;
     const char* help;
     bool from_zero = false; ///< no joint model has a meaning for less
@@ -18,27 +19,28 @@ struct ClassicWord {
 
 /// The property words of the classic language. Others belong to loaded joint models and are passed on.
 const std::vector<ClassicWord>& classic_words() {
+    using enum ClassicWord::Of;
     static const std::vector<ClassicWord> words = {
-        {{"density"}, "mass/length^3", "density of blocks"},
-        {{"bulk", "k"}, "stress", "bulk modulus of blocks"},
-        {{"shear", "g"}, "stress", "shear modulus of blocks"},
-        {{"ymod", "ymodulus", "young"}, "stress", "Young's modulus, with prat in place of bulk and shear"},
-        {{"prat", "pratio", "poisson"}, "", "Poisson's ratio"},
-        {{"bcoh", "bcohesion"}, "stress", "cohesion of Mohr-Coulomb blocks"},
-        {{"bfric", "bfriction"}, "degrees", "friction angle of Mohr-Coulomb blocks"},
-        {{"bten", "btension"}, "stress", "tensile strength of Mohr-Coulomb blocks"},
-        {{"bdil", "bdilation"}, "degrees", "dilation angle of Mohr-Coulomb blocks"},
-        {{"jkn"}, "stress/length", "normal stiffness of joints", true},
-        {{"jks"}, "stress/length", "shear stiffness of joints", true},
-        {{"jfric", "jfriction"}, "degrees", "friction angle of joints"},
-        {{"jcoh", "jcohesion"}, "stress", "cohesion of joints", true},
-        {{"jten", "jtension"}, "stress", "tensile strength of joints", true},
-        {{"jdil", "jdilation"}, "degrees", "dilation angle of joints"},
-        {{"zdil", "zdilation"}, "length", "slip at which dilation stops"},
+        {blocks, {"density"}, "mass/length^3", "density of blocks"},
+        {blocks, {"bulk", "k"}, "stress", "bulk modulus of blocks"},
+        {blocks, {"shear", "g"}, "stress", "shear modulus of blocks"},
+        {blocks, {"ymod", "ymodulus", "young"}, "stress", "Young's modulus, with prat in place of bulk and shear"},
+        {blocks, {"prat", "pratio", "poisson"}, "", "Poisson's ratio"},
+        {blocks, {"bcoh", "bcohesion"}, "stress", "cohesion of Mohr-Coulomb blocks"},
+        {blocks, {"bfric", "bfriction"}, "degrees", "friction angle of Mohr-Coulomb blocks"},
+        {blocks, {"bten", "btension"}, "stress", "tensile strength of Mohr-Coulomb blocks"},
+        {blocks, {"bdil", "bdilation"}, "degrees", "dilation angle of Mohr-Coulomb blocks"},
+        {joints, {"jkn"}, "stress/length", "normal stiffness of joints", true},
+        {joints, {"jks"}, "stress/length", "shear stiffness of joints", true},
+        {joints, {"jfric", "jfriction"}, "degrees", "friction angle of joints"},
+        {joints, {"jcoh", "jcohesion"}, "stress", "cohesion of joints", true},
+        {joints, {"jten", "jtension"}, "stress", "tensile strength of joints", true},
+        {joints, {"jdil", "jdilation"}, "degrees", "dilation angle of joints"},
+        {joints, {"zdil", "zdilation"}, "length", "slip at which dilation stops"},
         // In full only: jrc and jrco are properties of other joint models.
-        {{Spelling{"jrfric", 6}, Spelling{"jrfriction", 6}}, "degrees", "residual friction angle of joints"},
-        {{Spelling{"jrcoh", 5}, Spelling{"jrcohesion", 5}}, "stress", "residual cohesion of joints"},
-        {{Spelling{"jrten", 5}, Spelling{"jrtension", 5}}, "stress", "residual tensile strength of joints"},
+        {joints, {Spelling{"jrfric", 6}, Spelling{"jrfriction", 6}}, "degrees", "residual friction angle of joints"},
+        {joints, {Spelling{"jrcoh", 5}, Spelling{"jrcohesion", 5}}, "stress", "residual cohesion of joints"},
+        {joints, {Spelling{"jrten", 5}, Spelling{"jrtension", 5}}, "stress", "residual tensile strength of joints"},
     };
     return words;
 }
@@ -266,6 +268,13 @@ CommandSpec zone_nmd() {
 }
 
 } // namespace
+
+std::vector<std::string_view> joint_property_words() {
+    std::vector<std::string_view> words;
+    for (const auto& known : classic_words())
+        if (known.of == ClassicWord::Of::joints) words.push_back(known.words.back().word);
+    return words;
+}
 
 Family materials() {
     return {"materials",

@@ -45,9 +45,8 @@ const std::vector<Known>& known() {
 
 Family not_supported_yet() {
     Family family{"not supported yet", "known by name; a deck that uses them is told so", {}};
-    struct Nothing {};
     for (const auto& command : known()) {
-        Entry<Nothing> entry(command.words, command.form);
+        Entry<NotSupportedYet> entry(command.words, command.form);
         entry.help(command.about).support(Support::not_yet);
         family.commands.push_back(entry);
     }

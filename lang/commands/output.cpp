@@ -18,46 +18,48 @@ enum class Follows {
 };
 
 struct Listed {
+    List::What what;
     std::vector<Spelling> words;
     const char* help;
     Follows follows = Follows::range;
 };
 
 const std::vector<Listed>& listed() {
+    using enum List::What;
     static const std::vector<Listed> words = {
-        {{"blocks"}, "blocks: place, mass, material, region", Follows::objects},
-        {{"quality"}, "blocks that will make trouble, and what helps; also `list blocks quality`"},
-        {{"contacts"}, "contacts: blocks, normal, area", Follows::objects},
-        {{"subcontacts"}, "sub-contacts: displacements, forces, state", Follows::objects},
-        {{"gridpoints", "gp"}, "gridpoints: place, velocity, displacement, force", Follows::objects},
-        {{"zones"}, "zones: stresses, volume", Follows::objects},
-        {{Spelling{"faces", 3}}, "faces: place, normal, area", Follows::objects},
-        {{"prop", "property"}, "properties of materials; of blocks only after mat, of joints after jmat", Follows::parts},
-        {{"hist", "histories", "history"}, "histories: number, name, least and greatest value", Follows::number},
-        {{"max", "maximum"}, "greatest values of the model"},
-        {{"time", "cycle", Spelling{"step", 3}}, "time and cycle"},
-        {{Spelling{"unbalanced", 3}}, "largest unbalanced force, and its ratios to the forces that act"},
-        {{"damping"}, "kind of damping and its numbers"},
-        {{Spelling{"information", 3}}, "what there is: time, cycle, numbers of blocks, contacts, zones"},
-        {{"timestep"}, "time step and what limits it"},
-        {{"timing"}, "seconds spent in each phase of the cycle"},
-        {{"energy"}, "energies and their balance"},
-        {{"hash"}, "one number that tells two states of a model apart"},
-        {{"jmodel", "jmodels"}, "joint models that are loaded, with their properties"},
-        {{"boundary"}, "loads and held velocities"},
-        {{"groups"}, "names of groups and how many blocks, faces, zones and joints each has"},
-        {{"excavated"}, "blocks that fill can put back"},
-        {{"state"}, "joints by joint model and state: sub-contacts and their area"},
-        {{"stress"}, "zones: principal, mean and greatest shear stress"},
-        {{Spelling{"stability", 4}}, "blocks that could leave their place: how, and their factor of safety", Follows::objects},
-        {{"structures", "cables", Spelling{"struct", 3}}, "cables: length, tension, slip; the nodes of one after its number", Follows::number},
-        {{"jset"}, "joint sets: mean orientation, faces, contacts"},
-        {{"memory"}, "what the tables of the model take"},
-        {{"version"}, "version of the program"},
-        {{"settings"}, "settings of the model"},
-        {{"tables"}, "tables: number of pairs and their limits"},
-        {{Spelling{"ranges", 6}}, "named ranges"},
-        {{"fish"}, "variables and functions of FISH"},
+        {blocks, {"blocks"}, "blocks: place, mass, material, region", Follows::objects},
+        {quality, {"quality"}, "blocks that will make trouble, and what helps; also `list blocks quality`"},
+        {contacts, {"contacts"}, "contacts: blocks, normal, area", Follows::objects},
+        {sub_contacts, {"subcontacts"}, "sub-contacts: displacements, forces, state", Follows::objects},
+        {gridpoints, {"gridpoints", "gp"}, "gridpoints: place, velocity, displacement, force", Follows::objects},
+        {zones, {"zones"}, "zones: stresses, volume", Follows::objects},
+        {faces, {Spelling{"faces", 3}}, "faces: place, normal, area", Follows::objects},
+        {properties, {"prop", "property"}, "properties of materials; of blocks only after mat, of joints after jmat", Follows::parts},
+        {histories, {"hist", "histories", "history"}, "histories: number, name, least and greatest value", Follows::number},
+        {extremes, {"max", "maximum"}, "greatest values of the model"},
+        {time, {"time", "cycle", Spelling{"step", 3}}, "time and cycle"},
+        {unbalanced, {Spelling{"unbalanced", 3}}, "largest unbalanced force, and its ratios to the forces that act"},
+        {damping, {"damping"}, "kind of damping and its numbers"},
+        {information, {Spelling{"information", 3}}, "what there is: time, cycle, numbers of blocks, contacts, zones"},
+        {time_step, {"timestep"}, "time step and what limits it"},
+        {timing, {"timing"}, "seconds spent in each phase of the cycle"},
+        {energy, {"energy"}, "energies and their balance"},
+        {hash, {"hash"}, "one number that tells two states of a model apart"},
+        {joint_models, {"jmodel", "jmodels"}, "joint models that are loaded, with their properties"},
+        {boundary, {"boundary"}, "loads and held velocities"},
+        {groups, {"groups"}, "names of groups and how many blocks, faces, zones and joints each has"},
+        {excavated, {"excavated"}, "blocks that fill can put back"},
+        {states, {"state"}, "joints by joint model and state: sub-contacts and their area"},
+        {stresses, {"stress"}, "zones: principal, mean and greatest shear stress"},
+        {stability, {Spelling{"stability", 4}}, "blocks that could leave their place: how, and their factor of safety", Follows::objects},
+        {structures, {"structures", "cables", Spelling{"struct", 3}}, "cables: length, tension, slip; the nodes of one after its number", Follows::number},
+        {joint_sets, {"jset"}, "joint sets: mean orientation, faces, contacts"},
+        {memory, {"memory"}, "what the tables of the model take"},
+        {version, {"version"}, "version of the program"},
+        {settings, {"settings"}, "settings of the model"},
+        {tables, {"tables"}, "tables: number of pairs and their limits"},
+        {ranges, {Spelling{"ranges", 6}}, "named ranges"},
+        {symbols, {"fish"}, "variables and functions of FISH"},
     };
     return words;
 }
@@ -89,7 +91,7 @@ bool read_element(Reader& reader, List& command) {
 bool read_after(Reader& reader, List& command) {
     const Word& word = *reader.peek();
     if (word.kind == WordKind::word && find_keyword(range_elements(), word.folded)) {
-        const bool materials = command.what == "prop" && command.part == List::Part::all && !command.number;
+        const bool materials = command.what == List::What::properties && command.part == List::Part::all && !command.number;
         if (materials && (word.folded == "mat" || word.folded == "jmat")) {
             command.part = word.folded == "mat" ? List::Part::blocks : List::Part::joints;
             reader.take();
@@ -98,7 +100,7 @@ bool read_after(Reader& reader, List& command) {
         }
         return true;
     }
-    const auto item = std::ranges::find(listed(), command.what, [](const Listed& l) { return l.words.front().word; });
+    const auto item = std::ranges::find(listed(), command.what, &Listed::what);
     const bool number = word.kind == WordKind::number || word.late();
     if (!number || item->follows == Follows::range || command.number || command.range.place) return false;
     command.number = reader.integer(integer("n").at_least(1).spec);
@@ -115,12 +117,11 @@ CommandSpec list() {
     Entry<List> entry({"list", "print"});
     entry.help("shows what is in the model, or the value of a variable");
     for (const auto& item : listed()) {
-        const std::string what(item.words.front().word);
         entry.special(item.words, arguments_after(item.follows),
-                      [what](Reader& reader, List& command) {
-                          if (what == "quality" && command.what == "blocks") command.what.clear();
-                          if (!command.what.empty() && read_element(reader, command)) return;
-                          if (!command.what.empty() || !command.symbols.empty())
+                      [what = item.what](Reader& reader, List& command) {
+                          if (what == List::What::quality && command.what == List::What::blocks) command.what.reset();
+                          if (command.what && read_element(reader, command)) return;
+                          if (command.what || !command.symbols.empty())
                               throw Diagnostic("one list command shows one thing",
                                                "write a second list command")
                                   .at(reader.previous().place);
@@ -129,14 +130,14 @@ CommandSpec list() {
                       item.help);
     }
     entry.otherwise({text("@name").optional().spec}, [](Reader& reader, List& command) {
-        if (!command.what.empty()) return read_after(reader, command);
+        if (command.what) return read_after(reader, command);
         if (reader.peek()->kind != WordKind::symbol) return false;
         command.symbols.push_back(reader.symbol(text("@name").spec));
         return true;
     });
     entry.range(&List::range, true); // print x is more likely meant as print @x; after a list its word may be left out
     entry.finish([](const Reader& reader, List& command) {
-        if (command.what.empty() && command.symbols.empty())
+        if (!command.what && command.symbols.empty())
             incomplete_line(reader, "list does not say what to show", "write for example: list blocks");
     });
     entry.right("list blocks")
@@ -164,18 +165,18 @@ CommandSpec list() {
 CommandSpec find() {
     return Entry<List>({"find"})
         .help("lists the blocks of a range")
-        .start([](const Statement&, List& command) { command.what = "blocks"; })
+        .start([](const Statement&, List& command) { command.what = List::What::blocks; })
         .range(&List::range)
         .right("find range sphere center 0 0 0 radius 1")
         .right("find region 2")
         .wrong("find reigon 2", "'reigon' is not a keyword of find");
 }
 
-CommandSpec ignored(const char* word, const char* help) {
+CommandSpec ignored(const char* word, const char* help, const char* instead) {
     Entry<Ignored> entry({word});
     entry.help(help);
     entry.raw(&Ignored::word).support(Support::ignored);
-    entry.start([name = std::string(word)](const Statement&, Ignored& command) { command.word = name; });
+    entry.start([word, instead](const Statement&, Ignored& command) { command = {word, instead}; });
     return entry;
 }
 
@@ -222,9 +223,9 @@ CommandSpec plot() {
 } // namespace
 
 Family output() {
-    CommandSpec update = ignored("update", "accepted and ignored: contacts are updated by the cycle");
+    CommandSpec update = ignored("update", "accepted and ignored: contacts are updated by the cycle", "the cycle looks after itself");
     update.right = {{"update", {}}};
-    CommandSpec label = ignored("label", "read to its end, without effect");
+    CommandSpec label = ignored("label", "read to its end, without effect", "pictures are made from the files of 'vtk write'");
     label.right = {{"label arrow 1 2 3", {}}};
     return {"output",
             "lists, pictures, files for other programs",

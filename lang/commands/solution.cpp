@@ -10,33 +10,31 @@ namespace {
 CommandSpec damp() {
     Entry<Damp> entry({"damp", "damping"});
     entry.help("how motion is damped");
-    const auto kind = [](std::string_view word) {
-        return [word](Damp& d) { d.kind = word; };
-    };
+    using enum Damp::Kind;
     const auto ratio = real("ratio").above(0).below(1).optional().spec;
     for (const char* word : {"auto", "global"})
         entry.special({word}, {ratio},
                       [=](Reader& reader, Damp& d) {
-                          d.kind = word;
+                          d.kind = global;
                           if (reader.at_number()) d.value = reader.real(ratio);
                       },
                       "viscous damping that follows the kinetic energy: how strong, as the ratio in 3DEC; 0.5 if not "
                       "given");
     entry.special({"local"}, {real("factor").at_least(0).at_most(1).optional().spec},
                   [](Reader& reader, Damp& d) {
-                      d.kind = "local";
+                      d.kind = local;
                       if (reader.at_number())
                           d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
                   },
                   "a force against the motion, a part of the unbalanced force; 0.8 if not given");
     entry.special({"combined"}, {real("factor").at_least(0).at_most(1).optional().spec},
                   [](Reader& reader, Damp& d) {
-                      d.kind = "combined";
+                      d.kind = combined;
                       if (reader.at_number())
                           d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
                   },
                   "local damping for motion that is mostly one way; 0.8 if not given");
-    entry.action({"none", "off"}, kind("none"), "no damping, dashpots of contacts neither");
+    entry.action({"none", "off"}, [](Damp& d) { d.kind = none; }, "no damping, dashpots of contacts neither");
     entry.action({"mass"}, [](Damp& d) { d.stiffness = false; }, "of Rayleigh damping: only the mass part");
     entry.action(
         {"stiffness"}, [](Damp& d) { d.mass = false; }, "of Rayleigh damping: only the stiffness part");
@@ -47,20 +45,20 @@ CommandSpec damp() {
     const auto frequency = real("frequency").unit("1/time").at_least(0);
     entry.special({"rayleigh"}, {fraction.spec, frequency.spec},
                   [=](Reader& reader, Damp& d) {
-                      d.kind = "rayleigh";
+                      d.kind = rayleigh;
                       d.fraction = reader.real(fraction.spec);
                       d.frequency = reader.real(frequency.spec);
                   },
                   "the same as fraction and frequency alone");
     entry.otherwise({fraction.spec, frequency.spec}, [=](Reader& reader, Damp& d) {
-        if (!reader.at_number() || !d.kind.empty()) return false;
-        d.kind = "rayleigh";
+        if (!reader.at_number() || d.kind) return false;
+        d.kind = rayleigh;
         d.fraction = reader.real(fraction.spec);
         d.frequency = reader.real(frequency.spec);
         return true;
     });
     entry.finish([](const Reader& reader, Damp& d) {
-        if (d.kind.empty() && !d.contact)
+        if (!d.kind && !d.contact)
             incomplete_line(reader, "damp does not say how to damp",
                             "expected: auto, local, global, combined, contact, none, or fraction and frequency");
         if (d.fraction > 0 && d.frequency == 0 && !reader.wildcards())
@@ -69,7 +67,7 @@ CommandSpec damp() {
         if (!d.mass && !d.stiffness)
             incomplete_line(reader, "mass and stiff leave no part of the damping",
                             "give one of them, or none for both");
-        if ((!d.mass || !d.stiffness) && d.kind != "rayleigh")
+        if ((!d.mass || !d.stiffness) && d.kind != rayleigh)
             incomplete_line(reader, "mass and stiff belong to damping by fraction and frequency",
                             "write for example: damp 0.05 1.5 mass");
     });

@@ -107,6 +107,12 @@ CommandSpec remove() {
 
 } // namespace
 
+std::vector<std::string_view> structure_property_words() {
+    std::vector<std::string_view> words;
+    for (const auto& known : property_words()) words.push_back(known.words.front().word);
+    return words;
+}
+
 Family structures() { return {"structures", "cables and bolts in the rock", {cable(), property(), remove()}}; }
 
 } // namespace kaya::lang

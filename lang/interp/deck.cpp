@@ -70,7 +70,7 @@ private:
         BoundFile::Step step{bind_with_names(language_, statement, names_), {}};
         BoundCommand& command = step.command;
         names_.learn(*command.spec, statement);
-        if (checks_ && !command.late && checks_->has(command.command.type())) run_check(command);
+        if (checks_ && checks_->command && !command.late) run_check(command);
         if (!command.spec->body_end.empty() || statement.words.front().late()) script_seen_ = true;
         if (command.spec->flow == Flow::call && !command.late) step.called = called(command);
         return step;
@@ -78,7 +78,7 @@ private:
 
     void run_check(const BoundCommand& command) {
         try {
-            checks_->run(command.command);
+            checks_->command(command.command);
         } catch (Diagnostic& problem) {
             throw problem.at(command.place);
         }

@@ -3,7 +3,6 @@
 
 #include "lang/interp/bare_names.hpp"
 #include "lang/interp/binder.hpp"
-#include "lang/interp/handlers.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -36,9 +35,10 @@ struct BoundFile {
     std::vector<Step> steps;
 };
 
-/// Checks that need more than the table (does this FISH function compile?), by command type.
-/// They run when the deck is bound, before any command of it.
-struct Checks : Handlers {
+/// Checks that need more than the table: does this FISH function compile? They run when the deck is bound, before any
+/// command of it.
+struct Checks {
+    std::function<void(const std::any& command)> command; ///< throws Diagnostic for a mistake
     std::function<void(const std::filesystem::path&)> before_reading; ///< may refuse a file; each deck and called file
 };
 

@@ -8,7 +8,7 @@ namespace fs = std::filesystem;
 
 Ended Interpreter::run_file(const std::string& name) {
     const auto deck = bind_deck(language_, name, searched(), &checks, &names_);
-    if (deck_read) deck_read(*deck, names_);
+    host_.deck_read(*deck, names_);
     return run(*deck);
 }
 
@@ -46,28 +46,27 @@ Ended Interpreter::run(const BoundFile& file) {
 }
 
 Ended Interpreter::run_step(const BoundFile::Step& step) {
-    if (before_command) before_command(step.command);
+    host_.before(step.command);
     BoundCommand with_values;
     const BoundCommand* command = &step.command;
     if (command->late) {
-        if (!values) throw Diagnostic("a value with @ or [ ] needs a script language, and none is there");
         Lexer lexer(command->place.source, command->place.line);
         Statement statement;
         next_statement(language_, lexer, statement);
         for (const BareName& name : command->bare) read_as_name(statement, name);
+        const ValueSource values = [this](const std::string& expression, const Place& place) { return host_.value(expression, place); };
         with_values = bind_statement(language_, statement, &values);
         command = &with_values;
     }
     Ended ended = Ended::end_of_deck;
     try {
         if (command->spec->flow == Flow::call) ended = run_call(step, *command);
-        else if (handlers_.has(command->command.type())) handlers_.run(command->command);
-        else throw Diagnostic(fmt::format("{} is known, but kaya cannot run it yet", command->spec->name()));
+        else host_.run(*command);
     } catch (...) {
-        if (failed_command) failed_command(*command);
+        host_.failed(*command);
         throw;
     }
-    if (after_command) after_command(*command);
+    host_.after(*command);
     return ended;
 }
 
@@ -97,7 +96,7 @@ std::vector<std::string> Interpreter::call_chain() const {
 
 void Interpreter::warn(Diagnostic warning) const {
     if (warning.severity == Severity::error) warning.severity = Severity::warning;
-    if (on_warning) on_warning(warning.at(current_place()));
+    host_.warning(warning.at(current_place()));
 }
 
 } // namespace kaya::lang

@@ -2,11 +2,9 @@
 #pragma once
 
 #include "lang/interp/deck.hpp"
-#include "lang/interp/handlers.hpp"
 #include "lang/interp/value.hpp"
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,23 +13,29 @@ namespace kaya::lang {
 /// Why a run came to its end.
 enum class Ended { end_of_deck, quit };
 
-/// Runs decks through handlers. Handlers may run further text (command ... endcommand of a script) on the
-/// same interpreter while one of them is running.
+/// What an interpreter needs of its owner: somebody who does what commands say, knows values, and is told what happens.
+class InterpreterHost {
+public:
+    virtual ~InterpreterHost() = default;
+    virtual void run(const BoundCommand& command) = 0;
+    /// The value of @name and [expression].
+    virtual Value value(const std::string& expression, const Place& place) = 0;
+    virtual void deck_read(const BoundFile&, const BareNames&) {} ///< a whole deck, before its first command runs
+    virtual void warning(const Diagnostic&) {}                    ///< warnings and notes
+    virtual void before(const BoundCommand&) {}                   ///< echo, log
+    virtual void after(const BoundCommand&) {}                    ///< journal: the command has done its work
+    virtual void failed(const BoundCommand&) {}                   ///< the same for one that ends with an exception
+};
+
+/// Runs decks, command by command. A command may run further text (command ... endcommand of a script) on the
+/// same interpreter while it is running.
 class Interpreter {
 public:
     /// Both are kept by reference.
-    Interpreter(const Language& language, const Handlers& handlers)
-        : language_(language), handlers_(handlers) {}
+    Interpreter(const Language& language, InterpreterHost& host) : language_(language), host_(host) {}
 
-    // Set by the session that owns the interpreter; each may stay empty.
-    ValueSource values;                                      ///< gives the value of @name and [expression]
-    std::function<void(const BoundFile&, const BareNames&)> deck_read; ///< a whole deck, before its first command runs
-    std::function<void(const Diagnostic&)> on_warning;       ///< warnings and notes
-    std::function<void(const BoundCommand&)> before_command; ///< echo, log
-    std::function<void(const BoundCommand&)> after_command;  ///< journal: the command has done its work
-    std::function<void(const BoundCommand&)> failed_command; ///< the same for one that ends with an exception
-    Checks checks;                                           ///< run when a deck is bound
-    std::vector<std::filesystem::path> folders = {"."};      ///< where decks are looked for
+    Checks checks;                                      ///< run when a deck is bound
+    std::vector<std::filesystem::path> folders = {"."}; ///< where decks are looked for
 
     /// Binds the whole deck, then runs it. Throws DeckErrors before the first command runs, or the
     /// Diagnostic of the first command that fails, with its place and the lines that called.
@@ -62,7 +66,7 @@ private:
     Ended run_call(const BoundFile::Step& step, const BoundCommand& command);
 
     const Language& language_;
-    const Handlers& handlers_;
+    InterpreterHost& host_;
     BareNames names_;           ///< of all that was bound
     std::vector<Frame> frames_; ///< one for each file or text that is being run
 };

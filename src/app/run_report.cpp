@@ -41,13 +41,13 @@ RunReport::RunReport(Session& session, std::optional<int> port) : session_(sessi
         session_.output.say(fmt::format("watch: {}", server_->address()));
         session_.output.flush();
     }
-    session_.cycled = [this] { sample(); };
+    session_.listen(*this);
 }
 
-RunReport::~RunReport() { session_.cycled = nullptr; }
+RunReport::~RunReport() { session_.forget(*this); }
 
 // By cycles and not by seconds: the same run gives the same page.
-void RunReport::sample() {
+void RunReport::cycled() {
     if (!is_wanted()) return;
     const Model& model = session_.model;
     course_.sample(model);

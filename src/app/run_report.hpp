@@ -19,11 +19,11 @@ namespace kaya {
 std::function<std::vector<std::string>(const std::string& model)> property_names_of(JointRegistry& joints);
 
 /// Watches a session and writes its page at the end.
-class RunReport {
+class RunReport : private Listener {
 public:
     /// `port`: where a browser can watch the run (0: any that is free); none: nobody does.
     RunReport(Session& session, std::optional<int> port);
-    ~RunReport();
+    ~RunReport() override;
     RunReport(const RunReport&) = delete;
     RunReport& operator=(const RunReport&) = delete;
 
@@ -31,7 +31,7 @@ public:
     void write();
 
 private:
-    void sample();
+    void cycled() override;
     bool is_wanted() const { return session_.report || server_; }
     void show();
     std::string page();

@@ -36,32 +36,54 @@ StressField stress_field(const lang::Boundary& command) {
             {stress(command.x_gradient), stress(command.y_gradient), stress(command.z_gradient)}};
 }
 
-struct KindEntry {
-    std::string_view word;
-    TimeFunction::Kind kind;
+/// The time function that a kind of `hist` stands for. Throws Diagnostic when it gives no numbers, as far as can be told now.
+struct TimeFunctionOf {
+    Session& session;
+
+    TimeFunction operator()(const lang::Wave& wave) const {
+        TimeFunction function;
+        function.kind = kind_of(wave.form);
+        function.frequency = wave.frequency;
+        function.duration = wave.duration;
+        return function;
+    }
+    TimeFunction operator()(const lang::TableValue& value) const {
+        check_table(session, value.table);
+        TimeFunction function;
+        function.kind = TimeFunction::Kind::table;
+        function.table = value.table;
+        return function;
+    }
+    TimeFunction operator()(const lang::ScriptValue& value) const {
+        check_symbol(session, value.symbol);
+        TimeFunction function;
+        function.kind = TimeFunction::Kind::script;
+        function.script = value.symbol;
+        return function;
+    }
+
+    static TimeFunction::Kind kind_of(lang::Wave::Form form) {
+        using enum lang::Wave::Form;
+        switch (form) {
+        case sine: break;
+        case cosine: return TimeFunction::Kind::cosine;
+        case impulse: return TimeFunction::Kind::impulse;
+        }
+        return TimeFunction::Kind::sine;
+    }
 };
-constexpr std::array<KindEntry, 5> kinds{{
-    {"sine", TimeFunction::Kind::sine},
-    {"cosine", TimeFunction::Kind::cosine},
-    {"impulse", TimeFunction::Kind::impulse},
-    {"table", TimeFunction::Kind::table},
-    {"script", TimeFunction::Kind::script},
-}};
 
 /// The row of the function that `hist` names; it is there, and gives numbers, as far as can be told now.
 std::int32_t time_function(Session& session, const std::optional<lang::Multiplier>& multiplier) {
     if (!multiplier) return constant_in_time;
-    const auto found = std::ranges::find(kinds, std::string_view(multiplier->kind), &KindEntry::word);
-    if (found == kinds.end()) throw std::logic_error("hist: no entry for '" + multiplier->kind + "'");
     try {
-        if (found->kind == TimeFunction::Kind::table) check_table(session, multiplier->table);
-        if (found->kind == TimeFunction::Kind::script) check_symbol(session, multiplier->symbol);
+        TimeFunction function = std::visit(TimeFunctionOf{session}, multiplier->function);
+        function.place = session.here();
+        return time_function_row(session.model, function);
     } catch (Diagnostic& mistake) {
         mistake.at(multiplier->place);
         throw;
     }
-    return time_function_row(session.model, {found->kind, multiplier->frequency, multiplier->duration,
-                                             multiplier->table, multiplier->symbol, session.here()});
 }
 
 std::uint8_t bits_of(const std::array<bool, 6>& components) {
@@ -204,19 +226,18 @@ void reset_energy(Session& session) {
 
 void reset_damping(Session& session) { session.model.clock.global_viscosity = 0; }
 
-struct ResetEntry {
-    std::string_view word;
-    void (*reset)(Session&);
-};
-constexpr std::array<ResetEntry, 7> resets{{
-    {"time", reset_time},
-    {"hist", reset_histories},
-    {"disp", reset_displacements},
-    {"vel", reset_velocities},
-    {"jdisp", reset_joint_displacements},
-    {"energy", reset_energy},
-    {"damp", reset_damping},
-}};
+void reset(Session& session, lang::Reset::What what) {
+    using enum lang::Reset::What;
+    switch (what) {
+    case time: return reset_time(session);
+    case histories: return reset_histories(session);
+    case displacements: return reset_displacements(session);
+    case velocities: return reset_velocities(session);
+    case joint_displacements: return reset_joint_displacements(session);
+    case energy: return reset_energy(session);
+    case damping: return reset_damping(session);
+    }
+}
 
 } // namespace
 
@@ -362,11 +383,9 @@ void run(Session& session, const lang::Apply& command) {
 }
 
 void run(Session& session, const lang::Reset& command) {
-    for (const auto& word : command.what) {
-        const auto found = std::ranges::find(resets, std::string_view(word), &ResetEntry::word);
-        if (found == resets.end()) throw std::logic_error("reset: no entry for '" + word + "'");
-        found->reset(session);
-    }
+    for (const auto what : command.what) reset(session, what);
 }
+
+void add_handlers(HandlerTable& table, lang::BoundaryCommands list) { fill(table, list); }
 
 } // namespace kaya

@@ -119,4 +119,6 @@ void run(Session& session, const lang::NameRange& command) {
     session.ranges[lower_case(command.name)] = command.range;
 }
 
+void add_handlers(HandlerTable& table, lang::ControlCommands list) { fill(table, list); }
+
 } // namespace kaya

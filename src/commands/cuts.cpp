@@ -262,4 +262,6 @@ void run(Session& session, const lang::JoinContact& command) {
     if (!pairs.empty()) join(session, pairs, command.place);
 }
 
+void add_handlers(HandlerTable& table, lang::CutCommands list) { fill(table, list); }
+
 } // namespace kaya

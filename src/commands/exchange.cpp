@@ -124,4 +124,6 @@ void run(Session& session, const lang::Export& command) {
     session.output.say(fmt::format("{} written to {}", counted(rows.size(), "block"), command.file));
 }
 
+void add_handlers(HandlerTable& table, lang::ExchangeCommands list) { fill(table, list); }
+
 } // namespace kaya

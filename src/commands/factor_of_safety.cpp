@@ -1,5 +1,7 @@
 #include "commands/factor_of_safety.hpp"
 
+#include "commands/save_session.hpp"
+
 #include "base/counted.hpp"
 
 #include "commands/failure_monitor.hpp"
@@ -108,7 +110,7 @@ public:
                                         outcome.moving    ? "; " + body_text(session_.model, *outcome.moving) + " moves on"
                                         : outcome.goes_on ? "; it moves on and does not slow down"
                                                           : ""));
-        if (!at_rest && !file_.empty()) kaya::run(session_, lang::Save{file_});
+        if (!at_rest && !file_.empty()) save_as(session_, file_);
         if (at_rest) {
             if (!stable_ || factor > stable_factor_) {
                 lower(factor); // what is new

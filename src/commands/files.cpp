@@ -145,11 +145,13 @@ void save_session(Session& session, const std::string& file) {
     save_state(session.model, session.output_file(file), session_extras(session));
 }
 
-void run(Session& session, const lang::Save& command) {
+void save_as(Session& session, const std::string& name) {
     settle_forces(session); // a restored model goes on as this one does
-    save_session(session, save_name(command.file));
+    save_session(session, save_name(name));
     session.autosave.saved();
 }
+
+void run(Session& session, const lang::Save& command) { save_as(session, command.file); }
 
 void run(Session& session, const lang::Restore& command) {
     // All that can fail comes first; the session is as it was then.
@@ -202,9 +204,9 @@ void run(Session& session, const lang::VtkWrite& command) {
 }
 
 void run(Session& session, const lang::Ignored& command) {
-    session.note_once(fmt::format("'{}' is read and left out", command.word),
-                      command.word == "update" ? "the cycle looks after itself"
-                                               : "pictures are made from the files of 'vtk write'");
+    session.note_once(fmt::format("'{}' is read and left out", command.word), command.instead);
 }
+
+void add_handlers(HandlerTable& table, lang::FileCommands list) { fill(table, list); }
 
 } // namespace kaya

@@ -86,4 +86,6 @@ void run(Session& session, const lang::GenerateQuad& command) {
     });
 }
 
+void add_handlers(HandlerTable& table, lang::GeometryCommands list) { fill(table, list); }
+
 } // namespace kaya

@@ -34,16 +34,20 @@ constexpr std::array<Rate, 3> rates{{
 }};
 
 std::string label_of(const lang::HistoryItem& item) {
-    const auto rate = std::ranges::find(rates, std::string_view(item.word), &Rate::word);
+    const auto* quantity = std::get_if<lang::HistoryItem::Quantity>(&item.what);
+    if (quantity == nullptr) return {};
+    const auto rate = std::ranges::find(rates, std::string_view(quantity->word), &Rate::word);
     return rate == rates.end() ? std::string() : std::string(rate->label);
 }
 
-HistorySource source_of(Session& session, const lang::HistoryItem& item) {
+/// What a kind of item records; the place is that of the item.
+struct SourceOf {
+    Session& session;
     HistorySource source;
-    source.place = item.place;
-    if (item.word.starts_with('@')) {
+
+    HistorySource operator()(const lang::HistoryItem::Script& item) {
         source.kind = Kind::function;
-        source.quantity = item.word.substr(1);
+        source.quantity = item.symbol;
         if (!session.scripts->knows(source.quantity)) {
             const auto symbols = session.scripts->symbols();
             const auto near = did_you_mean(source.quantity, {symbols.begin(), symbols.end()});
@@ -53,22 +57,30 @@ HistorySource source_of(Session& session, const lang::HistoryItem& item) {
         }
         return source;
     }
-    if (constexpr std::string_view own = "jprop "; item.word.starts_with(own)) {
+    HistorySource operator()(const lang::HistoryItem::Own& item) {
         find_contacts(session.model, session.joints);
         source.kind = Kind::sub_contact;
-        source.quantity = recorded_name(session, item.word.substr(own.size()), item.place);
+        source.quantity = recorded_name(session, item.name, source.place);
         return source;
     }
-    const auto rate = std::ranges::find(rates, std::string_view(item.word), &Rate::word);
-    source.rate = rate != rates.end();
-    const Field* field = find_history_field(source.rate ? rate->of : std::string_view(item.word));
-    if (field == nullptr)
-        throw Diagnostic(fmt::format("'{}' is not a quantity that can be recorded", item.word));
-    source.kind = kind_of(*field);
-    source.quantity = field->name;
-    // Contacts are found late, at the first cycle; a history of one wants them now.
-    if (info_of(source.kind).found_late) find_contacts(session.model, session.joints);
-    return source;
+    HistorySource operator()(const lang::HistoryItem::Quantity& item) {
+        const auto rate = std::ranges::find(rates, std::string_view(item.word), &Rate::word);
+        source.rate = rate != rates.end();
+        const Field* field = find_history_field(source.rate ? rate->of : std::string_view(item.word));
+        if (field == nullptr)
+            throw Diagnostic(fmt::format("'{}' is not a quantity that can be recorded", item.word));
+        source.kind = kind_of(*field);
+        source.quantity = field->name;
+        // Contacts are found late, at the first cycle; a history of one wants them now.
+        if (info_of(source.kind).found_late) find_contacts(session.model, session.joints);
+        return source;
+    }
+};
+
+HistorySource source_of(Session& session, const lang::HistoryItem& item) {
+    HistorySource source;
+    source.place = item.place;
+    return std::visit(SourceOf{session, source}, item.what);
 }
 
 void warn_of_far_place(Session& session, const History& history, const Place& word) {
@@ -128,5 +140,7 @@ void run(Session& session, const lang::HistoryDelete& command) {
 void run(Session& session, const lang::HistoryLabel& command) {
     history_of(session, command.number, command.place).label = command.text;
 }
+
+void add_handlers(HandlerTable& table, lang::HistoryCommands list) { fill(table, list); }
 
 } // namespace kaya

@@ -76,4 +76,6 @@ void run(Session& session, const lang::InSitu& command) {
     });
 }
 
+void add_handlers(HandlerTable& table, lang::InitialStateCommands list) { fill(table, list); }
+
 } // namespace kaya

@@ -1,7 +1,7 @@
 #include "commands/joint_values.hpp"
 
 #include "base/diagnostic.hpp"
-#include "commands/session.hpp"
+#include "commands/engine.hpp"
 #include "model/sampling.hpp"
 
 #include <charconv>
@@ -53,18 +53,18 @@ namespace {
 
 constexpr std::string_view beginning = "jmodel_", between = " of ";
 
-const JointModel* joint_model_of(Session& session, Row row) {
-    const auto& model = session.model;
+const JointModel* joint_model_of(Engine& engine, Row row) {
+    const auto& model = engine.model;
     const Row set = model.contacts.properties[model.sub_contacts.contact[row]];
-    return set == no_row ? nullptr : session.joints.find(model.joint_properties[static_cast<std::size_t>(set)].model);
+    return set == no_row ? nullptr : engine.joints.find(model.joint_properties[static_cast<std::size_t>(set)].model);
 }
 
 } // namespace
 
-std::string recorded_name(Session& session, const std::string& name, const Vec3& place) {
+std::string recorded_name(Engine& engine, const std::string& name, const Vec3& place) {
     HistorySource source{HistorySource::Kind::sub_contact, std::string(beginning) + name, place};
-    locate(session.model, source);
-    const JointModel* joint = joint_model_of(session, source.row);
+    locate(engine.model, source);
+    const JointModel* joint = joint_model_of(engine, source.row);
     if (joint == nullptr)
         throw Diagnostic("the nearest sub-contact has no joint model yet", "assign one first: jmodel model NAME", Fault::run);
     std::vector<std::string> names;
@@ -80,17 +80,17 @@ std::string recorded_name(Session& session, const std::string& name, const Vec3&
                      Fault::run);
 }
 
-std::optional<double> recorded_own_value(Session& session, const std::string& asked) {
+std::optional<double> recorded_own_value(Engine& engine, const std::string& asked) {
     const auto middle = asked.rfind(between);
     if (!asked.starts_with(beginning) || middle == asked.npos) return std::nullopt;
     Row row = no_row;
     std::from_chars(asked.data() + middle + between.size(), asked.data() + asked.size(), row);
     const std::string name = asked.substr(beginning.size(), middle - beginning.size());
-    if (row < 0 || static_cast<std::size_t>(row) >= session.model.sub_contacts.size()) return std::nullopt;
-    const JointModel* joint = joint_model_of(session, row);
+    if (row < 0 || static_cast<std::size_t>(row) >= engine.model.sub_contacts.size()) return std::nullopt;
+    const JointModel* joint = joint_model_of(engine, row);
     if (joint == nullptr) return std::nan("");
     for (const auto& value : joint_values(*joint)) // another joint model may stand there by now
-        if (value.name == name) return value.of(session.model, row).value_or(std::nan(""));
+        if (value.name == name) return value.of(engine.model, row).value_or(std::nan(""));
     return std::nan("");
 }
 

@@ -17,14 +17,14 @@ struct JointValue {
     std::function<std::optional<double>(const Model&, Row)> of;
 };
 
-class Session;
+class Engine;
 
 /// The name under which a history records what a sub-contact has for itself: "jmodel_ds". Throws Diagnostic when the joint
 /// model of the sub-contact that is nearest to the place has nothing of that name.
-std::string recorded_name(Session& session, const std::string& name, const Vec3& place);
+std::string recorded_name(Engine& engine, const std::string& name, const Vec3& place);
 
 /// The value that a history asks for as "jmodel_ds of 5", 5 being a row; nullopt for anything else.
-std::optional<double> recorded_own_value(Session& session, const std::string& asked);
+std::optional<double> recorded_own_value(Engine& engine, const std::string& asked);
 
 /// All of them, in the order history, fields, properties. The joint model must outlive them.
 std::vector<JointValue> joint_values(const JointModel& joint);

@@ -160,12 +160,10 @@ Journal::Journal(Session& session, const std::string& file)
         stream_.setstate(std::ios::failbit);
     }
     write(fmt::format("{}\n; kaya {}, seed of scripts {}\n", first_line, program_version(), script::Options{}.seed));
-    session_.executed = [this](const lang::BoundCommand& command, const Completion& completion) {
-        add(command, completion);
-    };
+    session_.listen(*this);
 }
 
-Journal::~Journal() { session_.executed = nullptr; }
+Journal::~Journal() { session_.forget(*this); }
 
 void Journal::write(const std::string& text) {
     if (failed_) return;
@@ -180,7 +178,7 @@ void Journal::write(const std::string& text) {
 
 void Journal::deck(const std::string& name) { write(fmt::format("{}{}\n", deck_mark, on_one_line(name))); }
 
-void Journal::add(const lang::BoundCommand& command, const Completion& completion) {
+void Journal::executed(const lang::BoundCommand& command, const Completion& completion) {
     switch (completion.how) {
     case Completion::How::done: break;
     case Completion::How::stopped: write(fmt::format("{}{}\n", stopped_mark, completion.cycle)); break;

@@ -11,11 +11,11 @@ namespace kaya {
 /// Writes each command when it has done its work, or failed, or was stopped: its lines as they stand in the deck or
 /// the called file, with the place they come from. Commands that a script gives are left out: the script gives them
 /// again.
-class Journal {
+class Journal : public Listener {
 public:
-    /// Takes over Session::executed. A journal that cannot be written is a note, not an error.
+    /// Listens to the session. A journal that cannot be written is a note, not an error.
     Journal(Session& session, const std::string& file);
-    ~Journal();
+    ~Journal() override;
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
@@ -25,7 +25,7 @@ public:
     void finish();
 
 private:
-    void add(const lang::BoundCommand& command, const Completion& completion);
+    void executed(const lang::BoundCommand& command, const Completion& completion) override;
     void write(const std::string& text);
 
     Session& session_;

@@ -235,4 +235,6 @@ void run(Session& session, const LimitEquilibrium& command) {
     }
 }
 
+void add_handlers(HandlerTable& table, lang::SlopeCommands list) { fill(table, list); }
+
 } // namespace kaya

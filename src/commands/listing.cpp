@@ -54,24 +54,47 @@ std::pair<double, double> dip_of_normal(const Vec3& normal) {
     return {dip, direction < 0 ? direction + 360 : direction};
 }
 
-struct ListEntry {
-    std::string_view word;
-    std::string (*text)(Session&, const lang::List&);
-};
-constexpr std::array<ListEntry, 33> lists{{
-    {"blocks", list_blocks}, {"quality", list_block_quality},         {"contacts", list_contacts}, {"subcontacts", list_sub_contacts},
-    {"gridpoints", list_gridpoints}, {"zones", list_zones},       {"prop", list_properties},
-    {"jmodel", list_joint_models},   {"hist", list_histories},    {"time", list_time},
-    {"timestep", list_time_step},    {"max", list_extremes},      {"energy", list_energy},
-    {"timing", list_timing},         {"hash", list_hash},         {"ranges", list_ranges},
-    {"tables", list_tables},
-    {"fish", list_symbols},          {"groups", list_groups},     {"settings", list_settings},
-    {"boundary", list_boundary},     {"excavated", list_excavated}, {"stress", list_stresses},
-    {"state", list_states},          {"jset", list_joint_sets},   {"memory", list_memory},
-    {"version", list_version},       {"faces", list_faces},       {"unbalanced", list_unbalanced},
-    {"damping", list_damping},       {"information", list_information}, {"stability", list_stability},
-    {"structures", list_structures},
-}};
+using ListText = std::string (*)(Session&, const lang::List&);
+
+ListText text_of(lang::List::What what) {
+    using enum lang::List::What;
+    switch (what) {
+    case blocks: return list_blocks;
+    case quality: return list_block_quality;
+    case contacts: return list_contacts;
+    case sub_contacts: return list_sub_contacts;
+    case gridpoints: return list_gridpoints;
+    case zones: return list_zones;
+    case faces: return list_faces;
+    case properties: return list_properties;
+    case histories: return list_histories;
+    case extremes: return list_extremes;
+    case time: return list_time;
+    case unbalanced: return list_unbalanced;
+    case damping: return list_damping;
+    case information: return list_information;
+    case time_step: return list_time_step;
+    case timing: return list_timing;
+    case energy: return list_energy;
+    case hash: return list_hash;
+    case joint_models: return list_joint_models;
+    case boundary: return list_boundary;
+    case groups: return list_groups;
+    case excavated: return list_excavated;
+    case states: return list_states;
+    case stresses: return list_stresses;
+    case stability: return list_stability;
+    case structures: return list_structures;
+    case joint_sets: return list_joint_sets;
+    case memory: return list_memory;
+    case version: return list_version;
+    case settings: return list_settings;
+    case tables: return list_tables;
+    case ranges: return list_ranges;
+    case symbols: break;
+    }
+    return list_symbols;
+}
 
 } // namespace
 
@@ -384,10 +407,9 @@ std::string list_settings(Session& session, const lang::List&) {
 void run(Session& session, const lang::List& command) {
     for (const auto& symbol : command.symbols)
         session.output.print(fmt::format("{} = {}", symbol, session.symbol_text(symbol)));
-    if (command.what.empty()) return;
-    const auto found = std::ranges::find(lists, std::string_view(command.what), &ListEntry::word);
-    if (found == lists.end()) throw std::logic_error("list: no entry for '" + command.what + "'");
-    session.output.print(found->text(session, command));
+    if (command.what) session.output.print(text_of(*command.what)(session, command));
 }
+
+void add_handlers(HandlerTable& table, lang::ListCommands list) { fill(table, list); }
 
 } // namespace kaya

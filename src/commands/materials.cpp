@@ -6,6 +6,7 @@
 
 #include "commands/handlers.hpp"
 #include "jointtest/bench.hpp"
+#include "lang/commands/language.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/zone_laws.hpp"
 
@@ -27,28 +28,35 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct BlockProperty {
     std::string_view word;
     double Material::*value;
-    double above, below; ///< limits, exclusive
-    const char* limits;  ///< the same in words
+    lang::Limits limits;
+    const char* limits_in_words;
 };
+constexpr lang::Limits above_zero{0, infinity, true, true}, from_zero{0, infinity, false, true};
 constexpr std::array<BlockProperty, 12> block_properties{{
-    {"density", &Material::density, 0, infinity, "above 0"},
-    {"bulk", &Material::bulk, 0, infinity, "above 0"},
-    {"k", &Material::bulk, 0, infinity, "above 0"},
-    {"shear", &Material::shear, 0, infinity, "above 0"},
-    {"g", &Material::shear, 0, infinity, "above 0"},
-    {"ymodulus", &Material::young, 0, infinity, "above 0"},
-    {"pratio", &Material::poisson, -1, 0.5, "between -1 and 0.5"},
-    {"poisson", &Material::poisson, -1, 0.5, "between -1 and 0.5"},
-    {"bcohesion", &Material::cohesion, -1e-300, infinity, "0 or more"},
-    {"bfriction", &Material::friction, -1e-300, 90, "from 0 to below 90 degrees"},
-    {"btension", &Material::tension, -1e-300, infinity, "0 or more"},
-    {"bdilation", &Material::dilation, -90, 90, "between -90 and 90 degrees"},
+    {"density", &Material::density, above_zero, "above 0"},
+    {"bulk", &Material::bulk, above_zero, "above 0"},
+    {"k", &Material::bulk, above_zero, "above 0"},
+    {"shear", &Material::shear, above_zero, "above 0"},
+    {"g", &Material::shear, above_zero, "above 0"},
+    {"ymodulus", &Material::young, above_zero, "above 0"},
+    {"pratio", &Material::poisson, {-1, 0.5, true, true}, "between -1 and 0.5"},
+    {"poisson", &Material::poisson, {-1, 0.5, true, true}, "between -1 and 0.5"},
+    {"bcohesion", &Material::cohesion, from_zero, "0 or more"},
+    {"bfriction", &Material::friction, {0, 90, false, true}, "from 0 to below 90 degrees"},
+    {"btension", &Material::tension, from_zero, "0 or more"},
+    {"bdilation", &Material::dilation, {-90, 90, true, true}, "between -90 and 90 degrees"},
 }};
 
-/// Words of joints that every deck may use with `prop`, whatever joint model is loaded.
-constexpr std::array<std::string_view, 12> joint_words{"jkn",        "jks",       "jfriction", "jcohesion",
-                                                       "jtension",   "jdilation", "zdilation", "jrfriction",
-                                                       "jrcohesion", "jrtension", "jphi",      "jrdilation"};
+/// Words of joints that every deck may use with `prop`, whatever joint model is loaded: those that the language explains, and two of
+/// joint models of early versions.
+const std::vector<std::string_view>& joint_words() {
+    static const std::vector<std::string_view> words = [] {
+        auto list = lang::joint_property_words();
+        list.insert(list.end(), {"jphi", "jrdilation"});
+        return list;
+    }();
+    return words;
+}
 
 /// The words of files for early versions, where no joint model has properties of these names.
 using EarlyWord = std::pair<std::string_view, std::string_view>;
@@ -69,8 +77,8 @@ const BlockProperty* find_block_property(std::string_view word) {
 
 /// The whole word that a classic joint word is short for; other words stand for themselves.
 std::string_view whole_word(std::string_view word) {
-    const auto found = std::ranges::find_if(joint_words, [&](auto known) { return known.starts_with(word); });
-    return found != joint_words.end() ? *found : word;
+    const auto found = std::ranges::find_if(joint_words(), [&](auto known) { return known.starts_with(word); });
+    return found != joint_words().end() ? *found : word;
 }
 
 /// Drops a value that was given before under another spelling of the same word: jfric, jfriction.
@@ -93,13 +101,13 @@ const LawTable::Property* find_zone_property(ZoneModels& models, const std::stri
 }
 
 bool is_joint_word(const JointRegistry& joints, std::string_view word) {
-    return std::ranges::any_of(joint_words, [&](auto known) { return known.starts_with(word); }) ||
+    return std::ranges::any_of(joint_words(), [&](auto known) { return known.starts_with(word); }) ||
            std::ranges::any_of(joints.loaded(),
                                [&](const auto& model) { return model->find_property(word).has_value(); });
 }
 
 [[noreturn]] void refuse_word(const Session& session, const lang::Property::Item& item, bool joint_only) {
-    std::vector<std::string_view> known(joint_words.begin(), joint_words.end());
+    std::vector<std::string_view> known = joint_words();
     if (!joint_only)
         for (const auto& property : block_properties) known.push_back(property.word);
     for (const auto& model : session.joints.loaded())
@@ -123,9 +131,9 @@ double checked(const LawTable::Property& property, const lang::Property::Item& i
 }
 
 void set_block_property(Material& material, const BlockProperty& property, const lang::Property::Item& item) {
-    if (!(item.value > property.above && item.value < property.below))
+    if (!property.limits.hold(item.value))
         throw Diagnostic(
-            fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value), property.limits))
+            fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value), property.limits_in_words))
             .at(item.place);
     material.*property.value = item.value;
     // The pair that was given last counts.
@@ -407,5 +415,7 @@ void check_materials(Session& session) {
     }
     doubt_elasticity(session);
 }
+
+void add_handlers(HandlerTable& table, lang::MaterialCommands list) { fill(table, list); }
 
 } // namespace kaya

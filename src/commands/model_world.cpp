@@ -46,7 +46,7 @@ Row next_of(const Model& model, const Relation& list, Row row) {
 
 } // namespace
 
-ModelWorld::ModelWorld(Model& model, JointRegistry& joints) : model_(model), joints_(joints) {
+ModelWorld::ModelWorld(Model& model, JointRegistry& joints, WorldHost& host) : model_(model), joints_(joints), host_(host) {
     for (const KindInfo& kind : kinds())
         if (kind.kind < end_of_script_kinds)
             infos_.push_back({kind.name, {}, kind.classic, kind.modern, kind.has_properties, kind.has_spares});
@@ -194,13 +194,13 @@ Handle ModelWorld::relate(std::size_t number, const Handle& object, const At& at
 
 Handle ModelWorld::nearest(ObjectKind kind, const Vec3& place) {
     const Row best = nearest_row(model_, kind, place);
-    if (best != no_row && warn) {
+    if (best != no_row) {
         const double distance = distance_to(model_, kind, best, place);
         const Row block = block_of(model_, kind, best);
         const double size = block == no_row ? distance : block_size(model_, block);
         if (distance > size)
-            warn(Diagnostic(fmt::format("the nearest {} is {:.6g} away from ({:.6g}, {:.6g}, {:.6g}), and its block is {:.6g} across",
-                                        info_of(kind).name, distance, place[0], place[1], place[2], size),
+            host_.warn_once_here(Diagnostic(fmt::format("the nearest {} is {:.6g} away from ({:.6g}, {:.6g}, {:.6g}), and its block is {:.6g} across",
+                                                        info_of(kind).name, distance, place[0], place[1], place[2], size),
                             "look at the place"));
     }
     return handle(kind, best);
@@ -244,7 +244,7 @@ std::optional<script::World::Samples> ModelWorld::history(const std::string& nam
 }
 
 std::string ModelWorld::command(const std::string& text, const std::string& chunk, int line, bool caught) {
-    return run_command(text, chunk, line, caught);
+    return host_.run_text(text, chunk, line, caught);
 }
 
 } // namespace kaya

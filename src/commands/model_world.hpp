@@ -20,9 +20,23 @@ constexpr std::int32_t script_table(ObjectKind kind) {
     return kind == ObjectKind::global ? script::World::whole_model.table : static_cast<std::int32_t>(kind);
 }
 
+/// What scripts need of the session besides the model.
+class WorldHost {
+public:
+    virtual ~WorldHost() = default;
+    /// What `command` does; gives what was printed when it is to be caught.
+    virtual std::string run_text(const std::string& text, const std::string& chunk, int line, bool caught) = 0;
+    virtual void note(const std::string& message) = 0;         ///< said once
+    virtual void warn_once_here(Diagnostic warning) = 0;       ///< once for the command that runs
+    /// The phrase of a named range and its test; null when there is none.
+    virtual const lang::RangePhrase* range_phrase(const std::string& name) = 0;
+    virtual RangeTest range_test_of(ObjectKind kind, const lang::RangePhrase& range) = 0;
+    virtual bool asks_for_objects(const lang::RangePhrase& range) = 0; ///< for more than a place
+};
+
 class ModelWorld : public script::World {
 public:
-    ModelWorld(Model& model, JointRegistry& joints);
+    ModelWorld(Model& model, JointRegistry& joints, WorldHost& host);
 
     const std::vector<script::TableInfo>& tables() const override { return infos_; }
     const std::vector<script::FieldInfo>& globals() const override { return global_infos_; }
@@ -33,7 +47,7 @@ public:
     std::size_t count(std::int32_t table) override { return count_of(model_, static_cast<ObjectKind>(table)); }
     script::Handle at(std::int32_t table, std::size_t index) override;
     bool alive(const script::Handle& object) override { return row_of(object) != no_row; }
-    bool has_range(const std::string& name) override { return range_phrase(name) != nullptr; }
+    bool has_range(const std::string& name) override { return host_.range_phrase(name) != nullptr; }
     bool in_range(const std::string& name, const std::variant<script::Handle, Vec3>& what) override;
     script::Value property(const Owner& owner, const std::string& name) override;
     void set_property(const Owner& owner, const std::string& name, double value) override;
@@ -43,15 +57,6 @@ public:
 
     /// The tests of named ranges are kept from one question to the next until a command or a cycle has run.
     void forget_ranges() { range_tests_.clear(); }
-
-    /// What `command` does; given by the session.
-    std::function<std::string(const std::string& text, const std::string& chunk, int line, bool caught)> run_command;
-    std::function<void(const std::string&)> note; ///< said once; given by the session
-    std::function<void(Diagnostic)> warn; ///< of a place that is far from everything; given by the session
-    /// The phrase of a named range and its test; null and nothing when there is none. Given by the session.
-    std::function<const lang::RangePhrase*(const std::string& name)> range_phrase;
-    std::function<RangeTest(ObjectKind kind, const lang::RangePhrase& range)> range_test_of;
-    std::function<bool(const lang::RangePhrase& range)> asks_for_objects; ///< for more than a place
 
 private:
     /// The history variable of that name, of the joint model of a sub-contact; null when there is none.
@@ -75,6 +80,7 @@ private:
 
     Model& model_;
     JointRegistry& joints_;
+    WorldHost& host_;
     std::map<std::pair<std::string, ObjectKind>, RangeTest> range_tests_;
     std::int64_t cycle_of_tests_ = 0;
     std::uint64_t rows_of_tests_ = 0; ///< Stale::rows_revision

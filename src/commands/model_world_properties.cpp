@@ -16,11 +16,11 @@ const RangeTest& ModelWorld::test_of(const std::string& range, ObjectKind kind) 
     rows_of_tests_ = model_.stale.rows_revision();
     const auto found = range_tests_.find({range, kind});
     if (found != range_tests_.end()) return found->second;
-    const lang::RangePhrase* phrase = range_phrase(range);
+    const lang::RangePhrase* phrase = host_.range_phrase(range);
     if (phrase == nullptr)
         throw Diagnostic(fmt::format("there is no named range '{}'", range), "'range name NAME ...' makes one",
                          Fault::run);
-    return range_tests_[{range, kind}] = range_test_of(kind, *phrase);
+    return range_tests_[{range, kind}] = host_.range_test_of(kind, *phrase);
 }
 
 bool ModelWorld::in_range(const std::string& name, const std::variant<script::Handle, Vec3>& what) {
@@ -33,7 +33,7 @@ bool ModelWorld::in_range(const std::string& name, const std::variant<script::Ha
     }
     // A place is tested as a gridpoint that stands there.
     const RangeTest& test = test_of(name, ObjectKind::gridpoint);
-    if (asks_for_objects(*range_phrase(name)))
+    if (host_.asks_for_objects(*host_.range_phrase(name)))
         throw Diagnostic(fmt::format("the range '{}' asks for more than a place", name),
                          "give a pointer to an object", Fault::run);
     Model only;
@@ -106,7 +106,7 @@ void ModelWorld::set_property(const Owner& owner, const std::string& name, doubl
     if (const auto* material = std::get_if<Material>(&owner)) {
         // The command itself, so that its checks and its way to the contacts are the same.
         const bool joint = name.starts_with('j');
-        run_command(fmt::format("prop {} {} {} {}", joint ? "jmat" : "mat", material->number, name, value), "script", 1, false);
+        host_.run_text(fmt::format("prop {} {} {} {}", joint ? "jmat" : "mat", material->number, name, value), "script", 1, false);
         return;
     }
     const auto& object = std::get<script::Handle>(owner);
@@ -146,8 +146,8 @@ script::Value ModelWorld::object_property(const script::Handle& object, const st
     const JointModel& joint = joints_.get(set.model);
     const auto found = joint.find_property(name);
     if (!found) fail_property(joint, name);
-    if (joint.keeps_objects() && note)
-        note(kind == ObjectKind::sub_contact
+    if (joint.keeps_objects())
+        host_.note(kind == ObjectKind::sub_contact
                  ? fmt::format("'{}' of joint model '{}' is what the deck gave: the model keeps its own for each sub-contact, and does "
                                "not show it",
                                name, joint.name)

@@ -84,4 +84,6 @@ void run(Session& session, const lang::Movie& command) {
     }
 }
 
+void add_handlers(HandlerTable& table, lang::MovieCommands list) { fill(table, list); }
+
 } // namespace kaya

@@ -1,6 +1,7 @@
 // Which blocks are where a new one shall stand.
 #pragma once
 
+#include "base/diagnostic.hpp"
 #include "geometry/box_pairs.hpp"
 #include "model/model.hpp"
 
@@ -30,5 +31,10 @@ private:
     std::int64_t cycle_ = 0;
     std::int32_t made_ = 0; ///< number of the block that comes next
 };
+
+class Session;
+
+/// Warns, the first time in a model, when one of the blocks from `first` on stands where another is.
+void warn_of_overlaps(Session& session, Row first, const Place& place);
 
 } // namespace kaya

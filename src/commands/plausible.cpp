@@ -63,8 +63,8 @@ void doubt_elasticity(Session& session) {
 }
 
 void doubt_damping(Session& session, const lang::Damp& command) {
-    const bool local = command.kind == "local" || command.kind == "combined";
-    if (local && command.value.value_or(0) >= 1)
+    using enum lang::Damp::Kind;
+    if ((command.kind == local || command.kind == combined) && command.value.value_or(0) >= 1)
         session.warn(doubt(fmt::format("a damping factor of {} takes all force away from what moves", number_text(*command.value)),
                            "0.8 is usual"));
 }

@@ -290,4 +290,6 @@ void run(Session& session, const lang::Plot& command) {
     view.items.insert(view.items.end(), line.items.begin(), line.items.end());
 }
 
+void add_handlers(HandlerTable& table, lang::PlotCommands list) { fill(table, list); }
+
 } // namespace kaya

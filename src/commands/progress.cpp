@@ -4,7 +4,7 @@
 
 #include "commands/text_table.hpp"
 
-#include "mechanics/phases.hpp"
+#include "mechanics/density_scaling.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -50,7 +50,7 @@ void advance(Session& session) {
         }
         run_deferred(session);
         shoot_movies(session);
-        if (session.cycled) session.cycled();
+        session.tell_cycled();
     } catch (Diagnostic& failure) {
         session.autosave.step_failed(number, failure.message);
         session.deferred.clear();

@@ -26,4 +26,7 @@ std::uint64_t script_hash(Session& session);
 /// Writes it whole or not at all. Throws Diagnostic (Fault::run).
 void save_session(Session& session, const std::string& file);
 
+/// What `save` does: with forces as the next cycle will have them, and under a name with an ending.
+void save_as(Session& session, const std::string& name);
+
 } // namespace kaya

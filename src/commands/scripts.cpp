@@ -52,4 +52,6 @@ void run(Session& session, const lang::LuaFile& command) {
     session.scripts->run_lua_file(session.input_file(command.file), command.place);
 }
 
+void add_handlers(HandlerTable& table, lang::ScriptCommands list) { fill(table, list); }
+
 } // namespace kaya

@@ -87,4 +87,6 @@ void run(Session& session, const lang::Copy& command) {
     warn_of_overlaps(session, first, command.place);
 }
 
+void add_handlers(HandlerTable& table, lang::SelectionCommands list) { fill(table, list); }
+
 } // namespace kaya

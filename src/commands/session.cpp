@@ -1,21 +1,14 @@
 #include "commands/session.hpp"
 
-#include "base/parallel.hpp"
 #include "commands/deck_review.hpp"
 #include "commands/handlers.hpp"
-#include "commands/joint_values.hpp"
-#include "commands/lua_joint_models.hpp"
-#include "lang/commands/language.hpp"
-#include "lang/fish/compiler.hpp"
-#include "mechanics/contact_properties.hpp"
-#include "laws/arithmetic.hpp"
 #include "lang/script/value_text.hpp"
+#include "laws/arithmetic.hpp"
+#include "mechanics/contact_properties.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
-#include <thread>
-#include <unistd.h>
+#include <utility>
 
 namespace kaya {
 
@@ -36,126 +29,20 @@ lang::Value command_value(const script::Value& value, const std::string& express
         .at(place);
 }
 
-/// The points of a table for joint models; its name is a number.
-std::optional<JointTables::Points> table_points(script::Scripts& scripts, const std::string& name) {
-    std::int64_t number = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-    if (error != std::errc{} || end != name.data() + name.size()) return std::nullopt;
-    const auto& tables = scripts.tables();
-    const auto found = tables.find(number);
-    if (found == tables.end()) return std::nullopt;
-    JointTables::Points points;
-    for (const auto& point : found->second.points) {
-        points.x.push_back(point.x);
-        points.y.push_back(point.y);
-    }
-    return points;
-}
-
-/// Bytes that scripts may take: a text that is doubled too often shall end with a message, not take the machine down.
-std::size_t memory_for_scripts(std::size_t megabytes) {
-    if (megabytes > 0) return megabytes << 20;
-    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
-    return pages > 0 && page > 0 ? static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(page) : 0;
-}
+bool calls_file(const lang::BoundCommand& command) { return command.spec->flow == lang::Flow::call; } // its commands stand for it
 
 } // namespace
 
 Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
-    : options(given), output(results, messages), world(model, joints), interpreter(lang::classic(), handlers) {
-    output.quiet = options.quiet;
-    set_threads(options.threads > 0 ? options.threads
-                                    : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-    joints.set_path(options.joint_folders);
-    add_lua_loader(joints);
-    joints.before_loading = joints.zones.before_loading = [this](const fs::path& file) { gate->may_load(file); };
-    joints.tables().set_source([this](const std::string& name) { return table_points(*scripts, name); });
-
-    script::Options script_options;
-    script_options.trusted = options.trust;
-    script_options.gate = gate;
-    script_options.memory = memory_for_scripts(options.script_memory);
-    scripts = std::make_unique<script::Scripts>(world, script_options);
+    : Program(given, results, messages), Deck(static_cast<lang::InterpreterHost&>(*this)), Engine(static_cast<WorldHost&>(*this)) {
+    begin(gate, options.joint_folders, options.trust, options.script_memory);
     scripts->on_print([this](const std::string& line) { output.print(line); });
     scripts->on_require([this] { return interpreter.searched(); });
-    world.run_command = [this](const std::string& text, const std::string& chunk, int line, bool caught) {
-        std::optional<Output::Caught> printed;
-        if (caught) printed.emplace(output);
-        ++commands_of_scripts_;
-        try {
-            interpreter.run_text(text, chunk, line);
-        } catch (...) {
-            --commands_of_scripts_;
-            throw;
-        }
-        --commands_of_scripts_;
-        return printed ? printed->take() : std::string{};
-    };
-
-    world.note = [this](const std::string& message) { note_once(message); };
-    world.warn = [this](Diagnostic warning) {
-        if (said_once.insert("far:" + here()).second) warn(std::move(warning)); // a loop may ask for many places
-    };
-    world.range_phrase = [this](const std::string& name) -> const lang::RangePhrase* {
-        const auto found = ranges.find(lang::fold(name));
-        return found == ranges.end() ? nullptr : &found->second;
-    };
-    world.range_test_of = [this](ObjectKind kind, const lang::RangePhrase& range) { return test_of(kind, range); };
-    world.asks_for_objects = [this](const lang::RangePhrase& range) { return asks_for_objects(ranges, range); };
-
-    register_handlers(*this, handlers);
-    interpreter.values = [this](const std::string& expression, const Place& place) {
-        return command_value(scripts->value(expression, place), expression, place);
-    };
-    interpreter.on_warning = [this](const Diagnostic& warning) { warn(warning); };
-    interpreter.before_command = [this](const lang::BoundCommand& command) { show_command(command); };
-    interpreter.after_command = [this](const lang::BoundCommand& command) {
-        tell_of_arithmetic();
-        const bool calls = command.spec->flow == lang::Flow::call; // the commands of the file stand for it
-        if (executed && commands_of_scripts_ == 0 && !calls) executed(command, Completion{});
-        if (commands_of_scripts_ == 0) stopped_after_.reset(); // a script has caught it
-    };
-    interpreter.failed_command = [this](const lang::BoundCommand& command) {
-        const bool calls = command.spec->flow == lang::Flow::call;
-        if (!executed || commands_of_scripts_ > 0 || calls) return;
-        // A wish to stop that no cycle has met has met a script.
-        using enum Completion::How;
-        const bool inside = std::exchange(stopped_inside_, false) || interrupted_;
-        const auto how = stopped_after_ ? stopped : inside ? cut_off : failed;
-        executed(command, {how, std::exchange(stopped_after_, std::nullopt).value_or(0)});
-    };
-    interpreter.checks = deck_checks();
-    interpreter.deck_read = [this](const lang::BoundFile& file, const lang::BareNames& names) { review(file, names); };
     interpreter.checks.before_reading = [this](const fs::path& file) { gate->may_read_code(file); };
     vtk.before_writing = [this](const std::string& file) { output_file(file); };
-    make_cycle();
 }
 
 Session::~Session() { scripts.reset(); }
-
-void Session::make_cycle() {
-    cycle = std::make_unique<Cycle>(model, joints);
-    const auto hook = [this](script::Moment moment) {
-        return [this, moment] {
-            if (!scripts->has_hooks(moment)) return;
-            world.forget_ranges(); // shapes and places are others than in the cycle before
-            scripts->run_hooks(moment, model.clock.cycle);
-        };
-    };
-    cycle->hooks.before_cycle.push_back(hook(script::Moment::before_cycle));
-    cycle->hooks.after_forces.push_back(hook(script::Moment::after_forces));
-    cycle->hooks.after_cycle.push_back(hook(script::Moment::after_cycle));
-    cycle->hooks.table_value = [this](std::int64_t number, double x) {
-        const auto& tables = scripts->tables();
-        const auto found = tables.find(number);
-        if (found == tables.end()) throw Diagnostic(fmt::format("there is no table {}", number), {}, Fault::run);
-        return found->second.at(x);
-    };
-    cycle->hooks.script_value = [this](const std::string& expression) {
-        const auto own = recorded_own_value(*this, expression);
-        return own ? *own : scripts->number(expression);
-    };
-}
 
 lang::Ended Session::run_deck(const std::string& file) {
     deck = file;
@@ -165,7 +52,13 @@ lang::Ended Session::run_deck(const std::string& file) {
     return ended;
 }
 
-void Session::review(const lang::BoundFile& file, const lang::BareNames& names) {
+void Session::run(const lang::BoundCommand& command) { run_command(*this, command); }
+
+lang::Value Session::value(const std::string& expression, const Place& place) {
+    return command_value(scripts->value(expression, place), expression, place);
+}
+
+void Session::deck_read(const lang::BoundFile& file, const lang::BareNames& names) {
     DeckReview review(names, *scripts, {fs::path(deck).parent_path(), "."});
     review.file(file);
     std::vector<Diagnostic> errors;
@@ -176,15 +69,12 @@ void Session::review(const lang::BoundFile& file, const lang::BareNames& names) 
     if (!errors.empty()) throw lang::DeckErrors(std::move(errors));
 }
 
-void Session::show_command(const lang::BoundCommand& command) {
+void Session::before(const lang::BoundCommand& command) {
     stop_if_interrupted();
     stopped_inside_ = false;
     last_place = command.place;
     world.forget_ranges();
-    const auto& source = command.place.source;
-    // What a script gives is part of a deck that has been read; it may be very many texts.
-    if (source->is_file && (sources.empty() || sources.back() != source))
-        if (std::ranges::find(sources, source) == sources.end()) sources.push_back(source);
+    take_source(command.place);
     if (!options.echo && !output.logging()) return;
     const std::string text = command.text();
     const std::string line = fmt::format("{}> {}", here(), text.substr(0, text.find('\n')));
@@ -193,6 +83,48 @@ void Session::show_command(const lang::BoundCommand& command) {
     else
         output.log_only(line);
 }
+
+void Session::after(const lang::BoundCommand& command) {
+    tell_of_arithmetic();
+    if (commands_of_scripts_ > 0) return;
+    if (!calls_file(command)) tell_executed(command, {});
+    stopped_after_.reset(); // a script has caught it
+}
+
+void Session::failed(const lang::BoundCommand& command) {
+    if (commands_of_scripts_ > 0 || calls_file(command)) return;
+    // A wish to stop that no cycle has met has met a script.
+    using enum Completion::How;
+    const bool inside = std::exchange(stopped_inside_, false) || interrupted_;
+    const auto how = stopped_after_ ? stopped : inside ? cut_off : Completion::How::failed;
+    tell_executed(command, {how, std::exchange(stopped_after_, std::nullopt).value_or(0)});
+}
+
+std::string Session::run_text(const std::string& text, const std::string& chunk, int line, bool caught) {
+    struct Giving {
+        int& commands;
+        explicit Giving(int& count) : commands(count) { ++commands; }
+        ~Giving() { --commands; }
+    };
+    std::optional<Output::Caught> printed;
+    if (caught) printed.emplace(output);
+    {
+        const Giving giving(commands_of_scripts_);
+        interpreter.run_text(text, chunk, line);
+    }
+    return printed ? printed->take() : std::string{};
+}
+
+void Session::warn_once_here(Diagnostic far) {
+    if (said_once.insert("far:" + here()).second) warn(std::move(far)); // a loop may ask for many places
+}
+
+const lang::RangePhrase* Session::range_phrase(const std::string& name) {
+    const auto found = ranges.find(lang::fold(name));
+    return found == ranges.end() ? nullptr : &found->second;
+}
+
+bool Session::asks_for_objects(const lang::RangePhrase& range) { return kaya::asks_for_objects(ranges, range); }
 
 void Session::interrupt() noexcept {
     interrupted_ = true;
@@ -217,17 +149,7 @@ void Session::stop_after_cycle() {
     stop_if_interrupted();
 }
 
-void Session::warn(Diagnostic warning) {
-    warning.at(interpreter.current_place());
-    if (options.strict) {
-        warning.severity = Severity::error;
-        throw warning;
-    }
-    warning.severity = Severity::warning;
-    ++warnings;
-    if (warning_texts.size() < 100) warning_texts.push_back(render(warning));
-    output.message(warning);
-}
+void Session::warn(Diagnostic warning) { show_warning(warning.at(interpreter.current_place())); }
 
 void Session::tell_of_arithmetic() {
     const auto tell = [this](const LawTable& law, const char* noun) {
@@ -244,10 +166,7 @@ void Session::tell_of_arithmetic() {
 }
 
 void Session::note_once(const std::string& message, const std::string& hint) {
-    if (!said_once.insert(message).second) return;
-    Diagnostic note(message, hint);
-    note.severity = Severity::note;
-    output.message(note.at(interpreter.current_place()));
+    if (said_once.insert(message).second) show_note(Diagnostic(message, hint).at(interpreter.current_place()));
 }
 
 std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& range, bool hidden_too) {
@@ -299,21 +218,9 @@ std::string Session::run_name() {
     if (taken.is_new && taken.by_other) {
         Diagnostic note(fmt::format("another run of '{}' is going on in this folder", stem),
                         fmt::format("the journal and the autosave of this one are called '{}'", taken.name));
-        note.severity = Severity::note;
-        output.message(note);
+        show_note(note);
     }
     return taken.name;
-}
-
-std::string Session::here() const {
-    const Place place = interpreter.current_place();
-    return place ? fmt::format("{}:{}", place.source->name, place.line) : std::string{};
-}
-
-fs::path Session::next_to_deck(const std::string& name) const {
-    const fs::path adjacent = fs::path(deck).parent_path() / name;
-    std::error_code ignored;
-    return fs::exists(adjacent, ignored) ? adjacent : fs::path(name);
 }
 
 fs::path Session::input_file(const std::string& name) {
@@ -321,11 +228,6 @@ fs::path Session::input_file(const std::string& name) {
     gate->may_read(found);
     files_read.insert(found.string());
     return found;
-}
-
-const std::string& Session::output_file(const std::string& name) {
-    gate->may_write(name);
-    return name;
 }
 
 std::string Session::symbol_text(const std::string& expression) {
@@ -345,19 +247,5 @@ void Session::clear() {
     autosave.saved();
     make_cycle();
 }
-
-lang::Checks deck_checks() {
-    lang::Checks checks;
-    // A function that does not compile is found before the first command runs, not hours later. What its names
-    // mean is known when it is defined; names that are not supported are refused whatever they mean.
-    checks.on<lang::FishDefinition>([](const lang::FishDefinition& command) {
-        fish::generate(fish::read_function(command.text, command.place),
-                       [](std::string_view) { return fish::Meaning{}; });
-    });
-    checks.on<lang::LuaChunk>([](const lang::LuaChunk& command) { script::check_lua_text(command.text, command.place); });
-    return checks;
-}
-
-const char* program_version() { return KAYA_VERSION; }
 
 } // namespace kaya

@@ -150,4 +150,6 @@ void run(Session& session, const lang::PolyTunnel& command) {
     for (Row b = first; b < static_cast<Row>(session.model.blocks.size()); ++b) session.model.blocks.group[b] = group;
 }
 
+void add_handlers(HandlerTable& table, lang::ShapeCommands list) { fill(table, list); }
+
 } // namespace kaya

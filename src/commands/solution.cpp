@@ -8,7 +8,7 @@
 #include "commands/time_step.hpp"
 
 #include "mechanics/dashpots.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/density_scaling.hpp"
 
 #include <algorithm>
 #include <array>
@@ -40,27 +40,23 @@ void tell_rest(Session& session, const RestMonitor& monitor, const Place& place)
             .at(place));
 }
 
-struct DampingEntry {
-    std::string_view word;
-    Damping damping;
-};
-constexpr std::array<DampingEntry, 6> dampings{{
-    {"auto", Damping::global},
-    {"global", Damping::global},
-    {"local", Damping::local},
-    {"combined", Damping::combined},
-    {"rayleigh", Damping::rayleigh},
-    {"none", Damping::none},
-}};
+Damping damping_of(lang::Damp::Kind kind) {
+    switch (kind) {
+    case lang::Damp::Kind::none: break;
+    case lang::Damp::Kind::local: return Damping::local;
+    case lang::Damp::Kind::global: return Damping::global;
+    case lang::Damp::Kind::combined: return Damping::combined;
+    case lang::Damp::Kind::rayleigh: return Damping::rayleigh;
+    }
+    return Damping::none;
+}
 
-void set_damping(Settings& settings, const lang::Damp& command) {
-    const auto found = std::ranges::find(dampings, std::string_view(command.kind), &DampingEntry::word);
-    if (found == dampings.end()) throw std::logic_error("damp: no entry for '" + command.kind + "'");
-    settings.damping = found->damping;
-    if (found->damping == Damping::local || found->damping == Damping::combined)
+void set_damping(Settings& settings, lang::Damp::Kind kind, const lang::Damp& command) {
+    settings.damping = damping_of(kind);
+    if (settings.damping == Damping::local || settings.damping == Damping::combined)
         settings.local_factor = command.value.value_or(0.8);
-    if (found->damping == Damping::global && command.value) settings.global_ratio = *command.value;
-    if (found->damping != Damping::rayleigh) return;
+    if (settings.damping == Damping::global && command.value) settings.global_ratio = *command.value;
+    if (settings.damping != Damping::rayleigh) return;
     settings.rayleigh_fraction = command.fraction;
     settings.rayleigh_frequency = command.frequency;
     settings.rayleigh_mass = command.mass;
@@ -115,8 +111,8 @@ void run(Session& session, const lang::Damp& command) {
     const auto before = stiff_part();
     // A line says all of the damping; only dashpots that are taken away leave the rest as it is.
     settings.contact_damping = command.contact.value_or(0);
-    if (!command.kind.empty())
-        set_damping(settings, command);
+    if (command.kind)
+        set_damping(settings, *command.kind, command);
     else if (settings.contact_damping > 0)
         settings.damping = Damping::none;
     if (stiff_part() == before) return;
@@ -147,5 +143,7 @@ void run(Session& session, const lang::Fraction& command) {
     session.model.settings.time_step_fraction = command.value;
     ModelEdit(session.model, Change::properties);
 }
+
+void add_handlers(HandlerTable& table, lang::SolutionCommands list) { fill(table, list); }
 
 } // namespace kaya

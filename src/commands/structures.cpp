@@ -135,4 +135,6 @@ std::string list_structures(Session& session, const lang::List& command) {
     return text + properties_text(model.structures);
 }
 
+void add_handlers(HandlerTable& table, lang::StructureCommands list) { fill(table, list); }
+
 } // namespace kaya

@@ -154,4 +154,6 @@ void check_time_functions(Session& session) {
     }
 }
 
+void add_handlers(HandlerTable& table, lang::TableCommands list) { fill(table, list); }
+
 } // namespace kaya

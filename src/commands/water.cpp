@@ -7,20 +7,21 @@
 namespace kaya {
 
 void run(Session& session, const lang::WaterCommand& command) {
+    using Kind = lang::WaterCommand::Kind;
     auto& settings = session.model.settings;
     ModelEdit(session.model, Change::properties);
-    if (command.kind == "off") {
+    if (command.kind == Kind::off) {
         settings.water = Water::none;
         std::ranges::fill(session.model.sub_contacts.pore_pressure, 0.0);
         return;
     }
-    if (command.kind == "pressure") {
+    if (command.kind == Kind::pressure) {
         settings.water = Water::field;
         settings.water_value = command.pressure;
         settings.water_direction = command.gradient;
         return;
     }
-    if (command.kind == "ground") {
+    if (command.kind == Kind::ground) {
         const Vec3& down = settings.gravity;
         if (down.x() != 0 || down.y() != 0 || down.z() > 0)
             throw Diagnostic("below a ground surface water needs gravity along -z", "write for example: gravity 0 0 -9.81").at(command.place);
@@ -44,5 +45,7 @@ void run(Session& session, const lang::WaterCommand& command) {
     settings.water_origin = command.origin;
     settings.water_direction = command.normal / length;
 }
+
+void add_handlers(HandlerTable& table, lang::WaterCommands list) { fill(table, list); }
 
 } // namespace kaya

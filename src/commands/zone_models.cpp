@@ -101,4 +101,6 @@ void run(Session& session, const lang::ZoneAveraging& command) {
     ModelEdit(session.model, Change::properties);
 }
 
+void add_handlers(HandlerTable& table, lang::ZoneModelCommands list) { fill(table, list); }
+
 } // namespace kaya

@@ -3,7 +3,8 @@
 #include "mechanics/contact_stiffness.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/overlap_contact.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/advance_joints.hpp"
+#include "mechanics/move_contact.hpp"
 #include "model/lanes.hpp"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // Velocities and loads that change with time: docs/theory/loads.md.
-#include "base/diagnostic.hpp"
-#include "mechanics/cycle.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/remedy.hpp"
+#include "mechanics/apply_histories.hpp"
 #include "mechanics/rotation.hpp"
 
 #include <algorithm>
@@ -33,9 +32,8 @@ void fill(const Model& model, const std::vector<std::int32_t>& functions, double
         try {
             factors[row] = value_of(function, time, hooks);
             if (!std::isfinite(factors[row]))
-                throw Diagnostic(fmt::format("the history of a boundary condition gives {} at time {:.6g}",
-                                             factors[row], time),
-                                 "look at the function or table after `hist`", Fault::run);
+                throw Advised(fmt::format("the history of a boundary condition gives {} at time {:.6g}", factors[row], time),
+                              Advice::check_time_function, {}, Fault::run);
         } catch (Diagnostic& failure) {
             if (!function.place.empty()) failure.add("history of the boundary condition given at " + function.place);
             throw;

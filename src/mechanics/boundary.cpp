@@ -1,9 +1,9 @@
 #include "mechanics/boundary.hpp"
 
-#include "base/diagnostic.hpp"
+#include "mechanics/remedy.hpp"
 #include "geometry/box_pairs.hpp"
 #include "geometry/face_contact.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/masses.hpp"
 #include "mechanics/rotation.hpp"
 #include "model/ties.hpp"
 
@@ -238,9 +238,8 @@ void initialize_velocity(Model& model, const Bodies& bodies, int component, doub
     if (is_rotation(component))
         for (const Row b : bodies.blocks)
             if (blocks.body[b] != 0)
-                throw Diagnostic(fmt::format("block {} is joined to others and has no rotation of its own",
-                                             blocks.number[b]),
-                                 "give it a rotation before `join`");
+                throw Advised(fmt::format("block {} is joined to others and has no rotation of its own", blocks.number[b]),
+                              Advice::rotate_before_joining);
     each_body(
         model, bodies, component,
         [&](Row b) {

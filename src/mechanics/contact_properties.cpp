@@ -1,6 +1,6 @@
 #include "mechanics/contact_properties.hpp"
 
-#include "base/diagnostic.hpp"
+#include "mechanics/remedy.hpp"
 #include "base/memory.hpp"
 #include "mechanics/contact_search.hpp"
 #include "mechanics/contact_table.hpp"
@@ -77,8 +77,7 @@ std::string joint_model_of_number(const Model& model, std::int32_t number) {
     if (given != model.joint_constitutive.end()) return given->second;
     for (const auto& [known, name] : numbered_models)
         if (known == number) return name;
-    throw Diagnostic(fmt::format("no joint model has the number jcons {}", number),
-                     "1 is mohr and 7 is elastic; others are assigned by name: jmodel model NAME");
+    throw Advised(fmt::format("no joint model has the number {}", number), Advice::name_joint_model, {std::to_string(number)});
 }
 
 std::string default_joint_model(const Model& model) {

@@ -1,4 +1,6 @@
 // Zones that are squeezed to nothing or turned over: what they answer is no rock any more.
+// reads: gridpoints.position, gridpoints.displacement, zones.gridpoints
+// writes: nothing
 #pragma once
 
 #include "base/diagnostic.hpp"

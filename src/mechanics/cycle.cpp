@@ -2,80 +2,41 @@
 
 #include "base/diagnostic.hpp"
 #include "base/memory.hpp"
+#include "mechanics/adjacency.hpp"
+#include "mechanics/advance_joints.hpp"
+#include "mechanics/apply_histories.hpp"
+#include "mechanics/batches.hpp"
+#include "mechanics/check_properties.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/contact_search.hpp"
 #include "mechanics/crushed_zones.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/damping_policy.hpp"
+#include "mechanics/energy.hpp"
+#include "mechanics/gather_forces.hpp"
+#include "mechanics/growth.hpp"
+#include "mechanics/masses.hpp"
+#include "mechanics/move_bodies.hpp"
+#include "mechanics/quiet_boundary.hpp"
 #include "mechanics/run_cables.hpp"
+#include "mechanics/run_zone_models.hpp"
 #include "mechanics/sub_contact_order.hpp"
 #include "mechanics/take_over.hpp"
 #include "mechanics/ties.hpp"
 #include "mechanics/time_step.hpp"
+#include "mechanics/water.hpp"
+#include "mechanics/zone_frequencies.hpp"
 #include "mechanics/zone_laws.hpp"
-#include "model/measure.hpp"
 #include "model/sampling.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <fmt/format.h>
-#include <optional>
-#include <set>
 
 namespace kaya {
 
 namespace {
 
-/// Power of adaptive global damping over the rate at which kinetic energy changes, of a ratio of 1: calibrated on
-/// logs of 3DEC, docs/theory/damping.md.
-constexpr double global_damping_scale = 4.6;
-/// How much its viscosity changes in the largest stable step, from the same logs.
-constexpr double viscosity_rate = 0.0033;
 /// Cycles between two looks at all bodies while stiffnesses change little by little.
 constexpr std::int64_t follow_interval = 10;
-
-enum Phase { move, joint, zone, cable, search, gather, step, script, phase_count };
-
-std::vector<PhaseTime> phase_names() {
-    return {{"move bodies"},   {"contacts and joint models"}, {"zone models"}, {"cables"}, {"search contacts"},
-            {"gather forces"}, {"time step limit"},           {"hooks and histories"}};
-}
-
-/// Joint properties that must be given and are not, and values that do not go together.
-void check_properties(const Model& model, JointRegistry& joints) {
-    std::set<Row> used;
-    for (std::size_t c = 0; c < model.contacts.size(); ++c) {
-        const Row row = model.contacts.properties[c];
-        if (!used.insert(row).second) continue;
-        const auto& set = model.joint_properties[row];
-        const JointModel& joint = joints.get(set.model);
-        std::string list;
-        for (const auto& name : joint.missing(set.values)) list += (list.empty() ? "" : ", ") + name;
-        const std::string complaint = list.empty() ? joint.check(set.values) : "";
-        const auto mistake = [&]() -> std::optional<Diagnostic> {
-            Diagnostic d(
-                list.empty() ? fmt::format("joint model '{}': {}", joint.name, complaint)
-                             : fmt::format("joint model '{}' is used without {}", joint.name, list),
-                list.empty() ? "" : fmt::format("give it with `jmodel {} value` or `prop jmat {}`",
-                                                joint.missing(set.values).front(), set.material));
-            d.code = "property-missing";
-            if (!list.empty() || !complaint.empty()) return d;
-            try {
-                joint.initial_stiffness(set.values);
-            } catch (const Diagnostic& of_model) {
-                return of_model;
-            }
-            return std::nullopt;
-        }();
-        if (!mistake) continue;
-        Diagnostic d = *mistake;
-        d.add(fmt::format("first used by contact {} between blocks {} and {}", model.contacts.number[c],
-                          model.blocks.number[model.contacts.block1[c]],
-                          model.blocks.number[model.contacts.block2[c]]));
-        if (!set.place.empty()) d.add("properties given at " + set.place);
-        throw d;
-    }
-}
 
 Diagnostic motion_lost() {
     Diagnostic d("the motion of the model is no longer a number",
@@ -88,7 +49,7 @@ Diagnostic motion_lost() {
 } // namespace
 
 /// What is derived from the model and never saved.
-struct Cycle::Scratch {
+struct Cycle::Lists {
     ContactSearch search;
     Adjacency adjacency;
     std::vector<Batch> batches;
@@ -102,48 +63,17 @@ struct Cycle::Scratch {
     JointForces joints;
     std::vector<CableChain> cables;
     std::vector<PointRow> zone_forces;
-    std::vector<PhaseTime> timing = phase_names();
-
-    /// Calls a phase and adds its time.
-    template <class Call> auto timed(Phase phase, Call call) {
-        struct Stop {
-            PhaseTime& time;
-            std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-            ~Stop() {
-                time.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-                ++time.calls;
-            }
-        } stop{timing[phase]};
-        return call();
-    }
 };
 
 Cycle::Cycle(Model& model, JointRegistry& joints)
-    : model_(model), joints_(joints), scratch_(std::make_unique<Scratch>()) {}
+    : model_(model), joints_(joints), lists_(std::make_unique<Lists>()) {}
 
 Cycle::~Cycle() = default;
 
-const std::vector<PhaseTime>& Cycle::timing() const { return scratch_->timing; }
-
-double Cycle::energy_in_zones() const {
-    double sum = 0;
-    for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
-        if (!model_.blocks.deformable[b]) continue;
-        const auto [lambda, two_shear] = scratch_->elastic[b];
-        if (!(two_shear > 0)) continue;
-        const Span zones = model_.blocks.zones[b];
-        for (Row z = zones.first; z < zones.end(); ++z) {
-            const Stress& s = model_.zones.stress[z];
-            const double mean = (s[0] + s[1] + s[2]) / 3;
-            const double deviator = (s.head<3>().array() - mean).square().sum() + 2 * s.tail<3>().squaredNorm();
-            sum += zone_volume(model_, z) * (mean * mean / (2 * (lambda + two_shear / 3)) + deviator / (2 * two_shear));
-        }
-    }
-    return sum;
-}
+double Cycle::energy_in_zones() const { return kaya::energy_in_zones(model_, lists_->elastic); }
 
 void Cycle::prepare() {
-    Scratch& s = *scratch_;
+    Lists& s = *lists_;
     if (model_.stale.contacts()) place_cable_nodes(model_);
     find_contacts(model_, joints_);
     if (model_.stale.properties()) {
@@ -182,14 +112,14 @@ void Cycle::prepare() {
 }
 
 void Cycle::take_zone_laws() {
-    Scratch& s = *scratch_;
+    Lists& s = *lists_;
     s.laws = ZoneLaws(model_, joints_.zones);
     s.elastic = s.laws.elastic_constants();
     s.step.take(s.elastic);
 }
 
 void Cycle::make_lists() {
-    Scratch& s = *scratch_;
+    Lists& s = *lists_;
     order_sub_contacts(model_);
     s.adjacency = make_adjacency(model_);
     s.batches = make_batches(model_, joints_);
@@ -201,77 +131,58 @@ void Cycle::make_lists() {
     zone_forces(model_, s.laws, s.zone_forces);
 }
 
-void Cycle::adapt_viscosity(const MotionSums& motion) {
-    if (model_.settings.damping != Damping::global) return;
-    double& viscosity = model_.clock.global_viscosity;
-    const double change = std::abs(motion.kinetic - motion.kinetic_before);
-    const double rate = viscosity_rate * time_step_fraction(model_.settings);
-    viscosity *= motion.damped > global_damping_scale * model_.settings.global_ratio * change ? 1 - rate : 1 + rate;
-    viscosity = std::min(viscosity, 1 / model_.clock.time_step);
-}
-
-void Cycle::keep_account(const HistorySums& prescribed, const MotionSums& motion, const JointSums& joint_sums,
-                         const ZoneSums& zone_sums, double cable_work, double inner_power) {
-    Energy& energy = model_.energy;
-    // Velocities that were set from outside since the last step open the account anew by their energy.
-    energy.start += motion.kinetic_before - prescribed.kinetic - energy.kinetic;
-    energy.kinetic = motion.kinetic;
-    // The half step up to such a change was gone with the velocities before it, and not with those that bodies saw.
-    const double power_set = motion.inner_power - prescribed.inner_power - energy.inner_power;
-    const double half_step = 0.5 * model_.clock.time_step;
-    const bool opens = energy.lag == 0; // nothing is known of the half step before
-    const double half_step_before = opens ? half_step : energy.lag;
-    energy.inner_power = inner_power;
-    energy.lag = half_step;
-    if (!model_.settings.energy) return;
-    constexpr double rounding_of_sums = 1e-12;
-    if (std::abs(power_set) > rounding_of_sums * motion.inner_power_size)
-        (opens ? energy.start : energy.boundary) += half_step_before * power_set;
-    energy.gravity += prescribed.gravity + motion.gravity;
-    energy.boundary += prescribed.boundary + motion.boundary + joint_sums.fluid;
-    energy.damped += motion.damped + joint_sums.damped + zone_sums.damped;
-    energy.joint_work += joint_sums.work;
-    energy.joint_friction += joint_sums.friction;
-    energy.joint_lost += joint_sums.lost - joint_sums.returned;
-    energy.zone_work += zone_sums.work;
-    energy.structure_work += cable_work;
-    const Clock& clock = model_.clock;
-    if (clock.last_step > 0) energy.step_made -= 0.25 * (clock.time_step - clock.last_step) * motion.inner_power_gain;
-}
-
 // The order of one step, and the only place where it stands.
 void Cycle::advance() {
+    StepSums sums;
+    begin();
+    move(sums);
+    strain(sums);
+    const bool may_grow = step_may_grow(model_.clock);
+    model_.clock.time += model_.clock.time_step;
+    ++model_.clock.cycle;
+    const ContactChange change = refresh_contacts();
+    gather(sums);
+    close_account(sums);
+    limit_step(sums, change, may_grow);
+    record();
+}
+
+void Cycle::begin() {
     prepare();
     tell_of_forces(model_, joints_);
-    Scratch& s = *scratch_;
-    Clock& clock = model_.clock;
-
     run_hooks(hooks.before_cycle);
     tell_of_forces(model_, joints_);
-    // What begins to move does so overdamped, so that no joint slips in an overshoot before the viscosity has come down.
-    if (model_.settings.damping == Damping::global && clock.global_viscosity == 0) clock.global_viscosity = 1 / clock.time_step;
-    HistorySums prescribed;
-    const MotionSums motion = s.timed(move, [&] {
-        prescribed = apply_velocity_histories(model_, s.boundary_histories, hooks);
-        if (!s.boundary_histories.velocities.empty()) prescribed.add(follow_prescribed(model_, s.ties));
-        MotionSums sums = move_blocks(model_, s.adjacency.bodies);
-        sums.add(move_gridpoints(model_, s.quiet, s.ties));
-        return sums;
+    start_viscosity(model_);
+}
+
+/// Velocities and places.
+void Cycle::move(StepSums& sums) {
+    Lists& s = *lists_;
+    times_.timed(Phase::move, [&] {
+        sums.prescribed = apply_velocity_histories(model_, s.boundary_histories, hooks);
+        if (!s.boundary_histories.velocities.empty()) sums.prescribed.add(follow_prescribed(model_, s.ties));
+        sums.motion = move_blocks(model_, s.adjacency.bodies);
+        sums.motion.add(move_gridpoints(model_, s.quiet, s.ties));
     });
-    const JointSums joint_sums = s.timed(joint, [&] {
+}
+
+/// What answers to it: joints, zones, ties, cables.
+void Cycle::strain(StepSums& sums) {
+    Lists& s = *lists_;
+    times_.timed(Phase::joints, [&] {
         put_water(model_);
-        return advance_joints(model_, s.batches, s.joints);
+        sums.joints = advance_joints(model_, s.batches, s.joints);
     });
-    const ZoneSums zone_sums = s.timed(zone, [&] {
-        ZoneSums sums = run_zone_models(model_, s.laws, s.zones, s.zone_forces);
-        sums.add(run_ties(model_, s.ties));
-        return sums;
+    times_.timed(Phase::zones, [&] {
+        sums.zones = run_zone_models(model_, s.laws, s.zones, s.zone_forces);
+        sums.zones.add(run_ties(model_, s.ties));
     });
-    const double cable_work = s.adjacency.has_cables() ? s.timed(cable, [&] { return run_cables(model_, s.cables); }) : 0;
-    const bool may_grow = step_may_grow(clock);
-    clock.time += clock.time_step;
-    ++clock.cycle;
-    const ContactChange contacts_changed = s.timed(search, [&] {
+    if (s.adjacency.has_cables()) times_.timed(Phase::cables, [&] { sums.cable_work = run_cables(model_, s.cables); });
+}
+
+ContactChange Cycle::refresh_contacts() {
+    Lists& s = *lists_;
+    return times_.timed(Phase::search, [&] {
         if (!model_.settings.large_strain) return ContactChange::none;
         ContactChange change = s.search.refresh_slipped(model_, joints_);
         if (ContactSearch::due(model_)) change = std::max(change, s.search.search(model_, joints_, true));
@@ -283,41 +194,54 @@ void Cycle::advance() {
         model_.stale.lists_made();
         return change;
     });
-    const double inner_power = s.timed(gather, [&] {
+}
+
+void Cycle::gather(StepSums& sums) {
+    Lists& s = *lists_;
+    times_.timed(Phase::gather, [&] {
         apply_load_histories(model_, s.boundary_histories, hooks);
-        return gather_forces(model_, s.adjacency, s.ties, s.joints, s.laws.tiles, s.zone_forces);
+        sums.inner_power = gather_forces(model_, s.adjacency, s.ties, s.joints, s.laws.tiles, s.zone_forces);
     });
     run_hooks(hooks.after_forces);
+}
 
-    if (!std::isfinite(motion.kinetic) || !std::isfinite(clock.unbalanced_force)) throw motion_lost();
-    adapt_viscosity(motion);
-    keep_account(prescribed, motion, joint_sums, zone_sums, cable_work, inner_power);
-    s.step.audit(model_);
-    clock.last_step = clock.time_step;
-    const bool follows = joint_sums.stiffness_changed || s.step.forecasts();
-    if (follows || contacts_changed != ContactChange::none || may_grow)
-        s.timed(step, [&] {
-            if (may_grow) {
-                check_crushed_zones(model_);
-                zone_frequencies(model_, s.elastic);
-                add_tie_frequencies(model_, s.ties);
-            }
-            const auto bodies = may_grow                                        ? TimeStep::Bodies::all_and_grow
-                              : follows && clock.cycle % follow_interval == 0 ? TimeStep::Bodies::all
-                                                                              : TimeStep::Bodies::marked;
-            s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, bodies);
-        });
-    s.timed(script, [&] { sample_histories(model_, hooks.script_value); });
+void Cycle::close_account(const StepSums& sums) {
+    if (!std::isfinite(sums.motion.kinetic) || !std::isfinite(model_.clock.unbalanced_force)) throw motion_lost();
+    adapt_viscosity(model_, sums.motion);
+    keep_account(model_, sums);
+    lists_->step.audit(model_);
+    model_.clock.last_step = model_.clock.time_step;
+}
+
+void Cycle::limit_step(const StepSums& sums, ContactChange change, bool may_grow) {
+    Lists& s = *lists_;
+    const bool follows = sums.joints.stiffness_changed || s.step.forecasts();
+    if (!follows && change == ContactChange::none && !may_grow) return;
+    times_.timed(Phase::step, [&] {
+        if (may_grow) {
+            check_crushed_zones(model_);
+            zone_frequencies(model_, s.elastic);
+            add_tie_frequencies(model_, s.ties);
+        }
+        const auto bodies = may_grow                                                  ? TimeStep::Bodies::all_and_grow
+                          : follows && model_.clock.cycle % follow_interval == 0 ? TimeStep::Bodies::all
+                                                                                       : TimeStep::Bodies::marked;
+        s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, bodies);
+    });
+}
+
+void Cycle::record() {
+    times_.timed(Phase::scripts, [&] { sample_histories(model_, hooks.script_value); });
     run_hooks(hooks.after_cycle);
 }
 
 void Cycle::run_hooks(const std::vector<std::function<void()>>& list) {
     if (list.empty()) return;
-    scratch_->timed(script, [&] {
+    times_.timed(Phase::scripts, [&] {
         for (const auto& hook : list) hook();
     });
 }
 
-std::string Cycle::time_step_report() { return scratch_->step.report(model_, scratch_->adjacency); }
+std::string Cycle::time_step_report() { return lists_->step.report(model_, lists_->adjacency); }
 
 } // namespace kaya

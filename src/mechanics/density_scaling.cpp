@@ -1,5 +1,5 @@
 // Density scaling: inertial masses that differ from the true ones. Equations (8) to (10) of docs/theory/time-step.md.
-#include "mechanics/phases.hpp"
+#include "mechanics/density_scaling.hpp"
 #include "mechanics/step_bounds.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "base/reduce.hpp"
 #include "mechanics/held_directions.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/gather_forces.hpp"
 #include "mechanics/ties.hpp"
 
 #include <Eigen/Geometry>

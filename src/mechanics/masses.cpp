@@ -1,5 +1,5 @@
-#include "base/diagnostic.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/remedy.hpp"
+#include "mechanics/masses.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -14,10 +14,10 @@ const Material& material_of(const Model& model, Row block) {
     return found == model.materials.end() ? none : found->second;
 }
 
-[[noreturn]] void missing(const Model& model, Row block, const char* what, const char* words) {
+[[noreturn]] void missing(const Model& model, Row block, const char* what) {
     const auto material = model.blocks.material[block];
-    Diagnostic d(fmt::format("block {} (material {}) has no {}", model.blocks.number[block], material, what),
-                 fmt::format("give it, e.g. `prop mat {} {}`", material, words));
+    Advised d(fmt::format("block {} (material {}) has no {}", model.blocks.number[block], material, what), Advice::give_density,
+              {std::to_string(material)});
     d.code = "property-missing";
     throw d;
 }
@@ -35,7 +35,7 @@ void compute_masses(Model& model) {
         const Row row = static_cast<Row>(b);
         const double density = material_of(model, row).density;
         const bool held = !blocks.deformable[b] && blocks.fixed[b] == fix_all && blocks.body[b] == 0;
-        if (!(density > 0) && !held) missing(model, row, density == 0 ? "mass: its density is 0" : "density", "dens 2600");
+        if (!(density > 0) && !held) missing(model, row, density == 0 ? "mass: its density is 0" : "density");
     }
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         const double density = material_of(model, static_cast<Row>(b)).density;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mechanics/damping.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/phase_sums.hpp"
 
 #include <cstdint>
 

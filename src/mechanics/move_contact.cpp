@@ -1,6 +1,6 @@
 #include "mechanics/contact_geometry.hpp"
 #include "mechanics/overlap_contact.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/move_contact.hpp"
 #include "mechanics/triple.hpp"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+#include "mechanics/move_bodies.hpp"
 #include "base/reduce.hpp"
 #include "mechanics/motion.hpp"
 #include "mechanics/ties.hpp"

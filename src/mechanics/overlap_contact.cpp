@@ -1,4 +1,5 @@
 #include "mechanics/overlap_contact.hpp"
+#include "mechanics/growth.hpp"
 
 #include "mechanics/contact_geometry.hpp"
 #include "mechanics/dashpots.hpp"

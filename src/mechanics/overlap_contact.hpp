@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mechanics/overlap_patch.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/move_contact.hpp"
 #include "model/model.hpp"
 
 namespace kaya {

@@ -1,6 +1,6 @@
 #include "mechanics/quiet_boundary.hpp"
 
-#include "mechanics/phases.hpp"
+#include "mechanics/elastic_constants.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -1,4 +1,6 @@
 // Forces of the cables: docs/theory/cables.md.
+// reads: blocks.centroid, blocks.orientation, gridpoints.position, zones.stress, structures.properties
+// writes: structures.nodes
 #pragma once
 
 #include "mechanics/cable_chain.hpp"

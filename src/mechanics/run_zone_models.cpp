@@ -1,7 +1,7 @@
 #include "base/reduce.hpp"
 #include "mechanics/crushed_zones.hpp"
 #include "mechanics/dashpots.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/run_zone_models.hpp"
 #include "mechanics/tetrahedra.hpp"
 #include "mechanics/zone_laws.hpp"
 #include "model/measure.hpp"

@@ -1,5 +1,4 @@
 // The highest frequency by Lanczos's method: closer than the bound, and no bound.
-#include "mechanics/phases.hpp"
 #include "mechanics/step_bounds.hpp"
 #include "mechanics/ties.hpp"
 

@@ -1,4 +1,6 @@
 // Forces that joint models find when they are given to joints, or that scripts set.
+// reads: forces_set, taken_over, sub_contacts.normal_force, sub_contacts.shear_force
+// writes: sub_contacts, forces_set, taken_over, energy.joint_friction
 #pragma once
 
 #include "base/diagnostic.hpp"

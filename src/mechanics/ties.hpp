@@ -1,8 +1,11 @@
 // Ties between joined blocks with zones, at work: docs/theory/ties.md.
+// reads: gridpoints.velocity, gridpoints.position, gridpoints.mass, zones.stress, ties.gridpoints
+// writes: ties.force, ties.dashpot, gridpoints.velocity, gridpoints.force, gridpoints.zone_frequency
 #pragma once
 
 #include "mechanics/adjacency.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/elastic_constants.hpp"
+#include "mechanics/phase_sums.hpp"
 #include "model/model.hpp"
 
 #include <array>

@@ -1,6 +1,7 @@
 #include "mechanics/time_step.hpp"
 
-#include "base/diagnostic.hpp"
+#include "mechanics/remedy.hpp"
+#include "mechanics/density_scaling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -85,8 +86,8 @@ void TimeStep::audit(const Model& model) const {
     const double made = -e.error();
     const double turned = e.start + std::abs(e.gravity) + std::abs(e.boundary) + e.kinetic + std::abs(e.damped) + e.joint_friction;
     if (!(made > most_made * turned)) return;
-    Diagnostic d(fmt::format("the time step {:.6g} makes energy: {:.6g} of {:.6g} come from nowhere", model.clock.time_step, made, turned),
-                 "give a smaller one with `set dt`, or `set dt 0` for the one that is computed", Fault::run);
+    Advised d(fmt::format("the time step {:.6g} makes energy: {:.6g} of {:.6g} come from nowhere", model.clock.time_step, made, turned),
+              Advice::give_shorter_step, {}, Fault::run);
     d.code = "step-makes-energy";
     throw d;
 }

@@ -1,8 +1,10 @@
 // How long the next step may be: docs/theory/time-step.md.
+// reads: sub_contacts.normal_stiffness, sub_contacts.shear_stiffness, gridpoints.zone_frequency, blocks.inertial_mass, gridpoints.inertial_mass, settings.given_time_step
+// writes: clock.time_step, settings.energy, and where density is scaled what density_scaling.hpp does
 #pragma once
 
 #include "mechanics/stiffness_forecast.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/batches.hpp"
 #include "mechanics/step_bounds.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 #include "mechanics/topography.hpp"
 
-#include "base/diagnostic.hpp"
+#include "mechanics/remedy.hpp"
 #include "model/measure.hpp"
 
 #include <algorithm>
@@ -32,16 +32,15 @@ std::array<Vec3, 3> corners(const Model& model, Row triangle) {
 Overburden::Overburden(const Model& model) : model_(model) {
     const Vec3& gravity = model.settings.gravity;
     if (!(gravity.z() < 0) || std::hypot(gravity.x(), gravity.y()) > 1e-9 * -gravity.z())
-        throw Diagnostic("stresses below the surface need gravity, straight down along z",
-                         "write before it, for example: gravity 0 0 -9.81");
+        throw Advised("stresses below the surface need gravity, straight down along z", Advice::give_gravity);
     weight_.resize(model.blocks.size());
     for (std::size_t b = 0; b < weight_.size(); ++b) {
         const auto material = model.materials.find(model.blocks.material[b]);
         const double density = material == model.materials.end() ? 0 : material->second.density;
         if (!(density > 0))
-            throw Diagnostic(fmt::format("block {} (material {}) has no density, so it has no weight",
-                                         model.blocks.number[b], model.blocks.material[b]),
-                             fmt::format("give it, e.g. `prop mat {} dens 2600`", model.blocks.material[b]));
+            throw Advised(fmt::format("block {} (material {}) has no density, so it has no weight", model.blocks.number[b],
+                                      model.blocks.material[b]),
+                          Advice::give_density, {std::to_string(model.blocks.material[b])});
         weight_[b] = -density * gravity.z();
     }
     if (model.gridpoints.empty()) return;

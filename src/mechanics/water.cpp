@@ -1,6 +1,6 @@
 // Water pressure in joints: docs/theory/loads.md.
 #include "base/reduce.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/water.hpp"
 #include "model/water.hpp"
 
 #include <algorithm>

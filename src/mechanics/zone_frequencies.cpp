@@ -1,5 +1,5 @@
 // The stiffness of zones against the masses of their gridpoints, which bounds the time step.
-#include "mechanics/phases.hpp"
+#include "mechanics/zone_frequencies.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

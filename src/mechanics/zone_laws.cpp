@@ -1,6 +1,6 @@
 #include "mechanics/zone_laws.hpp"
 
-#include "base/diagnostic.hpp"
+#include "mechanics/remedy.hpp"
 
 #include <algorithm>
 #include <array>
@@ -48,39 +48,43 @@ std::vector<double> values_of(const ZoneModel& zone_model, const Material& mater
     return values;
 }
 
-Diagnostic about_block(const Model& model, Row block, std::string message, std::string hint, const ZoneProperties& given) {
-    Diagnostic d(fmt::format("block {} (material {}) {}", model.blocks.number[block], model.blocks.material[block], message),
-                 std::move(hint));
-    d.code = "property-missing";
-    if (!given.place.empty()) d.add("its zone model was given at " + given.place);
-    return d;
+std::string about_block(const Model& model, Row block, const std::string& message) {
+    return fmt::format("block {} (material {}) {}", model.blocks.number[block], model.blocks.material[block], message);
+}
+
+template <class Mistake> [[noreturn]] void refuse(Mistake mistake, const ZoneProperties& given) {
+    mistake.code = "property-missing";
+    if (!given.place.empty()) mistake.add("its zone model was given at " + given.place);
+    throw mistake;
 }
 
 void check_values(const Model& model, Row block, const ZoneModel& zone_model, const std::vector<double>& values,
                   const ZoneProperties& given) {
-    const auto material = model.blocks.material[block];
+    const std::string material = std::to_string(model.blocks.material[block]);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto& property = zone_model.properties[i];
         if (std::isnan(values[i])) {
             if (property.optional) continue;
-            throw property.name == "bulk" || property.name == "shear"
-                ? about_block(model, block, "has no elastic moduli", fmt::format("give it, e.g. `prop mat {} bulk 4e9 shear 3e9`", material), given)
-                : about_block(model, block, fmt::format("has no {}, which zone model {} needs", property.name, zone_model.name),
-                              fmt::format("give it, e.g. `prop mat {} {} value`", material, property.name), given);
+            if (property.name == "bulk" || property.name == "shear")
+                refuse(Advised(about_block(model, block, "has no elastic moduli"), Advice::give_moduli, {material}), given);
+            refuse(Advised(about_block(model, block, fmt::format("has no {}, which zone model {} needs", property.name, zone_model.name)),
+                           Advice::give_material_value, {material, property.name}),
+                   given);
         }
         if (values[i] >= property.minimum && values[i] <= property.maximum) continue;
-        throw about_block(model, block,
-                          fmt::format("has {} {}, but zone model {} takes {:g} to {:g}", property.name, values[i], zone_model.name,
-                                      property.minimum, property.maximum),
-                          fmt::format("give another one with `prop mat {} {} value`", material, property.name), given);
+        refuse(Advised(about_block(model, block,
+                                   fmt::format("has {} {}, but zone model {} takes {:g} to {:g}", property.name, values[i], zone_model.name,
+                                               property.minimum, property.maximum)),
+                       Advice::change_material_value, {material, property.name}),
+               given);
     }
     for (const auto i : {zone_model.find_property("bulk"), zone_model.find_property("shear")})
         if (i && !(values[*i] > 0))
-            throw about_block(model, block, "has no stiffness: its bulk and shear moduli must be above 0",
-                              fmt::format("give it, e.g. `prop mat {} bulk 4e9 shear 3e9`", material), given);
+            refuse(Advised(about_block(model, block, "has no stiffness: its bulk and shear moduli must be above 0"), Advice::give_moduli, {material}),
+                   given);
     if (const std::string complaint = zone_model.check(values); !complaint.empty())
-        throw about_block(model, block, fmt::format("cannot have these properties of zone model {}: {}", zone_model.name, complaint), {},
-                          given);
+        refuse(Diagnostic(about_block(model, block, fmt::format("cannot have these properties of zone model {}: {}", zone_model.name, complaint))),
+               given);
 }
 
 /// Whether a strength is not to be reduced. Its name says what it is.
@@ -106,8 +110,7 @@ std::string zone_model_of(const Model& model, Row block) {
     if (!given.model.empty()) return given.model;
     const auto number = model.blocks.constitutive[block];
     if (number >= 1 && static_cast<std::size_t>(number) <= models_of_numbers.size()) return models_of_numbers[number - 1];
-    Diagnostic d(fmt::format("constitutive number {} of block {} means no zone model", number, model.blocks.number[block]),
-                 "1 is elastic, 2 is mohr-coulomb; others have names: `zone model NAME`");
+    Advised d(fmt::format("constitutive number {} of block {} means no zone model", number, model.blocks.number[block]), Advice::name_zone_model);
     d.code = "zone-model-unknown";
     throw d;
 }

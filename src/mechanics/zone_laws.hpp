@@ -2,7 +2,7 @@
 #pragma once
 
 #include "laws/zone_model.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/elastic_constants.hpp"
 #include "mechanics/zone_tiles.hpp"
 #include "model/model.hpp"
 

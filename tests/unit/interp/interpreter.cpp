@@ -15,23 +15,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Decks : public testing::Test {
+class Decks : public testing::Test, protected InterpreterHost {
 protected:
-    Decks() : interpreter(classic(), handlers) {}
+    Decks() : interpreter(classic(), *this) {}
 
     void SetUp() override {
         folder = fs::temp_directory_path() / ("kaya_decks_" + std::to_string(::getpid()));
         fs::create_directories(folder);
         interpreter.folders = {folder};
-        handlers.on<Title>([this](const Title& t) { done.push_back(t.text); });
-        handlers.on<CycleCommand>(
-            [this](const CycleCommand& c) { done.push_back(fmt::format("cycle {}", *c.cycles)); });
-        handlers.on<PolyBrick>([this](const PolyBrick&) { done.emplace_back("brick"); });
-        handlers.on<FishDefinition>([](const FishDefinition&) {});
-        handlers.on<FishCall>([this](const FishCall& call) { on_call(call.expression); });
-        handlers.on<Pause>([](const Pause&) { throw Diagnostic("no key is there"); });
     }
     void TearDown() override { fs::remove_all(folder); }
+
+    void run(const BoundCommand& bound) override {
+        const std::any& command = bound.command;
+        if (const auto* title = std::any_cast<Title>(&command)) done.push_back(title->text);
+        else if (const auto* cycle = std::any_cast<CycleCommand>(&command)) done.push_back(fmt::format("cycle {}", *cycle->cycles));
+        else if (std::any_cast<PolyBrick>(&command)) done.emplace_back("brick");
+        else if (const auto* call = std::any_cast<FishCall>(&command)) on_call(call->expression);
+        else if (std::any_cast<Pause>(&command)) throw Diagnostic("no key is there");
+    }
+
+    Value value(const std::string&, const Place&) override { return value_of_names; }
+    void warning(const Diagnostic& warning) override { warnings.push_back(warning); }
+    void before(const BoundCommand& command) override { begun.push_back(command.text()); }
+    void after(const BoundCommand& command) override { ended.push_back(command.spec->name()); }
 
     void write(const std::string& name, const std::string& text) {
         fs::create_directories((folder / name).parent_path());
@@ -58,9 +65,10 @@ protected:
     }
 
     fs::path folder;
-    Handlers handlers;
     Interpreter interpreter;
-    std::vector<std::string> done;
+    std::vector<std::string> done, begun, ended;
+    std::vector<Diagnostic> warnings;
+    Value value_of_names;
     std::function<void(const std::string&)> on_call = [](const std::string&) {};
 };
 
@@ -204,21 +212,14 @@ TEST_F(Decks, FailureGetsItsPlaceAndItsCallers) {
     EXPECT_FALSE(interpreter.current_place()) << "the interpreter is ready for the next deck";
 }
 
-TEST_F(Decks, CommandWithoutHandler) {
-    write("a.3dd", "fix\n");
-    EXPECT_EQ(failure("a.3dd").message, "fix is known, but kaya cannot run it yet");
-}
-
 TEST_F(Decks, NamesGetTheirValuesWhenReached) {
-    std::int64_t n = 1;
-    interpreter.values = [&](const std::string&, const Place&) { return Value(n); };
-    on_call = [&](const std::string& expression) { n = std::stoi(expression); };
+    on_call = [&](const std::string& expression) { value_of_names = std::int64_t{std::stoi(expression)}; };
     write("one.dat", "title one\n");
     write("a.3dd", "@10\ncycle @n\n@20\ncycle &\n @n\n");
     interpreter.run_file("a.3dd");
     EXPECT_EQ(done, (Done{"cycle 10", "cycle 20"}));
 
-    interpreter.values = [&](const std::string&, const Place&) { return Value(std::string("one")); };
+    value_of_names = std::string("one");
     write("b.3dd", "call @name\n");
     done.clear();
     interpreter.run_file("b.3dd");
@@ -230,20 +231,18 @@ TEST_F(Decks, NamesGetTheirValuesWhenReached) {
 }
 
 TEST_F(Decks, ObserversSeeEachCommand) {
-    Done before, after;
-    interpreter.before_command = [&](const BoundCommand& c) { before.push_back(c.text()); };
-    interpreter.after_command = [&](const BoundCommand& c) { after.push_back(c.spec->name()); };
     write("part.dat", "title x\n");
     write("a.3dd", "poly brick (0,1) ; a cube\ncall part.dat\n");
     interpreter.run_file("a.3dd");
-    EXPECT_EQ(before, (Done{"poly brick (0,1)", "call part.dat", "title x"}));
-    EXPECT_EQ(after, (Done{"poly brick", "title", "call"}));
+    EXPECT_EQ(begun, (Done{"poly brick (0,1)", "call part.dat", "title x"}));
+    EXPECT_EQ(ended, (Done{"poly brick", "title", "call"}));
 }
 
 TEST_F(Decks, ChecksRunBeforeAnyCommand) {
-    interpreter.checks.on<FishDefinition>([](const FishDefinition& d) {
-        if (d.text.find("wrong") != std::string::npos) throw Diagnostic("the function is wrong");
-    });
+    interpreter.checks.command = [](const std::any& command) {
+        const auto* function = std::any_cast<FishDefinition>(&command);
+        if (function && function->text.find("wrong") != std::string::npos) throw Diagnostic("the function is wrong");
+    };
     write("a.3dd", "title one\ndef f\n wrong\nend\n");
     const Diagnostic d = failure("a.3dd");
     EXPECT_EQ(d.message, "the function is wrong");
@@ -252,8 +251,6 @@ TEST_F(Decks, ChecksRunBeforeAnyCommand) {
 }
 
 TEST_F(Decks, WarningsGetThePlaceOfTheRunningCommand) {
-    std::vector<Diagnostic> warnings;
-    interpreter.on_warning = [&](const Diagnostic& d) { warnings.push_back(d); };
     on_call = [&](const std::string&) { interpreter.warn(Diagnostic("nothing is in the range")); };
     write("a.3dd", "\n@warn\n");
     interpreter.run_file("a.3dd");

@@ -1,6 +1,6 @@
 #include "two_bricks.hpp"
 
-#include "mechanics/phases.hpp"
+#include "mechanics/density_scaling.hpp"
 #include "mechanics/step_bounds.hpp"
 #include "model/joined.hpp"
 

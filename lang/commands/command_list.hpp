@@ -1,0 +1,36 @@
+// Lists of the structs of commands. A command is known by the place of its struct in the list of all.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+namespace kaya::lang {
+
+template <class... Command> struct CommandList {
+    static constexpr std::size_t size = sizeof...(Command);
+};
+template <class... List> struct CommandLists {};
+
+/// A list and all those of CommandLists as one.
+template <class First, class Rest> struct JoinedLists;
+template <class... A> struct JoinedLists<CommandList<A...>, CommandLists<>> {
+    using All = CommandList<A...>;
+};
+template <class... A, class... B, class... List>
+struct JoinedLists<CommandList<A...>, CommandLists<CommandList<B...>, List...>>
+    : JoinedLists<CommandList<A..., B...>, CommandLists<List...>> {};
+
+template <class Command, class... Listed> constexpr bool is_in(CommandList<Listed...>) {
+    return (std::is_same_v<Command, Listed> || ...);
+}
+
+/// The place of a command in a list.
+template <class Command, class... Listed> constexpr std::size_t index_in(CommandList<Listed...>) {
+    static_assert((std::size_t{std::is_same_v<Command, Listed>} + ...) == 1,
+                  "the struct of a command stands in one of the lists at the end of lang/commands/commands.hpp");
+    std::size_t index = 0;
+    (void)((std::is_same_v<Command, Listed> || (++index, false)) || ...);
+    return index;
+}
+
+} // namespace kaya::lang

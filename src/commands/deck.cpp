@@ -1,0 +1,48 @@
+#include "commands/deck.hpp"
+
+#include "lang/commands/commands.hpp"
+#include "lang/commands/language.hpp"
+#include "lang/fish/compiler.hpp"
+#include "lang/script/scripts.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace fs = std::filesystem;
+
+Deck::Deck(lang::InterpreterHost& host) : interpreter(lang::classic(), host) { interpreter.checks = deck_checks(); }
+
+std::string Deck::here() const {
+    const Place place = interpreter.current_place();
+    return place ? fmt::format("{}:{}", place.source->name, place.line) : std::string{};
+}
+
+fs::path Deck::next_to_deck(const std::string& name) const {
+    const fs::path adjacent = fs::path(deck).parent_path() / name;
+    std::error_code ignored;
+    return fs::exists(adjacent, ignored) ? adjacent : fs::path(name);
+}
+
+void Deck::take_source(const Place& place) {
+    const auto& source = place.source;
+    // What a script gives is part of a deck that has been read; it may be very many texts.
+    if (source->is_file && (sources.empty() || sources.back() != source))
+        if (std::ranges::find(sources, source) == sources.end()) sources.push_back(source);
+}
+
+lang::Checks deck_checks() {
+    // A function that does not compile is found before the first command runs, not hours later. What its names
+    // mean is known when it is defined; names that are not supported are refused whatever they mean.
+    lang::Checks checks;
+    checks.command = [](const std::any& command) {
+        if (const auto* function = std::any_cast<lang::FishDefinition>(&command))
+            fish::generate(fish::read_function(function->text, function->place), [](std::string_view) { return fish::Meaning{}; });
+        else if (const auto* chunk = std::any_cast<lang::LuaChunk>(&command))
+            script::check_lua_text(chunk->text, chunk->place);
+    };
+    return checks;
+}
+
+} // namespace kaya

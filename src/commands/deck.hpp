@@ -1,0 +1,48 @@
+// The deck that runs: what it has said so far, and where in it the run is.
+#pragma once
+
+#include "commands/given_properties.hpp"
+#include "commands/ranges.hpp"
+
+#include "lang/interp/interpreter.hpp"
+#include "lang/script/world.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kaya {
+
+class Deck {
+public:
+    explicit Deck(lang::InterpreterHost& host);
+
+    /// "tunnel.3dd:12" of the running command, "" outside a deck.
+    std::string here() const;
+
+    /// A file of a deck: next to the deck when it is there, else in the current folder.
+    std::filesystem::path next_to_deck(const std::string& name) const;
+
+    lang::Interpreter interpreter;
+    NamedRanges ranges;
+    std::map<std::string, script::Value> parameters; ///< of `param` and `kaya --set`, by folded name; `new` keeps them
+    GivenProperties given_properties; ///< of `param` and `kaya --set`, in the place of those of the deck
+    std::string title;
+    std::string deck; ///< file name of the deck that runs, for default names of output files
+    std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files
+    std::map<std::pair<std::int32_t, std::string>, Place> property_places; ///< of `prop` words, for late messages
+    Place last_place; ///< of the command that ran last, for failures that have no place of their own
+
+protected:
+    /// Keeps the text of a command for save files.
+    void take_source(const Place& place);
+};
+
+/// What is looked at when a deck is bound, before its first command runs: whether FISH compiles.
+lang::Checks deck_checks();
+
+} // namespace kaya

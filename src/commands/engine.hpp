@@ -1,0 +1,44 @@
+// What moves: the model, its cycle, the laws of joints and zones, and the scripts that act on them.
+#pragma once
+
+#include "base/gate.hpp"
+#include "commands/model_world.hpp"
+#include "commands/occupied.hpp"
+#include "laws/joint_model.hpp"
+#include "mechanics/cycle.hpp"
+#include "model/model.hpp"
+
+#include "lang/script/scripts.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace kaya {
+
+class Engine {
+public:
+    explicit Engine(WorldHost& host) : world(model, joints, host) {}
+    ~Engine();
+
+    /// Before anything runs. The gate is asked before a library is loaded; `script_memory` in megabytes, 0: as much as there is.
+    void begin(const std::shared_ptr<Gate>& gate, const std::vector<std::filesystem::path>& joint_folders, bool trust,
+               std::size_t script_memory);
+
+    /// The cycle of the present model; to be made anew when the model was replaced.
+    void make_cycle();
+
+    Model model;
+    JointRegistry joints;
+    ModelWorld world;
+    std::unique_ptr<script::Scripts> scripts;
+    std::unique_ptr<Cycle> cycle;
+    bool inside_cycle = false; ///< a hook is running: structure must not change
+    std::vector<std::pair<Place, std::function<void()>>> deferred; ///< changes that wait for the end of the cycle
+    Occupied occupied;         ///< where blocks stand, for the warning about two in one place
+};
+
+} // namespace kaya

@@ -1,0 +1,102 @@
+// The program around a run: what the command line says, where words go, who follows the run, and the wish to stop it.
+#pragma once
+
+#include "base/gate.hpp"
+#include "commands/output.hpp"
+#include "commands/run_name.hpp"
+
+#include "lang/interp/binder.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// What the command line says.
+struct Options {
+    int threads = 0;     ///< 0: one for each core
+    bool strict = false; ///< warnings are errors
+    bool quiet = false;  ///< results and messages only
+    bool echo = false;   ///< each command is shown before it runs
+    bool trust = false;  ///< scripts may use the whole of Lua: files, other programs
+    std::size_t script_memory = 0; ///< megabytes that scripts may take; 0: as much as there is
+    std::vector<std::filesystem::path> joint_folders; ///< in which joint models are looked for
+};
+
+/// How a command of a deck came to its end.
+struct Completion {
+    enum class How {
+        done,
+        stopped, ///< by the user, after a cycle
+        cut_off, ///< by the user, inside of a script: nobody can do just that again
+        failed
+    };
+    How how = How::done;
+    std::int64_t cycle = 0; ///< after which it was stopped
+};
+
+/// Who follows a run: the journal, the report.
+class Listener {
+public:
+    virtual ~Listener() = default;
+    /// Gets each command of decks after its run; those of scripts are part of the command that ran the script.
+    virtual void executed(const lang::BoundCommand&, const Completion&) {}
+    /// Called after each cycle.
+    virtual void cycled() {}
+};
+
+class Program {
+public:
+    Program(const Options& given, std::FILE* results, std::FILE* messages);
+
+    /// A listener hears of all that comes until it is forgotten.
+    void listen(Listener& listener) { listeners_.push_back(&listener); }
+    void forget(Listener& listener) { std::erase(listeners_, &listener); }
+    void tell_cycled() const;
+
+    /// Shows a warning that has its place; under `--strict` throws it as an error.
+    void show_warning(Diagnostic warning);
+    /// Shows a note that has its place.
+    void show_note(Diagnostic note);
+
+    /// The name of a file that is going to be written, when the gate lets it through. Throws Diagnostic.
+    const std::string& output_file(const std::string& name);
+
+    /// Somebody has asked the run to stop, and it has not yet.
+    bool is_to_stop() const noexcept { return interrupted_; }
+
+    Options options;
+    std::shared_ptr<Gate> gate = std::make_shared<Gate>(); ///< open until somebody shuts it
+    Output output;
+    std::string log_file = "kaya.log"; ///< of the next `set log on`
+    bool report = false;               ///< the run ends with a page: set report on
+    std::optional<std::int64_t> stop_after; ///< a cycle: a replay stops there as the user did
+    std::size_t warnings = 0;               ///< shown so far
+    std::vector<std::string> warning_texts; ///< the first hundred of them
+    std::set<std::string> said_once;        ///< notes that are not repeated
+    std::set<std::string> files_read;       ///< names of files that commands have read, decks not among them
+
+protected:
+    void tell_executed(const lang::BoundCommand& command, const Completion& completion) const;
+
+    RunNames names_;
+    std::atomic<bool> interrupted_ = false;
+    bool stopped_inside_ = false; ///< the command that runs was stopped where nobody can stop it again
+    std::optional<std::int64_t> stopped_after_; ///< cycle of the stop that is on its way up
+    int commands_of_scripts_ = 0; ///< scripts that are giving commands at this moment, one in the other
+
+private:
+    std::vector<Listener*> listeners_;
+};
+
+/// "0.1.0"
+const char* program_version();
+
+} // namespace kaya

@@ -1,0 +1,35 @@
+// Joints, one step on: docs/theory/contacts.md.
+// reads: blocks.velocity, blocks.rotational_velocity, blocks.centroid, gridpoints.velocity, gridpoints.position, sub_contacts.pore_pressure, joint_properties
+// writes: contacts but for their rows, sub_contacts but for their rows
+#pragma once
+
+#include "mechanics/batches.hpp"
+#include "mechanics/phase_sums.hpp"
+#include "model/model.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+/// What contacts pass on in a cycle; derived, so that it is not part of the model.
+struct JointForces {
+    std::vector<Vec3> of_sub_contact; ///< on the second side, of contacts with a deformable block
+    std::vector<Vec3> of_contact;     ///< sum on the second block
+    std::vector<Vec3> moment;         ///< of that sum about Contacts::position
+    std::vector<double> stiffness;    ///< of each contact, to be compared with that of the last step only: its sub-contacts'
+                                      ///< larger tangent stiffnesses, of overlaps over the masses as they feel it
+    std::vector<ContactKind> kind;    ///< as it was when the stiffness was taken
+    std::vector<char> stiffness_changed; ///< of contacts that are much stiffer or have other geometry, until someone clears it
+};
+
+/// Turns the planes, computes displacement increments, calls the joint models, and writes contact forces, displacements, history,
+/// state and stiffnesses. One batch after another goes through all of it.
+JointSums advance_joints(Model& model, const std::vector<Batch>& batches, JointForces& forces);
+
+/// Forces of the contacts as they are, without a step. Contacts with geometry made anew are marked as changed.
+void joint_forces(const Model& model, JointForces& forces);
+
+/// The same for those contacts only; the others have kept their rows and forces.
+void joint_forces_of_new(const Model& model, JointForces& forces);
+
+} // namespace kaya

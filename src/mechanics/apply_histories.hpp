@@ -1,0 +1,31 @@
+// Velocities and loads that change with time: docs/theory/loads.md.
+// reads: boundary_histories, time_functions, clock.time, blocks.force, blocks.moment, gridpoints.force
+// writes: blocks.velocity, blocks.rotational_velocity, blocks.angular_momentum, blocks.load, blocks.torque, blocks.load_arms, gridpoints.velocity, gridpoints.load
+#pragma once
+
+#include "mechanics/hooks.hpp"
+#include "mechanics/phase_sums.hpp"
+#include "model/model.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace kaya {
+
+/// Histories of boundary conditions by what they do, and room for the values of their functions; derived.
+struct HistoryLists {
+    std::vector<Row> velocities, loads; ///< rows of Model::boundary_histories
+    std::vector<std::int32_t> velocity_functions, load_functions;
+    std::vector<double> factors; ///< of each time function
+};
+
+HistoryLists list_boundary_histories(const Model& model);
+
+/// Sets the prescribed velocities that change with time to those of the middle of the step. Throws Diagnostic
+/// (Fault::run) when a function gives no number.
+HistorySums apply_velocity_histories(Model& model, HistoryLists& lists, const Hooks& hooks);
+
+/// Brings the loads that change with time to the time of the clock. Throws as apply_velocity_histories does.
+void apply_load_histories(Model& model, HistoryLists& lists, const Hooks& hooks);
+
+} // namespace kaya

@@ -1,0 +1,11 @@
+// Elasticity of the zones of a block.
+#pragma once
+
+namespace kaya {
+
+/// Lame's constants of a block: stress = lambda trace(strain) + two_shear strain.
+struct ElasticConstants {
+    double lambda = 0, two_shear = 0;
+};
+
+} // namespace kaya

@@ -1,0 +1,20 @@
+// The account of energy: docs/theory/energy.md.
+// reads: clock.time_step, clock.last_step, settings.energy, zones.stress
+// writes: energy
+#pragma once
+
+#include "mechanics/elastic_constants.hpp"
+#include "mechanics/phase_sums.hpp"
+#include "model/model.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+/// Puts what a step has done into the account.
+void keep_account(Model& model, const StepSums& step);
+
+/// Elastic energy of all zones by their stress: p^2/(2 K) + s:s/(4 G) per volume. `elastic` has the constants of the blocks.
+double energy_in_zones(const Model& model, const std::vector<ElasticConstants>& elastic);
+
+} // namespace kaya

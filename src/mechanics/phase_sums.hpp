@@ -1,0 +1,73 @@
+// What the phases of a step add up, for the account of energy, damping and the tests of equilibrium.
+#pragma once
+
+namespace kaya {
+
+/// Sums over moving bodies that stopping and damping need.
+struct MotionSums {
+    double kinetic_before = 0, kinetic = 0; ///< energy before and after the step
+    double gravity = 0, boundary = 0;       ///< work on the bodies
+    double damped = 0;                      ///< energy taken out by damping
+    double inner_power = 0;      ///< of the forces of joints and zones at the velocities before the step
+    double inner_power_size = 0; ///< the same with the sizes of its terms, to tell it from rounding
+    double inner_power_gain = 0; ///< by how much it is greater at the velocities after the step
+
+    void add(const MotionSums& part) {
+        kinetic_before += part.kinetic_before;
+        kinetic += part.kinetic;
+        gravity += part.gravity;
+        boundary += part.boundary;
+        damped += part.damped;
+        inner_power += part.inner_power;
+        inner_power_size += part.inner_power_size;
+        inner_power_gain += part.inner_power_gain;
+    }
+};
+
+/// What prescribed velocities that change do to the account of energy before the step.
+struct HistorySums {
+    double kinetic = 0; ///< change of kinetic energy
+    double gravity = 0, boundary = 0;
+    double inner_power = 0; ///< change of the power of the forces of joints and zones
+
+    void add(const HistorySums& part) {
+        kinetic += part.kinetic;
+        gravity += part.gravity;
+        boundary += part.boundary;
+        inner_power += part.inner_power;
+    }
+};
+
+/// What a step has done to the joints.
+struct JointSums {
+    double work = 0;     ///< put into them
+    double friction = 0; ///< of it, lost
+    double returned = 0; ///< of what changes of touches had taken from the contacts
+    double lost = 0;     ///< of what springs held, where contacts changed their area or parted
+    double fluid = 0;    ///< done on the blocks by pore pressure
+    double damped = 0;   ///< taken up by dashpots
+    bool stiffness_changed = false;
+};
+
+/// What a step has done to the zones.
+struct ZoneSums {
+    double work = 0;   ///< put into them
+    double damped = 0; ///< taken up by viscous stress
+
+    void add(const ZoneSums& part) {
+        work += part.work;
+        damped += part.damped;
+    }
+};
+
+/// All of one step.
+struct StepSums {
+    HistorySums prescribed;
+    MotionSums motion;
+    JointSums joints;
+    ZoneSums zones;
+    double cable_work = 0;  ///< that the rock has done on the cables
+    double inner_power = 0; ///< of the forces of joints and zones after the step
+};
+
+} // namespace kaya

@@ -1,0 +1,32 @@
+// Zones, one step on: docs/theory/zones.md.
+// reads: gridpoints.position, gridpoints.velocity, gridpoints.pore_pressure, zone_properties, clock.time_step
+// writes: zones.stress, zones.state, zones.history, zones.dashpot
+#pragma once
+
+#include "mechanics/phase_sums.hpp"
+#include "mechanics/zone_tiles.hpp"
+#include "model/model.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+class ZoneLaws;
+
+/// Room for what zones that average have to keep within a step; its memory stays.
+struct ZoneScratch {
+    struct Mean {
+        double sum = 0, volume = 0; ///< of a quantity times volume
+    };
+    std::vector<double> volume, strain, mean_strain, flow; ///< by zone: volume strain, its mean, plastic change of the mean stress
+    std::vector<Mean> at_point;                            ///< by point of the tiles
+};
+
+/// Writes `forces` as well: by point of the tiles, with the sum of the sizes of the forces of single zones. Throws Diagnostic when
+/// a zone model fails.
+ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces);
+
+/// Forces of the stresses that are there, without a step.
+void zone_forces(const Model& model, const ZoneLaws& laws, std::vector<PointRow>& forces);
+
+} // namespace kaya

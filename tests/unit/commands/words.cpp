@@ -1,0 +1,44 @@
+// Words that stand in a table of the language and in one of the model: the two say the same.
+#include "lang/commands/language.hpp"
+#include "laws/joint_model.hpp"
+#include "model/cables.hpp"
+#include "model/field.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace kaya {
+namespace {
+
+using Words = std::set<std::string_view>;
+
+Words words_of(const std::vector<std::string_view>& list) {
+    const Words words(list.begin(), list.end());
+    EXPECT_EQ(words.size(), list.size()) << "a word stands twice";
+    return words;
+}
+
+TEST(words, history_records_the_fields_that_have_a_word_for_it) {
+    Words recorded = words_of(lang::recorded_words()), fields_with_words;
+    for (const std::string_view rate : {"xacc", "yacc", "zacc"}) EXPECT_EQ(recorded.erase(rate), 1u) << rate; // of xvel, yvel, zvel
+    for (const Field& field : fields())
+        if (!field.history.empty()) fields_with_words.insert(field.history);
+    EXPECT_EQ(recorded, fields_with_words);
+}
+
+TEST(words, properties_of_structures_are_those_of_the_model) {
+    Words of_model;
+    for (const auto& property : cable_properties()) of_model.insert(property.name);
+    EXPECT_EQ(words_of(lang::structure_property_words()), of_model);
+}
+
+TEST(words, properties_of_joints_are_those_of_mohr) {
+    JointRegistry joints;
+    joints.set_path({KAYA_TEST_JOINTS});
+    const JointModel& mohr = joints.get("mohr");
+    for (const auto word : words_of(lang::joint_property_words())) EXPECT_TRUE(mohr.find_property(word)) << word;
+}
+
+} // namespace
+} // namespace kaya
