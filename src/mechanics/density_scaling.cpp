@@ -37,14 +37,14 @@ template <class Visit> void each_body(Model& model, const BodyStiffness& stiffne
 }
 
 /// What other masses change: kinetic energy, and the power of the forces of joints and zones.
-struct Change {
+struct MassChange {
     double kinetic = 0, power = 0;
 };
 
 /// Another mass makes no kinetic energy: a body that gets heavier keeps its momentum, and one that gets lighter its velocity.
 /// Otherwise a block that rattles would gain each time: it gets lighter while springs push it, and heavier while it flies.
 /// Velocities that are held stay.
-void give(const Body& body, double value, Change& change) {
+void give(const Body& body, double value, MassChange& change) {
     const double before = body.inertial, ratio = value / before, slower = std::min(1.0, 1 / ratio);
     body.inertial = value;
     for (int k = 0; k < 3; ++k) {
@@ -68,7 +68,7 @@ void give(const Body& body, double value, Change& change) {
 }
 
 /// The account calls it damped.
-void book(Model& model, const Change& change) {
+void book(Model& model, const MassChange& change) {
     Energy& energy = model.energy;
     energy.kinetic += change.kinetic;
     energy.inner_power += change.power;
@@ -118,7 +118,7 @@ void scale_masses(Model& model, const BodyStiffness& stiffness, double stable_st
         apart = apart || right > above * body.inertial || right < enough * body.inertial;
     });
     if (!apart) return;
-    Change change;
+    MassChange change;
     each_body(model, stiffness, [&](const Body& body, const Resistance& resistance) { give(body, wanted(body.mass, resistance), change); });
     book(model, change);
     sum_up(model);
@@ -126,7 +126,7 @@ void scale_masses(Model& model, const BodyStiffness& stiffness, double stable_st
 
 void raise_masses(Model& model, const BodyStiffness& stiffness, double stable_step) {
     bool raised = false;
-    Change change;
+    MassChange change;
     each_body(model, stiffness, [&](const Body& body, const Resistance& resistance) {
         const double needed = resistance.needed_for(stable_step);
         if (needed <= above * body.inertial) return;
@@ -139,7 +139,7 @@ void raise_masses(Model& model, const BodyStiffness& stiffness, double stable_st
 
 void restore_masses(Model& model) {
     const BodyStiffness none{std::vector<Resistance>(model.gridpoints.size()), std::vector<Resistance>(model.blocks.size())};
-    Change change;
+    MassChange change;
     each_body(model, none, [&](const Body& body, const Resistance&) {
         if (body.inertial != body.mass) give(body, body.mass, change);
     });
