@@ -147,11 +147,7 @@ script::Value ModelWorld::object_property(const script::Handle& object, const st
     const auto found = joint.find_property(name);
     if (!found) fail_property(joint, name);
     if (joint.keeps_objects())
-<<<<<<< ours
         host_.note(kind == ObjectKind::sub_contact
-=======
-        host_.note(table == ScriptTable::sub_contact
->>>>>>> theirs
                  ? fmt::format("'{}' of joint model '{}' is what the deck gave: the model keeps its own for each sub-contact, and does "
                                "not show it",
                                name, joint.name)
