@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mechanics/dashpots.hpp"
+#include "mechanics/eight.hpp"
 #include "model/lanes.hpp"
 #include "model/settings.hpp"
 
@@ -47,6 +48,13 @@ struct DampingFactors {
             next[k] = (against & (first * velocity[k] < 0)) ? first * turned : first;
         }
         return next;
+    }
+
+    /// The same for eight components, but for combined damping.
+    Eight advance(const Eight& velocity, const Eight& push) const {
+        if (local == 0) return (velocity * (1 - half_) + push) / (1 + half_);
+        const Eight first = velocity + (velocity * push < 0 ? eights(1 + local) : eights(1 - local)) * push;
+        return (velocity * push < 0) & (first * velocity < 0) ? first * after_turn_ : first;
     }
 
 private:

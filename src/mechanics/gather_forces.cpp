@@ -1,4 +1,5 @@
 #include "base/reduce.hpp"
+#include "mechanics/eight.hpp"
 #include "mechanics/held_directions.hpp"
 #include "mechanics/gather_forces.hpp"
 #include "mechanics/ties.hpp"
@@ -22,8 +23,8 @@ struct Balance {
     std::size_t bodies = 0;
     double inner_power = 0;  ///< of the forces of joints and zones
 
-    void add(const Vec3& force, double acting) {
-        const double size = force.norm();
+    void add(const Vec3& force, double acting) { add(force.norm(), acting); }
+    void add(double size, double acting) {
         largest = std::max(largest, size);
         unbalanced += size;
         applied += acting;
@@ -79,26 +80,27 @@ struct PointForces {
     const ZoneTiles& tiles;
     const std::vector<PointRow>& zone_forces; ///< by point of the tiles
 
-    Vec3 sum(Row row, double& acting) const {
-        Vec3 sum = Vec3::Zero();
-        const auto add = [&](const Vec3& force) {
-            sum += force;
-            acting += force.norm();
+    /// In the first three the sum of all forces but load and weight; the last is `acting` and the sizes of them all.
+    Four sum_of(Row row, double acting) const {
+        Four sum{0, 0, 0, acting};
+        for (auto p = tiles.points_of.begin(row); p != tiles.points_of.end(row); ++p) sum += load_as<Four>(zone_forces[*p].value.data());
+        const auto add = [&](double factor, const Vec3& v) {
+            const double x = factor * v.x(), y = factor * v.y(), z = factor * v.z();
+            sum += Four{x, y, z, std::sqrt(x * x + y * y + z * z)};
         };
-        for (auto p = tiles.points_of.begin(row); p != tiles.points_of.end(row); ++p) {
-            const auto& [x, y, z, size] = zone_forces[*p].value;
-            sum += Vec3(x, y, z);
-            acting += size;
-        }
         for (auto e = adjacency.of_gridpoint.begin(row); e != adjacency.of_gridpoint.end(row); ++e)
-            add((e->side == 0 ? -e->weight : e->weight) * joints.of_sub_contact[e->sub_contact]);
+            add(e->side == 0 ? -e->weight : e->weight, joints.of_sub_contact[e->sub_contact]);
         for (const auto& share : ties.shares(row))
-            add(share.weight * (model.ties.force[share.tie] + model.ties.dashpot[share.tie]));
+            add(share.weight, model.ties.force[share.tie] + model.ties.dashpot[share.tie]);
         if (adjacency.has_cables())
             for (auto e = adjacency.nodes_of_gridpoint.begin(row); e != adjacency.nodes_of_gridpoint.end(row); ++e)
-                add(e->weight * model.structures.nodes.force[e->node]);
-        acting += model.gridpoints.load[row].norm() + weight(row).norm();
+                add(e->weight, model.structures.nodes.force[e->node]);
         return sum;
+    }
+    Vec3 sum(Row row, double& acting) const {
+        const Four sum = sum_of(row, acting);
+        acting = sum[3] + (model.gridpoints.load[row].norm() + weight(row).norm());
+        return {sum[0], sum[1], sum[2]};
     }
     Vec3 weight(Row row) const { return model.gridpoints.mass[row] * model.settings.gravity; }
 };
@@ -107,6 +109,39 @@ struct PointForces {
 void add_point(const Vec3& force, std::uint8_t fixed, const Roller& roller, double acting, Balance& balance) {
     if ((fixed & 7) == 7) return;
     balance.add(free_part(force, fixed, roller), acting);
+}
+
+/// Eight gridpoints that follow each other, none of them held.
+void gather_eight(Model& model, const PointForces& forces, Row row, Balance& balance) {
+    auto& g = model.gridpoints;
+    std::array<Four, 8> rows;
+    for (Row l = 0; l < eight; ++l) rows[static_cast<std::size_t>(l)] = forces.sum_of(row + l, 0);
+    for (Row l = 0; l < eight; ++l) {
+        const Four& force = rows[static_cast<std::size_t>(l)];
+        g.force[row + l] = Vec3(force[0], force[1], force[2]);
+    }
+    const std::array<Eight, 4> columns = columns_of_rows(rows);
+    const Eight3 force{columns[0], columns[1], columns[2]};
+    const Eight3 load = columns_of(load_three(g.load[row].data())), velocity = columns_of(load_three(g.velocity[row].data()));
+    const Vec3& gravity = model.settings.gravity;
+    const Eight mass = load_as<Eight>(&g.mass[row]);
+    const Eight3 weight{mass * gravity.x(), mass * gravity.y(), mass * gravity.z()};
+    const Eight acting = columns[3] + (square_root(load.dot(load)) + square_root(weight.dot(weight)));
+    const Eight3 whole = force + load + weight;
+    const Eight size = square_root(whole.dot(whole)), power = force.dot(velocity);
+    for (Row l = 0; l < eight; ++l) { // row after row: the sums are the same as one by one
+        balance.inner_power += power[l];
+        balance.add(size[l], acting[l]);
+    }
+}
+
+/// Whether rows [row, row + 8) are free gridpoints of zones.
+bool are_plain(const Model& model, const TieLists& ties, std::size_t row) {
+    const auto& g = model.gridpoints;
+    for (std::size_t l = 0; l < 8; ++l)
+        if (g.fixed[row + l] != 0 || g.roller[row + l] != 0 || !model.blocks.deformable[g.block[row + l]] || ties.in_group(static_cast<Row>(row + l)))
+            return false;
+    return true;
 }
 
 /// Gridpoints that are tied to each other count as one.
@@ -150,6 +185,11 @@ double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& t
             Balance part;
             for (std::size_t i = first; i < last; ++i) {
                 const Row row = static_cast<Row>(i);
+                if (last - i >= eight && are_plain(model, ties, i)) {
+                    gather_eight(model, forces, row, part);
+                    i += eight - 1;
+                    continue;
+                }
                 if (!blocks.deformable[g.block[row]] || ties.in_group(row)) continue;
                 double acting = 0;
                 g.force[row] = forces.sum(row, acting);

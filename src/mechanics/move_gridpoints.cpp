@@ -1,6 +1,7 @@
 #include "mechanics/move_bodies.hpp"
 #include "base/reduce.hpp"
 #include "mechanics/motion.hpp"
+#include "mechanics/move_plain.hpp"
 #include "mechanics/ties.hpp"
 
 #include <algorithm>
@@ -65,6 +66,14 @@ void advance_on_boundary(const Model& model, const MovingPoint& point, const Dam
     sums.damped -= (1 - held) * rest;
     sums.kinetic_before += 0.5 * mass * before * before;
     sums.kinetic += 0.5 * mass * after * after;
+}
+
+/// Whether rows [row, row + 8) belong to zones, and nothing holds them but fixities.
+bool are_plain(const Model& model, const QuietPoints& quiet, const TieLists& ties, std::size_t row) {
+    const auto& g = model.gridpoints;
+    for (std::size_t l = row; l < row + 8; ++l)
+        if (quiet.at(l) || g.roller[l] != 0 || !model.blocks.deformable[g.block[l]] || ties.in_group(static_cast<Row>(l))) return false;
+    return true;
 }
 
 void place(Model& model, Row row) {
@@ -134,7 +143,13 @@ MotionSums move_gridpoints(Model& model, const QuietPoints& quiet, const TieList
         g.size(), grain, MotionSums{},
         [&](std::size_t first, std::size_t last) {
             MotionLanes sums;
+            PlainGridpoints plain(model);
             for (std::size_t row = first; row < last; ++row) {
+                if (plain.possible() && last - row >= 8 && are_plain(model, quiet, ties, row)) {
+                    plain.move(row);
+                    row += 7;
+                    continue;
+                }
                 if (!model.blocks.deformable[g.block[row]] || ties.in_group(static_cast<Row>(row))) continue;
                 Vec3& v = g.velocity[row];
                 if (quiet.at(row) || g.roller[row] != 0) {
@@ -151,7 +166,9 @@ MotionSums move_gridpoints(Model& model, const QuietPoints& quiet, const TieList
                 }
                 place(model, static_cast<Row>(row));
             }
-            return sums.sums();
+            MotionSums both = sums.sums();
+            both.add(plain.sums());
+            return both;
         },
         combine);
     whole = reduce_chunks(

@@ -31,29 +31,29 @@ public:
             shift_[i].value = {shift.x(), shift.y(), shift.z(), 0};
         }
         tail_.fill(tiles.corners[tile.last - 1]);
-        const Row whole = std::min<Row>(tile.last - tile.first, lane_count);
-        std::copy_n(&tiles.corners[tile.last - whole], whole, &tail_[lane_count - whole]);
+        const Row whole = std::min<Row>(tile.last - tile.first, eight);
+        std::copy_n(&tiles.corners[tile.last - whole], whole, &tail_[eight - whole]);
     }
 
-    /// Four zones from one on; after the last of the tile the last again.
+    /// Eight zones from one on; after the last of the tile the last again.
     ZoneGroup group_at(Row zone) const {
-        return tile_.last - zone >= lane_count ? &tiles_.corners[zone] : tail_.data() + (lane_count - (tile_.last - zone));
+        return tile_.last - zone >= eight ? &tiles_.corners[zone] : tail_.data() + (eight - (tile_.last - zone));
     }
     Edges edges(ZoneGroup zones) const { return edges_of(place, zones); }
-    Deformation deformation(ZoneGroup zones, bool large) const { return {edges(zones), edges_of(shift_, zones), large}; }
-    Lanes pressure(ZoneGroup zones) const { return mean_of_fourth(place, zones); }
+    Deformation deformation(ZoneGroup zones, const Edges& edges, bool large) const { return {edges, edges_of(shift_, zones), large}; }
+    Eight pressure(ZoneGroup zones) const { return mean_of_fourth(place, zones); }
 
 private:
     const ZoneTiles& tiles_;
     const ZoneTile& tile_;
     PointRow place[most_points_in_tile]; ///< and the pore pressure
     PointRow shift_[most_points_in_tile];  ///< of the step
-    std::array<std::array<Row, 4>, 2 * lane_count> tail_; ///< the last zones of the tile, and then the last again
+    std::array<std::array<Row, 4>, 2 * eight> tail_; ///< the last zones of the tile, and then the last again
 };
 
 /// Throws where a zone has no volume left.
-void check_volumes(const Model& model, Row zone, Row count, const Lanes& volume) {
-    if ((volume > 0).all()) return;
+void check_volumes(const Model& model, Row zone, Row count, const Eight& volume) {
+    if (all_above_zero(volume)) return;
     for (Row l = 0; l < count; ++l)
         if (!(volume[l] > 0)) throw turned_over(model, zone + l);
 }
@@ -64,19 +64,35 @@ public:
     TileForces(const ZoneTile& tile, std::vector<PointRow>& forces) : rows_(forces.data() + tile.points.first) {
         std::fill_n(rows_, tile.points.count, PointRow{});
     }
-    void add(ZoneGroup zones, Row count, const Edges& edges, const SixLanes& stress) {
-        const std::array<Lanes3, 4> force = forces_of(edges, stress);
-        for (std::size_t a = 0; a < 4; ++a) add_to_corner(rows_, zones, count, a, force[a], force[a].dot(force[a]).sqrt());
+    [[gnu::always_inline]] void add(ZoneGroup zones, Row count, const Edges& edges, const SixEights& stress) {
+        const std::array<Eight3, 4> force = forces_of(edges, stress);
+        std::array<Eight, 4> size;
+        for (std::size_t a = 0; a < 4; ++a) size[a] = square_root(force[a].dot(force[a]));
+        add_to_corners(rows_, zones, count, force, size);
     }
 
 private:
     PointRow* rows_;
 };
 
-/// What a zone model sees of a batch, and what the account of energy needs besides.
+/// Stresses of eight zones that follow each other, or of as many as there are.
+SixEights load_stresses(const Column<Stress>& stresses, Row first, Row count) {
+    if (count >= eight) return six_columns(stresses[first].data());
+    std::array<double, 6 * eight> rows{};
+    for (Row l = 0; l < count; ++l) std::copy_n(stresses[first + l].data(), 6, &rows[6 * l]);
+    return six_columns(rows.data());
+}
+void store_stresses(Column<Stress>& stresses, Row first, Row count, const SixEights& stress) {
+    if (count >= eight) return put_six_columns(stresses[first].data(), stress);
+    std::array<double, 6 * eight> rows;
+    put_six_columns(rows.data(), stress);
+    for (Row l = 0; l < count; ++l) std::copy_n(&rows[6 * l], 6, stresses[first + l].data());
+}
+
+/// What a zone model sees of a batch, and what comes after it needs besides.
 struct Columns {
-    alignas(32) double strain[6][length], before[6][length], stress[6][length];
-    alignas(32) double volume[length], volume_strain[length], pressure[length], dissipation[length];
+    alignas(64) double strain[6][length], before[6][length], stress[6][length], edge[9][length];
+    alignas(64) double volume[length], volume_strain[length], pressure[length], dissipation[length];
     double* history[KAYA_JMODEL_MAX_HISTORY];
     kaya_zbatch batch;
 
@@ -96,22 +112,29 @@ struct Columns {
         for (std::size_t k = 0; k < law.model->history.size(); ++k) history[k] = model.zones.history[k].data() + first;
         batch.history = history;
         std::fill_n(dissipation, batch.n, 0.0);
-        for (Row i = 0; i < count; ++i)
-            for (int k = 0; k < 6; ++k) before[k][i] = model.zones.stress[first + i][k];
-        for (Row i = count; i % lane_count != 0; ++i)
-            for (int k = 0; k < 6; ++k) before[k][i] = 0;
     }
-};
 
-/// Zones of a column from a fourth one on.
-using Map = Eigen::Map<Lanes, Eigen::Aligned32>;
-Lanes load(const double* aligned) { return Eigen::Map<const Lanes, Eigen::Aligned32>(aligned); }
+    void keep(Row i, const Edges& edges) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            store(edge[3 * a] + i, edges[a].x);
+            store(edge[3 * a + 1] + i, edges[a].y);
+            store(edge[3 * a + 2] + i, edges[a].z);
+        }
+    }
+    Edges edges(Row i) const {
+        Edges edges;
+        for (std::size_t a = 0; a < 3; ++a) edges[a] = {at(edge[3 * a] + i), at(edge[3 * a + 1] + i), at(edge[3 * a + 2] + i)};
+        return edges;
+    }
+    static Eight at(const double* rows) { return load_as<Eight>(rows); }
+};
 
 /// Work of one tile on its zones.
 class TileRun {
 public:
     TileRun(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch, std::vector<PointRow>& forces)
-        : model_(model), tile_(tile), law_(laws.laws[tile.law]), scratch_(scratch), rows_(model, laws.tiles, tile), forces_(tile, forces) {}
+        : model_(model), tile_(tile), law_(laws.laws[tile.law]), scratch_(scratch),
+          damped_(stiffness_damping(model.settings) > 0), rows_(model, laws.tiles, tile), forces_(tile, forces) {}
 
     ZoneSums run() {
         ZoneSums sums;
@@ -127,9 +150,10 @@ private:
         if (const auto failure = law_.model->run(columns.batch)) throw failed(first, *failure);
         ZoneSums sums;
         sums.work = finish(columns, first, count);
-        const double damping = stiffness_damping(model_.settings) / model_.clock.time_step;
-        if (damping > 0) sums.damped = damp(columns, first, count, damping);
-        if (!law_.averages) add_forces(columns, first, count);
+        if (damped_) {
+            sums.damped = damp(columns, first, count, stiffness_damping(model_.settings) / model_.clock.time_step);
+            if (!law_.averages) add_damped_forces(columns, first, count);
+        }
         return sums;
     }
 
@@ -137,57 +161,64 @@ private:
     void strain(Columns& columns, Row first, Row count) {
         const bool large = model_.settings.large_strain;
         const bool wet = model_.settings.water != Water::none;
-        for (Row i = 0; i < count; i += lane_count) {
+        for (Row i = 0; i < count; i += eight) {
             const ZoneGroup zones = rows_.group_at(first + i);
-            const Deformation d = rows_.deformation(zones, large);
-            check_volumes(model_, first + i, std::min<Row>(count - i, lane_count), d.volume);
-            Map(columns.volume + i) = d.volume;
-            Map(columns.volume_strain + i) = d.volume_strain;
-            const Lanes pressure = wet ? rows_.pressure(zones) : Lanes(Lanes::Zero());
-            Map(columns.pressure + i) = pressure;
-            Lanes more = Lanes::Zero();
-            if (law_.averages) more = (LaneGroup(count - i).load(scratch_.mean_strain.data() + first + i) - d.volume_strain) / 3.0;
-            SixLanes stress;
-            for (std::size_t k = 0; k < 6; ++k) stress[k] = load(columns.before[k] + i);
+            const Edges edges = rows_.edges(zones);
+            const Deformation d = rows_.deformation(zones, edges, large);
+            check_volumes(model_, first + i, std::min<Row>(count - i, eight), d.volume);
+            columns.keep(i, edges);
+            store(columns.volume + i, d.volume);
+            const Eight pressure = wet ? rows_.pressure(zones) : Eight{};
+            store(columns.pressure + i, pressure);
+            Eight more{};
+            if (law_.averages) {
+                more = (load_rows(scratch_.mean_strain.data() + first + i, count - i) - d.volume_strain) / 3.0;
+                store(columns.volume_strain + i, d.volume_strain);
+            }
+            SixEights stress = load_stresses(model_.zones.stress, first + i, count - i);
             if (large) stress = turned(stress, d.half_spin);
             for (std::size_t k = 0; k < 6; ++k) {
-                Map(columns.strain[k] + i) = k < 3 ? Lanes(d.strain[k] + more) : d.strain[k];
-                Map(columns.before[k] + i) = stress[k];
-                Map(columns.stress[k] + i) = k < 3 ? Lanes(stress[k] + pressure) : stress[k];
+                store(columns.strain[k] + i, k < 3 ? d.strain[k] + more : d.strain[k]);
+                store(columns.before[k] + i, stress[k]);
+                store(columns.stress[k] + i, k < 3 ? stress[k] + pressure : stress[k]);
             }
         }
     }
 
-    /// Total stresses into the zones, and what the step has done to them.
+    /// Total stresses into the zones, what the step has done to them, and their forces, if nothing more comes to the stresses.
     double finish(Columns& columns, Row first, Row count) {
         const double bulk = law_.elastic.lambda + law_.elastic.two_shear / 3;
+        const bool are_final = !law_.averages && !damped_;
         Lanes whole = Lanes::Zero();
-        for (Row i = 0; i < count; i += lane_count) {
-            const Lanes pressure = load(columns.pressure + i);
-            Lanes work = Lanes::Zero(), change = work, both = work;
+        for (Row i = 0; i < count; i += eight) {
+            const Eight pressure = Columns::at(columns.pressure + i);
+            Eight work{}, change{}, both{};
+            SixEights stresses;
             for (std::size_t k = 0; k < 6; ++k) {
-                const Lanes before = load(columns.before[k] + i);
-                Lanes stress = load(columns.stress[k] + i);
+                const Eight before = Columns::at(columns.before[k] + i);
+                Eight stress = Columns::at(columns.stress[k] + i);
                 if (k < 3) {
                     stress -= pressure;
-                    Map(columns.stress[k] + i) = stress;
                     change += stress - before;
                     both += stress + before;
                 }
-                const Lanes part = (before + stress) * load(columns.strain[k] + i);
-                work += k < 3 ? part : Lanes(2 * part);
+                const Eight part = (before + stress) * Columns::at(columns.strain[k] + i);
+                work += k < 3 ? part : 2 * part;
+                stresses[k] = stress;
             }
             if (law_.averages) {
-                const Lanes mean = LaneGroup(count - i).load(scratch_.mean_strain.data() + first + i);
-                LaneGroup(count - i).store(scratch_.flow.data() + first + i, change / 3.0 - bulk * mean);
-                work += both / 3.0 * (load(columns.volume_strain + i) - mean); // the forces act on what the zone itself does
+                const Eight mean = load_rows(scratch_.mean_strain.data() + first + i, count - i);
+                store_rows(scratch_.flow.data() + first + i, count - i, change / 3.0 - bulk * mean);
+                work += both / 3.0 * (Columns::at(columns.volume_strain + i) - mean); // the forces act on what the zone itself does
             }
-            Lanes energy = 0.5 * load(columns.volume + i) * work;
-            for (Row l = std::min<Row>(count - i, lane_count); l < lane_count; ++l) energy[l] = 0;
-            whole += energy;
+            Eight energy = 0.5 * Columns::at(columns.volume + i) * work;
+            for (Row l = count - i; l < eight; ++l) energy[l] = 0;
+            add_to(whole, energy);
+            store_stresses(model_.zones.stress, first + i, count - i, stresses);
+            if (are_final) forces_.add(rows_.group_at(first + i), std::min<Row>(count - i, eight), columns.edges(i), stresses);
+            else if (damped_)
+                for (std::size_t k = 0; k < 3; ++k) store(columns.stress[k] + i, stresses[k]);
         }
-        for (Row i = 0; i < count; ++i)
-            for (int k = 0; k < 6; ++k) model_.zones.stress[first + i][k] = columns.stress[k][i];
         return sum(whole);
     }
 
@@ -207,17 +238,12 @@ private:
         return whole;
     }
 
-    void add_forces(const Columns& columns, Row first, Row count) {
-        const bool damped = stiffness_damping(model_.settings) > 0;
-        for (Row i = 0; i < count; i += lane_count) {
-            const ZoneGroup zones = rows_.group_at(first + i);
-            const Row here = std::min<Row>(count - i, lane_count);
-            SixLanes stress;
-            for (std::size_t k = 0; k < 6; ++k) {
-                stress[k] = load(columns.stress[k] + i);
-                for (Row l = 0; damped && l < here; ++l) stress[k][l] += model_.zones.dashpot[first + i + l][static_cast<int>(k)];
-            }
-            forces_.add(zones, here, rows_.edges(zones), stress);
+    /// Forces of the stresses of the zones and of their dashpots.
+    void add_damped_forces(const Columns& columns, Row first, Row count) {
+        for (Row i = 0; i < count; i += eight) {
+            SixEights stress = load_stresses(model_.zones.dashpot, first + i, count - i);
+            for (std::size_t k = 0; k < 6; ++k) stress[k] = Columns::at(columns.stress[k] + i) + stress[k];
+            forces_.add(rows_.group_at(first + i), std::min<Row>(count - i, eight), columns.edges(i), stress);
         }
     }
 
@@ -237,6 +263,7 @@ private:
     const ZoneTile& tile_;
     const ZoneLaw& law_;
     ZoneScratch& scratch_;
+    const bool damped_; ///< by viscous stresses
     TileRows rows_;
     TileForces forces_;
 };
@@ -307,10 +334,11 @@ void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scrat
     for (auto* column : {&scratch.volume, &scratch.strain, &scratch.mean_strain, &scratch.flow}) column->resize(zones);
     for_averaging(laws, [&](const ZoneTile& tile) {
         const TileRows rows(model, laws.tiles, tile);
-        for (Row z = tile.first; z < tile.last; z += lane_count) {
-            const Deformation d = rows.deformation(rows.group_at(z), model.settings.large_strain);
-            LaneGroup(tile.last - z).store(scratch.volume.data() + z, d.volume);
-            LaneGroup(tile.last - z).store(scratch.strain.data() + z, d.volume_strain);
+        for (Row z = tile.first; z < tile.last; z += eight) {
+            const ZoneGroup group = rows.group_at(z);
+            const Deformation d = rows.deformation(group, rows.edges(group), model.settings.large_strain);
+            store_rows(scratch.volume.data() + z, tile.last - z, d.volume);
+            store_rows(scratch.strain.data() + z, tile.last - z, d.volume_strain);
         }
     });
     average(model, laws, scratch, scratch.strain, [&](Row z, double mean) { scratch.mean_strain[z] = mean; });
@@ -321,16 +349,14 @@ void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std
     const TileRows rows(model, laws.tiles, tile);
     TileForces sums(tile, forces);
     const bool damped = stiffness_damping(model.settings) > 0; // else there is no viscous stress
-    for (Row z = tile.first; z < tile.last; z += lane_count) {
-        const ZoneGroup zones = rows.group_at(z);
-        const Row count = std::min<Row>(tile.last - z, lane_count);
-        SixLanes stress;
-        for (Row l = 0; l < lane_count; ++l) {
-            const Row zone = std::min(z + l, tile.last - 1);
-            for (std::size_t k = 0; k < 6; ++k) stress[k][l] = model.zones.stress[zone][static_cast<int>(k)];
-            for (std::size_t k = 0; damped && k < 6; ++k) stress[k][l] += model.zones.dashpot[zone][static_cast<int>(k)];
+    for (Row z = tile.first; z < tile.last; z += eight) {
+        SixEights stress = load_stresses(model.zones.stress, z, tile.last - z);
+        if (damped) {
+            const SixEights viscous = load_stresses(model.zones.dashpot, z, tile.last - z);
+            for (std::size_t k = 0; k < 6; ++k) stress[k] += viscous[k];
         }
-        sums.add(zones, count, rows.edges(zones), stress);
+        const ZoneGroup zones = rows.group_at(z);
+        sums.add(zones, std::min<Row>(tile.last - z, eight), rows.edges(zones), stress);
     }
 }
 

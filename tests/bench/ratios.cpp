@@ -1,7 +1,7 @@
 // How kaya stands against the bare method, in one run on one machine: docs/performance.md says what the rows mean.
 #include "base/parallel.hpp"
+#include "figures.hpp"
 #include "rigid_kernel.hpp"
-#include "run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,62 +15,24 @@
 #include <unistd.h>
 #include <vector>
 
-namespace {
-
-using bench::Run;
-
-/// One figure and where it must be. Aim and must are upper limits unless `more` says that more is better.
-struct Row {
-    std::string figure;
-    double value;
-    std::string unit;
-    double must, aim; ///< 0: the figure is shown and nothing is asked of it
-    bool more = false;
-
-    std::string verdict() const {
-        if (must == 0) return "";
-        const auto meets = [&](double limit) { return more ? value >= limit : value <= limit; };
-        return meets(aim) ? "aim" : meets(must) ? "must" : "MISSED";
-    }
-};
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
-double timed(const std::function<void()>& call, double (*clock)() = bench::processor_seconds) {
-    const double start = clock();
-    call();
-    return clock() - start;
-}
-
-/// Median of time over time of the kernel, turn by turn, since the machine may be slower from one to the next.
-struct Paired {
-    double ratio; ///< seconds per step over seconds per step of the kernel
-    double ours, kernel;
-};
-
-Paired against_kernel(bench::RigidKernel& kernel, int turns, std::int64_t steps, const std::function<void()>& ours) {
-    std::vector<double> ratios, mine, theirs;
-    for (int i = 0; i < turns; ++i) {
-        const double k = timed([&] {
-                             for (int s = 0; s < 300; ++s) kernel.step();
-                         }) / 300;
-        const double o = timed(ours) / static_cast<double>(steps);
-        ratios.push_back(o / k);
-        mine.push_back(o);
-        theirs.push_back(k);
-    }
-    return {median(ratios), median(mine), median(theirs)};
-}
-
-/// Resident memory of this process.
-double resident_bytes() {
+/// From the system's account of it.
+double bench::resident_bytes() {
     std::ifstream file("/proc/self/statm");
     double pages = 0, resident = 0;
     file >> pages >> resident;
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+namespace {
+
+using bench::median;
+using bench::resident_bytes;
+using bench::Row;
+using bench::Run;
+using bench::timed;
+
+bench::Paired against_kernel(bench::RigidKernel& kernel, int turns, std::int64_t steps, const std::function<void()>& ours) {
+    return bench::against_kernel(kernel, 300, turns, steps, ours);
 }
 
 std::filesystem::path written(const std::string& name, const std::string& text) {
@@ -218,8 +180,10 @@ std::string processor() {
 
 int main(int argc, char** argv) {
     const std::string csv = argc > 1 ? argv[1] : "ratios.csv";
+    const bool zones_only = argc > 2 && argv[2] == std::string("zones");
     std::vector<Row> rows;
-    for (const auto part : {packed_cubes, threads, small_models, materials, building, growth, yade}) {
+    for (const auto part : {packed_cubes, threads, small_models, materials, building, growth, bench::zones, yade}) {
+        if (zones_only && part != bench::zones) continue;
         const std::size_t first = rows.size();
         part(rows);
         for (std::size_t i = first; i < rows.size(); ++i)

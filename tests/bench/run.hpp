@@ -44,6 +44,7 @@ public:
             session_->cycle->advance();
         }
     }
+    kaya::Model& model() { return session_->model; }
     const kaya::Model& model() const { return session_->model; }
     const std::vector<kaya::PhaseTime>& timing() const { return session_->cycle->timing(); }
 
