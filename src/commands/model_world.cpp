@@ -276,7 +276,7 @@ Handle ModelWorld::nearest(std::int32_t table, const Vec3& place) {
     if (kind == ObjectKind::triangle)
         throw Diagnostic("corners of faces cannot be looked for", "look for the gridpoint", Fault::run);
     const Row best = nearest_row(model_, kind, place);
-    if (best != no_row && warn) {
+    if (best != no_row) {
         const double distance = distance_to(model_, kind, best, place);
         const Row block = block_of(model_, kind, best);
         const double size = block == no_row ? distance : block_size(model_, block);

@@ -161,7 +161,7 @@ script::Value ModelWorld::property(script::Handle object, const std::string& nam
     const JointModel& joint = joints_.get(set.model);
     const auto found = joint.find_property(name);
     if (!found) fail_property(joint, name);
-    if (joint.keeps_objects() && note)
+    if (joint.keeps_objects())
         host_.note(table == ScriptTable::sub_contact
                  ? fmt::format("'{}' of joint model '{}' is what the deck gave: the model keeps its own for each sub-contact, and does "
                                "not show it",

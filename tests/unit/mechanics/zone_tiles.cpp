@@ -1,4 +1,5 @@
 #include "mechanics/tetrahedra.hpp"
+#include "mechanics/run_zone_models.hpp"
 #include "mechanics/zone_laws.hpp"
 #include "two_bricks.hpp"
 
