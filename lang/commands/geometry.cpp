@@ -3,6 +3,8 @@
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
 
+#include <limits>
+
 namespace kaya::lang {
 
 namespace {
@@ -11,6 +13,18 @@ Entry<FaceTriangulation> face_triangulation(std::vector<Spelling> form, FaceTria
     Entry<FaceTriangulation> entry({"facetri"}, std::move(form));
     entry.start([style](const Statement& statement, FaceTriangulation& command) {
         command.style = style;
+        command.place = statement.words.front().place;
+    });
+    entry.range(&FaceTriangulation::range);
+    return entry;
+}
+
+/// Corners alone are places that are infinitely far apart.
+Entry<FaceTriangulation> face_corners() {
+    Entry<FaceTriangulation> entry({"facetri"}, {"corners"});
+    entry.start([](const Statement& statement, FaceTriangulation& command) {
+        command.style = FaceTriangulation::Style::edge;
+        command.edge = std::numeric_limits<double>::infinity();
         command.place = statement.words.front().place;
     });
     entry.range(&FaceTriangulation::range);
@@ -136,8 +150,13 @@ Family geometry() {
                       "their edges")
                 .right("facetri rad8")
                 .wrong("facetri rad8 range", "the range is empty"),
+            face_corners()
+                .help("puts sub-contacts at the corners of the joints of rigid blocks only, as 3DEC does")
+                .right("facetri corners")
+                .right("facetri corners range group arch")
+                .wrong("facetri corners 4", "'4' is not a keyword of facetri corners"),
             face_triangulation({"off"}, FaceTriangulation::Style::fan)
-                .help("takes what facetri has set back: sub-contacts at corners and crossings of edges only")
+                .help("takes back what facetri has set: a joint is continuous again")
                 .right("facetri off")
                 .wrong("facetri off now", "'now' is not a keyword of facetri off"),
         }};

@@ -169,4 +169,16 @@ void points_of_polygon(const std::vector<Vec2>& polygon, double edge, double tol
     add_fan(polygon, exact, true, result);
 }
 
+void corners_of_polygon(const std::vector<Vec2>& polygon, Overlay& result) {
+    result.points.clear();
+    for (const Vec2& p : polygon) add(result, p, 0);
+    const std::size_t n = polygon.size();
+    for (std::size_t apex = 0; apex < n; ++apex)
+        for (std::size_t i = 1; i + 1 < n; ++i) {
+            const std::size_t b = (apex + i) % n, c = (apex + i + 1) % n;
+            const double triangle = 0.5 * cross(polygon[b] - polygon[apex], polygon[c] - polygon[apex]);
+            for (const std::size_t corner : {apex, b, c}) result.points[corner].area += triangle / (3 * static_cast<double>(n));
+        }
+}
+
 } // namespace kaya

@@ -17,4 +17,8 @@ void common_polygon(const std::vector<Vec2>& one, const std::vector<Vec2>& two, 
 /// are about that far apart. Only place and area of the points are set.
 void points_of_polygon(const std::vector<Vec2>& polygon, double edge, double tolerance, Overlay& result);
 
+/// Only the corners, each with its third of the triangles around it: the mean over the fans from all corners, so that none of
+/// them matters. Sums of area and area x are exact; second moments are too large, three times those of a parallelogram.
+void corners_of_polygon(const std::vector<Vec2>& polygon, Overlay& result);
+
 } // namespace kaya

@@ -1,6 +1,7 @@
 #include "base/diagnostic.hpp"
 #include "base/reduce.hpp"
 #include "mechanics/contact_stiffness.hpp"
+#include "mechanics/corner_joints.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/overlap_contact.hpp"
 #include "mechanics/advance_joints.hpp"
@@ -155,7 +156,7 @@ void note_stiffness(const Model& model, Row c, JointForces& forces) {
 /// Whether a joint between rigid blocks has to go by its overlap from now on.
 bool opens_in_part(const Model& model, Row c) {
     if (!model.settings.large_strain || !between_rigid(model, c)) return false;
-    return is_partly_open(model, c);
+    return is_partly_open(model, c) && !stands_on_corners(model, model.contacts.block1[c], model.contacts.block2[c]);
 }
 
 /// Geometry that was made after the last motion has not slid.

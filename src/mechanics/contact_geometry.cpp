@@ -2,6 +2,7 @@
 
 #include "geometry/overlay.hpp"
 #include "geometry/polygon_overlay.hpp"
+#include "mechanics/corner_joints.hpp"
 #include "mechanics/overlap_contact.hpp"
 #include "mechanics/separation.hpp"
 
@@ -92,10 +93,10 @@ struct FlatFace {
     }
 };
 
-/// Length of edges in the overlay that two blocks ask for; 0: none.
+/// Length of edges in the overlay; 0: none.
 double edge_between(const Model& model, Row block1, Row block2) {
-    const double a = model.blocks.face_edge[block1], b = model.blocks.face_edge[block2];
-    return a > 0 && b > 0 ? std::min(a, b) : std::max(a, b);
+    const double length = length_between(model, block1, block2);
+    return std::isinf(length) ? 0 : length;
 }
 
 /// The part of a block's surface that belongs to a vertex, seen along a direction out of the block. It changes
@@ -244,7 +245,8 @@ bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, Contact
     if (common.empty()) return false;
     const auto middles = [&](Row block) { return model.blocks.face_triangles[block] == FaceTriangles::radial_8; };
     if (middles(block1) || middles(block2)) add_middles(common);
-    points_of_polygon(common, edge_between(model, block1, block2), tolerance, found);
+    if (stands_on_corners(model, block1, block2)) corners_of_polygon(common, found);
+    else points_of_polygon(common, edge_between(model, block1, block2), tolerance, found);
     bool near = false;
     for (const auto& p : found.points) {
         ContactPoint& point = geometry.points.add();

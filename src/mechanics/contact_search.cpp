@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "base/stop_point.hpp"
 #include "mechanics/contact_geometry.hpp"
+#include "mechanics/corner_joints.hpp"
 #include "mechanics/overlap_contact.hpp"
 #include "model/joined.hpp"
 #include "model/measure.hpp"
@@ -248,7 +249,8 @@ bool is_parallel(const ContactGeometry& geometry) {
 DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving, ContactGeometry& geometry) {
     const bool in_place = !model.settings.large_strain;
     if (old == no_row) {
-        if (geometry.kind == ContactKind::joint && (!moving || in_place || is_parallel(geometry))) return DraftKind::new_geometry;
+        const bool as_joint = !moving || in_place || is_parallel(geometry) || stands_on_corners(model, b1, b2);
+        if (geometry.kind == ContactKind::joint && as_joint) return DraftKind::new_geometry;
         geometry.kind = ContactKind::overlap;
         geometry.points.clear();
         add_overlap_points(model, b1, b2, geometry);
