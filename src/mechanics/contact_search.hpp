@@ -1,6 +1,6 @@
 // Which blocks touch, and when to look again.
 // reads: gridpoints.position, blocks.travelled, blocks.margin, contacts.slip_since_update
-// writes: contacts, sub_contacts, blocks.travelled, energy.joint_lost, lists_changed
+// writes: contacts, sub_contacts, blocks.travelled, energy.joint_lost, stale
 #pragma once
 
 #include "laws/joint_model.hpp"
