@@ -112,23 +112,14 @@ double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& moti
 
 /// Gives a carrier another area. Its normal traction stays. Its shear force stays where faces lie on each other: if it
 /// followed the area, a joint that opens and closes at its edge would lose some each time and creep. On corners and edges
-/// that roll, what leaves the contact takes its shear force along. A spring that keeps its force on a smaller area holds more
-/// energy. In an impact `taken`, what larger areas have taken of it before, must pay for that, or the force is smaller; a joint that opens
-/// slowly gains next to nothing, and would creep. Returns the energy of the shear spring that is lost.
-double change_area(SubContacts& subs, Row s, double area, bool lies, double& taken) {
+/// that roll, what leaves the contact takes its shear force along. Returns the energy of the shear spring that is lost.
+double change_area(SubContacts& subs, Row s, double area, bool lies) {
     const double before = shear_energy(subs, s);
     const double ratio = subs.area[s] > 0 ? area / subs.area[s] : 1;
     subs.normal_force[s] *= ratio;
+    if (!lies && ratio < 1) subs.shear_force.set(s, ratio * Vec3(subs.shear_force[s]));
     subs.area[s] = area;
-    if (!(before > 0)) return 0;
-    constexpr double slow = 0.99; // of the area left after a step
-    double scale = 1;
-    if (ratio < 1 && !lies) scale = ratio;
-    else if (ratio < slow) scale = std::min(1.0, std::sqrt(ratio * (1 + taken / before)));
-    if (scale != 1) subs.shear_force.set(s, scale * Vec3(subs.shear_force[s]));
-    const double lost = before - shear_energy(subs, s);
-    if (lies) taken = std::max(0.0, taken + lost);
-    return lost;
+    return before - shear_energy(subs, s);
 }
 
 double normal_force_of(const Model& model, Row c) {
@@ -190,7 +181,7 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
         }
         Vec3 shift = apart; // of all rows of blocks that are apart: they stand in one place
         if (closed) {
-            lost += change_area(subs, s, contacts.area[c] / carriers, patch.lies, contacts.withdrawn_energy[c]);
+            lost += change_area(subs, s, contacts.area[c] / carriers, patch.lies);
             subs.position.set(s, places[k]);
             shift = motion.at(places[k]);
         } else {
@@ -297,9 +288,7 @@ double scale_force(Model& model, Row c, double scale) {
 /// it has taken without work.
 double keep_passive(Model& model, Row c) {
     constexpr double least_scale = 0.75, recovery = 2e-3, surplus = 1.1;
-    // Where little of the energy goes in or out in a step it is kept as exactly as need be. At the deepest point of a blow that
-    // is so for a moment only.
-    constexpr double slow = 1e-3, settling = 0.02;
+    constexpr double slow = 1e-3; // of the energy in a step: it is kept as exactly as need be
     auto& contacts = model.contacts;
     const RelativeMotion motion(model, c);
     const double of_overlap = normal_force_of(model, c) * contacts.energy_length[c];
@@ -308,8 +297,7 @@ double keep_passive(Model& model, Row c) {
     const double before = taken;
     double scale = 1, of_shear = 0;
     taken -= work;
-    if (lie_on_each_other(model, pair_of(contacts, c))) taken = of_overlap;
-    else if (std::abs(work) < slow * of_overlap) taken += settling * (of_overlap - taken);
+    if (std::abs(work) < slow * of_overlap || lie_on_each_other(model, pair_of(contacts, c))) taken = of_overlap;
     if (of_overlap > 0 && taken < of_overlap) {
         taken = std::max(taken, least_scale * least_scale * of_overlap);
         scale = std::sqrt(taken / of_overlap);

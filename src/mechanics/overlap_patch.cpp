@@ -145,13 +145,11 @@ struct CommonPart {
     OverlapMoments moments;
     double flatness = 0;           ///< see Flatness
     Vec3 turned = Vec3::Zero();
-    double least_area = 0;         ///< see least_contact_area; of faces that lie on each other, see least_area_of_faces
-    double least_area_of_faces = 0;
 };
 
 /// Energy over stiffness of an overlap: U of the depth, or that of a joint of the least area, whichever is more, by a
 /// norm that is smooth and exact far from where they are equal. Gives minus its gradient.
-OverlapGradient energy_of(const CommonPart& common) {
+OverlapGradient energy_of(const CommonPart& common, double least_area) {
     const OverlapGradient &volume = common.volume, &depth = common.depth;
     // The power is 8: it is three squarings, and its root three square roots.
     const auto eighth_power = [](double x) { return (x *= x, x *= x, x * x); };
@@ -161,8 +159,6 @@ OverlapGradient energy_of(const CommonPart& common) {
     // and the least area must not hide how that wedge carries.
     constexpr double of_corner = 6, of_flat = 4;
     const double closure = of_corner + common.flatness * (of_flat - of_corner);
-    const double difference = common.least_area_of_faces - common.least_area;
-    const double least_area = common.least_area + common.flatness * difference;
     const double mean = depth.value / volume.value;
     const double joint = 0.5 * least_area * (closure * mean) * (closure * mean);
     const double larger = std::max(joint, depth.value), one = depth.value / larger, other = joint / larger;
@@ -172,37 +168,25 @@ OverlapGradient energy_of(const CommonPart& common) {
     energy.value = larger * sum;
     energy.force = (of_depth + of_joint * 2 * joint / depth.value) * depth.force - of_joint * 2 * joint / volume.value * volume.force;
     energy.moment = (of_depth + of_joint * 2 * joint / depth.value) * depth.moment - of_joint * 2 * joint / volume.value * volume.moment +
-                    of_joint * joint * (2 * (of_flat - of_corner) / closure + difference / least_area) * common.turned;
+                    of_joint * 2 * joint / closure * (of_flat - of_corner) * common.turned;
     return energy;
-}
-
-double face_area(const Model& model, Row face) {
-    const Span span = model.faces.triangles[face];
-    double area = 0;
-    for (Row t = span.first; t < span.end(); ++t) area += triangle_area_vector(model, t).norm();
-    return area;
 }
 
 double mean_face_area(const Model& model, Row block) {
     const Span faces = model.blocks.faces[block];
     double sum = 0;
-    for (Row f = faces.first; f < faces.end(); ++f) sum += face_area(model, f);
+    for (Row f = faces.first; f < faces.end(); ++f) {
+        const Span span = model.faces.triangles[f];
+        for (Row t = span.first; t < span.end(); ++t) sum += triangle_area_vector(model, t).norm();
+    }
     return faces.count > 0 ? sum / faces.count : 0;
-}
-
-/// The part of a face that a contact has at least.
-constexpr double least_part = 0.01;
-
-/// Faces that lie on each other: the mean face says nothing of how narrow their joint is, and may be far larger than it.
-double least_area_of_faces(const Model& model, const OverlapPair& pair) {
-    if (pair.face1 == no_row || pair.face2 == no_row) return pair.least_area;
-    return std::min(pair.least_area, least_part * std::min(face_area(model, pair.face1), face_area(model, pair.face2)));
 }
 
 } // namespace
 
 double least_contact_area(const Model& model, Row block1, Row block2) {
-    return least_part * std::min(mean_face_area(model, block1), mean_face_area(model, block2));
+    constexpr double part = 0.01;
+    return part * std::min(mean_face_area(model, block1), mean_face_area(model, block2));
 }
 
 bool between_rigid(const Model& model, Row c) {
@@ -301,17 +285,10 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     CommonPart common;
     const Flat flat = find_flat(model, pair, origin, moved, work);
     if (flat == Flat::apart) return patch;
-    common.least_area = pair.least_area;
-    common.least_area_of_faces = least_area_of_faces(model, pair);
-    if (flat == Flat::found) {
-        common.volume = work.flat.volume();
-        common.depth = work.flat.depth();
-        common.moments = work.flat.moments();
-        common.flatness = 1;
-    }
+    if (flat == Flat::found) common = {work.flat.volume(), work.flat.depth(), work.flat.moments(), 1, Vec3::Zero()};
     else if (!find_by_clip(model, pair, normal, origin, moved, work, common)) return patch;
     patch.lies = common.flatness > 0.5;
-    const OverlapGradient energy = energy_of(common);
+    const OverlapGradient energy = energy_of(common, pair.least_area);
     const double force = energy.force.norm();
     if (!(force > 0)) return patch;
 
