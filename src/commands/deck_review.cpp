@@ -129,13 +129,11 @@ void DeckReview::find_file(const lang::BoundCommand& command) {
     const bool may_be_written = may_have_written_ || earlier_words_.contains(read.name);
     lang::Lexer lexer(command.place.source, command.place.line);
     lang::Statement words;
-    if (command.spec->body_end.empty() && lexer.next(words)) {
-        const bool may_write = words.words.front().late() || lang::may_write_files(command.text()); // hist write @name; @f may be one of an earlier deck
+    if (command.spec->body_end.empty() && lexer.next(words))
         for (const auto& word : words.words) {
             earlier_words_.insert(word.text);
-            if (word.late() && may_write && !defined_.contains(lang::fold(word.text.substr(0, word.text.find('('))))) may_have_written_ = true;
+            if (word.late() && !defined_.contains(lang::fold(word.text.substr(0, word.text.find('('))))) may_have_written_ = true;
         }
-    }
     if (read.name.empty()) return;
     for (const auto& folder : folders_) {
         std::error_code failed;
