@@ -252,8 +252,8 @@ void Line::expect_end(std::string_view after) {
         .at(peek().place);
 }
 
-void fail_expected(const Line& line, std::string_view expected, std::string hint) {
-    throw Diagnostic(fmt::format("expected {}, found {}", expected, shown(line.peek())), std::move(hint))
+void fail_expected(const Line& line, std::string_view expected) {
+    throw Diagnostic(fmt::format("expected {}, found {}", expected, shown(line.peek())))
         .at(line.peek().place);
 }
 

@@ -40,6 +40,6 @@ Node parse_expression(Line& line);
 /// name or name(arguments)
 Node parse_name(Line& line);
 /// "expected X, found Y" at the current token.
-[[noreturn]] void fail_expected(const Line& line, std::string_view expected, std::string hint = {});
+[[noreturn]] void fail_expected(const Line& line, std::string_view expected);
 
 } // namespace kaya::fish

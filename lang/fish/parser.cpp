@@ -229,12 +229,7 @@ private:
                 throw Diagnostic(fmt::format("'{}' begins no statement", left.text),
                                  fmt::format("did you mean '{}'?", near))
                     .at(made.place);
-            const bool steps = (line_.peek().is_sign("+") || line_.peek().is_sign("-")) &&
-                               (line_.peek(1).is_sign("=") || line_.peek(1).is_sign(line_.peek().text)); // a += 1, a++
-            const std::string hint = steps                         ? fmt::format("write: {0} = {0} {1} {2}", left.text, line_.peek().text, line_.peek(1).is_sign("=") ? "..." : "1")
-                                     : line_.peek().is_sign("==") ? "one '=' gives a value; '==' compares, after `if` and `loop while`"
-                                                                   : "";
-            fail_expected(line_, fmt::format("'=' after '{}'", left.text), hint);
+            fail_expected(line_, fmt::format("'=' after '{}'", left.text));
         }
         made.kind = StatementKind::evaluate;
         made.value = std::move(left);
@@ -323,9 +318,7 @@ private:
     }
 
     void stray(Statement& made) {
-        const std::string& word = line_.peek().text;
-        throw Diagnostic(fmt::format("'{}' cannot begin a statement", word), word == "then" ? "" : fmt::format("loops begin with `loop`: loop {} ... endloop", word))
-            .at(made.place);
+        throw Diagnostic(fmt::format("'{}' cannot begin a statement", line_.peek().text)).at(made.place);
     }
 
     void nested_function(Statement& made) {
@@ -359,8 +352,6 @@ private:
                 throw Diagnostic(fmt::format("'{}' is no kind of loop", made.target.text),
                                  fmt::format("did you mean '{}'?", near))
                     .at(made.target.place);
-            if (!line_.peek().is_sign("(") && !line_.done())
-                fail_expected(line_, "'(' for the limits of the loop", fmt::format("write: loop {} (1, 10)", made.target.text));
             line_.expect_sign("(", "the limits of the loop");
             do made.expressions.push_back(parse_expression(line_));
             while (line_.take_sign(","));

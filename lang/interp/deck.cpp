@@ -1,10 +1,7 @@
 #include "lang/interp/deck.hpp"
 
-#include "lang/interp/script_files.hpp"
-
 #include "lang/interp/newer_dialect.hpp"
 
-#include <set>
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
@@ -74,18 +71,9 @@ private:
         BoundCommand& command = step.command;
         names_.learn(*command.spec, statement);
         if (checks_ && checks_->command && !command.late) run_check(command);
-        note_script(command, statement);
+        if (!command.spec->body_end.empty() || statement.words.front().late()) script_seen_ = true;
         if (command.spec->flow == Flow::call && !command.late) step.called = called(command);
         return step;
-    }
-
-    /// What was defined elsewhere, or is known at run time only, may write a file; of a function of this deck its text tells.
-    void note_script(const BoundCommand& command, const Statement& statement) {
-        const Word& first = statement.words.front();
-        const bool own = defined_.contains(fold(first.text.substr(0, first.text.find('('))));
-        if (may_write_files(command) || (first.late() && !own)) may_have_written_ = true;
-        if (command.spec->body_end.empty()) return;
-        for (const Word& word : statement.words) defined_.insert(fold(word.text.substr(0, word.text.find('('))));
     }
 
     void run_check(const BoundCommand& command) {
@@ -104,7 +92,7 @@ private:
             return file(name);
         } catch (Diagnostic& problem) {
             // A script may write the file before the call is reached; it is looked for again there.
-            if (problem.code == "no-file" && may_have_written_) return {};
+            if (problem.code == "no-file" && script_seen_) return {};
             throw problem.at(command.place);
         }
     }
@@ -136,8 +124,7 @@ private:
     std::vector<std::pair<fs::path, std::string>> chain_; ///< files being read, with their names as written
     std::vector<std::pair<fs::path, SharedFile>> done_;
     std::vector<Diagnostic> problems_;
-    std::set<std::string> defined_; ///< words of the lines that begin scripts
-    bool may_have_written_ = false;
+    bool script_seen_ = false;
 };
 
 } // namespace

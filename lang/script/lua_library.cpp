@@ -151,14 +151,10 @@ int history(lua_State* L) {
     return 1;
 }
 
-/// (x, y, z), or nothing: zero
+/// (x, y, z)
 int vector(lua_State* L) {
-    const int given = lua_gettop(L);
-    if (given != 0 && given != 3)
-        throw Diagnostic(fmt::format("'vector' takes x, y and z, here it is given {} value{}", given, given == 1 ? "" : "s"),
-                         "write all three: vector(x, y, z); vector() is zero", Fault::run);
     Vec3 v = Vec3::Zero();
-    for (int i = 0; i < given; ++i) v[i] = number_argument(L, i + 1, "vector");
+    for (int i = 0; i < std::min(lua_gettop(L), 3); ++i) v[i] = number_argument(L, i + 1, "vector");
     push_vector(L, v);
     return 1;
 }

@@ -7,7 +7,6 @@
 #include "app/sandbox.hpp"
 #include "app/study_commands.hpp"
 #include "app/tools.hpp"
-#include "base/memory.hpp"
 #include "commands/deck_report.hpp"
 #include "app/model_commands.hpp"
 #include "commands/session.hpp"
@@ -249,7 +248,6 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
     kaya::report_crashes();
-    kaya::limit_memory_to_available();
     try {
         return kaya::start(argc, argv);
     } catch (const std::bad_alloc&) {

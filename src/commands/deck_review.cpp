@@ -3,7 +3,6 @@
 #include "lang/commands/language.hpp"
 #include "lang/fish/doubts.hpp"
 #include "lang/fish/inner_commands.hpp"
-#include "lang/interp/script_files.hpp"
 
 #include <any>
 #include <fmt/format.h>
@@ -44,19 +43,17 @@ void DeckReview::file(const lang::BoundFile& file) {
     for (const auto& step : file.steps) {
         statement(step.command, false);
         if (step.called) this->file(*step.called);
-        else if (step.command.spec->flow == lang::Flow::call) anything_may_be_made();
+        else if (step.command.spec->flow == lang::Flow::call) names_.anything_may_be_made();
     }
     doubt_last_line(*file.source);
 }
 
 void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
     names_.check(command, inside);
-    materials_.check(command);
     if (on_statement) on_statement(command);
     if (!inside) find_file(command);
     if (const auto* set = std::any_cast<lang::Set>(&command.command)) doubt_values(*set, command);
-    if (inside && command.spec->flow == lang::Flow::call) anything_may_be_made();
-    if (const auto* chunk = std::any_cast<lang::LuaChunk>(&command.command)) materials_.check_script(chunk->text);
+    if (inside && command.spec->flow == lang::Flow::call) names_.anything_may_be_made();
     if (const auto* function = std::any_cast<lang::FishDefinition>(&command.command)) this->inside(*function);
 }
 
@@ -64,7 +61,6 @@ void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
 void DeckReview::inside(const lang::FishDefinition& definition) {
     const auto function = fish::read_function(definition.text, definition.place);
     const auto doubts = fish::doubts(function);
-    materials_.check_script(definition.text);
     other_.insert(other_.end(), doubts.begin(), doubts.end());
     for (const auto& inner : fish::inner_commands(function)) {
         if (inner.joined) {
@@ -77,15 +73,10 @@ void DeckReview::inside(const lang::FishDefinition& definition) {
         try {
             statement(lang::bind_with_names(lang::classic(), words, bare_), true);
         } catch (const Diagnostic& mistake) {
-            anything_may_be_made();
+            names_.anything_may_be_made();
             if (on_inner) on_inner(&mistake);
         }
     }
-}
-
-void DeckReview::anything_may_be_made() {
-    names_.anything_may_be_made();
-    materials_.anything_may_be_given();
 }
 
 /// A mark that asks for a line that is not there.
@@ -104,35 +95,29 @@ void DeckReview::doubt_last_line(const SourceText& source) {
     }
 }
 
-/// `set @w = 1+2`, `set @w = stone`: a word without quotes.
+/// `set @w = 1+2`: a word without quotes that looks like arithmetic.
 void DeckReview::doubt_values(const lang::Set& set, const lang::BoundCommand& command) {
     lang::Lexer lexer(command.place.source, command.place.line);
     lang::Statement statement;
     if (set.fish.empty() || !lexer.next(statement)) return;
-    for (std::size_t i = 1; i < statement.words.size(); ++i) {
-        const auto& word = statement.words[i];
-        if (word.kind != lang::WordKind::word || statement.words[i - 1].kind != lang::WordKind::symbol) continue;
+    for (const auto& word : statement.words) {
         const bool begins = !word.text.empty() && std::string_view("0123456789.+-").find(word.text.front()) != std::string_view::npos;
-        const bool arithmetic = begins && word.text.find_first_of("+-*/^", 1) != std::string::npos;
+        if (word.kind != lang::WordKind::word || !begins || word.text.find_first_of("+-*/^", 1) == std::string::npos) continue;
         other_.push_back(doubt(fmt::format("'{}' is taken as a text", word.text),
-                               arithmetic ? fmt::format("brackets make arithmetic of it: [{}]; quotes say that it is a text", word.text)
-                                          : fmt::format("@{} is the value of that name; quotes say that it is a text", word.text),
-                               word.place));
+                               fmt::format("brackets make arithmetic of it: [{}]; quotes say that it is a text", word.text), word.place));
     }
 }
 
 void DeckReview::find_file(const lang::BoundCommand& command) {
-    if (lang::may_write_files(command)) may_have_written_ = true;
-    if (const auto* function = std::any_cast<lang::FishDefinition>(&command.command))
-        defined_.insert(fish::read_function(function->text, function->place).name);
+    if (!command.spec->body_end.empty()) script_seen_ = true;
     const FileRead read = command.late ? FileRead{} : file_read_by(command);
-    const bool may_be_written = may_have_written_ || earlier_words_.contains(read.name);
+    const bool may_be_written = script_seen_ || earlier_words_.contains(read.name);
     lang::Lexer lexer(command.place.source, command.place.line);
     lang::Statement words;
     if (command.spec->body_end.empty() && lexer.next(words))
         for (const auto& word : words.words) {
             earlier_words_.insert(word.text);
-            if (word.late() && !defined_.contains(lang::fold(word.text.substr(0, word.text.find('('))))) may_have_written_ = true;
+            if (word.late()) script_seen_ = true;
         }
     if (read.name.empty()) return;
     for (const auto& folder : folders_) {
@@ -143,8 +128,8 @@ void DeckReview::find_file(const lang::BoundCommand& command) {
         return;
     }
     if (command.command.type() == typeid(lang::LuaFile)) {
-        anything_may_be_made();
-        may_have_written_ = true;
+        names_.anything_may_be_made();
+        script_seen_ = true;
     }
     if (may_be_written) return;
     Diagnostic d(fmt::format("there is no {} file '{}'", read.kind, read.name),
@@ -154,14 +139,13 @@ void DeckReview::find_file(const lang::BoundCommand& command) {
 }
 
 void DeckReview::check_lua_file(const fs::path& path, const std::string& name, const Place& place) {
+    script_seen_ = true;
     std::error_code failed;
     std::ifstream stream(path, std::ios::binary);
-    if (!fs::is_regular_file(path, failed) || !stream) return anything_may_be_made(); // the run says why
+    if (!fs::is_regular_file(path, failed) || !stream) return names_.anything_may_be_made(); // the run says why
     std::ostringstream text;
     text << stream.rdbuf();
     names_.check_lua(text.str());
-    materials_.check_script(text.str());
-    if (lang::may_write_files(text.str())) may_have_written_ = true;
     try {
         script::check_lua_text(text.str(), {lang::source_from_text(name, text.str()), 1, 1, 1});
     } catch (Diagnostic& mistake) {
@@ -174,8 +158,6 @@ std::vector<Diagnostic> DeckReview::findings() const {
     std::vector<Diagnostic> all = other_;
     const auto of_names = names_.findings();
     all.insert(all.end(), of_names.begin(), of_names.end());
-    const auto of_materials = materials_.findings();
-    all.insert(all.end(), of_materials.begin(), of_materials.end());
     return all;
 }
 

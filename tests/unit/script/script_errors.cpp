@@ -244,7 +244,6 @@ TEST(ScriptErrors, lua_language) {
     EXPECT_EQ(
         lua_message("local v = vector(1,2,3)\nv.x = 3"),
         "the components of a vector cannot be set one by one | make a new one: v = vector(1, v.y, v.z)");
-    EXPECT_EQ(lua_message("v = vector(1,2)"), "'vector' takes x, y and z, here it is given 2 values | write all three: vector(x, y, z); vector() is zero");
     EXPECT_EQ(lua_message("print(vector(1,2,3).w)"),
               "a vector has no 'w' | it has x, y, z, and the functions length(), unit(), dot(v), cross(v)");
     EXPECT_EQ(lua_message("hook.after_cycle(3)"),
