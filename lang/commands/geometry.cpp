@@ -154,7 +154,7 @@ Family geometry() {
                 .help("puts sub-contacts at the corners of the joints of rigid blocks only, as 3DEC does")
                 .right("facetri corners")
                 .right("facetri corners range group arch")
-                .wrong("facetri corners 4", "'4' is not a keyword of facetri corners"),
+                .wrong("facetri corners 4", "'4' stands where a keyword of facetri corners must be"),
             face_triangulation({"off"}, FaceTriangulation::Style::fan)
                 .help("takes back what facetri has set: a joint is continuous again")
                 .right("facetri off")

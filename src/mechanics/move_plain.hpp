@@ -4,7 +4,7 @@
 
 #include "mechanics/damping.hpp"
 #include "mechanics/eight.hpp"
-#include "mechanics/phases.hpp"
+#include "mechanics/phase_sums.hpp"
 
 #include <cstdint>
 

@@ -140,8 +140,8 @@ TEST(Tables, ShortSpellingsResolveInTableOrder) {
 }
 
 TEST(Tables, ShortKeywordsResolveInTableOrder) {
-    EXPECT_EQ(bound_as<List>("pri ma").what, "max");
-    EXPECT_EQ(bound_as<List>("list sub").what, "subcontacts");
+    EXPECT_EQ(bound_as<List>("pri ma").what, List::What::extremes);
+    EXPECT_EQ(bound_as<List>("list sub").what, List::What::sub_contacts);
     EXPECT_EQ(bound_as<HistoryWrite>("hist wr 1 vs 2").versus, 2);
     EXPECT_EQ(bound_as<HistoryWrite>("hist write 1 v 2 a.csv").versus, 2);
     EXPECT_EQ(bound_as<HistoryAdd>("his nc 5 unb").interval, 5);

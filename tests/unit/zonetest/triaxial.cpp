@@ -177,7 +177,7 @@ TEST_F(Bench, WhatNoZoneModelShouldDoIsFound) {
     ASSERT_EQ(curve.findings.size(), 3u);
     EXPECT_NE(curve.findings[0].text.find("gives out work"), std::string::npos);
     EXPECT_NE(curve.findings[1].text.find("as stiff as moduli() says"), std::string::npos);
-    EXPECT_NE(curve.findings[2].text.find("rows beside it"), std::string::npos);
+    EXPECT_NE(curve.findings[2].text.find("rows next to it"), std::string::npos);
 }
 
 } // namespace
