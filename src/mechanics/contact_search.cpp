@@ -249,8 +249,9 @@ bool is_parallel(const ContactGeometry& geometry) {
 DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving, ContactGeometry& geometry) {
     const bool in_place = !model.settings.large_strain;
     if (old == no_row) {
-        const bool as_joint = !moving || in_place || is_parallel(geometry) || stands_on_corners(model, b1, b2);
-        if (geometry.kind == ContactKind::joint && as_joint) return DraftKind::new_geometry;
+        const bool as_joint = geometry.kind == ContactKind::joint && // an overlap has no points yet
+                              (!moving || in_place || is_parallel(geometry) || stands_on_corners(model, b1, b2));
+        if (as_joint) return DraftKind::new_geometry;
         geometry.kind = ContactKind::overlap;
         geometry.points.clear();
         add_overlap_points(model, b1, b2, geometry);

@@ -186,7 +186,7 @@ TEST(HostileFiles, AreRefusedOrUsedButNeverCrash) {
         Scene scene;
         ASSERT_NO_THROW(kind.use(scene.session(), folder / kind.name)) << kind.name;
     }
-    const int files = number_from("KAYA_HOSTILE_FILES", 270);
+    const int files = number_from("KAYA_HOSTILE_FILES", 405);
     std::mt19937_64 random(static_cast<std::uint64_t>(number_from("KAYA_FIRST_SEED", 5)));
     int refused = 0, used = 0;
     for (int k = 0; k < files; ++k) {
