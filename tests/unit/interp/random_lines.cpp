@@ -54,7 +54,7 @@ TEST_F(RandomLines, AreBoundOrRefused) {
     int accepted = 0, refused = 0;
     const auto values = [](const std::string&, const Place&) { return Value(2.5); };
     const ValueSource source = values;
-    for (int i = 0; i < 40000; ++i) {
+    for (int i = 0; i < 60000; ++i) {
         const std::string text = line();
         Lexer lexer(source_from_text("random", text));
         Statement statement;
