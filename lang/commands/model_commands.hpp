@@ -1,0 +1,225 @@
+// The commands of model control, geometry and materials as structs.
+#pragma once
+
+#include "base/object_kind.hpp"
+#include "lang/commands/range.hpp"
+#include "lang/interp/value.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace kaya::lang {
+
+// --- model control ------------------------------------------------------------------------------
+struct New {};
+struct Config { bool dynamic = false; };
+struct CallFile { std::string file; };
+struct Return {};
+struct Quit {};
+struct Title { std::string text; };
+struct Save { std::string file; };
+struct Restore { std::string file; };
+struct Pause {};
+
+/// One `set` line may hold several settings; those not given stay as they are.
+struct Set {
+    std::optional<bool> dynamic;             ///< dyn on|off
+    std::optional<bool> small;               ///< small on|off
+    std::optional<bool> log;                 ///< log on|off
+    std::optional<std::string> log_file;     ///< logfile f
+    std::optional<std::int64_t> default_joint_constitutive; ///< jcondf
+    std::optional<std::int64_t> default_joint_material;     ///< jmatdf
+    std::optional<double> time_step_fraction; ///< fraction
+    std::optional<double> time_step;          ///< dt; 0: computed
+    std::optional<std::int64_t> threads;
+    std::optional<double> autosave; ///< minutes; 0: none
+    std::optional<bool> echo;
+    std::optional<bool> report; ///< report on|off
+    std::optional<Vec3> gravity;
+    std::optional<std::int64_t> seed; ///< random n: of urand and grand
+    std::vector<std::pair<std::string, Value>> fish; ///< set @name = value; the name is without @
+};
+
+// --- geometry -----------------------------------------------------------------------------------
+struct BlockOptions { std::int64_t region = 0, material = 1, constitutive = 1; };
+struct PolyBrick {
+    std::array<double, 2> x{}, y{}, z{}; ///< y and z are the x limits when they are left out
+    BlockOptions options;
+    Place place;
+};
+struct PolyPrism {
+    std::vector<Vec3> first, second; ///< corners of the two polygons, each opposite its partner
+    BlockOptions options;
+    Place place;
+};
+struct PolyFace {
+    struct Face {
+        std::vector<Vec3> corners;
+        std::int64_t joint_set = 0; ///< face id k
+    };
+    std::vector<Face> faces;
+    BlockOptions options;
+    Place place;
+};
+struct PolyTet { std::vector<Vec3> corners; BlockOptions options; Place place; };
+struct PolyCube {
+    Vec3 centre = Vec3::Zero();
+    double edge = 0;
+    BlockOptions options;
+    Place place;
+};
+struct PolyDrum {
+    std::optional<Vec3> end1, end2;
+    std::optional<double> radius1, radius2; ///< radius2 is radius1 when it is left out
+    std::int64_t sides = 8;
+    BlockOptions options;
+    Place place;
+};
+struct PolyTunnel {
+    double dip = 0, dip_direction = 0; ///< of the axis
+    Vec3 origin = Vec3::Zero();
+    double radius = 1, boundary = 4, ratio = 1;
+    std::array<double, 2> length{-10, 10}; ///< begin and end along the axis
+    std::int64_t radial = 1, tangential = 1, axial = 1;
+    bool core = true;
+    std::optional<std::int64_t> core_region; ///< that of the rings if not given
+    std::string core_group;
+    BlockOptions options;
+    Place place;
+};
+/// One family of parallel joints; angles in degrees, deviations are half widths of the scatter.
+struct JointSetCommand {
+    std::array<double, 2> dip{}, dip_direction{}, spacing{}; ///< value and deviation
+    std::int64_t number = 1;
+    Vec3 origin = Vec3::Zero();
+    double persistence = 1;
+    std::optional<std::int64_t> id; ///< none: the next that is free
+    std::int64_t seed = 0;
+    bool join = false; ///< the pieces of a block stay one body
+    RangePhrase range;
+    Place place;
+};
+/// The outline of a tunnel: two polygons with matching corners.
+struct TunnelCommand {
+    std::vector<Vec3> first, second;
+    std::int64_t region = 0; ///< of the blocks inside; 0: as they were
+    bool radial = false;     ///< cuts the rock around through each corner, too
+    RangePhrase range;
+    Place place;
+};
+/// cut ground: along a ground surface.
+struct CutGround {
+    std::string file;
+    Vec3 shift = Vec3::Zero();
+    std::optional<std::int64_t> id; ///< of the faces that are cut
+    std::optional<std::int64_t> region; ///< of the blocks below
+    RangePhrase range;
+    Place place;
+};
+/// Cuts each block into equal parts along x, y and z.
+struct Densify {
+    std::array<std::int64_t, 3> parts{1, 1, 1};
+    bool join = false; ///< the parts stay one body
+    RangePhrase range;
+    Place place;
+};
+/// Blocks from a file: its suffix says the format.
+struct Import { std::string file; BlockOptions options; Place place; };
+struct Export { std::string file; RangePhrase range; Place place; };
+struct Mark { std::int64_t region = 0; RangePhrase range; };
+/// Gives faces, and the contacts on them, the number of a joint set.
+struct MarkJoint { std::int64_t joint_set = 0; RangePhrase range; };
+/// Joins blocks that touch into one body, or takes bodies apart.
+struct Join { bool on = true; RangePhrase range; Place place; };
+/// Joins the two blocks of each contact.
+struct JoinContact { RangePhrase range; Place place; };
+struct Hide { RangePhrase range; };
+struct Seek { RangePhrase range; };
+struct Delete { RangePhrase range; };
+/// Takes blocks out and keeps them; fill puts them back.
+struct Excavate { RangePhrase range; };
+struct Fill { RangePhrase range; };
+/// Copies of blocks: mirrored at a plane, then moved.
+struct Copy {
+    std::optional<Vec3> offset;
+    bool mirror = false;
+    double dip = 0, dip_direction = 0; ///< of the mirror
+    std::optional<Vec3> normal;        ///< of the mirror, in place of dip and dip direction
+    Vec3 origin = Vec3::Zero();        ///< a point of the mirror
+    std::int64_t number = 1;
+    std::optional<std::int64_t> region;
+    std::string group;
+    RangePhrase range;
+    Place place;
+};
+struct Group {
+    ObjectKind kind = ObjectKind::block; ///< contact: joints
+    std::string name;
+    RangePhrase range;
+};
+struct NameRange { std::string name; RangePhrase range; }; ///< range name NAME elements
+/// facetri radial | rad8 | edge f | off: triangles of faces of rigid blocks, for their contacts
+struct FaceTriangulation {
+    enum class Style { fan, radial, radial_8, edge } style = Style::fan;
+    double edge = 0;
+    RangePhrase range;
+    Place place;
+};
+struct GenerateEdge { double edge = 0; RangePhrase range; Place place; };
+/// generate quad n1 n2 n3: blocks with eight corners are cut in cells along their own axes.
+struct GenerateQuad {
+    std::array<std::int64_t, 3> parts{1, 1, 1};
+    std::array<double, 3> ratio{1, 1, 1}; ///< of each cell to the one before it
+    bool given = false;                   ///< the line has said how many
+    RangePhrase range;
+    Place place;
+};
+
+// --- materials ----------------------------------------------------------------------------------
+/// prop mat n | jmat n  word value ...: words are the classic ones (dens, bulk, k, g, ymod, jkn, ...)
+/// and the properties of loaded joint models; those are known at run time only.
+struct Property {
+    bool joint = false; ///< `jmat` was typed
+    std::int64_t number = 1;
+    struct Item { std::string word; double value; Place place; bool is_switch = false; }; ///< a switch: `on` or `off` was typed
+    std::vector<Item> items;
+};
+struct Change {
+    std::optional<std::int64_t> material, constitutive, joint_material, joint_constitutive;
+    RangePhrase range;
+};
+/// jmodel test NAME FILE [steps n] [area a] [word value ...]: one sub-contact, the model of the deck is not touched.
+struct JointModelTest {
+    std::string model;
+    Place model_place;
+    std::string path; ///< CSV file
+    std::int64_t steps = 1000;
+    double area = 1;
+    std::vector<Property::Item> items;
+};
+/// jmodel load NAME | jmodel model NAME [word value ...] [range] | jmodel word value ... [range]
+struct JointModelCommand {
+    enum class Action { load, assign, properties } action = Action::properties;
+    std::string model;
+    Place model_place;
+    std::vector<Property::Item> items;
+    RangePhrase range;
+};
+
+/// zone load NAME | zone model NAME [word value ...] [range] | zone property word value ... [range]
+struct ZoneModelCommand {
+    enum class Action { load, assign, properties } action = Action::properties;
+    std::string model;
+    Place model_place;
+    std::vector<Property::Item> items;
+    RangePhrase range;
+};
+/// zone nmd on|off: mixed discretisation.
+struct ZoneAveraging { bool on = true; };
+
+} // namespace kaya::lang
