@@ -38,7 +38,7 @@ extern "C" {
 /* What a strength reduction with the factor F makes of a property. */
 typedef enum kaya_zreduction {
     KAYA_ZREDUCE_NONE = 0,
-    KAYA_ZREDUCE_DIVIDE = 1, /* value / F */
+    KAYA_ZREDUCE_DIVIDE = 1,  /* value / F */
     KAYA_ZREDUCE_TANGENT = 2, /* an angle whose tangent is tan(value) / F */
     KAYA_ZREDUCE_MULTIPLY = 3 /* value * F: the model divides its strength by it */
 } kaya_zreduction;
@@ -52,24 +52,24 @@ typedef struct kaya_zproperty {
     double initial;      /* value before the user gives one; NAN: there is none */
     double minimum;      /* limits, inclusive; -INFINITY and INFINITY for none */
     double maximum;
-    uint32_t optional;   /* with an initial NAN: 0, the user must give a value; 1, the model gets NAN */
-    uint32_t reduction;  /* kaya_zreduction */
+    uint32_t optional;  /* with an initial NAN: 0, the user must give a value; 1, the model gets NAN */
+    uint32_t reduction; /* kaya_zreduction */
 } kaya_zproperty;
 
 /* The zones of one call. Columns marked "in" must not be written. No two columns overlap. */
 typedef struct kaya_zbatch {
     size_t n;
-    const double* properties;    /* in: the values, in the order of the property table */
-    double time_step;            /* in */
-    const double* volume;        /* in: of the zone as it is now */
-    const double* strain_inc[6]; /* in: of this step */
-    const double* pore_pressure; /* in */
-    double* stress[6];           /* in: old; out: new */
-    double* dissipation;         /* in: 0; out: work per volume that plastic flow took up in this step */
-    uint32_t* state;             /* in, out: bit i belongs to the i-th name of state_names */
-    double* const* history;      /* in, out: history[k][i] is variable k of row i */
-    const kaya_jtables* tables;  /* in: may be NULL, when there is no deck */
-    size_t row;                  /* out: a model that works row by row writes here where it is */
+    const double* properties;          /* in: the values, in the order of the property table */
+    double time_step;                  /* in */
+    const double* volume;              /* in: of the zone as it is now */
+    const double* strain_inc[6];       /* in: of this step */
+    const double* pore_pressure;       /* in */
+    double* stress[6];                 /* in: old; out: new */
+    double* dissipation;               /* in: 0; out: work per volume that plastic flow took up in this step */
+    uint32_t* state;                   /* in, out: bit i belongs to the i-th name of state_names */
+    double* const* history;            /* in, out: history[k][i] is variable k of row i */
+    const kaya_jtables* tables;        /* in: may be NULL, when there is no deck */
+    size_t row;                        /* out: a model that works row by row writes here where it is */
     char message[KAYA_JMODEL_MESSAGE]; /* out: why a row failed */
 } kaya_zbatch;
 

@@ -42,24 +42,24 @@ std::vector<KeywordSpec> multiplier_kinds() {
     const auto frequency = real("f").unit("1/time").above(0);
     const auto duration = real("t").unit("time").above(0).optional();
     const auto wave = [&](const char* word, Wave::Form form, std::string_view help) {
-        kinds.special({word}, {frequency.spec, duration.spec},
-                      [=](Reader& reader, Multiplier& multiplier) {
-                          Wave factor{form, reader.real(frequency.spec)};
-                          if (reader.at_number()) factor.duration = reader.real(duration.spec);
-                          multiplier.function = factor;
-                      },
-                      help);
+        kinds.special(
+            {word}, {frequency.spec, duration.spec},
+            [=](Reader& reader, Multiplier& multiplier) {
+                Wave factor{form, reader.real(frequency.spec)};
+                if (reader.at_number()) factor.duration = reader.real(duration.spec);
+                multiplier.function = factor;
+            },
+            help);
     };
     using enum Wave::Form;
     wave("sine", sine, "sin(2 pi f time), for the time t or without end");
     wave("cosine", cosine, "cos(2 pi f time), for the time t or without end");
     wave("impulse", impulse, "(1 - cos(2 pi f time))/2, for the time t or without end");
     const auto number = integer("n").at_least(0);
-    kinds.special({"table"}, {number.spec},
-                  [=](Reader& reader, Multiplier& multiplier) {
-                      multiplier.function = TableValue{reader.integer(number.spec)};
-                  },
-                  "value of table n over time");
+    kinds.special(
+        {"table"}, {number.spec},
+        [=](Reader& reader, Multiplier& multiplier) { multiplier.function = TableValue{reader.integer(number.spec)}; },
+        "value of table n over time");
     return std::move(kinds).list();
 }
 
@@ -81,32 +81,34 @@ void read_multiplier(Reader& reader, std::optional<Multiplier>& to, const std::v
 
 template <class Command> void add_multiplier(Entry<Command>& entry) {
     const auto kinds = multiplier_kinds();
-    entry.special({"hist", "history"}, {},
-                  [kinds](Reader& reader, Command& c) { read_multiplier(reader, c.multiplier, kinds); },
-                  "all velocities, loads and stresses of the line are multiplied by a function of time, or by "
-                  "@name: the value of a FISH function or variable in each cycle",
-                  kinds);
+    entry.special(
+        {"hist", "history"}, {}, [kinds](Reader& reader, Command& c) { read_multiplier(reader, c.multiplier, kinds); },
+        "all velocities, loads and stresses of the line are multiplied by a function of time, or by "
+        "@name: the value of a FISH function or variable in each cycle",
+        kinds);
 }
 
 /// The words xvel to rzvel.
 template <class Command> void add_velocities(Entry<Command>& entry, std::string_view help, std::string_view spin) {
     for (std::size_t i = 0; i < 6; ++i)
-        entry.keyword(velocity_words[i], velocity_argument(i),
-                      [i](Command& c) -> auto& { return c.velocity[i]; }, i < 3 ? help : spin);
+        entry.keyword(
+            velocity_words[i], velocity_argument(i), [i](Command & c) -> auto& { return c.velocity[i]; },
+            i < 3 ? help : spin);
 }
 
 /// A value along a direction; several of them add up.
-template <class Command>
-void add_directed(Entry<Command>& entry, std::vector<Spelling> words, const Argument<double>& value, std::vector<Directed> Command::*member,
-                  std::string_view help) {
+template <class Command> void add_directed(Entry<Command>& entry, std::vector<Spelling> words,
+                                           const Argument<double>& value, std::vector<Directed> Command::*member,
+                                           std::string_view help) {
     const auto direction = vector("dx dy dz");
-    entry.special(std::move(words), {value.spec, direction.spec},
-                  [=](Reader& reader, Command& command) {
-                      Directed one{reader.real(value.spec), {}};
-                      one.direction = read_direction(reader, direction.spec);
-                      (command.*member).push_back(one);
-                  },
-                  help);
+    entry.special(
+        std::move(words), {value.spec, direction.spec},
+        [=](Reader& reader, Command& command) {
+            Directed one{reader.real(value.spec), {}};
+            one.direction = read_direction(reader, direction.spec);
+            (command.*member).push_back(one);
+        },
+        help);
 }
 
 template <class Values> bool any(const Values& values) {
@@ -123,35 +125,41 @@ CommandSpec bound() {
     static constexpr const char* free[] = {"xfree", "yfree", "zfree", "rxfree", "ryfree", "rzfree"};
     add_velocities(entry, "velocity that is held", "rotation of rigid blocks that is held");
     for (std::size_t i = 0; i < 3; ++i)
-        entry.keyword({load[i]}, real("f").unit("force"), [i](Boundary& b) -> auto& { return b.load[i]; },
-                      "force added at every vertex");
+        entry.keyword(
+            {load[i]}, real("f").unit("force"), [i](Boundary & b) -> auto& { return b.load[i]; },
+            "force added at every vertex");
     for (std::size_t i = 0; i < 6; ++i)
-        entry.action({free[i]}, [i](Boundary& b) { b.free[i] = true; }, "no longer held in this direction");
+        entry.action(
+            {free[i]}, [i](Boundary& b) { b.free[i] = true; }, "no longer held in this direction");
     entry.keyword({"stress"}, tensor("sxx syy szz sxy sxz syz").unit("stress"), &Boundary::stress,
                   "stress on the boundary faces, compression negative");
-    entry.keyword({"xgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"),
-                  &Boundary::x_gradient, "change of the stress with x");
-    entry.keyword({"ygradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"),
-                  &Boundary::y_gradient, "change of the stress with y");
-    entry.keyword({"zgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"),
-                  &Boundary::z_gradient, "change of the stress with z");
+    entry.keyword({"xgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"), &Boundary::x_gradient,
+                  "change of the stress with x");
+    entry.keyword({"ygradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"), &Boundary::y_gradient,
+                  "change of the stress with y");
+    entry.keyword({"zgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"), &Boundary::z_gradient,
+                  "change of the stress with z");
     add_multiplier(entry);
-    static constexpr const char* quiet[][2] = {{"xviscous", "viscous (absorbing) boundary in x"},
-                                               {"yviscous", "viscous (absorbing) boundary in y"},
-                                               {"zviscous", "viscous (absorbing) boundary in z"},
-                                               {"nviscous", "quiet boundary: by the velocity along the normal of a face"},
-                                               {"sviscous", "quiet boundary: by the velocity in the plane of a face"}};
+    static constexpr const char* quiet[][2] = {
+        {"xviscous", "viscous (absorbing) boundary in x"},
+        {"yviscous", "viscous (absorbing) boundary in y"},
+        {"zviscous", "viscous (absorbing) boundary in z"},
+        {"nviscous", "quiet boundary: by the velocity along the normal of a face"},
+        {"sviscous", "quiet boundary: by the velocity in the plane of a face"}};
     for (std::size_t i = 0; i < 5; ++i)
-        entry.action({Spelling{quiet[i][0], 3}}, [i](Boundary& b) { b.quiet[i] = true; }, quiet[i][1]);
+        entry.action(
+            {Spelling{quiet[i][0], 3}}, [i](Boundary& b) { b.quiet[i] = true; }, quiet[i][1]);
     static constexpr const char* reaction[] = {"xreaction", "yreaction", "zreaction"};
     for (std::size_t i = 0; i < 3; ++i)
-        entry.action({Spelling{reaction[i], 3}}, [i](Boundary& b) { b.reaction[i] = true; },
-                     "replaces what is held in this direction by its reaction force");
+        entry.action(
+            {Spelling{reaction[i], 3}}, [i](Boundary& b) { b.reaction[i] = true; },
+            "replaces what is held in this direction by its reaction force");
     entry.keyword({"nvel", "nvelocity"}, real("v").unit("velocity"), &Boundary::normal_velocity,
                   "velocity along the outward normals of faces that is held; their planes stay free");
     add_directed(entry, {"dvel", "dvelocity"}, real("v").unit("velocity"), &Boundary::directed_velocity,
                  "velocity along a direction that is held; the plane at right angles to it stays free");
-    add_directed(entry, {"dload"}, real("f").unit("force"), &Boundary::directed_load, "force along a direction, added at every vertex");
+    add_directed(entry, {"dload"}, real("f").unit("force"), &Boundary::directed_load,
+                 "force along a direction, added at every vertex");
     entry.not_yet({"ff", "freefield"}, "free fields at the sides of a model");
     entry.not_yet({"pp"}, "pore pressure at a boundary: see initialize pp and water");
     entry.not_yet({"point", "nload", "sload"}, "loads on faces");
@@ -164,8 +172,11 @@ CommandSpec bound() {
         if (gradient && !b.stress)
             incomplete_line(reader, "a gradient of stress needs the stress at the origin",
                             "write: bound stress sxx syy szz sxy sxz syz xgrad ...");
-        const auto none_of = [](const auto& words) { return std::ranges::none_of(words, [](bool word) { return word; }); };
-        const bool silent = none_of(b.quiet) && none_of(b.reaction) && !b.normal_velocity && b.directed_velocity.empty();
+        const auto none_of = [](const auto& words) {
+            return std::ranges::none_of(words, [](bool word) { return word; });
+        };
+        const bool silent =
+            none_of(b.quiet) && none_of(b.reaction) && !b.normal_velocity && b.directed_velocity.empty();
         if (!prescribed && !any(b.free) && silent)
             incomplete_line(reader, "bound does not say what acts on the boundary",
                             "expected: xvel, xload, xfree, xvisc, xreac (or y, z), nvel or stress");
@@ -175,7 +186,9 @@ CommandSpec bound() {
     entry.right("bound xvel = 0 zvel=0 range zr -1 0.01").right("bound str 0 0 -5 0 0 0 range z .09 .11");
     entry.right("bound zload -1e4 range group roof").right("bound xfree yfree zfree");
     entry.right("bound stress -1 -1 -2 0 0 0 zgrad 0.1 0.1 0.2 0 0 0 range x 0");
-    entry.right("bound xvel @v y 0 1").right("bound xvisc yvisc zvisc range region 3").right("bound nvisc svisc range x 0");
+    entry.right("bound xvel @v y 0 1")
+        .right("bound xvisc yvisc zvisc range region 3")
+        .right("bound nvisc svisc range x 0");
     entry.right("bound zreaction range z -0.1 0.1").right("bound nvel 0 range x -0.1 0.1");
     entry.right("bound xvel 0.2 hist sine 5 range region 1").right("bound xvel 1 hist table 3 range z 0");
     entry.right("bound str 0 0 -1e6 0 0 0 hist @wave range z 10");
@@ -206,29 +219,38 @@ CommandSpec apply() {
     static constexpr const char* load[] = {"xload", "yload", "zload", "xmoment", "ymoment", "zmoment"};
     add_velocities(entry, "velocity of the blocks that is held", "rotation of rigid blocks that is held");
     for (std::size_t i = 0; i < 6; ++i)
-        entry.keyword({load[i]}, real("f").unit(i < 3 ? "force" : "moment"),
-                      [i](Apply& a) -> auto& { return a.load[i]; },
-                      i < 3 ? "force added at the centroid of each rigid block" : "moment added to each rigid block");
+        entry.keyword(
+            {load[i]}, real("f").unit(i < 3 ? "force" : "moment"), [i](Apply & a) -> auto& { return a.load[i]; },
+            i < 3 ? "force added at the centroid of each rigid block" : "moment added to each rigid block");
     add_directed(entry, {"dvel", "dvelocity"}, real("v").unit("velocity"), &Apply::directed_velocity,
                  "velocity of the blocks along a direction that is held");
-    add_directed(entry, {"dload"}, real("f").unit("force"), &Apply::directed_load, "force along a direction, added to each rigid block");
-    add_directed(entry, {"dmoment"}, real("m").unit("moment"), &Apply::directed_moment, "moment about a direction, added to each rigid block");
-    entry.keyword({"at"}, vector("x y z").unit("length"), &Apply::at, "place of one block where the forces of the line act; its centroid if not given");
+    add_directed(entry, {"dload"}, real("f").unit("force"), &Apply::directed_load,
+                 "force along a direction, added to each rigid block");
+    add_directed(entry, {"dmoment"}, real("m").unit("moment"), &Apply::directed_moment,
+                 "moment about a direction, added to each rigid block");
+    entry.keyword({"at"}, vector("x y z").unit("length"), &Apply::at,
+                  "place of one block where the forces of the line act; its centroid if not given");
     add_multiplier(entry);
     entry.range(&Apply::range);
     entry.finish([](const Reader& reader, Apply& a) {
-        const bool forces = std::any_of(a.load.begin(), a.load.begin() + 3, [](const auto& force) { return force.has_value(); }) || !a.directed_load.empty();
-        const bool multiplied = any(a.velocity) || any(a.load) || !a.directed_load.empty() || !a.directed_moment.empty();
+        const bool forces =
+            std::any_of(a.load.begin(), a.load.begin() + 3, [](const auto& force) { return force.has_value(); }) ||
+            !a.directed_load.empty();
+        const bool multiplied =
+            any(a.velocity) || any(a.load) || !a.directed_load.empty() || !a.directed_moment.empty();
         if (!multiplied && a.directed_velocity.empty())
             incomplete_line(reader, "apply does not say what acts on the blocks",
                             "expected: xvel, rxvel, xload or xmoment (or y, z), dvel, dload or dmoment");
-        if (a.at && !forces) incomplete_line(reader, "at has no force to place", "give xload (or y, z) or dload; a moment has no place");
-        if (a.multiplier && !multiplied) incomplete_line(reader, "hist has nothing to multiply", "give xvel (or y, z), a load or a moment");
+        if (a.at && !forces)
+            incomplete_line(reader, "at has no force to place", "give xload (or y, z) or dload; a moment has no place");
+        if (a.multiplier && !multiplied)
+            incomplete_line(reader, "hist has nothing to multiply", "give xvel (or y, z), a load or a moment");
     });
     entry.right("apply xvel 0.8 range region 2").right("apply xvel 1 hist table 1 range z -1 0");
     entry.right("apply zload -1e4 hist sine 2 range group block").right("apply rzvel 0.1 range id 3");
     entry.right("apply xrvel 0 zrvel 0.1 range id 3").right("apply dvel 0 1 1 0 range id 3");
-    entry.right("apply zload -500 at 0.2 0.5 1 range id 1").right("apply dload 5e3 1 0 1 dmoment 20 0 1 0 range region 2");
+    entry.right("apply zload -500 at 0.2 0.5 1 range id 1")
+        .right("apply dload 5e3 1 0 1 dmoment 20 0 1 0 range region 2");
     entry.wrong("apply at 0 0 1 range id 3", "apply does not say what acts on the blocks");
     entry.wrong("apply xmoment 5 at 0 0 1 range id 3", "at has no force to place");
     entry.wrong("apply dload 1 0 0 0", "(0, 0, 0) is not a direction");
@@ -242,20 +264,24 @@ CommandSpec apply() {
 template <class Command> Entry<Command> components(std::vector<Spelling> words) {
     Entry<Command> entry(std::move(words));
     for (std::size_t i = 0; i < 6; ++i)
-        entry.action(velocity_words[i], [i](Command& c) { c.components[i] = true; },
-                     i < 3 ? "only translation in this direction" : "only rotation about this axis");
-    entry.action({"velocity"}, [](Command& c) { c.components[0] = c.components[1] = c.components[2] = true; },
-                 "only translation, in all directions");
-    entry.action({"rotation"}, [](Command& c) { c.components[3] = c.components[4] = c.components[5] = true; },
-                 "only rotation, about all axes");
+        entry.action(
+            velocity_words[i], [i](Command& c) { c.components[i] = true; },
+            i < 3 ? "only translation in this direction" : "only rotation about this axis");
+    entry.action(
+        {"velocity"}, [](Command& c) { c.components[0] = c.components[1] = c.components[2] = true; },
+        "only translation, in all directions");
+    entry.action(
+        {"rotation"}, [](Command& c) { c.components[3] = c.components[4] = c.components[5] = true; },
+        "only rotation, about all axes");
     return entry;
 }
 
 Entry<Fix> directions(Entry<Fix> entry) {
     const auto direction = vector("dx dy dz");
-    entry.special({"direction"}, {direction.spec},
-                  [=](Reader& reader, Fix& fix) { fix.directions.push_back(read_direction(reader, direction.spec)); },
-                  "only translation along this direction; the word may be repeated");
+    entry.special(
+        {"direction"}, {direction.spec},
+        [=](Reader& reader, Fix& fix) { fix.directions.push_back(read_direction(reader, direction.spec)); },
+        "only translation along this direction; the word may be repeated");
     return entry;
 }
 
@@ -267,7 +293,8 @@ CommandSpec table() {
     entry.keyword({"read"}, text("file"), &TableCommand::file,
                   "replaces the table by that of a file: a line of title, a line `count step`, then one y per line, or "
                   "x and y when the step is 0");
-    entry.action({"clear", "delete"}, [](TableCommand& t) { t.clear = true; }, "takes all pairs out");
+    entry.action(
+        {"clear", "delete"}, [](TableCommand& t) { t.clear = true; }, "takes all pairs out");
     const auto x = real("x").spec, y = real("y").spec;
     entry.otherwise({x, y}, [=](Reader& reader, TableCommand& t) {
         if (!reader.at_number()) return false;
@@ -295,38 +322,45 @@ CommandSpec water() {
     entry.help("water pressure in joints and zones: below a table, or linear in space");
     entry.place(&WaterCommand::place);
     const auto origin = vector("x y z").unit("length");
-    entry.special({"table"}, {origin.spec},
-                  [=](Reader& reader, WaterCommand& w) {
-                      w.kind = WaterCommand::Kind::table;
-                      w.origin = reader.vector(origin.spec);
-                  },
-                  "hydrostatic pressure below a plane through this point; it follows gravity");
-    entry.keyword({"normal"}, vector("nx ny nz"), &WaterCommand::normal, "upward normal of the table; 0 0 1 if not given");
+    entry.special(
+        {"table"}, {origin.spec},
+        [=](Reader& reader, WaterCommand& w) {
+            w.kind = WaterCommand::Kind::table;
+            w.origin = reader.vector(origin.spec);
+        },
+        "hydrostatic pressure below a plane through this point; it follows gravity");
+    entry.keyword({"normal"}, vector("nx ny nz"), &WaterCommand::normal,
+                  "upward normal of the table; 0 0 1 if not given");
     entry.keyword({"density"}, real("d").unit("density").above(0), &WaterCommand::density,
                   "density of the water; 1000 if not given");
     const auto pressure = real("p").unit("stress");
-    entry.special({"pressure", "pp"}, {pressure.spec},
-                  [=](Reader& reader, WaterCommand& w) {
-                      w.kind = WaterCommand::Kind::pressure;
-                      w.pressure = reader.real(pressure.spec);
-                  },
-                  "pressure at the origin of coordinates; where it would be negative it is 0");
+    entry.special(
+        {"pressure", "pp"}, {pressure.spec},
+        [=](Reader& reader, WaterCommand& w) {
+            w.kind = WaterCommand::Kind::pressure;
+            w.pressure = reader.real(pressure.spec);
+        },
+        "pressure at the origin of coordinates; where it would be negative it is 0");
     entry.keyword({"gradient"}, vector("gx gy gz").unit("stress/length"), &WaterCommand::gradient,
                   "change of the pressure with x, y and z");
     const auto file = text("file");
-    entry.special({"ground"}, {file.spec},
-                  [file](Reader& reader, WaterCommand& w) {
-                      w.kind = WaterCommand::Kind::ground;
-                      w.file = reader.text(file.spec);
-                  },
-                  "hydrostatic pressure below the surface of a file, as `cut ground` reads it; beyond its edge it goes on level");
+    entry.special(
+        {"ground"}, {file.spec},
+        [file](Reader& reader, WaterCommand& w) {
+            w.kind = WaterCommand::Kind::ground;
+            w.file = reader.text(file.spec);
+        },
+        "hydrostatic pressure below the surface of a file, as `cut ground` reads it; beyond its edge it goes on level");
     entry.keyword({"shift"}, vector("dx dy dz").unit("length"), &WaterCommand::origin, "moves that surface");
-    entry.action({"off"}, [](WaterCommand& w) { w.kind = WaterCommand::Kind::off; }, "no water any more");
+    entry.action(
+        {"off"}, [](WaterCommand& w) { w.kind = WaterCommand::Kind::off; }, "no water any more");
     entry.finish([](const Reader& reader, WaterCommand& w) {
         if (!w.kind)
             incomplete_line(reader, "water does not say where it is", "expected: table, ground, pressure or off");
     });
-    entry.right("water ground 'hill.xyz' shift 0 0 -2").right("water table 0 0 10").right("water table 0 0 10 normal 0.1 0 1 density 1025");
+    entry.right("water ground 'hill.xyz' shift 0 0 -2")
+        .right("water table 0 0 10")
+        .right("water table 0 0 10 normal 0.1 0 1 density 1025");
     entry.right("water pressure 5e3").right("water pp 1e5 gradient 0 0 -1e4").right("water off");
     entry.wrong("water", "water does not say where it is");
     entry.wrong("water table 0 0", "a number is missing after '0'");
@@ -355,7 +389,9 @@ Family boundary() {
                     .wrong("fix range z a", "expected a number, found 'a'")
                     .wrong("fix reigon 1", "'reigon' is not a keyword of fix"),
                 components<Free>({"free"})
-                    .action({"direction", "directions"}, [](Free& f) { f.directions = true; }, "only the directions that `fix direction` and dvel hold")
+                    .action(
+                        {"direction", "directions"}, [](Free& f) { f.directions = true; },
+                        "only the directions that `fix direction` and dvel hold")
                     .help("lets fixed blocks move again")
                     .range(&Free::range)
                     .right("free")

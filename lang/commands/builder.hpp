@@ -21,26 +21,18 @@ template <class T> struct Argument {
     Argument help(std::string_view text) && { return spec.help = text, *this; }
     Argument optional() && { return spec.optional = true, *this; }
     Argument above(double low) && { return spec.limits.low = low, spec.limits.low_excluded = true, *this; }
-    Argument below(double high) && {
-        return spec.limits.high = high, spec.limits.high_excluded = true, *this;
-    }
+    Argument below(double high) && { return spec.limits.high = high, spec.limits.high_excluded = true, *this; }
     Argument at_least(double low) && { return spec.limits.low = low, *this; }
     Argument at_most(double high) && { return spec.limits.high = high, *this; }
 };
 
 inline Argument<double> real(std::string_view name) { return {{.name = name}}; }
-inline Argument<std::int64_t> integer(std::string_view name) {
-    return {{.name = name, .kind = ArgumentKind::integer}};
-}
-inline Argument<std::string> text(std::string_view name) {
-    return {{.name = name, .kind = ArgumentKind::text}};
-}
+inline Argument<std::int64_t> integer(std::string_view name) { return {{.name = name, .kind = ArgumentKind::integer}}; }
+inline Argument<std::string> text(std::string_view name) { return {{.name = name, .kind = ArgumentKind::text}}; }
 inline Argument<bool> on_off() { return {{.name = "switch", .kind = ArgumentKind::on_off}}; }
 inline Argument<Vec3> vector(std::string_view names) { return {{.name = names, .count = 3}}; }
 inline Argument<std::array<double, 2>> pair(std::string_view names) { return {{.name = names, .count = 2}}; }
-inline Argument<std::array<double, 6>> tensor(std::string_view names) {
-    return {{.name = names, .count = 6}};
-}
+inline Argument<std::array<double, 6>> tensor(std::string_view names) { return {{.name = names, .count = 6}}; }
 
 namespace detail {
 
@@ -76,18 +68,16 @@ template <class Struct> class Keywords {
 public:
     /// One argument into one place.
     template <class T, class Target>
-    Keywords& keyword(std::vector<Spelling> words, Argument<T> argument, Target target,
-                      std::string_view help) {
-        list_.push_back({std::move(words), {argument.spec}, help,
-                         detail::reads<Struct, T>(argument.spec, target), {}});
+    Keywords& keyword(std::vector<Spelling> words, Argument<T> argument, Target target, std::string_view help) {
+        list_.push_back({std::move(words), {argument.spec}, help, detail::reads<Struct, T>(argument.spec, target), {}});
         return *this;
     }
 
     /// No argument: does something to the struct.
     template <std::invocable<Struct&> Action>
     Keywords& action(std::vector<Spelling> words, Action action, std::string_view help) {
-        list_.push_back({std::move(words), {}, help,
-                         [action](Reader&, void* at) { action(*static_cast<Struct*>(at)); }, {}});
+        list_.push_back(
+            {std::move(words), {}, help, [action](Reader&, void* at) { action(*static_cast<Struct*>(at)); }, {}});
         return *this;
     }
 
@@ -153,9 +143,8 @@ public:
         keywords_.action(std::move(words), action, help);
         return *this;
     }
-    template <class Read>
-    Entry& special(std::vector<Spelling> words, std::vector<ArgumentSpec> arguments, Read read,
-                   std::string_view help, std::vector<KeywordSpec> keywords = {}) {
+    template <class Read> Entry& special(std::vector<Spelling> words, std::vector<ArgumentSpec> arguments, Read read,
+                                         std::string_view help, std::vector<KeywordSpec> keywords = {}) {
         keywords_.special(std::move(words), std::move(arguments), read, help, std::move(keywords));
         return *this;
     }
@@ -171,12 +160,9 @@ public:
 
     /// For words that are no keyword: names of properties, @names. `read` gives false when the word is not
     /// its own, and has then taken nothing.
-    template <std::predicate<Reader&, Command&> Read>
-    Entry& otherwise(std::vector<ArgumentSpec> arguments, Read read) {
+    template <std::predicate<Reader&, Command&> Read> Entry& otherwise(std::vector<ArgumentSpec> arguments, Read read) {
         spec_.otherwise_arguments = std::move(arguments);
-        spec_.otherwise = [read](Reader& reader, void* at) {
-            return read(reader, *static_cast<Command*>(at));
-        };
+        spec_.otherwise = [read](Reader& reader, void* at) { return read(reader, *static_cast<Command*>(at)); };
         return *this;
     }
 
@@ -203,9 +189,7 @@ public:
 
     /// Called after the last word, for what only the whole line shows.
     template <std::invocable<const Reader&, Command&> Finish> Entry& finish(Finish finish) {
-        spec_.finish = [finish](const Reader& reader, void* at) {
-            finish(reader, *static_cast<Command*>(at));
-        };
+        spec_.finish = [finish](const Reader& reader, void* at) { finish(reader, *static_cast<Command*>(at)); };
         return *this;
     }
 
@@ -222,8 +206,7 @@ public:
         return start([text](const Statement& s, Command& c) { c.*text = s.raw(1); });
     }
     /// The lines up to the word `end`.
-    Entry& body(std::string_view end, std::string Command::*text, Place Command::*place,
-                bool needs_bare_line) {
+    Entry& body(std::string_view end, std::string Command::*text, Place Command::*place, bool needs_bare_line) {
         spec_.body_end = end;
         spec_.body_needs_bare_line = needs_bare_line;
         return start([=](const Statement& s, Command& c) {

@@ -6,16 +6,12 @@
 
 namespace kaya::lang {
 
-template <class... Command> struct CommandList {
-    static constexpr std::size_t size = sizeof...(Command);
-};
+template <class... Command> struct CommandList { static constexpr std::size_t size = sizeof...(Command); };
 template <class... List> struct CommandLists {};
 
 /// A list and all those of CommandLists as one.
 template <class First, class Rest> struct JoinedLists;
-template <class... A> struct JoinedLists<CommandList<A...>, CommandLists<>> {
-    using All = CommandList<A...>;
-};
+template <class... A> struct JoinedLists<CommandList<A...>, CommandLists<>> { using All = CommandList<A...>; };
 template <class... A, class... B, class... List>
 struct JoinedLists<CommandList<A...>, CommandLists<CommandList<B...>, List...>>
     : JoinedLists<CommandList<A..., B...>, CommandLists<List...>> {};

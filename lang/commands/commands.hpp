@@ -20,7 +20,10 @@
 namespace kaya::lang {
 
 // --- solution ---------------------------------------------------------------------------------------
-struct CycleCommand { std::optional<std::int64_t> cycles; std::optional<double> time; };
+struct CycleCommand {
+    std::optional<std::int64_t> cycles;
+    std::optional<double> time;
+};
 struct Solve {
     std::optional<double> ratio, maximum_ratio, local_ratio; ///< ratio: the average one
     std::optional<double> force, time, clock;                ///< clock in minutes
@@ -40,11 +43,11 @@ struct Solve {
 struct LimitEquilibrium {
     enum class Method { ordinary, bishop, janbu, spencer, morgenstern_price };
     enum class Surfaces { circles, polylines };
-    std::vector<Method> methods;           ///< none: the usual ones
-    std::optional<Vec3> origin, direction; ///< of the section
-    std::optional<Vec3> circle;            ///< distance, height, radius
+    std::vector<Method> methods;                ///< none: the usual ones
+    std::optional<Vec3> origin, direction;      ///< of the section
+    std::optional<Vec3> circle;                 ///< distance, height, radius
     std::vector<std::array<double, 2>> surface; ///< distance, height
-    Surfaces search = Surfaces::circles;   ///< when no surface is given
+    Surfaces search = Surfaces::circles;        ///< when no surface is given
     std::optional<std::array<double, 2>> entry, exit;
     std::int64_t slices = 50, corners = 8;
     double crack = 0, crack_water = 0, seismic = 0, pressure_ratio = 0, least_depth = 0;
@@ -63,27 +66,41 @@ struct StructureCable {
 };
 /// structure property: what cables are made of
 struct StructureProperty {
-    struct Item { std::string name; double value = 0; };
+    struct Item {
+        std::string name;
+        double value = 0;
+    };
     std::int64_t number = 1;
     std::vector<Item> items;
     Place place;
 };
-struct StructureDelete { std::optional<std::int64_t> number; RangePhrase range; };
+struct StructureDelete {
+    std::optional<std::int64_t> number;
+    RangePhrase range;
+};
 struct Damp {
     enum class Kind { none, local, global, combined, rayleigh };
-    std::optional<Kind> kind;            ///< none given: as it was
-    std::optional<double> value;         ///< local 0.8
-    double fraction = 0, frequency = 0;  ///< rayleigh
+    std::optional<Kind> kind;           ///< none given: as it was
+    std::optional<double> value;        ///< local 0.8
+    double fraction = 0, frequency = 0; ///< rayleigh
     bool mass = true, stiffness = true;
-    std::optional<double> contact;       ///< dashpots of contacts, of critical damping
+    std::optional<double> contact; ///< dashpots of contacts, of critical damping
 };
 /// One of the three: all masses, none, or what the step asks for.
-struct MassScale { bool on = false, off = false; std::optional<double> step; };
-struct Fraction { double value = 0; };
+struct MassScale {
+    bool on = false, off = false;
+    std::optional<double> step;
+};
+struct Fraction {
+    double value = 0;
+};
 
 // --- scripts -----------------------------------------------------------------------------------------
 /// def NAME ... end: all its lines, the first and the last included; place is that of the first line.
-struct FishDefinition { std::string text; Place place; };
+struct FishDefinition {
+    std::string text;
+    Place place;
+};
 /// fish callback add NAME [place in the cycle] [interval n], fish callback remove NAME; set fishcall n NAME.
 struct FishCallback {
     enum class When { before_cycle, after_forces, after_cycle };
@@ -94,10 +111,23 @@ struct FishCallback {
     Place place;
 };
 /// param name = value: the first value of a name counts, and kaya --set gives it before the deck does.
-struct Parameter { std::string name; Value value; Place place; };
-struct FishCall { std::string expression; Place place; }; ///< a line @f(1) or [f(1)]: without @ and brackets
-struct LuaChunk { std::string text; Place place; }; ///< the lines between lua and endlua; place of the first
-struct LuaFile { std::string file; Place place; };
+struct Parameter {
+    std::string name;
+    Value value;
+    Place place;
+};
+struct FishCall {
+    std::string expression;
+    Place place;
+}; ///< a line @f(1) or [f(1)]: without @ and brackets
+struct LuaChunk {
+    std::string text;
+    Place place;
+}; ///< the lines between lua and endlua; place of the first
+struct LuaFile {
+    std::string file;
+    Place place;
+};
 
 // --- all of them ---------------------------------------------------------------------------------------
 struct NotSupportedYet {}; ///< known by name, and refused when the deck is read
@@ -130,17 +160,19 @@ using SolutionCommands = CommandList<CycleCommand, Solve, Damp, MassScale, Fract
 using ScriptCommands = CommandList<FishDefinition, FishCall, FishCallback, LuaChunk, LuaFile, Parameter>;
 
 using HandledCommands =
-    CommandLists<ControlCommands, FileCommands, ShapeCommands, CutCommands, ExchangeCommands, SelectionCommands, GeometryCommands,
-                 MaterialCommands, ZoneModelCommands, BoundaryCommands, InitialStateCommands, TableCommands, WaterCommands, SlopeCommands,
-                 StructureCommands, HistoryCommands, ListCommands, PlotCommands, MovieCommands, SolutionCommands, ScriptCommands>;
+    CommandLists<ControlCommands, FileCommands, ShapeCommands, CutCommands, ExchangeCommands, SelectionCommands,
+                 GeometryCommands, MaterialCommands, ZoneModelCommands, BoundaryCommands, InitialStateCommands,
+                 TableCommands, WaterCommands, SlopeCommands, StructureCommands, HistoryCommands, ListCommands,
+                 PlotCommands, MovieCommands, SolutionCommands, ScriptCommands>;
 using Commands = JoinedLists<OwnCommands, HandledCommands>::All;
 
 template <class Command> inline constexpr std::size_t index_of = index_in<Command>(Commands{});
 
 /// Of commands that a script gives inside a cycle: those that read, or write what may be written at any time, and those that would
 /// cycle inside a cycle or take away the model that is cycling. The others change the structure, and wait for the end of the cycle.
-using RunInCycle = CommandList<Title, Pause, NameRange, Mark, Hide, Seek, Group, Gravity, Initialize, TableCommand, HistoryLabel, HistoryWrite,
-                               List, Plot, Movie, Ignored, FishDefinition, FishCall, FishCallback, LuaChunk, LuaFile>;
+using RunInCycle =
+    CommandList<Title, Pause, NameRange, Mark, Hide, Seek, Group, Gravity, Initialize, TableCommand, HistoryLabel,
+                HistoryWrite, List, Plot, Movie, Ignored, FishDefinition, FishCall, FishCallback, LuaChunk, LuaFile>;
 using RefusedInCycle = CommandList<New, Restore, LimitEquilibrium, CycleCommand, Solve>;
 
 } // namespace kaya::lang

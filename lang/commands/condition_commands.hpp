@@ -32,27 +32,39 @@ struct Directed {
     double value = 0;
     Vec3 direction = Vec3::Zero();
 };
-struct Gravity { Vec3 value = Vec3::Zero(); };
+struct Gravity {
+    Vec3 value = Vec3::Zero();
+};
 /// hist sine f [t] | cosine f [t] | impulse f [t] | table n | @name: what a load or velocity is multiplied by.
 struct Wave {
     enum class Form { sine, cosine, impulse } form = Form::sine;
     double frequency = 0, duration = 0; ///< duration 0: no end
 };
-struct TableValue { std::int64_t table = 0; };
-struct ScriptValue { std::string symbol; }; ///< without @
-struct Multiplier { std::variant<Wave, TableValue, ScriptValue> function; Place place; };
+struct TableValue {
+    std::int64_t table = 0;
+};
+struct ScriptValue {
+    std::string symbol;
+}; ///< without @
+struct Multiplier {
+    std::variant<Wave, TableValue, ScriptValue> function;
+    Place place;
+};
 /// A number at the origin of coordinates and its change with x, y and z.
-struct LinearNumber { double at_origin = 0; Vec3 gradient = Vec3::Zero(); };
+struct LinearNumber {
+    double at_origin = 0;
+    Vec3 gradient = Vec3::Zero();
+};
 struct Boundary {
-    std::array<std::optional<double>, 6> velocity;  ///< xvel yvel zvel rxvel ryvel rzvel
-    std::array<std::optional<double>, 3> load;      ///< xload yload zload, added
-    std::array<bool, 6> free{};                     ///< xfree yfree zfree rxfree ryfree rzfree
-    std::optional<std::array<double, 6>> stress;    ///< xx yy zz xy xz yz
+    std::array<std::optional<double>, 6> velocity; ///< xvel yvel zvel rxvel ryvel rzvel
+    std::array<std::optional<double>, 3> load;     ///< xload yload zload, added
+    std::array<bool, 6> free{};                    ///< xfree yfree zfree rxfree ryfree rzfree
+    std::optional<std::array<double, 6>> stress;   ///< xx yy zz xy xz yz
     std::array<double, 6> x_gradient{}, y_gradient{}, z_gradient{};
     std::optional<Multiplier> multiplier;
-    std::array<bool, 5> quiet{};                    ///< xviscous yviscous zviscous nviscous sviscous
-    std::array<bool, 3> reaction{};                 ///< xreaction yreaction zreaction
-    std::optional<double> normal_velocity;          ///< nvel
+    std::array<bool, 5> quiet{};                            ///< xviscous yviscous zviscous nviscous sviscous
+    std::array<bool, 3> reaction{};                         ///< xreaction yreaction zreaction
+    std::optional<double> normal_velocity;                  ///< nvel
     std::vector<Directed> directed_velocity, directed_load; ///< dvel dload
     RangePhrase range;
     Place place;
@@ -61,7 +73,7 @@ struct Apply {
     std::array<std::optional<double>, 6> velocity; ///< of whole blocks
     std::array<std::optional<double>, 6> load;     ///< force through the centroid and moment, added
     std::vector<Directed> directed_velocity, directed_load, directed_moment; ///< dvel dload dmoment
-    std::optional<Vec3> at;                        ///< where the forces act; the centroid if not given
+    std::optional<Vec3> at; ///< where the forces act; the centroid if not given
     std::optional<Multiplier> multiplier;
     RangePhrase range;
     Place place;
@@ -75,7 +87,9 @@ struct Initialize {
     Place place;
 };
 /// insitu topography [kx k] [ky k]: stress of the weight above; ratios of horizontal to vertical stress
-struct Topography { double kx = 1, ky = 1; };
+struct Topography {
+    double kx = 1, ky = 1;
+};
 /// insitu stress sxx syy szz sxy sxz syz [xgrad ..] [ygrad ..] [zgrad ..]
 struct InSitu {
     std::optional<std::array<double, 6>> stress;
@@ -109,9 +123,15 @@ struct Reset {
 
 // --- histories and output --------------------------------------------------------------------------
 struct HistoryItem {
-    struct Quantity { std::string word; }; ///< one of recorded_words(): unbal, xdis, sstr, szz, ...
-    struct Own { std::string name; };      ///< what the nearest sub-contact has for itself
-    struct Script { std::string symbol; }; ///< without @
+    struct Quantity {
+        std::string word;
+    }; ///< one of recorded_words(): unbal, xdis, sstr, szz, ...
+    struct Own {
+        std::string name;
+    }; ///< what the nearest sub-contact has for itself
+    struct Script {
+        std::string symbol;
+    }; ///< without @
     std::variant<Quantity, Own, Script> what;
     Vec3 place = Vec3::Zero();
     Place text;
@@ -122,38 +142,82 @@ struct HistoryAdd {
     std::optional<std::int64_t> number;   ///< of the first item, where the deck says it
     Place place;
 };
-struct HistoryDelete { std::vector<std::int64_t> numbers; Place place; };
-struct HistoryLabel { std::int64_t number = 0; std::string text; Place place; };
+struct HistoryDelete {
+    std::vector<std::int64_t> numbers;
+    Place place;
+};
+struct HistoryLabel {
+    std::int64_t number = 0;
+    std::string text;
+    Place place;
+};
 struct HistoryWrite {
-    std::vector<std::int64_t> numbers; ///< none: all
+    std::vector<std::int64_t> numbers;  ///< none: all
     std::optional<std::int64_t> versus; ///< vs m
     std::string file;                   ///< none: the deck's name with .csv
     Place place;
 };
-struct VtkWrite { std::string file; };
+struct VtkWrite {
+    std::string file;
+};
 struct List {
     enum class What {
-        blocks, quality, contacts, sub_contacts, gridpoints, zones, faces, properties, histories, extremes, time, unbalanced,
-        damping, information, time_step, timing, energy, hash, joint_models, boundary, groups, excavated, states, stresses,
-        stability, structures, joint_sets, memory, version, settings, tables, ranges, symbols
+        blocks,
+        quality,
+        contacts,
+        sub_contacts,
+        gridpoints,
+        zones,
+        faces,
+        properties,
+        histories,
+        extremes,
+        time,
+        unbalanced,
+        damping,
+        information,
+        time_step,
+        timing,
+        energy,
+        hash,
+        joint_models,
+        boundary,
+        groups,
+        excavated,
+        states,
+        stresses,
+        stability,
+        structures,
+        joint_sets,
+        memory,
+        version,
+        settings,
+        tables,
+        ranges,
+        symbols
     };
-    std::optional<What> what;         ///< none: `symbols` only
-    std::vector<std::string> symbols; ///< print @a @b: without @
-    std::optional<std::int64_t> number; ///< list hist n, list prop jmat n
+    std::optional<What> what;                                 ///< none: `symbols` only
+    std::vector<std::string> symbols;                         ///< print @a @b: without @
+    std::optional<std::int64_t> number;                       ///< list hist n, list prop jmat n
     enum class Part { all, blocks, joints } part = Part::all; ///< list prop mat | jmat
     RangePhrase range;
 };
-struct Ignored { std::string word, instead; }; ///< label, ...: read to its end; `instead`: what there is in its place
+struct Ignored {
+    std::string word, instead;
+}; ///< label, ...: read to its end; `instead`: what there is in its place
 /// plot: hundreds of forms, looked at when it runs, so that no word of it stops a deck.
 struct Plot {
     struct Item {
-        std::string text, folded; ///< without quotes or @
+        std::string text, folded;            ///< without quotes or @
         bool quoted = false, script = false; ///< a text; @name or [expression]
     };
     std::vector<Item> words;
     std::string range; ///< from the word `range` on, "" without one
     Place place;
 };
-struct Movie { std::vector<Plot::Item> words; Place place; };
+struct Movie {
+    std::vector<Plot::Item> words;
+    Place place;
+};
 
 } // namespace kaya::lang

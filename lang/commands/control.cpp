@@ -10,8 +10,10 @@ namespace {
 CommandSpec set() {
     Entry<Set> entry({"set"});
     entry.help("changes settings; several may stand on one line");
-    entry.keyword({"dynamic"}, on_off(), &Set::dynamic, "on: no damping unless damp asks for it; off: static, local damping of 0.8");
-    entry.keyword({"small"}, on_off(), &Set::small, "on: small strain, all geometry stays as it was made; off: large strain, the default");
+    entry.keyword({"dynamic"}, on_off(), &Set::dynamic,
+                  "on: no damping unless damp asks for it; off: static, local damping of 0.8");
+    entry.keyword({"small"}, on_off(), &Set::small,
+                  "on: small strain, all geometry stays as it was made; off: large strain, the default");
     entry.keyword({"log"}, on_off(), &Set::log, "writes what is shown into the log file as well");
     entry.keyword({"logfile"}, text("file"), &Set::log_file, "name of the log file");
     entry.keyword({"jcondf"}, integer("n").at_least(1), &Set::default_joint_constitutive,
@@ -26,34 +28,40 @@ CommandSpec set() {
     entry.keyword({"echo"}, on_off(), &Set::echo, "shows the commands while they run");
     entry.keyword({"autosave"}, real("m").unit("minutes").at_least(0), &Set::autosave,
                   "minutes of cycles between two files of what would be lost if the run were cut off; 0: none");
-    entry.keyword({"report"}, on_off(), &Set::report, "on: the run ends with a page for a browser, in which the model can be seen over time");
+    entry.keyword({"report"}, on_off(), &Set::report,
+                  "on: the run ends with a page for a browser, in which the model can be seen over time");
     entry.keyword({"gravity"}, vector("gx gy gz").unit("acceleration"), &Set::gravity, "the same as gravity");
     const auto seed = integer("n").at_least(0).optional();
-    entry.special({Spelling{"random", 3}}, {seed.spec},
-                  [=](Reader& reader, Set& set) {
-                      const bool given = reader.peek() && (reader.peek()->kind == WordKind::number || reader.peek()->late());
-                      set.seed = given ? reader.integer(seed.spec) : 1;
-                  },
-                  "random numbers of FISH and Lua start anew from this seed; 1 if not given");
-    for (const char* word :
-         {"pagination", "atol", "btol", "ctol", "dtol", "etol", "nmech", "ncyc", "cust1", "cust2", "messages", "warnings",
-          "overwrite", "delcontact"})
-        entry.special({word}, {},
-                      [](Reader& reader, Set&) {
-                          const auto value = text("value").spec;
-                          while (const Word* next = reader.peek()) {
-                              const bool its_own = next->kind == WordKind::number || next->folded == "on" ||
-                                                   next->folded == "off";
-                              if (!its_own) break;
-                              (void)reader.any(value);
-                          }
-                      },
-                      "accepted, without effect").ignored();
+    entry.special(
+        {Spelling{"random", 3}}, {seed.spec},
+        [=](Reader& reader, Set& set) {
+            const bool given = reader.peek() && (reader.peek()->kind == WordKind::number || reader.peek()->late());
+            set.seed = given ? reader.integer(seed.spec) : 1;
+        },
+        "random numbers of FISH and Lua start anew from this seed; 1 if not given");
+    for (const char* word : {"pagination", "atol", "btol", "ctol", "dtol", "etol", "nmech", "ncyc", "cust1", "cust2",
+                             "messages", "warnings", "overwrite", "delcontact"})
+        entry
+            .special(
+                {word}, {},
+                [](Reader& reader, Set&) {
+                    const auto value = text("value").spec;
+                    while (const Word* next = reader.peek()) {
+                        const bool its_own =
+                            next->kind == WordKind::number || next->folded == "on" || next->folded == "off";
+                        if (!its_own) break;
+                        (void)reader.any(value);
+                    }
+                },
+                "accepted, without effect")
+            .ignored();
     // What shows a model on a screen takes the rest of its line.
     for (const char* word : {"plot", "background", "directory", "output"})
-        entry.special({word}, {text("...").optional().spec},
-                      [](Reader& reader, Set&) { (void)reader.take_raw(); },
-                      "accepted with the rest of the line, without effect").ignored();
+        entry
+            .special(
+                {word}, {text("...").optional().spec}, [](Reader& reader, Set&) { (void)reader.take_raw(); },
+                "accepted with the rest of the line, without effect")
+            .ignored();
     entry.otherwise({text("@name value").optional().spec}, [](Reader& reader, Set& set) {
         if (reader.peek()->kind != WordKind::symbol) return false;
         const std::string name = reader.symbol(text("@name").spec);
@@ -82,14 +90,20 @@ CommandSpec set() {
 CommandSpec config() {
     Entry<Config> entry({"config"});
     entry.help("asks for options of the program");
-    entry.action({"dynamic"}, [](Config& c) { c.dynamic = true; }, "the same as set dyn on");
+    entry.action(
+        {"dynamic"}, [](Config& c) { c.dynamic = true; }, "the same as set dyn on");
     for (const char* word : {"cppudm", "rhs"})
-        entry.action({word}, [](Config&) {}, "there without being asked for").ignored();
-    static constexpr std::pair<const char*, const char*> missing[] = {
-        {"lhs", "axes that are left-handed"}, {"thermal", "heat"},
-        {"gw", "flow of water"},              {"fluid", "flow of water"},
-        {"feblock", "blocks of finite elements"}, {"highorder", "zones of higher order"},
-        {"creep", "creep"}};
+        entry
+            .action(
+                {word}, [](Config&) {}, "there without being asked for")
+            .ignored();
+    static constexpr std::pair<const char*, const char*> missing[] = {{"lhs", "axes that are left-handed"},
+                                                                      {"thermal", "heat"},
+                                                                      {"gw", "flow of water"},
+                                                                      {"fluid", "flow of water"},
+                                                                      {"feblock", "blocks of finite elements"},
+                                                                      {"highorder", "zones of higher order"},
+                                                                      {"creep", "creep"}};
     for (const auto& [word, about] : missing) entry.not_yet({word}, about);
     entry.right("config dyn").right("CONFIG CPPUDM").right("config");
     entry.wrong("config dny", "'dny' is not a keyword of config");
@@ -106,100 +120,96 @@ CommandSpec title() {
         if (words.size() == 1) title.text = statement.body; // on the line below
     });
     entry.help("names the model; the text is the rest of the line, or the next line if that is no command");
-    entry.right("title Direct shear test")
-        .right("title 'A wall, second try'")
-        .right("title")
-        .right("title It's late");
+    entry.right("title Direct shear test").right("title 'A wall, second try'").right("title").right("title It's late");
     return entry;
 }
 
 } // namespace
 
 Family control() {
-    return {"control",
-            "files, settings and the end",
-            {
-                Entry<New>({"new"})
-                    .help("throws the model away and starts with an empty one")
-                    .right("new")
-                    .wrong("new model", "unexpected 'model' after the end of the command"),
-                Entry<CallFile>({"call"})
-                    .help("reads commands from another file, then goes on here")
-                    .argument(text("file").help("name of the file; .3dd, .dat and so on may be left out"),
-                              &CallFile::file)
-                    .calls(&CallFile::file)
-                    .right("call wall.dat")
-                    .right("call 'second part.3dd'")
-                    .right("call @name")
-                    .wrong("call", "a word is missing after 'call'")
-                    .wrong("call a.dat b.dat", "unexpected 'b.dat' after the end of the command"),
-                config(),
-                set(),
-                Entry<Save>({"save"})
-                    .help("writes the whole model to a file")
-                    .argument(text("file").help("name of the file; .kaya.h5 may be left out"), &Save::file)
-                    .right("save settled")
-                    .right("save 'two words'")
-                    .wrong("save", "a word is missing after 'save'")
-                    .wrong("save ''", "file is an empty text"),
-                Entry<Reset>({"reset"})
-                    .help("sets quantities back to zero; several may stand on one line")
-                    .action(
-                        {"time"}, [](Reset& r) { r.what.push_back(Reset::What::time); }, "the time")
-                    .action(
-                        {"hist", "history", "histories"}, [](Reset& r) { r.what.push_back(Reset::What::histories); },
-                        "all histories")
-                    .action(
-                        {"disp", "displacements"}, [](Reset& r) { r.what.push_back(Reset::What::displacements); },
-                        "displacements of gridpoints and blocks")
-                    .action(
-                        {"vel", "velocity", "velocities"}, [](Reset& r) { r.what.push_back(Reset::What::velocities); },
-                        "velocities and spins")
-                    .action(
-                        {"jdisp", "jdisplacements"}, [](Reset& r) { r.what.push_back(Reset::What::joint_displacements); },
-                        "displacements of joints")
-                    .action(
-                        {"energy"}, [](Reset& r) { r.what.push_back(Reset::What::energy); },
-                        "sums of energy and work")
-                    .action(
-                        {"damp", "damping"}, [](Reset& r) { r.what.push_back(Reset::What::damping); },
-                        "the state of adaptive damping")
-                    .finish([](const Reader& reader, Reset& reset) {
-                        if (reset.what.empty())
-                            incomplete_line(reader, "reset does not say what to reset",
-                                            "expected: time, hist, disp, vel, jdisp, energy, damp");
-                    })
-                    .right("reset disp jdisp")
-                    .right("reset time hist")
-                    .right("RESET displacements velocities jdisplacements")
-                    .wrong("reset", "reset does not say what to reset")
-                    .wrong("reset dsip", "'dsip' is not a keyword of reset")
-                    .wrong("reset 5", "'5' stands where a keyword of reset must be"),
-                Entry<Restore>({"restore"})
-                    .help("replaces the model by a saved one")
-                    .argument(text("file").help("name of the file that save wrote"), &Restore::file)
-                    .right("restore settled")
-                    .right("rest settled")
-                    .wrong("restore", "a word is missing after 'restore'"),
-                Entry<Return>({"return"})
-                    .help("ends the file; what stands below is not read")
-                    .flow(Flow::leave_file)
-                    .right("return")
-                    .right("ret")
-                    .wrong("return 1", "unexpected '1' after the end of the command"),
-                Entry<Quit>({"quit", Spelling{"stop", 3}, "exit"}) // st is step
-                    .help("ends the program")
-                    .flow(Flow::leave_all)
-                    .right("quit")
-                    .right("stop")
-                    .right("exit")
-                    .wrong("quit now", "unexpected 'now' after the end of the command"),
-                title(),
-                Entry<Pause>({"pause"})
-                    .help("waits for a key when somebody sits at the terminal")
-                    .right("pause")
-                    .wrong("pause 5", "unexpected '5' after the end of the command"),
-            }};
+    return {
+        "control",
+        "files, settings and the end",
+        {
+            Entry<New>({"new"})
+                .help("throws the model away and starts with an empty one")
+                .right("new")
+                .wrong("new model", "unexpected 'model' after the end of the command"),
+            Entry<CallFile>({"call"})
+                .help("reads commands from another file, then goes on here")
+                .argument(text("file").help("name of the file; .3dd, .dat and so on may be left out"), &CallFile::file)
+                .calls(&CallFile::file)
+                .right("call wall.dat")
+                .right("call 'second part.3dd'")
+                .right("call @name")
+                .wrong("call", "a word is missing after 'call'")
+                .wrong("call a.dat b.dat", "unexpected 'b.dat' after the end of the command"),
+            config(),
+            set(),
+            Entry<Save>({"save"})
+                .help("writes the whole model to a file")
+                .argument(text("file").help("name of the file; .kaya.h5 may be left out"), &Save::file)
+                .right("save settled")
+                .right("save 'two words'")
+                .wrong("save", "a word is missing after 'save'")
+                .wrong("save ''", "file is an empty text"),
+            Entry<Reset>({"reset"})
+                .help("sets quantities back to zero; several may stand on one line")
+                .action(
+                    {"time"}, [](Reset& r) { r.what.push_back(Reset::What::time); }, "the time")
+                .action(
+                    {"hist", "history", "histories"}, [](Reset& r) { r.what.push_back(Reset::What::histories); },
+                    "all histories")
+                .action(
+                    {"disp", "displacements"}, [](Reset& r) { r.what.push_back(Reset::What::displacements); },
+                    "displacements of gridpoints and blocks")
+                .action(
+                    {"vel", "velocity", "velocities"}, [](Reset& r) { r.what.push_back(Reset::What::velocities); },
+                    "velocities and spins")
+                .action(
+                    {"jdisp", "jdisplacements"}, [](Reset& r) { r.what.push_back(Reset::What::joint_displacements); },
+                    "displacements of joints")
+                .action(
+                    {"energy"}, [](Reset& r) { r.what.push_back(Reset::What::energy); }, "sums of energy and work")
+                .action(
+                    {"damp", "damping"}, [](Reset& r) { r.what.push_back(Reset::What::damping); },
+                    "the state of adaptive damping")
+                .finish([](const Reader& reader, Reset& reset) {
+                    if (reset.what.empty())
+                        incomplete_line(reader, "reset does not say what to reset",
+                                        "expected: time, hist, disp, vel, jdisp, energy, damp");
+                })
+                .right("reset disp jdisp")
+                .right("reset time hist")
+                .right("RESET displacements velocities jdisplacements")
+                .wrong("reset", "reset does not say what to reset")
+                .wrong("reset dsip", "'dsip' is not a keyword of reset")
+                .wrong("reset 5", "'5' stands where a keyword of reset must be"),
+            Entry<Restore>({"restore"})
+                .help("replaces the model by a saved one")
+                .argument(text("file").help("name of the file that save wrote"), &Restore::file)
+                .right("restore settled")
+                .right("rest settled")
+                .wrong("restore", "a word is missing after 'restore'"),
+            Entry<Return>({"return"})
+                .help("ends the file; what stands below is not read")
+                .flow(Flow::leave_file)
+                .right("return")
+                .right("ret")
+                .wrong("return 1", "unexpected '1' after the end of the command"),
+            Entry<Quit>({"quit", Spelling{"stop", 3}, "exit"}) // st is step
+                .help("ends the program")
+                .flow(Flow::leave_all)
+                .right("quit")
+                .right("stop")
+                .right("exit")
+                .wrong("quit now", "unexpected 'now' after the end of the command"),
+            title(),
+            Entry<Pause>({"pause"})
+                .help("waits for a key when somebody sits at the terminal")
+                .right("pause")
+                .wrong("pause 5", "unexpected '5' after the end of the command"),
+        }};
 }
 
 } // namespace kaya::lang

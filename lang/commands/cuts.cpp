@@ -11,21 +11,20 @@ namespace {
 
 /// A value and how far single joints may scatter from it.
 void with_deviation(Entry<JointSetCommand>& entry, std::vector<Spelling> words, ArgumentSpec value,
-                    ArgumentSpec deviation, std::array<double, 2> JointSetCommand::*member,
-                    std::string_view help) {
-    entry.special(std::move(words), {value, deviation},
-                  [=](Reader& reader, JointSetCommand& set) {
-                      (set.*member)[0] = reader.real(value);
-                      if (reader.at_number()) (set.*member)[1] = reader.real(deviation);
-                  },
-                  help);
+                    ArgumentSpec deviation, std::array<double, 2> JointSetCommand::*member, std::string_view help) {
+    entry.special(
+        std::move(words), {value, deviation},
+        [=](Reader& reader, JointSetCommand& set) {
+            (set.*member)[0] = reader.real(value);
+            if (reader.at_number()) (set.*member)[1] = reader.real(deviation);
+        },
+        help);
 }
 
 CommandSpec joint_set() {
     Entry<JointSetCommand> entry({"jset"});
     entry.help("cuts visible blocks by a set of parallel joints");
-    const ArgumentSpec deviation =
-        real("deviation").unit("degrees").at_least(0).optional().spec;
+    const ArgumentSpec deviation = real("deviation").unit("degrees").at_least(0).optional().spec;
     with_deviation(entry, {"dip"}, real("dip").unit("degrees").spec, deviation, &JointSetCommand::dip,
                    "angle below the horizontal and half width of its scatter, 0 if not given");
     with_deviation(entry, {"dd", "dip-direction"}, real("dd").unit("degrees").spec, deviation,
@@ -44,7 +43,8 @@ CommandSpec joint_set() {
                   "number of the set, which its faces keep; counts up if not given");
     entry.keyword({"seed"}, integer("n").at_least(0), &JointSetCommand::seed,
                   "chooses another scatter; the same seed gives the same joints");
-    entry.action({"join"}, [](JointSetCommand& set) { set.join = true; }, "the pieces of a block stay one body");
+    entry.action(
+        {"join"}, [](JointSetCommand& set) { set.join = true; }, "the pieces of a block stay one body");
     entry.range(&JointSetCommand::range);
     entry.place(&JointSetCommand::place);
     entry.finish([](const Reader& reader, JointSetCommand& set) {
@@ -71,19 +71,21 @@ CommandSpec tunnel() {
     const auto polygon = [&](const char* word, std::vector<Vec3> TunnelCommand::*member, std::string_view help) {
         ArgumentSpec spec = vector("x y z ...").unit("length").spec;
         spec.repeated = true;
-        entry.special({word}, {spec},
-                      [=](Reader& reader, TunnelCommand& command) {
-                          do (command.*member).push_back(reader.vector(spec));
-                          while (reader.at_number());
-                      },
-                      help);
+        entry.special(
+            {word}, {spec},
+            [=](Reader& reader, TunnelCommand& command) {
+                do (command.*member).push_back(reader.vector(spec));
+                while (reader.at_number());
+            },
+            help);
     };
     polygon("a", &TunnelCommand::first, "corners of the outline at one end, in order around it");
     polygon("b", &TunnelCommand::second, "corners at the other end, each opposite its partner");
     entry.keyword({"region"}, integer("n").at_least(1), &TunnelCommand::region,
                   "region number of the blocks inside; unchanged if not given");
-    entry.action({"radial"}, [](TunnelCommand& command) { command.radial = true; },
-                 "cuts the blocks around from the axis through each corner, too");
+    entry.action(
+        {"radial"}, [](TunnelCommand& command) { command.radial = true; },
+        "cuts the blocks around from the axis through each corner, too");
     entry.range(&TunnelCommand::range);
     entry.place(&TunnelCommand::place);
     entry.finish([](const Reader& reader, TunnelCommand& command) {
@@ -102,7 +104,8 @@ CommandSpec cut_ground() {
     entry.help("cuts visible blocks along a ground surface; nothing is taken away");
     entry.argument(text("file").help("of the surface: .stl, .obj, .ply, .asc, or lines of x y z"), &CutGround::file);
     entry.keyword({"shift"}, vector("dx dy dz").unit("length"), &CutGround::shift, "moves the surface first");
-    entry.keyword({"id"}, integer("n").at_least(1).at_most(1e9), &CutGround::id, "joint set number of the faces; the next free one if not given");
+    entry.keyword({"id"}, integer("n").at_least(1).at_most(1e9), &CutGround::id,
+                  "joint set number of the faces; the next free one if not given");
     entry.keyword({"region"}, integer("n").at_least(1), &CutGround::region, "region number of what lies below");
     entry.range(&CutGround::range);
     entry.place(&CutGround::place);
@@ -124,7 +127,8 @@ CommandSpec densify() {
     parts("nx", 0, "parts along x");
     parts("ny", 1, "parts along y");
     parts("nz", 2, "parts along z");
-    entry.action({"join"}, [](Densify& command) { command.join = true; }, "the parts stay one body");
+    entry.action(
+        {"join"}, [](Densify& command) { command.join = true; }, "the parts stay one body");
     entry.range(&Densify::range);
     entry.place(&Densify::place);
     entry.right("densify 2 2 1").right("densify 1 1 4 join range group column");
@@ -136,8 +140,10 @@ CommandSpec densify() {
 CommandSpec join() {
     Entry<Join> entry({"join"});
     entry.help("makes one body of blocks that lie face on face, or takes bodies apart");
-    entry.action({"on"}, [](Join& join) { join.on = true; }, "joins; so without a word");
-    entry.action({"off"}, [](Join& join) { join.on = false; }, "takes the bodies of these blocks apart");
+    entry.action(
+        {"on"}, [](Join& join) { join.on = true; }, "joins; so without a word");
+    entry.action(
+        {"off"}, [](Join& join) { join.on = false; }, "takes the bodies of these blocks apart");
     entry.range(&Join::range);
     entry.place(&Join::place);
     entry.right("join").right("join on range group arch").right("join off range x 0 1");
@@ -157,6 +163,8 @@ CommandSpec join_contact() {
 
 } // namespace
 
-std::vector<CommandSpec> cut_commands() { return {joint_set(), tunnel(), cut_ground(), densify(), join(), join_contact()}; }
+std::vector<CommandSpec> cut_commands() {
+    return {joint_set(), tunnel(), cut_ground(), densify(), join(), join_contact()};
+}
 
 } // namespace kaya::lang

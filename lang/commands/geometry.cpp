@@ -37,22 +37,26 @@ CommandSpec generate_quad() {
     entry.place(&GenerateQuad::place);
     const auto part = [](std::string_view name) { return integer(name).at_least(1).at_most(1000).spec; };
     const auto ratio = [](std::string_view name) { return real(name).above(0).spec; };
-    const std::vector<ArgumentSpec> parts{part("n1"), part("n2"), part("n3")}, ratios{ratio("r1"), ratio("r2"), ratio("r3")};
-    entry.special({"ndivisions", "divisions"}, parts,
-                  [parts](Reader& reader, GenerateQuad& g) {
-                      for (std::size_t k = 0; k < 3; ++k) g.parts[k] = reader.integer(parts[k]);
-                      g.given = true;
-                  },
-                  "cells along the block's edges that are nearest to x, y and z");
-    entry.special({"ratio"}, ratios,
-                  [ratios](Reader& reader, GenerateQuad& g) {
-                      for (std::size_t k = 0; k < 3; ++k) g.ratio[k] = reader.real(ratios[k]);
-                  },
-                  "length of each cell over that of the one before it, in the direction of growing x, y and z; 1 if not given");
+    const std::vector<ArgumentSpec> parts{part("n1"), part("n2"), part("n3")},
+        ratios{ratio("r1"), ratio("r2"), ratio("r3")};
+    entry.special(
+        {"ndivisions", "divisions"}, parts,
+        [parts](Reader& reader, GenerateQuad& g) {
+            for (std::size_t k = 0; k < 3; ++k) g.parts[k] = reader.integer(parts[k]);
+            g.given = true;
+        },
+        "cells along the block's edges that are nearest to x, y and z");
+    entry.special(
+        {"ratio"}, ratios,
+        [ratios](Reader& reader, GenerateQuad& g) {
+            for (std::size_t k = 0; k < 3; ++k) g.ratio[k] = reader.real(ratios[k]);
+        },
+        "length of each cell over that of the one before it, in the direction of growing x, y and z; 1 if not given");
     entry.range(&GenerateQuad::range);
     entry.finish([](const Reader& reader, GenerateQuad& g) {
         if (!g.given)
-            incomplete_line(reader, "generate quad does not say how many cells", "write for example: generate quad ndiv 4 4 8");
+            incomplete_line(reader, "generate quad does not say how many cells",
+                            "write for example: generate quad ndiv 4 4 8");
     });
     entry.right("gen quad ndiv 4 4 8").right("generate quad ndiv 2 2 10 ratio 1 1 1.2 range region 1");
     entry.wrong("gen quad", "generate quad does not say how many cells");
@@ -71,7 +75,8 @@ Family geometry() {
         {
             Entry<Hide>({"hide"})
                 .help("hides blocks; most commands act on visible blocks only")
-                .action({Spelling{"all", 3}}, [](Hide&) {}, "all blocks, as without a range")
+                .action(
+                    {Spelling{"all", 3}}, [](Hide&) {}, "all blocks, as without a range")
                 .range(&Hide::range)
                 .right("hide range z 0 .1")
                 .right("hide region 1")
@@ -84,7 +89,8 @@ Family geometry() {
                 .wrong("hide range grup a", "'grup' is not a range element"),
             Entry<Seek>({"seek", "show"})
                 .help("makes hidden blocks visible again")
-                .action({Spelling{"all", 3}}, [](Seek&) {}, "all blocks, as without a range")
+                .action(
+                    {Spelling{"all", 3}}, [](Seek&) {}, "all blocks, as without a range")
                 .range(&Seek::range)
                 .right("seek")
                 .right("show range group wall")
@@ -118,8 +124,7 @@ Family geometry() {
                 .wrong("range z 0 1", "'z' is not a kind of range"),
             Entry<GenerateEdge>({"generate"}, {"edge"})
                 .help("fills blocks with tetrahedral zones; from then on they deform")
-                .argument(real("edge").unit("length").above(0).help("average edge of a zone"),
-                          &GenerateEdge::edge)
+                .argument(real("edge").unit("length").above(0).help("average edge of a zone"), &GenerateEdge::edge)
                 .range(&GenerateEdge::range)
                 .place(&GenerateEdge::place)
                 .right("gen edge 1")
@@ -146,8 +151,9 @@ Family geometry() {
                 .right("facetri radial range z 0 1")
                 .wrong("facetri radial now", "'now' is not a keyword of facetri radial"),
             face_triangulation({"rad8", "radial-8"}, FaceTriangulation::Style::radial_8)
-                .help("cuts the faces of rigid blocks in triangles from their centre to their corners and the middles of "
-                      "their edges")
+                .help(
+                    "cuts the faces of rigid blocks in triangles from their centre to their corners and the middles of "
+                    "their edges")
                 .right("facetri rad8")
                 .wrong("facetri rad8 range", "the range is empty"),
             face_corners()

@@ -67,21 +67,23 @@ CommandSpec history_add() {
     for (const auto& item : recorded()) {
         const std::string_view word = item.words.front().word;
         const bool has_place = item.has_place;
-        entry.special(item.words, has_place ? std::vector{place.spec} : std::vector<ArgumentSpec>{},
-                      [=](Reader& reader, HistoryAdd& history) {
-                          const Place at = reader.previous().place;
-                          const Vec3 where = has_place ? reader.vector(place.spec) : Vec3(Vec3::Zero());
-                          history.items.push_back({HistoryItem::Quantity{std::string(word)}, where, at});
-                      },
-                      item.help);
+        entry.special(
+            item.words, has_place ? std::vector{place.spec} : std::vector<ArgumentSpec>{},
+            [=](Reader& reader, HistoryAdd& history) {
+                const Place at = reader.previous().place;
+                const Vec3 where = has_place ? reader.vector(place.spec) : Vec3(Vec3::Zero());
+                history.items.push_back({HistoryItem::Quantity{std::string(word)}, where, at});
+            },
+            item.help);
     }
-    entry.special({"jprop", "jproperty"}, {text("name").spec, place.spec},
-                  [=](Reader& reader, HistoryAdd& history) {
-                      const Place at = reader.previous().place;
-                      const std::string own = reader.text(text("name").spec);
-                      history.items.push_back({HistoryItem::Own{own}, reader.vector(place.spec), at});
-                  },
-                  "what the nearest sub-contact has for itself by that name: history of its joint model, a field, a property that its object holds");
+    entry.special(
+        {"jprop", "jproperty"}, {text("name").spec, place.spec},
+        [=](Reader& reader, HistoryAdd& history) {
+            const Place at = reader.previous().place;
+            const std::string own = reader.text(text("name").spec);
+            history.items.push_back({HistoryItem::Own{own}, reader.vector(place.spec), at});
+        },
+        "what the nearest sub-contact has for itself by that name: history of its joint model, a field, a property that its object holds");
     entry.keyword({"ncyc", "ncycle", Spelling{"nstep", 1}}, integer("n").at_least(1), &HistoryAdd::interval,
                   "cycles from one record to the next, for all histories");
     entry.place(&HistoryAdd::place);
@@ -100,12 +102,12 @@ CommandSpec history_add() {
         if (history.items.empty() && !history.interval)
             incomplete_line(reader, "history does not say what to record", "write for example: hist unbal");
     });
-    entry.right("hist n 10 unbal").right("hist unbal ncyc 5").right("hist @sstav @nstav").right("hist sdis -1 -1 0 ndis -1 -1 0");
+    entry.right("hist n 10 unbal")
+        .right("hist unbal ncyc 5")
+        .right("hist @sstav @nstav")
+        .right("hist sdis -1 -1 0 ndis -1 -1 0");
     entry.right("hist ekinetic eerror").right("hist xacc 0 0 10 sig1 0 0 0").right("hist 1 unbal");
-    entry.right("hist zdisp 0 0 0.1")
-        .right("his xvel (0,0,1)")
-        .right("hist szz 0 0 0.1")
-        .right("hist ncyc 100");
+    entry.right("hist zdisp 0 0 0.1").right("his xvel (0,0,1)").right("hist szz 0 0 0.1").right("hist ncyc 100");
     entry.right("hist jprop 'slip' 0 0 0");
     entry.wrong("hist jprop slip 0 0", "a number is missing after '0'");
     entry.wrong("hist", "history does not say what to record");
@@ -123,8 +125,9 @@ CommandSpec history_write() {
     entry.place(&HistoryWrite::place);
     entry.keyword({"vs", "v"}, integer("m").at_least(1), &HistoryWrite::versus,
                   "number of the history that makes the first column, in place of the cycle");
-    entry.keyword({"file"}, text("file"), [](HistoryWrite& write, std::string name) { write.file = std::move(name); },
-                  "name of the file; the word file may be left out");
+    entry.keyword(
+        {"file"}, text("file"), [](HistoryWrite& write, std::string name) { write.file = std::move(name); },
+        "name of the file; the word file may be left out");
     const auto number = integer("n").at_least(1).optional();
     const auto file = text("file").optional();
     entry.otherwise({number.spec, file.spec}, [=](Reader& reader, HistoryWrite& write) {
@@ -136,7 +139,10 @@ CommandSpec history_write() {
         write.file = reader.text(file.spec);
         return true;
     });
-    entry.right("hist write").right("hist write 2 3 4 vs 5 curves.csv").right("hist write 'all curves.csv'").right("hist write 1 vs 2 file curves.csv");
+    entry.right("hist write")
+        .right("hist write 2 3 4 vs 5 curves.csv")
+        .right("hist write 'all curves.csv'")
+        .right("hist write 1 vs 2 file curves.csv");
     entry.wrong("hist write 0", "write must be at least 1, not 0");
     entry.wrong("hist write 1 vs", "a number is missing after 'vs'");
     entry.wrong("hist write 1 a.csv b.csv", "'b.csv' is not a keyword of history write");
@@ -147,8 +153,7 @@ CommandSpec history_label() {
     return Entry<HistoryLabel>({"history"}, {"label"})
         .help("names a history; the name stands in written tables")
         .place(&HistoryLabel::place)
-        .argument(integer("n").at_least(1).help("number of the history, counted from 1"),
-                  &HistoryLabel::number)
+        .argument(integer("n").at_least(1).help("number of the history, counted from 1"), &HistoryLabel::number)
         .argument(text("text").help("the name"), &HistoryLabel::text)
         .right("hist label 2 'Shear Stress'")
         .wrong("hist label", "a number is missing after 'label'")

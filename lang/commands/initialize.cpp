@@ -21,8 +21,10 @@ std::vector<KeywordSpec> gradients() {
     static constexpr const char* word[] = {"xgradient", "ygradient", "zgradient"};
     static constexpr const char* help[] = {"change with x", "change with y", "change with z"};
     for (int k = 0; k < 3; ++k)
-        words.keyword({word[k]}, real("g").unit("stress/length"),
-                      [k](LinearNumber& number) -> auto& { return number.gradient[k]; }, help[k]);
+        words.keyword(
+            {word[k]},
+            real("g").unit("stress/length"), [k](LinearNumber & number) -> auto& { return number.gradient[k]; },
+            help[k]);
     return std::move(words).list();
 }
 
@@ -31,13 +33,14 @@ template <class Target>
 void add_linear(Entry<Initialize>& entry, std::vector<Spelling> words, Target target, std::string_view help) {
     const auto value = real("s").unit("stress");
     const auto slopes = gradients();
-    entry.special(std::move(words), {value.spec},
-                  [=](Reader& reader, Initialize& c) {
-                      LinearNumber& number = target(c).emplace();
-                      number.at_origin = reader.real(value.spec);
-                      read_keywords(reader, slopes, &number);
-                  },
-                  help, slopes);
+    entry.special(
+        std::move(words), {value.spec},
+        [=](Reader& reader, Initialize& c) {
+            LinearNumber& number = target(c).emplace();
+            number.at_origin = reader.real(value.spec);
+            read_keywords(reader, slopes, &number);
+        },
+        help, slopes);
 }
 
 template <class Values> bool any(const Values& values) {
@@ -51,19 +54,22 @@ CommandSpec initialize() {
     entry.help("gives gridpoints, rigid blocks, zones and joints what they start with");
     entry.place(&Initialize::place);
     for (std::size_t i = 0; i < 6; ++i)
-        entry.keyword({velocities[i][0], velocities[i][1]},
-                      i < 3 ? real("v").unit("velocity") : real("v").unit("angle in radians/time"),
-                      [i](Initialize& c) -> auto& { return c.velocity[i]; },
-                      i < 3 ? "velocity" : "rotation of rigid blocks");
+        entry.keyword(
+            {velocities[i][0], velocities[i][1]},
+            i < 3 ? real("v").unit("velocity") : real("v").unit("angle in radians/time"),
+            [i](Initialize & c) -> auto& { return c.velocity[i]; }, i < 3 ? "velocity" : "rotation of rigid blocks");
     for (std::size_t i = 0; i < 3; ++i)
-        entry.keyword({displacements[i][0], displacements[i][1]}, real("d").unit("length"),
-                      [i](Initialize& c) -> auto& { return c.displacement[i]; },
-                      "displacement that is counted from; nothing moves");
+        entry.keyword(
+            {displacements[i][0], displacements[i][1]},
+            real("d").unit("length"), [i](Initialize & c) -> auto& { return c.displacement[i]; },
+            "displacement that is counted from; nothing moves");
     for (std::size_t i = 0; i < 6; ++i)
-        add_linear(entry, {stresses[i]}, [i](Initialize& c) -> auto& { return c.stress[i]; },
-                   "stress of zones at the origin of coordinates, compression negative; xgrad, ygrad and zgrad may follow");
-    add_linear(entry, {"pp"}, [](Initialize& c) -> auto& { return c.pore_pressure; },
-               "pore pressure of gridpoints, which the joints next to them have; xgrad, ygrad and zgrad may follow");
+        add_linear(
+            entry, {stresses[i]}, [i](Initialize & c) -> auto& { return c.stress[i]; },
+            "stress of zones at the origin of coordinates, compression negative; xgrad, ygrad and zgrad may follow");
+    add_linear(
+        entry, {"pp"}, [](Initialize & c) -> auto& { return c.pore_pressure; },
+        "pore pressure of gridpoints, which the joints next to them have; xgrad, ygrad and zgrad may follow");
     entry.not_yet({"temperature"}, "heat");
     entry.range(&Initialize::range);
     entry.finish([](const Reader& reader, Initialize& c) {

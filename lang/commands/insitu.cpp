@@ -28,21 +28,29 @@ CommandSpec insitu() {
     entry.keyword({"xgradient"}, gradient, &InSitu::x_gradient, "change of the stress with x");
     entry.keyword({"ygradient"}, gradient, &InSitu::y_gradient, "change of the stress with y");
     entry.keyword({"zgradient"}, gradient, &InSitu::z_gradient, "change of the stress with z");
-    entry.action({"nodisplacements"}, [](InSitu&) {}, "joints keep their displacements, as they always do").ignored();
+    entry
+        .action(
+            {"nodisplacements"}, [](InSitu&) {}, "joints keep their displacements, as they always do")
+        .ignored();
     const auto pressure = real("p").unit("stress"), ratio = real("k").at_least(0);
     const auto slope = vector("gx gy gz").unit("stress/length");
-    entry.special({"pp", "pressure"}, {pressure.spec},
-                  [=](Reader& reader, InSitu& c) { pore_pressure(c).at_origin = reader.real(pressure.spec); },
-                  "pore pressure at the origin of coordinates");
-    entry.special({"gradient"}, {slope.spec},
-                  [=](Reader& reader, InSitu& c) { pore_pressure(c).gradient = reader.vector(slope.spec); },
-                  "change of the pore pressure with x, y and z");
-    entry.action({"topography"}, [](InSitu& c) { topography(c); },
-                 "vertical stress of the weight of the blocks above, and horizontal stress as a part of it");
-    entry.special({"kx"}, {ratio.spec}, [=](Reader& reader, InSitu& c) { topography(c).kx = reader.real(ratio.spec); },
-                  "ratio of sxx to szz below the topography; 1 if not given");
-    entry.special({"ky"}, {ratio.spec}, [=](Reader& reader, InSitu& c) { topography(c).ky = reader.real(ratio.spec); },
-                  "ratio of syy to szz below the topography; 1 if not given");
+    entry.special(
+        {"pp", "pressure"}, {pressure.spec},
+        [=](Reader& reader, InSitu& c) { pore_pressure(c).at_origin = reader.real(pressure.spec); },
+        "pore pressure at the origin of coordinates");
+    entry.special(
+        {"gradient"}, {slope.spec},
+        [=](Reader& reader, InSitu& c) { pore_pressure(c).gradient = reader.vector(slope.spec); },
+        "change of the pore pressure with x, y and z");
+    entry.action(
+        {"topography"}, [](InSitu& c) { topography(c); },
+        "vertical stress of the weight of the blocks above, and horizontal stress as a part of it");
+    entry.special(
+        {"kx"}, {ratio.spec}, [=](Reader& reader, InSitu& c) { topography(c).kx = reader.real(ratio.spec); },
+        "ratio of sxx to szz below the topography; 1 if not given");
+    entry.special(
+        {"ky"}, {ratio.spec}, [=](Reader& reader, InSitu& c) { topography(c).ky = reader.real(ratio.spec); },
+        "ratio of syy to szz below the topography; 1 if not given");
     entry.range(&InSitu::range);
     entry.finish([](const Reader& reader, InSitu& c) {
         const std::array<double, 6> none{};

@@ -6,8 +6,8 @@ namespace kaya::lang {
 
 const Language& classic() {
     static const Language language = {
-        {control(), geometry(), materials(), boundary(), history(), output(), solution(), slopes(), structures(), script(),
-         not_supported_yet()},
+        {control(), geometry(), materials(), boundary(), history(), output(), solution(), slopes(), structures(),
+         script(), not_supported_yet()},
         range_elements(),
     };
     return language;

@@ -18,8 +18,8 @@ Family script();
 Family not_supported_yet(); ///< known words, refused
 
 /// Parts of the family geometry.
-std::vector<CommandSpec> shape_commands(); ///< poly ...
-std::vector<CommandSpec> cut_commands();   ///< jset
+std::vector<CommandSpec> shape_commands();     ///< poly ...
+std::vector<CommandSpec> cut_commands();       ///< jset
 std::vector<CommandSpec> selection_commands(); ///< group, mark, excavate, fill
 
 /// Parts of the family boundary.

@@ -54,7 +54,8 @@ bool read_unknown_property(Reader& reader, std::vector<Property::Item>& items) {
     const Word* next = index + 1 < words.size() ? &words[index + 1] : nullptr;
     const bool number_follows = next && (next->kind == WordKind::number || next->late());
     const bool switch_follows = next && next->kind == WordKind::word && (next->folded == "on" || next->folded == "off");
-    if (!number_follows && !switch_follows && !did_you_mean(word.folded, {"range", "model", "load"}).empty()) return false;
+    if (!number_follows && !switch_follows && !did_you_mean(word.folded, {"range", "model", "load"}).empty())
+        return false;
     reader.take();
     Property::Item item{word.folded, 0, word.place, switch_follows};
     item.value = switch_follows ? reader.on_off(on_off().spec) : reader.real(real(word.folded).spec);
@@ -62,8 +63,7 @@ bool read_unknown_property(Reader& reader, std::vector<Property::Item>& items) {
     return true;
 }
 
-template <class Command>
-void model_properties(Entry<Command>& entry, std::vector<Property::Item> Command::*items) {
+template <class Command> void model_properties(Entry<Command>& entry, std::vector<Property::Item> Command::*items) {
     entry.otherwise({real("property value").optional().spec}, [items](Reader& reader, Command& command) {
         return read_unknown_property(reader, command.*items);
     });
@@ -82,21 +82,20 @@ CommandSpec prop() {
     for (const auto& known : classic_words()) {
         auto value = real(known.words.front().word).unit(known.unit);
         if (known.from_zero) value.spec.limits.low = 0;
-        entry.special(known.words, {value.spec},
-                      [value](Reader& reader, Property& property) {
-                          const Place place = reader.previous().place;
-                          property.items.push_back(
-                              {std::string(value.spec.name), reader.real(value.spec), place});
-                      },
-                      known.help);
+        entry.special(
+            known.words, {value.spec},
+            [value](Reader& reader, Property& property) {
+                const Place place = reader.previous().place;
+                property.items.push_back({std::string(value.spec.name), reader.real(value.spec), place});
+            },
+            known.help);
     }
     model_properties(entry, &Property::items);
     entry.finish([](const Reader& reader, Property& property) {
         if (property.items.empty())
             incomplete_line(reader, "no property is given", "write for example: prop mat 1 dens 2600");
     });
-    entry.right("prop mat=1 density = 0.0026 k=4e3 g=3e3")
-        .right("prop mat 1 jkn 1e2 jks 1e4 jfric 10 jcoh 5e3");
+    entry.right("prop mat=1 density = 0.0026 k=4e3 g=3e3").right("prop mat 1 jkn 1e2 jks 1e4 jfric 10 jcoh 5e3");
     entry.right("prop jmat 2 jkn 1e9 jks 1e9 jfriction 35 jten 0").right("prop mat 1 ymod 5e10 prat 0.25");
     entry.right("prop jmat 1 jrco 15 sigmac 150");
     entry.wrong("prop mat 1", "no property is given");
@@ -112,8 +111,7 @@ CommandSpec prop() {
 CommandSpec change() {
     Entry<Change> entry({"change"});
     entry.help("gives blocks or contacts another material or constitutive number");
-    entry.keyword({"material", "mat"}, integer("n").at_least(1), &Change::material,
-                  "material number of blocks");
+    entry.keyword({"material", "mat"}, integer("n").at_least(1), &Change::material, "material number of blocks");
     entry.keyword({"constitutive", "cons"}, integer("n").at_least(1), &Change::constitutive,
                   "constitutive number of blocks");
     entry.keyword({"jmaterial", "jmat"}, integer("n").at_least(1), &Change::joint_material,
@@ -155,15 +153,18 @@ CommandSpec jmodel_load() {
 CommandSpec jmodel_test() {
     Entry<JointModelTest> entry({"jmodel"}, {Spelling{"test", 4}});
     entry.help("drives one sub-contact of a joint model along a path and writes the response");
-    entry.argument(text("name").help("name of the joint model"), [](JointModelTest& c, std::string name) { c.model = std::move(name); });
+    entry.argument(text("name").help("name of the joint model"),
+                   [](JointModelTest& c, std::string name) { c.model = std::move(name); });
     entry.argument(text("file").help("CSV file of the path"), &JointModelTest::path);
-    entry.keyword({"steps"}, integer("n").at_least(1).at_most(1e8), &JointModelTest::steps, "steps between two points of the path; 1000");
+    entry.keyword({"steps"}, integer("n").at_least(1).at_most(1e8), &JointModelTest::steps,
+                  "steps between two points of the path; 1000");
     entry.keyword({"area"}, real("a").above(0).unit("area"), &JointModelTest::area, "area of the sub-contact; 1");
     model_properties(entry, &JointModelTest::items);
     entry.start([](const Statement& statement, JointModelTest& c) {
         if (statement.words.size() > 2) c.model_place = statement.words[2].place;
     });
-    entry.right("jmodel test mohr 'shear.csv' jkn 1e5 jks 1e4 jfric 30").right("jmodel test mohr 'shear.csv' steps 100 jkn 1e5 jks 1e4");
+    entry.right("jmodel test mohr 'shear.csv' jkn 1e5 jks 1e4 jfric 30")
+        .right("jmodel test mohr 'shear.csv' steps 100 jkn 1e5 jks 1e4");
     entry.wrong("jmodel test", "a word is missing after 'test'");
     entry.wrong("jmodel test mohr", "a word is missing after 'mohr'");
     entry.wrong("jmodel test mohr 'shear.csv' jkn", "a number is missing after 'jkn'");
@@ -251,7 +252,8 @@ CommandSpec zone_properties() {
     model_properties(entry, &ZoneModelCommand::items);
     entry.range(&ZoneModelCommand::range, true);
     entry.finish([](const Reader& reader, ZoneModelCommand& c) {
-        if (c.items.empty()) incomplete_line(reader, "no property is given", "write for example: zone property cohesion 1e6");
+        if (c.items.empty())
+            incomplete_line(reader, "no property is given", "write for example: zone property cohesion 1e6");
     });
     entry.right("zone property bulk 5e9 shear 3e9 range region 2");
     entry.wrong("zone property", "no property is given");
@@ -279,8 +281,8 @@ std::vector<std::string_view> joint_property_words() {
 Family materials() {
     return {"materials",
             "properties of blocks, zones and joints",
-            {prop(), change(), jmodel_load(), jmodel_test(), jmodel_assign(), jmodel_properties(), zone_load(), zone_model(),
-             zone_properties(), zone_nmd()}};
+            {prop(), change(), jmodel_load(), jmodel_test(), jmodel_assign(), jmodel_properties(), zone_load(),
+             zone_model(), zone_properties(), zone_nmd()}};
 }
 
 } // namespace kaya::lang

@@ -17,36 +17,48 @@ namespace kaya::lang {
 
 // --- model control ------------------------------------------------------------------------------
 struct New {};
-struct Config { bool dynamic = false; };
-struct CallFile { std::string file; };
+struct Config {
+    bool dynamic = false;
+};
+struct CallFile {
+    std::string file;
+};
 struct Return {};
 struct Quit {};
-struct Title { std::string text; };
-struct Save { std::string file; };
-struct Restore { std::string file; };
+struct Title {
+    std::string text;
+};
+struct Save {
+    std::string file;
+};
+struct Restore {
+    std::string file;
+};
 struct Pause {};
 
 /// One `set` line may hold several settings; those not given stay as they are.
 struct Set {
-    std::optional<bool> dynamic;             ///< dyn on|off
-    std::optional<bool> small;               ///< small on|off
-    std::optional<bool> log;                 ///< log on|off
-    std::optional<std::string> log_file;     ///< logfile f
+    std::optional<bool> dynamic;                            ///< dyn on|off
+    std::optional<bool> small;                              ///< small on|off
+    std::optional<bool> log;                                ///< log on|off
+    std::optional<std::string> log_file;                    ///< logfile f
     std::optional<std::int64_t> default_joint_constitutive; ///< jcondf
     std::optional<std::int64_t> default_joint_material;     ///< jmatdf
-    std::optional<double> time_step_fraction; ///< fraction
-    std::optional<double> time_step;          ///< dt; 0: computed
+    std::optional<double> time_step_fraction;               ///< fraction
+    std::optional<double> time_step;                        ///< dt; 0: computed
     std::optional<std::int64_t> threads;
     std::optional<double> autosave; ///< minutes; 0: none
     std::optional<bool> echo;
     std::optional<bool> report; ///< report on|off
     std::optional<Vec3> gravity;
-    std::optional<std::int64_t> seed; ///< random n: of urand and grand
+    std::optional<std::int64_t> seed;                ///< random n: of urand and grand
     std::vector<std::pair<std::string, Value>> fish; ///< set @name = value; the name is without @
 };
 
 // --- geometry -----------------------------------------------------------------------------------
-struct BlockOptions { std::int64_t region = 0, material = 1, constitutive = 1; };
+struct BlockOptions {
+    std::int64_t region = 0, material = 1, constitutive = 1;
+};
 struct PolyBrick {
     std::array<double, 2> x{}, y{}, z{}; ///< y and z are the x limits when they are left out
     BlockOptions options;
@@ -66,7 +78,11 @@ struct PolyFace {
     BlockOptions options;
     Place place;
 };
-struct PolyTet { std::vector<Vec3> corners; BlockOptions options; Place place; };
+struct PolyTet {
+    std::vector<Vec3> corners;
+    BlockOptions options;
+    Place place;
+};
 struct PolyCube {
     Vec3 centre = Vec3::Zero();
     double edge = 0;
@@ -116,7 +132,7 @@ struct TunnelCommand {
 struct CutGround {
     std::string file;
     Vec3 shift = Vec3::Zero();
-    std::optional<std::int64_t> id; ///< of the faces that are cut
+    std::optional<std::int64_t> id;     ///< of the faces that are cut
     std::optional<std::int64_t> region; ///< of the blocks below
     RangePhrase range;
     Place place;
@@ -129,21 +145,52 @@ struct Densify {
     Place place;
 };
 /// Blocks from a file: its suffix says the format.
-struct Import { std::string file; BlockOptions options; Place place; };
-struct Export { std::string file; RangePhrase range; Place place; };
-struct Mark { std::int64_t region = 0; RangePhrase range; };
+struct Import {
+    std::string file;
+    BlockOptions options;
+    Place place;
+};
+struct Export {
+    std::string file;
+    RangePhrase range;
+    Place place;
+};
+struct Mark {
+    std::int64_t region = 0;
+    RangePhrase range;
+};
 /// Gives faces, and the contacts on them, the number of a joint set.
-struct MarkJoint { std::int64_t joint_set = 0; RangePhrase range; };
+struct MarkJoint {
+    std::int64_t joint_set = 0;
+    RangePhrase range;
+};
 /// Joins blocks that touch into one body, or takes bodies apart.
-struct Join { bool on = true; RangePhrase range; Place place; };
+struct Join {
+    bool on = true;
+    RangePhrase range;
+    Place place;
+};
 /// Joins the two blocks of each contact.
-struct JoinContact { RangePhrase range; Place place; };
-struct Hide { RangePhrase range; };
-struct Seek { RangePhrase range; };
-struct Delete { RangePhrase range; };
+struct JoinContact {
+    RangePhrase range;
+    Place place;
+};
+struct Hide {
+    RangePhrase range;
+};
+struct Seek {
+    RangePhrase range;
+};
+struct Delete {
+    RangePhrase range;
+};
 /// Takes blocks out and keeps them; fill puts them back.
-struct Excavate { RangePhrase range; };
-struct Fill { RangePhrase range; };
+struct Excavate {
+    RangePhrase range;
+};
+struct Fill {
+    RangePhrase range;
+};
 /// Copies of blocks: mirrored at a plane, then moved.
 struct Copy {
     std::optional<Vec3> offset;
@@ -162,7 +209,10 @@ struct Group {
     std::string name;
     RangePhrase range;
 };
-struct NameRange { std::string name; RangePhrase range; }; ///< range name NAME elements
+struct NameRange {
+    std::string name;
+    RangePhrase range;
+}; ///< range name NAME elements
 /// facetri radial | rad8 | edge f | off: triangles of faces of rigid blocks, for their contacts
 struct FaceTriangulation {
     enum class Style { fan, radial, radial_8, edge } style = Style::fan;
@@ -170,7 +220,11 @@ struct FaceTriangulation {
     RangePhrase range;
     Place place;
 };
-struct GenerateEdge { double edge = 0; RangePhrase range; Place place; };
+struct GenerateEdge {
+    double edge = 0;
+    RangePhrase range;
+    Place place;
+};
 /// generate quad n1 n2 n3: blocks with eight corners are cut in cells along their own axes.
 struct GenerateQuad {
     std::array<std::int64_t, 3> parts{1, 1, 1};
@@ -186,7 +240,12 @@ struct GenerateQuad {
 struct Property {
     bool joint = false; ///< `jmat` was typed
     std::int64_t number = 1;
-    struct Item { std::string word; double value; Place place; bool is_switch = false; }; ///< a switch: `on` or `off` was typed
+    struct Item {
+        std::string word;
+        double value;
+        Place place;
+        bool is_switch = false;
+    }; ///< a switch: `on` or `off` was typed
     std::vector<Item> items;
 };
 struct Change {
@@ -220,6 +279,8 @@ struct ZoneModelCommand {
     RangePhrase range;
 };
 /// zone nmd on|off: mixed discretisation.
-struct ZoneAveraging { bool on = true; };
+struct ZoneAveraging {
+    bool on = true;
+};
 
 } // namespace kaya::lang

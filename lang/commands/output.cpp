@@ -34,8 +34,14 @@ const std::vector<Listed>& listed() {
         {gridpoints, {"gridpoints", "gp"}, "gridpoints: place, velocity, displacement, force", Follows::objects},
         {zones, {"zones"}, "zones: stresses, volume", Follows::objects},
         {faces, {Spelling{"faces", 3}}, "faces: place, normal, area", Follows::objects},
-        {properties, {"prop", "property"}, "properties of materials; of blocks only after mat, of joints after jmat", Follows::parts},
-        {histories, {"hist", "histories", "history"}, "histories: number, name, least and greatest value", Follows::number},
+        {properties,
+         {"prop", "property"},
+         "properties of materials; of blocks only after mat, of joints after jmat",
+         Follows::parts},
+        {histories,
+         {"hist", "histories", "history"},
+         "histories: number, name, least and greatest value",
+         Follows::number},
         {extremes, {"max", "maximum"}, "greatest values of the model"},
         {time, {"time", "cycle", Spelling{"step", 3}}, "time and cycle"},
         {unbalanced, {Spelling{"unbalanced", 3}}, "largest unbalanced force, and its ratios to the forces that act"},
@@ -51,8 +57,14 @@ const std::vector<Listed>& listed() {
         {excavated, {"excavated"}, "blocks that fill can put back"},
         {states, {"state"}, "joints by joint model and state: sub-contacts and their area"},
         {stresses, {"stress"}, "zones: principal, mean and greatest shear stress"},
-        {stability, {Spelling{"stability", 4}}, "blocks that could leave their place: how, and their factor of safety", Follows::objects},
-        {structures, {"structures", "cables", Spelling{"struct", 3}}, "cables: length, tension, slip; the nodes of one after its number", Follows::number},
+        {stability,
+         {Spelling{"stability", 4}},
+         "blocks that could leave their place: how, and their factor of safety",
+         Follows::objects},
+        {structures,
+         {"structures", "cables", Spelling{"struct", 3}},
+         "cables: length, tension, slip; the nodes of one after its number",
+         Follows::number},
         {joint_sets, {"jset"}, "joint sets: mean orientation, faces, contacts"},
         {memory, {"memory"}, "what the tables of the model take"},
         {version, {"version"}, "version of the program"},
@@ -91,7 +103,8 @@ bool read_element(Reader& reader, List& command) {
 bool read_after(Reader& reader, List& command) {
     const Word& word = *reader.peek();
     if (word.kind == WordKind::word && find_keyword(range_elements(), word.folded)) {
-        const bool materials = command.what == List::What::properties && command.part == List::Part::all && !command.number;
+        const bool materials =
+            command.what == List::What::properties && command.part == List::Part::all && !command.number;
         if (materials && (word.folded == "mat" || word.folded == "jmat")) {
             command.part = word.folded == "mat" ? List::Part::blocks : List::Part::joints;
             reader.take();
@@ -117,17 +130,17 @@ CommandSpec list() {
     Entry<List> entry({"list", "print"});
     entry.help("shows what is in the model, or the value of a variable");
     for (const auto& item : listed()) {
-        entry.special(item.words, arguments_after(item.follows),
-                      [what = item.what](Reader& reader, List& command) {
-                          if (what == List::What::quality && command.what == List::What::blocks) command.what.reset();
-                          if (command.what && read_element(reader, command)) return;
-                          if (command.what || !command.symbols.empty())
-                              throw Diagnostic("one list command shows one thing",
-                                               "write a second list command")
-                                  .at(reader.previous().place);
-                          command.what = what;
-                      },
-                      item.help);
+        entry.special(
+            item.words, arguments_after(item.follows),
+            [what = item.what](Reader& reader, List& command) {
+                if (what == List::What::quality && command.what == List::What::blocks) command.what.reset();
+                if (command.what && read_element(reader, command)) return;
+                if (command.what || !command.symbols.empty())
+                    throw Diagnostic("one list command shows one thing", "write a second list command")
+                        .at(reader.previous().place);
+                command.what = what;
+            },
+            item.help);
     }
     entry.otherwise({text("@name").optional().spec}, [](Reader& reader, List& command) {
         if (command.what) return read_after(reader, command);
@@ -189,7 +202,8 @@ std::vector<Plot::Item> plot_words(const Statement& statement, std::string* rang
             *range = statement.raw(i);
             break;
         }
-        words.push_back({word.text, word.folded, word.kind == WordKind::text || word.kind == WordKind::open, word.late()});
+        words.push_back(
+            {word.text, word.folded, word.kind == WordKind::text || word.kind == WordKind::open, word.late()});
     }
     return words;
 }
@@ -223,9 +237,11 @@ CommandSpec plot() {
 } // namespace
 
 Family output() {
-    CommandSpec update = ignored("update", "accepted and ignored: contacts are updated by the cycle", "the cycle looks after itself");
+    CommandSpec update =
+        ignored("update", "accepted and ignored: contacts are updated by the cycle", "the cycle looks after itself");
     update.right = {{"update", {}}};
-    CommandSpec label = ignored("label", "read to its end, without effect", "pictures are made from the files of 'vtk write'");
+    CommandSpec label =
+        ignored("label", "read to its end, without effect", "pictures are made from the files of 'vtk write'");
     label.right = {{"label arrow 1 2 3", {}}};
     return {"output",
             "lists, pictures, files for other programs",

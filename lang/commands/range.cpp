@@ -23,8 +23,8 @@ void misspelt_part(const Reader& reader, std::string_view element, const std::ve
         reader.unknown(fmt::format("a word of {}", element), candidates);
 }
 
-void lacks_part(const Reader& reader, std::string_view element,
-                             const std::vector<KeywordSpec>& words, std::string message, std::string hint) {
+void lacks_part(const Reader& reader, std::string_view element, const std::vector<KeywordSpec>& words,
+                std::string message, std::string hint) {
     misspelt_part(reader, element, words);
     incomplete_line(reader, std::move(message), std::move(hint));
 }
@@ -43,78 +43,78 @@ void read_limits(Reader& reader, RangeElement& element, const ArgumentSpec& low,
     if (!reader.at_number()) return;
     element.high = number(high);
     if (element.low > element.high && !reader.wildcards())
-        throw Diagnostic(fmt::format("the lower limit {:g} is greater than the upper limit {:g}", element.low,
-                                     element.high),
-                         "write the smaller one first")
+        throw Diagnostic(
+            fmt::format("the lower limit {:g} is greater than the upper limit {:g}", element.low, element.high),
+            "write the smaller one first")
             .at(reader.previous().place);
 }
 
 void coordinate(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
     const auto low = real("low").unit("length").spec;
     const auto high = real("high").unit("length").optional().spec;
-    table.special(std::move(words), {low, high},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      read_limits(reader, add(reader, phrase, kind), low, high);
-                  },
-                  help);
+    table.special(
+        std::move(words), {low, high},
+        [=](Reader& reader, RangePhrase& phrase) { read_limits(reader, add(reader, phrase, kind), low, high); }, help);
 }
 
 void numbers(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
     const auto low = integer("n").spec;
     const auto high = integer("m").optional().spec;
-    table.special(std::move(words), {low, high},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      read_limits(reader, add(reader, phrase, kind), low, high);
-                  },
-                  help);
+    table.special(
+        std::move(words), {low, high},
+        [=](Reader& reader, RangePhrase& phrase) { read_limits(reader, add(reader, phrase, kind), low, high); }, help);
 }
 
 void named(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
     const auto name = text("name").spec;
-    table.special(std::move(words), {name},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, kind);
-                      phrase.elements.back().name = reader.text(name);
-                  },
-                  help);
+    table.special(
+        std::move(words), {name},
+        [=](Reader& reader, RangePhrase& phrase) {
+            add(reader, phrase, kind);
+            phrase.elements.back().name = reader.text(name);
+        },
+        help);
 }
 
 void flag(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
-    table.special(std::move(words), {},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, kind);
-                      const Word* word = reader.peek();
-                      const bool on = word && word->folded == "on", off = word && word->folded == "off";
-                      if (on || off) reader.take();
-                      phrase.elements.back().negated = off;
-                  },
-                  help);
+    table.special(
+        std::move(words), {},
+        [=](Reader& reader, RangePhrase& phrase) {
+            add(reader, phrase, kind);
+            const Word* word = reader.peek();
+            const bool on = word && word->folded == "on", off = word && word->folded == "off";
+            if (on || off) reader.take();
+            phrase.elements.back().negated = off;
+        },
+        help);
 }
 
 /// A number, or several of which one is enough.
 void numbered(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
     ArgumentSpec number = integer("n").spec;
     number.repeated = true;
-    table.special(std::move(words), {number},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      RangeElement& element = add(reader, phrase, kind);
-                      element.low = element.high = static_cast<double>(reader.integer(number));
-                      if (!reader.at_number()) return;
-                      element.numbers.push_back(static_cast<std::int64_t>(element.low));
-                      while (reader.at_number()) element.numbers.push_back(reader.integer(number));
-                  },
-                  help);
+    table.special(
+        std::move(words), {number},
+        [=](Reader& reader, RangePhrase& phrase) {
+            RangeElement& element = add(reader, phrase, kind);
+            element.low = element.high = static_cast<double>(reader.integer(number));
+            if (!reader.at_number()) return;
+            element.numbers.push_back(static_cast<std::int64_t>(element.low));
+            while (reader.at_number()) element.numbers.push_back(reader.integer(number));
+        },
+        help);
 }
 
 void both_sides(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
     const auto first = integer("n").spec, second = integer("m").spec;
-    table.special(std::move(words), {first, second},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      RangeElement& element = add(reader, phrase, kind);
-                      element.low = static_cast<double>(reader.integer(first));
-                      element.high = static_cast<double>(reader.integer(second));
-                  },
-                  help);
+    table.special(
+        std::move(words), {first, second},
+        [=](Reader& reader, RangePhrase& phrase) {
+            RangeElement& element = add(reader, phrase, kind);
+            element.low = static_cast<double>(reader.integer(first));
+            element.high = static_cast<double>(reader.integer(second));
+        },
+        help);
 }
 
 /// `group NAME [slot s] [matches n]`, or NAME alone with its slot in it.
@@ -123,70 +123,78 @@ void group(Keywords<RangePhrase>& table) {
     const auto matches = integer("n").at_least(1).at_most(2).spec;
     static const std::vector<KeywordSpec> words = [&] {
         Keywords<RangeElement> list;
-        list.special({Spelling{"matches", 3}}, {matches},
-                     [matches](Reader& reader, RangeElement& e) { e.both = reader.integer(matches) == 2; },
-                     "of contacts: 1, one of the two blocks is enough (if not given); 2, both must belong");
-        list.action({Spelling{"only", 3}}, [](RangeElement&) {}, "a block is in one group only: without effect").ignored();
-        list.special({Spelling{"slot", 3}}, {name},
-                     [name](Reader& reader, RangeElement&) {
-                         const Place place = reader.peek() ? reader.peek()->place : Place{};
-                         const std::string slot = fold(reader.text(name));
-                         if (slot != "any" && slot != "default" && slot != "1")
-                             lang::not_supported_yet("slot " + slot, "several groups of one block", place);
-                     },
-                     "any or default: there is one slot");
+        list.special(
+            {Spelling{"matches", 3}}, {matches},
+            [matches](Reader& reader, RangeElement& e) { e.both = reader.integer(matches) == 2; },
+            "of contacts: 1, one of the two blocks is enough (if not given); 2, both must belong");
+        list.action(
+                {Spelling{"only", 3}}, [](RangeElement&) {}, "a block is in one group only: without effect")
+            .ignored();
+        list.special(
+            {Spelling{"slot", 3}}, {name},
+            [name](Reader& reader, RangeElement&) {
+                const Place place = reader.peek() ? reader.peek()->place : Place{};
+                const std::string slot = fold(reader.text(name));
+                if (slot != "any" && slot != "default" && slot != "1")
+                    lang::not_supported_yet("slot " + slot, "several groups of one block", place);
+            },
+            "any or default: there is one slot");
         return std::move(list).list();
     }();
-    table.special({"group"}, {name},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, Kind::group);
-                      phrase.elements.back().name = reader.text(name);
-                      read_keywords(reader, words, &phrase.elements.back());
-                      misspelt_part(reader, "group", words);
-                  },
-                  "members of a group", words);
+    table.special(
+        {"group"}, {name},
+        [=](Reader& reader, RangePhrase& phrase) {
+            add(reader, phrase, Kind::group);
+            phrase.elements.back().name = reader.text(name);
+            read_keywords(reader, words, &phrase.elements.back());
+            misspelt_part(reader, "group", words);
+        },
+        "members of a group", words);
 }
 
 void group_intersection(Keywords<RangePhrase>& table) {
     const auto first = text("name").spec, second = text("other").spec;
-    table.special({"gintersection", "group-intersection"}, {first, second},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      RangeElement& element = add(reader, phrase, Kind::group_intersection);
-                      element.name = reader.text(first);
-                      element.second_name = reader.text(second);
-                  },
-                  "contacts between blocks of two groups");
+    table.special(
+        {"gintersection", "group-intersection"}, {first, second},
+        [=](Reader& reader, RangePhrase& phrase) {
+            RangeElement& element = add(reader, phrase, Kind::group_intersection);
+            element.name = reader.text(first);
+            element.second_name = reader.text(second);
+        },
+        "contacts between blocks of two groups");
 }
 
 /// Two limits, both of which must be given.
 void between_limits(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view unit,
                     std::string_view help) {
     const auto low = real("low").unit(unit).at_least(0).spec, high = real("high").unit(unit).spec;
-    table.special(std::move(words), {low, high},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      RangeElement& element = add(reader, phrase, kind);
-                      if (reader.at_end()) reader.missing(low);
-                      element.low = reader.real(low);
-                      element.high = reader.real(high);
-                      if (element.low > element.high && !reader.wildcards())
-                          throw Diagnostic(fmt::format("the lower limit {:g} is greater than the upper limit {:g}",
-                                                       element.low, element.high),
-                                           "write the smaller one first")
-                              .at(reader.previous().place);
-                  },
-                  help);
+    table.special(
+        std::move(words), {low, high},
+        [=](Reader& reader, RangePhrase& phrase) {
+            RangeElement& element = add(reader, phrase, kind);
+            if (reader.at_end()) reader.missing(low);
+            element.low = reader.real(low);
+            element.high = reader.real(high);
+            if (element.low > element.high && !reader.wildcards())
+                throw Diagnostic(
+                    fmt::format("the lower limit {:g} is greater than the upper limit {:g}", element.low, element.high),
+                    "write the smaller one first")
+                    .at(reader.previous().place);
+        },
+        help);
 }
 
 void id_list(Keywords<RangePhrase>& table) {
     ArgumentSpec number = integer("n").spec;
     number.repeated = true;
-    table.special({"id-list", "idlist"}, {number},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      RangeElement& element = add(reader, phrase, Kind::id_list);
-                      do element.numbers.push_back(reader.integer(number));
-                      while (reader.at_number());
-                  },
-                  "identity numbers, one by one");
+    table.special(
+        {"id-list", "idlist"}, {number},
+        [=](Reader& reader, RangePhrase& phrase) {
+            RangeElement& element = add(reader, phrase, Kind::id_list);
+            do element.numbers.push_back(reader.integer(number));
+            while (reader.at_number());
+        },
+        "identity numbers, one by one");
 }
 
 /// Elements of 3DEC that have no meaning in this engine yet.
@@ -204,34 +212,35 @@ void elements_to_come(Keywords<RangePhrase>& table) {
 /// `block id 5`: the old long form of `bid 5`.
 void block_id(Keywords<RangePhrase>& table) {
     const auto low = integer("n").spec, high = integer("m").optional().spec;
-    table.special({Spelling{"block", 3}}, {low, high},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      RangeElement& element = add(reader, phrase, Kind::block_id);
-                      const Word* word = reader.peek();
-                      if (word && word->folded != "id") reader.unknown("the word 'id' of block id", {"id"});
-                      if (word) reader.take();
-                      read_limits(reader, element, low, high);
-                  },
-                  "`block id n`: the same as bid");
+    table.special(
+        {Spelling{"block", 3}}, {low, high},
+        [=](Reader& reader, RangePhrase& phrase) {
+            RangeElement& element = add(reader, phrase, Kind::block_id);
+            const Word* word = reader.peek();
+            if (word && word->folded != "id") reader.unknown("the word 'id' of block id", {"id"});
+            if (word) reader.take();
+            read_limits(reader, element, low, high);
+        },
+        "`block id n`: the same as bid");
 }
 
 /// Several names may follow one nrange; each is an element of its own.
 void named_ranges(Keywords<RangePhrase>& table) {
     const auto name = text("name").spec;
-    table.special({"nrange", "name"}, {name},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, Kind::named);
-                      phrase.elements.back().name = reader.text(name);
-                      while (const Word* word = reader.peek()) {
-                          const bool another =
-                              word->kind == WordKind::text ||
-                              (word->kind == WordKind::word && !find_keyword(range_elements(), word->folded));
-                          if (!another) return;
-                          reader.take();
-                          add(reader, phrase, Kind::named).name = word->text;
-                      }
-                  },
-                  "a range that was given a name with range name");
+    table.special(
+        {"nrange", "name"}, {name},
+        [=](Reader& reader, RangePhrase& phrase) {
+            add(reader, phrase, Kind::named);
+            phrase.elements.back().name = reader.text(name);
+            while (const Word* word = reader.peek()) {
+                const bool another = word->kind == WordKind::text ||
+                                     (word->kind == WordKind::word && !find_keyword(range_elements(), word->folded));
+                if (!another) return;
+                reader.take();
+                add(reader, phrase, Kind::named).name = word->text;
+            }
+        },
+        "a range that was given a name with range name");
 }
 
 std::vector<KeywordSpec> all_elements() {
@@ -243,7 +252,8 @@ std::vector<KeywordSpec> all_elements() {
     group(table);
     numbered(table, {"material", "mat"}, Kind::material, "blocks of a material number, or of one of several");
     numbered(table, {"constitutive", "cons"}, Kind::constitutive, "blocks of a constitutive number");
-    numbered(table, {"jmaterial", "jmat"}, Kind::joint_material, "contacts of a joint material number, or of one of several");
+    numbered(table, {"jmaterial", "jmat"}, Kind::joint_material,
+             "contacts of a joint material number, or of one of several");
     numbered(table, {"jconstitutive", "jcons"}, Kind::joint_model, "contacts of a joint constitutive number");
     numbered(table, {"region"}, Kind::region, "blocks of a region number, or of one of several");
     numbered(table, {"jset", "joint-set"}, Kind::joint_set, "contacts of a joint set, or of one of several");
@@ -261,8 +271,9 @@ std::vector<KeywordSpec> all_elements() {
     id_list(table);
     named(table, {"jgroup"}, Kind::joint_group, "contacts of a group of joints");
     flag(table, {"excavated"}, Kind::excavated, "blocks that fill can put back");
-    named(table, {Spelling{"state", 4}}, Kind::joint_state,
-          "sub-contacts in a state of their joint model, and contacts that have one; `slip` means slip-now and slip-past");
+    named(
+        table, {Spelling{"state", 4}}, Kind::joint_state,
+        "sub-contacts in a state of their joint model, and contacts that have one; `slip` means slip-now and slip-past");
     flag(table, {Spelling{"surface", 4}}, Kind::surface, "faces on which no other block lies, and what is on them");
     flag(table, {Spelling{"concave", 4}}, Kind::concave, "joined blocks that make a body which is not convex");
     between_limits(table, {Spelling{"edge-length", 4}}, Kind::edge_length, "length",
@@ -272,21 +283,22 @@ std::vector<KeywordSpec> all_elements() {
     numbers(table, {Spelling{"leader-id", 4}}, Kind::leader,
             "blocks of bodies by the number of the body's first block; a block on its own is its own leader");
     figure_elements(table);
-    table.action({"extent"}, [](RangePhrase& phrase) { phrase.whole = true; },
-                 "all corners of a block, a face or a zone must lie inside, not only its centroid");
-    table.action({"union"}, [](RangePhrase& phrase) { phrase.any = true; },
-                 "one element is enough, not all are needed");
-    table.special({Spelling{"not", 3}}, {},
-                  [](Reader& reader, RangePhrase& phrase) {
-                      if (!phrase.elements.empty()) {
-                          phrase.elements.back().negated = true;
-                          return;
-                      }
-                      throw Diagnostic("'not' stands before the element that it turns round",
-                                       "write it after: range z 0 1 not")
-                          .at(reader.previous().place);
-                  },
-                  "turns the element before it round");
+    table.action(
+        {"extent"}, [](RangePhrase& phrase) { phrase.whole = true; },
+        "all corners of a block, a face or a zone must lie inside, not only its centroid");
+    table.action(
+        {"union"}, [](RangePhrase& phrase) { phrase.any = true; }, "one element is enough, not all are needed");
+    table.special(
+        {Spelling{"not", 3}}, {},
+        [](Reader& reader, RangePhrase& phrase) {
+            if (!phrase.elements.empty()) {
+                phrase.elements.back().negated = true;
+                return;
+            }
+            throw Diagnostic("'not' stands before the element that it turns round", "write it after: range z 0 1 not")
+                .at(reader.previous().place);
+        },
+        "turns the element before it round");
     elements_to_come(table);
     return std::move(table).list();
 }
@@ -317,15 +329,12 @@ void read_range(Reader& reader, RangePhrase& phrase) {
         reader.take();
         reader.spell("range");
     }
-    if (reader.at_end())
-        incomplete_line(reader, "the range is empty", "write for example: range z 0 1");
+    if (reader.at_end()) incomplete_line(reader, "the range is empty", "write for example: range z 0 1");
     while (!reader.at_end()) {
         read_keywords(reader, range_elements(), &phrase);
-        if (!reader.at_end())
-            unknown_element(reader);
+        if (!reader.at_end()) unknown_element(reader);
     }
-    if (phrase.elements.empty())
-        incomplete_line(reader, "the range has no element", "write for example: range z 0 1");
+    if (phrase.elements.empty()) incomplete_line(reader, "the range has no element", "write for example: range z 0 1");
 }
 
 } // namespace kaya::lang

@@ -17,14 +17,15 @@ constexpr double degree = std::numbers::pi / 180;
 
 void box(Keywords<RangePhrase>& table) {
     const auto corner = vector("x y z").unit("length").spec;
-    table.special({"position"}, {corner, corner},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, Kind::box);
-                      const Vec3 one = reader.vector(corner), two = reader.vector(corner);
-                      phrase.elements.back().centre = one.cwiseMin(two);
-                      phrase.elements.back().end2 = one.cwiseMax(two);
-                  },
-                  "inside a box, given by two corners");
+    table.special(
+        {"position"}, {corner, corner},
+        [=](Reader& reader, RangePhrase& phrase) {
+            add(reader, phrase, Kind::box);
+            const Vec3 one = reader.vector(corner), two = reader.vector(corner);
+            phrase.elements.back().centre = one.cwiseMin(two);
+            phrase.elements.back().end2 = one.cwiseMax(two);
+        },
+        "inside a box, given by two corners");
 }
 
 /// Upward normal of a plane of dip and dip direction in degrees.
@@ -47,11 +48,12 @@ std::vector<KeywordSpec> plane_words() {
     words.keyword({"dip"}, real("dip").unit("degrees"), &PlaneText::dip, "angle below the horizontal");
     words.keyword({"dd", "dip-direction"}, real("dd").unit("degrees"), &PlaneText::dip_direction,
                   "direction of dip, clockwise from +y seen from above");
-    words.keyword({"origin", "org"}, vector("x y z").unit("length"), &PlaneText::origin,
-                  "a point of the plane");
+    words.keyword({"origin", "org"}, vector("x y z").unit("length"), &PlaneText::origin, "a point of the plane");
     words.keyword({"normal"}, vector("nx ny nz"), &PlaneText::normal, "normal, in place of dip and dd");
-    words.action({"above"}, [](PlaneText& p) { p.side = 1; }, "the side to which the normal points");
-    words.action({"below"}, [](PlaneText& p) { p.side = -1; }, "the other side");
+    words.action(
+        {"above"}, [](PlaneText& p) { p.side = 1; }, "the side to which the normal points");
+    words.action(
+        {"below"}, [](PlaneText& p) { p.side = -1; }, "the other side");
     words.keyword({"distance"}, real("distance").unit("length").at_least(0), &PlaneText::distance,
                   "all within this distance of the plane");
     return std::move(words).list();
@@ -69,8 +71,7 @@ void plane(Keywords<RangePhrase>& table) {
         Vec3 normal = upward_normal(plane.dip, plane.dip_direction);
         if (plane.normal) {
             const double length = plane.normal->norm();
-            if (length == 0)
-                incomplete_line(reader, "the normal of the plane is zero", "it must have a direction");
+            if (length == 0) incomplete_line(reader, "the normal of the plane is zero", "it must have a direction");
             normal = *plane.normal / length;
         }
         element.normal = normal;
@@ -101,22 +102,22 @@ void read_radii(Reader& reader, RoundText& round) {
 
 std::vector<KeywordSpec> sphere_words() {
     Keywords<RoundText> words;
-    words.keyword({"center", "centre", "c"}, vector("x y z").unit("length"), &RoundText::centre,
-                  "the centre");
-    words.special({"radius", "r"}, {real("radius").unit("length").at_least(0).spec,
-                               real("outer").unit("length").above(0).optional().spec},
-                  read_radii, "the radius; two make a hollow ball");
+    words.keyword({"center", "centre", "c"}, vector("x y z").unit("length"), &RoundText::centre, "the centre");
+    words.special(
+        {"radius", "r"},
+        {real("radius").unit("length").at_least(0).spec, real("outer").unit("length").above(0).optional().spec},
+        read_radii, "the radius; two make a hollow ball");
     return std::move(words).list();
 }
 
 std::vector<KeywordSpec> cylinder_words() {
     Keywords<RoundText> words;
-    words.keyword({"end1", "end-1"}, vector("x y z").unit("length"), &RoundText::centre,
-                  "one end of the axis");
+    words.keyword({"end1", "end-1"}, vector("x y z").unit("length"), &RoundText::centre, "one end of the axis");
     words.keyword({"end2", "end-2"}, vector("x y z").unit("length"), &RoundText::end, "the other end");
-    words.special({"radius", "r"}, {real("radius").unit("length").at_least(0).spec,
-                               real("outer").unit("length").above(0).optional().spec},
-                  read_radii, "the radius; two make a pipe");
+    words.special(
+        {"radius", "r"},
+        {real("radius").unit("length").at_least(0).spec, real("outer").unit("length").above(0).optional().spec},
+        read_radii, "the radius; two make a pipe");
     return std::move(words).list();
 }
 
@@ -127,30 +128,31 @@ void round_elements(Keywords<RangePhrase>& table) {
         element.radius1 = round.inner.value_or(0);
         element.radius2 = *round.outer;
     };
-    table.special({"sphere", "annulus"}, {},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, Kind::sphere);
-                      RoundText round;
-                      read_keywords(reader, of_sphere, &round);
-                      if (!round.centre || !round.outer)
-                          lacks_part(reader, "sphere", of_sphere, "the sphere needs center and radius",
-                                     "write: sphere center x y z radius r");
-                      fill(phrase.elements.back(), round);
-                  },
-                  "inside a sphere", of_sphere);
-    table.special({"cylinder"}, {},
-                  [=](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, Kind::cylinder);
-                      RoundText round;
-                      read_keywords(reader, of_cylinder, &round);
-                      if (!round.centre || !round.end || !round.outer)
-                          lacks_part(reader, "cylinder", of_cylinder,
-                                     "the cylinder needs end1, end2 and radius",
-                                     "write: cylinder end1 x y z end2 x y z radius r");
-                      fill(phrase.elements.back(), round);
-                      phrase.elements.back().end2 = *round.end;
-                  },
-                  "inside a cylinder", of_cylinder);
+    table.special(
+        {"sphere", "annulus"}, {},
+        [=](Reader& reader, RangePhrase& phrase) {
+            add(reader, phrase, Kind::sphere);
+            RoundText round;
+            read_keywords(reader, of_sphere, &round);
+            if (!round.centre || !round.outer)
+                lacks_part(reader, "sphere", of_sphere, "the sphere needs center and radius",
+                           "write: sphere center x y z radius r");
+            fill(phrase.elements.back(), round);
+        },
+        "inside a sphere", of_sphere);
+    table.special(
+        {"cylinder"}, {},
+        [=](Reader& reader, RangePhrase& phrase) {
+            add(reader, phrase, Kind::cylinder);
+            RoundText round;
+            read_keywords(reader, of_cylinder, &round);
+            if (!round.centre || !round.end || !round.outer)
+                lacks_part(reader, "cylinder", of_cylinder, "the cylinder needs end1, end2 and radius",
+                           "write: cylinder end1 x y z end2 x y z radius r");
+            fill(phrase.elements.back(), round);
+            phrase.elements.back().end2 = *round.end;
+        },
+        "inside a cylinder", of_cylinder);
 }
 
 /// Dip and dip direction with a tolerance while they are read.
@@ -169,38 +171,43 @@ void orientation(Keywords<RangePhrase>& table) {
                      &OrientationText::tolerance, "greatest angle between the normals, 1 if not given");
         return std::move(list).list();
     }();
-    table.special({Spelling{"orientation", 4}}, {},
-                  [](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, Kind::orientation);
-                      OrientationText text;
-                      read_keywords(reader, words, &text);
-                      if (!text.dip)
-                          lacks_part(reader, "orientation", words, "the orientation needs dip",
-                                     "write: orientation dip d dd a tolerance t");
-                      phrase.elements.back().normal = upward_normal(*text.dip, text.dip_direction);
-                      phrase.elements.back().radius1 = text.tolerance;
-                  },
-                  "faces and contacts of an orientation", words);
+    table.special(
+        {Spelling{"orientation", 4}}, {},
+        [](Reader& reader, RangePhrase& phrase) {
+            add(reader, phrase, Kind::orientation);
+            OrientationText text;
+            read_keywords(reader, words, &text);
+            if (!text.dip)
+                lacks_part(reader, "orientation", words, "the orientation needs dip",
+                           "write: orientation dip d dd a tolerance t");
+            phrase.elements.back().normal = upward_normal(*text.dip, text.dip_direction);
+            phrase.elements.back().radius1 = text.tolerance;
+        },
+        "faces and contacts of an orientation", words);
 }
 
 void ground(Keywords<RangePhrase>& table) {
     static const std::vector<KeywordSpec> words = [] {
         Keywords<RangeElement> list;
-        list.action({"above"}, [](RangeElement& e) { e.side = 1; }, "what lies above the surface");
-        list.action({"below"}, [](RangeElement& e) { e.side = -1; }, "what lies below it");
+        list.action(
+            {"above"}, [](RangeElement& e) { e.side = 1; }, "what lies above the surface");
+        list.action(
+            {"below"}, [](RangeElement& e) { e.side = -1; }, "what lies below it");
         list.keyword({"shift"}, vector("dx dy dz").unit("length"), &RangeElement::centre, "moves the surface");
         return std::move(list).list();
     }();
     const auto file = text("file");
-    table.special({"ground"}, {file.spec},
-                  [file](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, Kind::ground);
-                      RangeElement& element = phrase.elements.back();
-                      element.name = reader.text(file.spec);
-                      read_keywords(reader, words, &element);
-                      if (element.side == 0) lacks_part(reader, "ground", words, "the ground needs above or below", "write: ground 'file' above");
-                  },
-                  "above or below a ground surface; what lies outside of its plan is neither", words);
+    table.special(
+        {"ground"}, {file.spec},
+        [file](Reader& reader, RangePhrase& phrase) {
+            add(reader, phrase, Kind::ground);
+            RangeElement& element = phrase.elements.back();
+            element.name = reader.text(file.spec);
+            read_keywords(reader, words, &element);
+            if (element.side == 0)
+                lacks_part(reader, "ground", words, "the ground needs above or below", "write: ground 'file' above");
+        },
+        "above or below a ground surface; what lies outside of its plan is neither", words);
 }
 
 /// A plane figure while its words are read.
@@ -221,12 +228,13 @@ std::vector<KeywordSpec> figure_words(bool round) {
     } else {
         ArgumentSpec corner = vector("x y z").unit("length").spec;
         corner.repeated = true;
-        list.special({"vertices"}, {corner},
-                     [corner](Reader& reader, FigureText& figure) {
-                         do figure.vertices.push_back(reader.vector(corner));
-                         while (reader.at_number());
-                     },
-                     "the corners, in order");
+        list.special(
+            {"vertices"}, {corner},
+            [corner](Reader& reader, FigureText& figure) {
+                do figure.vertices.push_back(reader.vector(corner));
+                while (reader.at_number());
+            },
+            "the corners, in order");
     }
     list.keyword({"distance"}, real("distance").unit("length").at_least(0), &FigureText::distance,
                  "all within this distance of its plane; what lies in the plane if not given");
@@ -251,60 +259,62 @@ void check_flat(const Reader& reader, const std::vector<Vec3>& vertices) {
 
 void figures(Keywords<RangePhrase>& table) {
     static const std::vector<KeywordSpec> of_corners = figure_words(false), of_ellipse = figure_words(true);
-    table.special({"polygon"}, {},
-                  [](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, Kind::polygon);
-                      FigureText figure;
-                      read_keywords(reader, of_corners, &figure);
-                      if (figure.vertices.size() < 3)
-                          lacks_part(reader, "polygon", of_corners, "the polygon needs three corners or more",
-                                     "write: polygon vertices x y z  x y z  x y z ... distance d");
-                      if (!reader.wildcards()) check_flat(reader, figure.vertices);
-                      phrase.elements.back().vertices = std::move(figure.vertices);
-                      phrase.elements.back().distance = figure.distance;
-                  },
-                  "inside a plane polygon", of_corners);
-    table.special({Spelling{"rectangle", 3}}, {},
-                  [](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, Kind::polygon);
-                      FigureText figure;
-                      read_keywords(reader, of_corners, &figure);
-                      auto& v = figure.vertices;
-                      if (v.size() != 3)
-                          lacks_part(reader, "rectangle", of_corners, "the rectangle needs three corners",
-                                     "write: rectangle vertices x y z  x y z  x y z distance d; the fourth follows");
-                      v.push_back(v[0] + v[2] - v[1]);
-                      if (!reader.wildcards()) {
-                          check_flat(reader, v);
-                          const Vec3 one = v[0] - v[1], two = v[2] - v[1];
-                          if (std::abs(one.dot(two)) > 1e-6 * one.norm() * two.norm())
-                              throw Diagnostic("the sides of the rectangle are not at right angles",
-                                               "give three corners in order, or use polygon")
-                                  .at(reader.previous().place);
-                      }
-                      phrase.elements.back().vertices = std::move(v);
-                      phrase.elements.back().distance = figure.distance;
-                  },
-                  "inside a rectangle, given by three corners", of_corners);
-    table.special({Spelling{"ellipse", 3}}, {},
-                  [](Reader& reader, RangePhrase& phrase) {
-                      add(reader, phrase, Kind::ellipse);
-                      FigureText figure;
-                      read_keywords(reader, of_ellipse, &figure);
-                      if (!figure.centre || !figure.axis1 || !figure.axis2)
-                          lacks_part(reader, "ellipse", of_ellipse, "the ellipse needs center, axis1 and axis2",
-                                     "write: ellipse center x y z axis1 x y z axis2 x y z distance d");
-                      const Vec3 &one = *figure.axis1, &two = *figure.axis2;
-                      if (!reader.wildcards() && !(one.cross(two).norm() > 1e-6 * one.norm() * two.norm()))
-                          throw Diagnostic("the two axes of the ellipse have no area between them")
-                              .at(reader.previous().place);
-                      RangeElement& element = phrase.elements.back();
-                      element.centre = *figure.centre;
-                      element.end2 = one;
-                      element.normal = two;
-                      element.distance = figure.distance;
-                  },
-                  "inside an ellipse", of_ellipse);
+    table.special(
+        {"polygon"}, {},
+        [](Reader& reader, RangePhrase& phrase) {
+            add(reader, phrase, Kind::polygon);
+            FigureText figure;
+            read_keywords(reader, of_corners, &figure);
+            if (figure.vertices.size() < 3)
+                lacks_part(reader, "polygon", of_corners, "the polygon needs three corners or more",
+                           "write: polygon vertices x y z  x y z  x y z ... distance d");
+            if (!reader.wildcards()) check_flat(reader, figure.vertices);
+            phrase.elements.back().vertices = std::move(figure.vertices);
+            phrase.elements.back().distance = figure.distance;
+        },
+        "inside a plane polygon", of_corners);
+    table.special(
+        {Spelling{"rectangle", 3}}, {},
+        [](Reader& reader, RangePhrase& phrase) {
+            add(reader, phrase, Kind::polygon);
+            FigureText figure;
+            read_keywords(reader, of_corners, &figure);
+            auto& v = figure.vertices;
+            if (v.size() != 3)
+                lacks_part(reader, "rectangle", of_corners, "the rectangle needs three corners",
+                           "write: rectangle vertices x y z  x y z  x y z distance d; the fourth follows");
+            v.push_back(v[0] + v[2] - v[1]);
+            if (!reader.wildcards()) {
+                check_flat(reader, v);
+                const Vec3 one = v[0] - v[1], two = v[2] - v[1];
+                if (std::abs(one.dot(two)) > 1e-6 * one.norm() * two.norm())
+                    throw Diagnostic("the sides of the rectangle are not at right angles",
+                                     "give three corners in order, or use polygon")
+                        .at(reader.previous().place);
+            }
+            phrase.elements.back().vertices = std::move(v);
+            phrase.elements.back().distance = figure.distance;
+        },
+        "inside a rectangle, given by three corners", of_corners);
+    table.special(
+        {Spelling{"ellipse", 3}}, {},
+        [](Reader& reader, RangePhrase& phrase) {
+            add(reader, phrase, Kind::ellipse);
+            FigureText figure;
+            read_keywords(reader, of_ellipse, &figure);
+            if (!figure.centre || !figure.axis1 || !figure.axis2)
+                lacks_part(reader, "ellipse", of_ellipse, "the ellipse needs center, axis1 and axis2",
+                           "write: ellipse center x y z axis1 x y z axis2 x y z distance d");
+            const Vec3 &one = *figure.axis1, &two = *figure.axis2;
+            if (!reader.wildcards() && !(one.cross(two).norm() > 1e-6 * one.norm() * two.norm()))
+                throw Diagnostic("the two axes of the ellipse have no area between them").at(reader.previous().place);
+            RangeElement& element = phrase.elements.back();
+            element.centre = *figure.centre;
+            element.end2 = one;
+            element.normal = two;
+            element.distance = figure.distance;
+        },
+        "inside an ellipse", of_ellipse);
 }
 
 } // namespace

@@ -28,23 +28,25 @@ CommandSpec callback() {
     const auto location = real("location").optional().spec;
     Entry<FishCallback> entry({"fish"}, {"callback"});
     entry.help("runs a FISH function in every cycle, or in every n-th");
-    entry.special({"add"}, {name, location},
-                  [=](Reader& reader, FishCallback& callback) {
-                      callback.function = reader.text(name);
-                      callback.place = reader.previous().place;
-                      // Newer versions number the parts of a cycle.
-                      constexpr double forces_are_known = 40;
-                      if (reader.at_number() && reader.real(location) < forces_are_known)
-                          callback.when = FishCallback::When::before_cycle;
-                  },
-                  "the function; below 40 it runs before the cycle, else when the forces of the cycle are known");
-    entry.special({"remove"}, {name},
-                  [=](Reader& reader, FishCallback& callback) {
-                      callback.remove = true;
-                      callback.function = reader.text(name);
-                      callback.place = reader.previous().place;
-                  },
-                  "the function is not run any more");
+    entry.special(
+        {"add"}, {name, location},
+        [=](Reader& reader, FishCallback& callback) {
+            callback.function = reader.text(name);
+            callback.place = reader.previous().place;
+            // Newer versions number the parts of a cycle.
+            constexpr double forces_are_known = 40;
+            if (reader.at_number() && reader.real(location) < forces_are_known)
+                callback.when = FishCallback::When::before_cycle;
+        },
+        "the function; below 40 it runs before the cycle, else when the forces of the cycle are known");
+    entry.special(
+        {"remove"}, {name},
+        [=](Reader& reader, FishCallback& callback) {
+            callback.remove = true;
+            callback.function = reader.text(name);
+            callback.place = reader.previous().place;
+        },
+        "the function is not run any more");
     entry.keyword({"interval"}, integer("n").at_least(1), &FishCallback::interval, "in every n-th cycle only");
     entry.finish([](const Reader& reader, FishCallback& callback) {
         if (callback.function.empty())
@@ -71,12 +73,13 @@ CommandSpec fishcall() {
                                             "0: before the cycle, 1: when its forces are known, 2: after it");
                        callback.when = places[static_cast<std::size_t>(n)];
                    });
-    entry.keyword({Spelling{"remove", 6}}, text("name"),
-                  [](FishCallback& callback, std::string function) {
-                      callback.remove = true;
-                      callback.function = std::move(function);
-                  },
-                  "the function is not run any more");
+    entry.keyword(
+        {Spelling{"remove", 6}}, text("name"),
+        [](FishCallback& callback, std::string function) {
+            callback.remove = true;
+            callback.function = std::move(function);
+        },
+        "the function is not run any more");
     entry.otherwise({name}, [name](Reader& reader, FishCallback& callback) {
         if (!callback.function.empty()) return false;
         const Word& word = *reader.peek();
@@ -98,7 +101,8 @@ CommandSpec fishcall() {
 
 CommandSpec parameter() {
     Entry<Parameter> entry({Spelling{"parameter", 5}});
-    entry.help("gives a FISH variable, or a property that the deck sets, a value, unless `kaya --set` or an earlier line has given it one");
+    entry.help(
+        "gives a FISH variable, or a property that the deck sets, a value, unless `kaya --set` or an earlier line has given it one");
     entry.place(&Parameter::place);
     const auto value = real("value").help("a number, a word or a text").spec;
     entry.otherwise({text("name").spec, value}, [value](Reader& reader, Parameter& parameter) {
@@ -109,7 +113,8 @@ CommandSpec parameter() {
         return true;
     });
     entry.finish([](const Reader& reader, Parameter& parameter) {
-        if (parameter.name.empty()) incomplete_line(reader, "param needs a name and a value", "write: param friction = 30");
+        if (parameter.name.empty())
+            incomplete_line(reader, "param needs a name and a value", "write: param friction = 30");
     });
     entry.right("param friction = 30").right("param @name = 'left wall'").right("param 'prop 1 jfric' = 30");
     entry.wrong("param", "param needs a name and a value");
@@ -141,8 +146,7 @@ Family script() {
                     .start([](const Statement& statement, FishCall& call) {
                         const Word& word = statement.words.front();
                         const std::string text = statement.raw(0);
-                        call.expression =
-                            word.kind == WordKind::symbol ? text.substr(text.find('@') + 1) : word.text;
+                        call.expression = word.kind == WordKind::symbol ? text.substr(text.find('@') + 1) : word.text;
                         call.place = word.place;
                     })
                     .right("@build_wall")

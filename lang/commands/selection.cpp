@@ -42,8 +42,9 @@ CommandSpec copy() {
     Entry<Copy> entry({"copy"});
     entry.help("makes copies of blocks: moved, or mirrored at a plane, or both");
     entry.keyword({"offset"}, vector("dx dy dz").unit("length"), &Copy::offset, "how far a copy is moved");
-    entry.action({"mirror"}, [](Copy& command) { command.mirror = true; },
-                 "copies are mirrored at a plane, given by normal or dip and dd, and origin");
+    entry.action(
+        {"mirror"}, [](Copy& command) { command.mirror = true; },
+        "copies are mirrored at a plane, given by normal or dip and dd, and origin");
     entry.keyword({"dip"}, real("dip").unit("degrees"), &Copy::dip, "of the mirror: angle below the horizontal");
     entry.keyword({"dd", "dip-direction"}, real("dd").unit("degrees"), &Copy::dip_direction,
                   "of the mirror: direction of dip, clockwise from +y seen from above");
@@ -62,9 +63,11 @@ CommandSpec copy() {
                             "give offset dx dy dz, or mirror normal nx ny nz origin x y z");
         if (reader.wildcards()) return;
         if (command.number > 1 && (!command.offset || command.mirror))
-            throw Diagnostic("several copies need an offset and no mirror", "give one copy command for each").at(command.place);
+            throw Diagnostic("several copies need an offset and no mirror", "give one copy command for each")
+                .at(command.place);
         if (command.normal && !command.mirror)
-            throw Diagnostic("the normal is that of a mirror", "write: copy mirror normal nx ny nz origin x y z").at(command.place);
+            throw Diagnostic("the normal is that of a mirror", "write: copy mirror normal nx ny nz origin x y z")
+                .at(command.place);
         if (command.normal && command.normal->norm() == 0)
             throw Diagnostic("the normal of the mirror is zero", "it must have a direction").at(command.place);
     });

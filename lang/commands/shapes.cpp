@@ -12,7 +12,7 @@ namespace {
 /// What every kind of poly has.
 template <class Poly> void block_options(Entry<Poly>& entry) {
     const auto options = [](std::int64_t BlockOptions::*member) {
-        return [member](Poly& poly) -> auto& { return poly.options.*member; };
+        return [member](Poly & poly) -> auto& { return poly.options.*member; };
     };
     entry.keyword({"region"}, integer("n").at_least(0), options(&BlockOptions::region),
                   "region number, 0 if not given");
@@ -40,18 +40,15 @@ CommandSpec poly_brick() {
     entry.help("makes a block with six faces along the axes");
     entry.argument(pair("x1 x2").unit("length").help("limits in x"),
                    [](PolyBrick& brick, std::array<double, 2> x) { brick.x = brick.y = brick.z = x; });
-    entry.argument(pair("y1 y2").unit("length").optional().help("limits in y; those of x if not given"),
-                   &PolyBrick::y);
-    entry.argument(pair("z1 z2").unit("length").optional().help("limits in z; those of x if not given"),
-                   &PolyBrick::z);
+    entry.argument(pair("y1 y2").unit("length").optional().help("limits in y; those of x if not given"), &PolyBrick::y);
+    entry.argument(pair("z1 z2").unit("length").optional().help("limits in z; those of x if not given"), &PolyBrick::z);
     block_options(entry);
     entry.finish([](const Reader& reader, PolyBrick& brick) {
         if (reader.wildcards()) return;
         const auto check = [&](const char* axis, const std::array<double, 2>& limits) {
             if (limits[0] < limits[1]) return;
-            Diagnostic d(
-                fmt::format("the brick has no extent in {}: from {:g} to {:g}", axis, limits[0], limits[1]),
-                "the lower limit comes first and must be less than the upper one");
+            Diagnostic d(fmt::format("the brick has no extent in {}: from {:g} to {:g}", axis, limits[0], limits[1]),
+                         "the lower limit comes first and must be less than the upper one");
             throw d.at(brick.place);
         };
         check("x", brick.x);
@@ -78,8 +75,9 @@ CommandSpec poly_prism() {
     entry.help("joins two polygons with matching corners side by side; sides may be warped");
     const auto polygon = [&](std::vector<Spelling> words, std::vector<Vec3> PolyPrism::*member, std::string_view help) {
         const ArgumentSpec spec = corners(help);
-        entry.special(std::move(words), {spec},
-                      [=](Reader& reader, PolyPrism& prism) { read_corners(reader, prism.*member, spec); }, help);
+        entry.special(
+            std::move(words), {spec},
+            [=](Reader& reader, PolyPrism& prism) { read_corners(reader, prism.*member, spec); }, help);
     };
     polygon({"a", "face1", "face-1"}, &PolyPrism::first, "corners of the first polygon, in order around it");
     polygon({"b", "face2", "face-2"}, &PolyPrism::second, "corners of the second, each opposite its partner");
@@ -111,18 +109,20 @@ CommandSpec poly_face() {
         poly.place = statement.words.front().place;
         poly.faces.resize(1);
     });
-    entry.special({"face"}, {spec},
-                  [vertices](Reader& reader, PolyFace& poly) {
-                      poly.faces.emplace_back();
-                      if (reader.at_number()) vertices(reader, poly);
-                  },
-                  "the next face");
-    entry.special({"id"}, {id},
-                  [=](Reader& reader, PolyFace& poly) {
-                      poly.faces.back().joint_set = reader.integer(id);
-                      if (reader.at_number()) vertices(reader, poly);
-                  },
-                  "joint set that made the face, 0 if not given; stands before the corners");
+    entry.special(
+        {"face"}, {spec},
+        [vertices](Reader& reader, PolyFace& poly) {
+            poly.faces.emplace_back();
+            if (reader.at_number()) vertices(reader, poly);
+        },
+        "the next face");
+    entry.special(
+        {"id"}, {id},
+        [=](Reader& reader, PolyFace& poly) {
+            poly.faces.back().joint_set = reader.integer(id);
+            if (reader.at_number()) vertices(reader, poly);
+        },
+        "joint set that made the face, 0 if not given; stands before the corners");
     entry.otherwise({spec}, [vertices](Reader& reader, PolyFace& poly) {
         if (!reader.at_number() || !poly.faces.back().corners.empty()) return false;
         vertices(reader, poly);
@@ -137,10 +137,9 @@ CommandSpec poly_face() {
         if (reader.wildcards()) return;
         for (std::size_t f = 0; f < poly.faces.size(); ++f)
             if (poly.faces[f].corners.size() < 3)
-                throw Diagnostic(
-                    fmt::format("face {} has {} corner{}", f + 1, poly.faces[f].corners.size(),
-                                poly.faces[f].corners.size() == 1 ? "" : "s"),
-                    "a face needs at least three")
+                throw Diagnostic(fmt::format("face {} has {} corner{}", f + 1, poly.faces[f].corners.size(),
+                                             poly.faces[f].corners.size() == 1 ? "" : "s"),
+                                 "a face needs at least three")
                     .at(poly.place);
     });
     entry.right("poly face 0 0 0  1 0 0  0 1 0  face 0 0 0  0 0 1  1 0 0 &\n"
@@ -158,15 +157,15 @@ CommandSpec poly_tet() {
     Entry<PolyTet> entry({"poly"}, {"tet", "tetrahedron"});
     entry.help("makes a tetrahedron from its four corners, in any order");
     const ArgumentSpec spec = vector("x y z").unit("length").help("a corner").spec;
-    entry.otherwise({vector("x1 y1 z1 ... x4 y4 z4").unit("length").spec},
-                    [spec](Reader& reader, PolyTet& tet) {
-                        if (!reader.at_number() || tet.corners.size() == 4) return false;
-                        tet.corners.push_back(reader.vector(spec));
-                        return true;
-                    });
+    entry.otherwise({vector("x1 y1 z1 ... x4 y4 z4").unit("length").spec}, [spec](Reader& reader, PolyTet& tet) {
+        if (!reader.at_number() || tet.corners.size() == 4) return false;
+        tet.corners.push_back(reader.vector(spec));
+        return true;
+    });
     for (const char* word : {"a", "b", "c", "d"})
-        entry.special({word}, {spec}, [spec](Reader& reader, PolyTet& tet) { tet.corners.push_back(reader.vector(spec)); },
-                      "the same");
+        entry.special(
+            {word}, {spec}, [spec](Reader& reader, PolyTet& tet) { tet.corners.push_back(reader.vector(spec)); },
+            "the same");
     block_options(entry);
     entry.finish([](const Reader& reader, PolyTet& tet) {
         if (!reader.wildcards() && tet.corners.size() != 4)
@@ -202,18 +201,20 @@ CommandSpec poly_drum() {
                   "centre of the other");
     const ArgumentSpec radius1 = real("radius1").unit("length").at_least(0).spec;
     const ArgumentSpec radius2 = real("radius2").unit("length").at_least(0).optional().spec;
-    entry.special({"radius"}, {radius1, radius2},
-                  [=](Reader& reader, PolyDrum& drum) {
-                      drum.radius1 = drum.radius2 = reader.real(radius1);
-                      if (reader.at_number()) drum.radius2 = reader.real(radius2);
-                  },
-                  "of both ends, or of each; 0 makes a cone");
-    entry.keyword({"radius1", "radius-1"}, real("radius1").unit("length").at_least(0),
-                  [](PolyDrum& drum, double r) {
-                      drum.radius1 = r;
-                      if (!drum.radius2) drum.radius2 = r;
-                  },
-                  "of the first end");
+    entry.special(
+        {"radius"}, {radius1, radius2},
+        [=](Reader& reader, PolyDrum& drum) {
+            drum.radius1 = drum.radius2 = reader.real(radius1);
+            if (reader.at_number()) drum.radius2 = reader.real(radius2);
+        },
+        "of both ends, or of each; 0 makes a cone");
+    entry.keyword(
+        {"radius1", "radius-1"}, real("radius1").unit("length").at_least(0),
+        [](PolyDrum& drum, double r) {
+            drum.radius1 = r;
+            if (!drum.radius2) drum.radius2 = r;
+        },
+        "of the first end");
     entry.keyword({"radius2", "radius-2"}, real("radius2").unit("length").at_least(0), &PolyDrum::radius2,
                   "of the other");
     const auto edges = integer("n").at_least(3).at_most(10000);
@@ -239,7 +240,8 @@ CommandSpec poly_drum() {
     });
     entry.right("poly drum end1 0,0,0 end2 0,0,3 radius 0.5");
     entry.right("poly drum end1 0 0 0 end2 0 0 1 radius 0.5 0.4 edges 12 region 2");
-    entry.right("poly drum (0,0,0) (0,0,1) 0.5 0.45 12 reg 2").right("poly drum center-1 0 0 0 center-2 0 0 1 radius-1 0.5");
+    entry.right("poly drum (0,0,0) (0,0,1) 0.5 0.45 12 reg 2")
+        .right("poly drum center-1 0 0 0 center-2 0 0 1 radius-1 0.5");
     entry.wrong("poly drum end1 0 0 0 radius 1", "a drum needs both ends and a radius");
     entry.wrong("poly drum edges 2", "edges must be at least 3, not 2");
     entry.wrong("poly drum raduis 1", "'raduis' is not a keyword of poly drum");
@@ -253,8 +255,7 @@ CommandSpec poly_tunnel() {
     entry.keyword({"dd", "dip-direction"}, real("dd").unit("degrees"), &PolyTunnel::dip_direction,
                   "direction of the axis, clockwise from +y seen from above");
     entry.keyword({"origin", "org"}, vector("x y z").unit("length"), &PolyTunnel::origin, "a point of the axis");
-    entry.keyword({"radius"}, real("r").unit("length").above(0), &PolyTunnel::radius,
-                  "of the hole, 1 if not given");
+    entry.keyword({"radius"}, real("r").unit("length").above(0), &PolyTunnel::radius, "of the hole, 1 if not given");
     entry.keyword({"length"}, pair("begin end").unit("length"), &PolyTunnel::length,
                   "along the axis from the origin, -10 10 if not given");
     const auto blocks = [&](const char* word, std::int64_t PolyTunnel::*member, std::string_view help) {
@@ -268,20 +269,23 @@ CommandSpec poly_tunnel() {
     entry.keyword({"ratio"}, real("ratio").above(0), &PolyTunnel::ratio,
                   "thickness of each ring over that of the ring inside it, 1 if not given");
     Keywords<PolyTunnel> cores;
-    cores.action({"off"}, [](PolyTunnel& tunnel) { tunnel.core = false; }, "the hole stays empty");
-    cores.keyword({"region"}, integer("n").at_least(0), &PolyTunnel::core_region, "region number of the core, that of the rings if not given");
+    cores.action(
+        {"off"}, [](PolyTunnel& tunnel) { tunnel.core = false; }, "the hole stays empty");
+    cores.keyword({"region"}, integer("n").at_least(0), &PolyTunnel::core_region,
+                  "region number of the core, that of the rings if not given");
     cores.keyword({"group"}, text("name"), &PolyTunnel::core_group, "group of the core");
     const auto kinds = std::move(cores).list();
-    entry.special({"core"}, {},
-                  [kinds](Reader& reader, PolyTunnel& tunnel) {
-                      const Word* word = reader.peek();
-                      if (!word) reader.missing({.name = "off, region or group", .kind = ArgumentKind::text});
-                      const KeywordSpec* kind = word->kind == WordKind::word ? find_keyword(kinds, word->folded) : nullptr;
-                      if (!kind) reader.unknown("a word of the core", {"off", "region", "group"});
-                      reader.take();
-                      kind->read(reader, &tunnel);
-                  },
-                  "the rock in the hole, one block for each along the axis", kinds);
+    entry.special(
+        {"core"}, {},
+        [kinds](Reader& reader, PolyTunnel& tunnel) {
+            const Word* word = reader.peek();
+            if (!word) reader.missing({.name = "off, region or group", .kind = ArgumentKind::text});
+            const KeywordSpec* kind = word->kind == WordKind::word ? find_keyword(kinds, word->folded) : nullptr;
+            if (!kind) reader.unknown("a word of the core", {"off", "region", "group"});
+            reader.take();
+            kind->read(reader, &tunnel);
+        },
+        "the rock in the hole, one block for each along the axis", kinds);
     block_options(entry);
     entry.right("poly tunnel").right("poly tunnel radius 2 length 0 5 radial 4 tangential 2 axial 3 ratio 1.5");
     entry.right("poly region 1 tunnel dip 10 dd 90 org 0 0 -20 radius 3 boundary 6").right("poly tunnel core off");
@@ -299,7 +303,7 @@ CommandSpec import_file() {
     entry.help("makes blocks of the closed surfaces or blocks in a file: .3dgrid, .msh, .stl, .obj, .ply, .wrl");
     entry.argument(text("file").help("name with suffix, which says the format"), &Import::file);
     const auto options = [](std::int64_t BlockOptions::*member) {
-        return [member](Import& command) -> auto& { return command.options.*member; };
+        return [member](Import & command) -> auto& { return command.options.*member; };
     };
     entry.keyword({"region"}, integer("n").at_least(0), options(&BlockOptions::region),
                   "region number of blocks to which the file gives none");
@@ -308,7 +312,10 @@ CommandSpec import_file() {
     entry.keyword({"constitutive", "cons"}, integer("n").at_least(1), options(&BlockOptions::constitutive),
                   "constitutive number, 1 if not given");
     entry.place(&Import::place);
-    entry.right("import 'vault.stl'").right("import wall.3dgrid mat 2").right("import stones.obj region 3").right("import rock.msh");
+    entry.right("import 'vault.stl'")
+        .right("import wall.3dgrid mat 2")
+        .right("import stones.obj region 3")
+        .right("import rock.msh");
     entry.wrong("import", "a word is missing after 'import'");
     entry.wrong("import a.stl regoin 2", "'regoin' is not a keyword of import");
     return entry;
@@ -328,7 +335,8 @@ CommandSpec export_grid() {
 } // namespace
 
 std::vector<CommandSpec> shape_commands() {
-    return {poly_brick(), poly_prism(), poly_face(), poly_tet(), poly_cube(), poly_drum(), poly_tunnel(), import_file(), export_grid()};
+    return {poly_brick(), poly_prism(),  poly_face(),   poly_tet(),   poly_cube(),
+            poly_drum(),  poly_tunnel(), import_file(), export_grid()};
 }
 
 } // namespace kaya::lang

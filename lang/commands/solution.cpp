@@ -13,43 +13,48 @@ CommandSpec damp() {
     using enum Damp::Kind;
     const auto ratio = real("ratio").above(0).below(1).optional().spec;
     for (const char* word : {"auto", "global"})
-        entry.special({word}, {ratio},
-                      [=](Reader& reader, Damp& d) {
-                          d.kind = global;
-                          if (reader.at_number()) d.value = reader.real(ratio);
-                      },
-                      "viscous damping that follows the kinetic energy: how strong, as the ratio in 3DEC; 0.5 if not "
-                      "given");
-    entry.special({"local"}, {real("factor").at_least(0).at_most(1).optional().spec},
-                  [](Reader& reader, Damp& d) {
-                      d.kind = local;
-                      if (reader.at_number())
-                          d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
-                  },
-                  "a force against the motion, a part of the unbalanced force; 0.8 if not given");
-    entry.special({"combined"}, {real("factor").at_least(0).at_most(1).optional().spec},
-                  [](Reader& reader, Damp& d) {
-                      d.kind = combined;
-                      if (reader.at_number())
-                          d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
-                  },
-                  "local damping for motion that is mostly one way; 0.8 if not given");
-    entry.action({"none", "off"}, [](Damp& d) { d.kind = none; }, "no damping, dashpots of contacts neither");
-    entry.action({"mass"}, [](Damp& d) { d.stiffness = false; }, "of Rayleigh damping: only the mass part");
+        entry.special(
+            {word}, {ratio},
+            [=](Reader& reader, Damp& d) {
+                d.kind = global;
+                if (reader.at_number()) d.value = reader.real(ratio);
+            },
+            "viscous damping that follows the kinetic energy: how strong, as the ratio in 3DEC; 0.5 if not "
+            "given");
+    entry.special(
+        {"local"}, {real("factor").at_least(0).at_most(1).optional().spec},
+        [](Reader& reader, Damp& d) {
+            d.kind = local;
+            if (reader.at_number()) d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
+        },
+        "a force against the motion, a part of the unbalanced force; 0.8 if not given");
+    entry.special(
+        {"combined"}, {real("factor").at_least(0).at_most(1).optional().spec},
+        [](Reader& reader, Damp& d) {
+            d.kind = combined;
+            if (reader.at_number()) d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
+        },
+        "local damping for motion that is mostly one way; 0.8 if not given");
+    entry.action(
+        {"none", "off"}, [](Damp& d) { d.kind = none; }, "no damping, dashpots of contacts neither");
+    entry.action(
+        {"mass"}, [](Damp& d) { d.stiffness = false; }, "of Rayleigh damping: only the mass part");
     entry.action(
         {"stiffness"}, [](Damp& d) { d.mass = false; }, "of Rayleigh damping: only the stiffness part");
-    entry.keyword({"contact"}, real("fraction").at_least(0).below(1), &Damp::contact,
-                  "a dashpot at every contact, of that part of critical damping, besides what else the line names; alone, "
-                  "nothing else damps, and 0 takes the dashpots away only");
+    entry.keyword(
+        {"contact"}, real("fraction").at_least(0).below(1), &Damp::contact,
+        "a dashpot at every contact, of that part of critical damping, besides what else the line names; alone, "
+        "nothing else damps, and 0 takes the dashpots away only");
     const auto fraction = real("fraction").at_least(0);
     const auto frequency = real("frequency").unit("1/time").at_least(0);
-    entry.special({"rayleigh"}, {fraction.spec, frequency.spec},
-                  [=](Reader& reader, Damp& d) {
-                      d.kind = rayleigh;
-                      d.fraction = reader.real(fraction.spec);
-                      d.frequency = reader.real(frequency.spec);
-                  },
-                  "the same as fraction and frequency alone");
+    entry.special(
+        {"rayleigh"}, {fraction.spec, frequency.spec},
+        [=](Reader& reader, Damp& d) {
+            d.kind = rayleigh;
+            d.fraction = reader.real(fraction.spec);
+            d.frequency = reader.real(frequency.spec);
+        },
+        "the same as fraction and frequency alone");
     entry.otherwise({fraction.spec, frequency.spec}, [=](Reader& reader, Damp& d) {
         if (!reader.at_number() || d.kind) return false;
         d.kind = rayleigh;
@@ -144,27 +149,36 @@ CommandSpec solve() {
             {"still"}, [](Solve& s) { s.still = true; },
             "a ratio or a force counts only when no body gains displacement any more; fos always asks for it")
         .action(
-            {"elastic"}, [](Solve& s) { s.elastic = true; },
-            "first with unbreakable joints, then with the true ones")
+            {"elastic"}, [](Solve& s) { s.elastic = true; }, "first with unbreakable joints, then with the true ones")
         .action(
             {"fos", "factor"}, [](Solve& s) { s.factor_of_safety = true; },
             "finds the factor by which the strength of joints and zones can be divided until the model fails; the model stays")
-        .keyword({"bracket"}, pair("f1 f2").above(0), &Solve::bracket, "with fos: a factor where it stands and one where it fails")
+        .keyword({"bracket"}, pair("f1 f2").above(0), &Solve::bracket,
+                 "with fos: a factor where it stands and one where it fails")
         .keyword({"resolution"}, real("f").above(0).below(1), &Solve::resolution,
                  "with fos: how near the two factors come, as a part; 0.005 if not given")
         .keyword({"file"}, text("file"), &Solve::file, "with fos: the model is saved there as it fails")
-        .special({"include"}, {text("joints|zones|friction|cohesion|tension").spec}, [](Reader& reader, Solve& s) { s.included.push_back(reduced_word(reader)); },
-                 "with fos: only this is divided; may stand several times")
-        .special({"exclude"}, {text("joints|zones|friction|cohesion|tension").spec}, [](Reader& reader, Solve& s) { s.excluded.push_back(reduced_word(reader)); },
-                 "with fos: this is not divided; may stand several times")
-        .action({"keep"}, [](Solve& s) { s.keep = true; }, "with fos: the model stays as it was at the end of the last trial that failed")
+        .special(
+            {"include"}, {text("joints|zones|friction|cohesion|tension").spec},
+            [](Reader& reader, Solve& s) { s.included.push_back(reduced_word(reader)); },
+            "with fos: only this is divided; may stand several times")
+        .special(
+            {"exclude"}, {text("joints|zones|friction|cohesion|tension").spec},
+            [](Reader& reader, Solve& s) { s.excluded.push_back(reduced_word(reader)); },
+            "with fos: this is not divided; may stand several times")
+        .action(
+            {"keep"}, [](Solve& s) { s.keep = true; },
+            "with fos: the model stays as it was at the end of the last trial that failed")
         .place(&Solve::place)
         .finish([](const Reader& reader, Solve& s) {
-            if (!s.factor_of_safety && (s.bracket || !s.file.empty() || s.keep || !s.included.empty() || !s.excluded.empty()))
-                incomplete_line(reader, "bracket, file, include, exclude and keep belong to fos", "write for example: solve fos bracket 1 2");
+            if (!s.factor_of_safety &&
+                (s.bracket || !s.file.empty() || s.keep || !s.included.empty() || !s.excluded.empty()))
+                incomplete_line(reader, "bracket, file, include, exclude and keep belong to fos",
+                                "write for example: solve fos bracket 1 2");
             if (s.factor_of_safety && (s.elastic || s.force || s.time || s.clock || s.maximum_ratio || s.local_ratio))
-                incomplete_line(reader, "fos goes with ratio, cycles, bracket, resolution, file, include, exclude and keep only",
-                                "give other limits to a `solve` of its own before");
+                incomplete_line(
+                    reader, "fos goes with ratio, cycles, bracket, resolution, file, include, exclude and keep only",
+                    "give other limits to a `solve` of its own before");
             if (s.bracket && !reader.wildcards() && !((*s.bracket)[0] < (*s.bracket)[1]))
                 incomplete_line(reader, "the factor where the model stands must be below the one where it fails",
                                 "write for example: solve fos bracket 1 2");
@@ -182,7 +196,8 @@ CommandSpec solve() {
         .wrong("solve bracket 1 2", "bracket, file, include, exclude and keep belong to fos")
         .wrong("solve fos exclude fricton", "'fricton' is not a strength that fos reduces")
         .wrong("solve fos bracket 2 1", "the factor where the model stands must be below the one where it fails")
-        .wrong("solve fos force 1", "fos goes with ratio, cycles, bracket, resolution, file, include, exclude and keep only")
+        .wrong("solve fos force 1",
+               "fos goes with ratio, cycles, bracket, resolution, file, include, exclude and keep only")
         .wrong("solve raito 1e-5", "'raito' is not a keyword of solve")
         .wrong("solve ratio", "a number is missing after 'ratio'")
         .wrong("solve ratio 0", "ratio must be greater than 0, not 0")
@@ -192,11 +207,13 @@ CommandSpec solve() {
 CommandSpec mass_scale() {
     return Entry<MassScale>({"mscale"})
         .help("density scaling: bodies move with another mass than they weigh, for a longer time step")
-        .action({"on", "full"}, [](MassScale& m) { m.on = true; },
-                "all bodies, so that all allow the same time step; for static solution")
+        .action(
+            {"on", "full"}, [](MassScale& m) { m.on = true; },
+            "all bodies, so that all allow the same time step; for static solution")
         .keyword({"partial"}, real("dt").unit("time").above(0), &MassScale::step,
                  "more mass for the bodies that allow a time step below dt only")
-        .action({"off"}, [](MassScale& m) { m.off = true; }, "true masses")
+        .action(
+            {"off"}, [](MassScale& m) { m.off = true; }, "true masses")
         .finish([](const Reader& reader, MassScale& m) {
             const int given = m.on + m.off + m.step.has_value();
             if (given == 0)

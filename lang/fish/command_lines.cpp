@@ -8,20 +8,17 @@ namespace kaya::fish {
 namespace {
 
 bool is_part_of_name(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '$' || static_cast<unsigned char>(c) >= 0x80;
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '$' ||
+           static_cast<unsigned char>(c) >= 0x80;
 }
 
 /// Position after the bracket that closes the one at `from`; npos when there is none.
 std::size_t after_bracket(std::string_view text, std::size_t from) {
     char quote = 0;
     for (std::size_t i = from + 1; i < text.size(); ++i) {
-        if (quote)
-            quote = text[i] == quote ? 0 : quote;
-        else if (text[i] == '\'' || text[i] == '"')
-            quote = text[i];
-        else if (text[i] == ']')
-            return i + 1;
+        if (quote) quote = text[i] == quote ? 0 : quote;
+        else if (text[i] == '\'' || text[i] == '"') quote = text[i];
+        else if (text[i] == ']') return i + 1;
     }
     return std::string_view::npos;
 }
@@ -34,10 +31,8 @@ public:
         char quote = 0;
         for (at_ = 0; at_ < raw_.text.size();) {
             const char c = raw_.text[at_];
-            if (quote)
-                quote = c == quote ? 0 : quote;
-            else if (c == '\'' || c == '"')
-                quote = c;
+            if (quote) quote = c == quote ? 0 : quote;
+            else if (c == '\'' || c == '"') quote = c;
             else if (c == '[') {
                 take_bracket();
                 continue;
@@ -77,8 +72,7 @@ private:
         const std::string inner = raw_.text.substr(at_ + 1, end - at_ - 2);
         ExpressionTree tree = parse_expression_line(inner, place_of(at_ + 1, inner.size()));
         if (!tree.assignment.empty())
-            throw Diagnostic("an assignment cannot stand inside of a command")
-                .at(place_of(at_ + 1, inner.size()));
+            throw Diagnostic("an assignment cannot stand inside of a command").at(place_of(at_ + 1, inner.size()));
         CommandPiece piece;
         piece.expression.push_back(std::move(tree.value));
         result_.pieces.push_back(std::move(piece));

@@ -43,7 +43,8 @@ private:
         constexpr std::size_t components = 3;
         if (node.kind == NodeKind::name && node.text == "vector" && node.parentheses && !node.children.empty() &&
             node.children.size() < components && !(node.children.size() == 1 && !is_number(node.children.front())))
-            add(fmt::format("a vector of {} number{}: the others are 0", node.children.size(), node.children.size() == 1 ? "" : "s"),
+            add(fmt::format("a vector of {} number{}: the others are 0", node.children.size(),
+                            node.children.size() == 1 ? "" : "s"),
                 "write all three: vector(x,y,z)", node.place);
         for (const auto& child : node.children) this->node(child);
     }
@@ -75,8 +76,8 @@ private:
                 return !branch.condition.empty() && same_literal(branch.condition.front(), later->condition.front());
             });
             if (earlier != later)
-                add("this case comes a second time, and is never run", fmt::format("the first is in line {}", earlier->place.line),
-                    later->condition.front().place);
+                add("this case comes a second time, and is never run",
+                    fmt::format("the first is in line {}", earlier->place.line), later->condition.front().place);
         }
     }
 };

@@ -57,9 +57,7 @@ std::string real_text(double value) {
     return text;
 }
 
-std::string in_parentheses(const std::string& text, bool wanted) {
-    return wanted ? fmt::format("({})", text) : text;
-}
+std::string in_parentheses(const std::string& text, bool wanted) { return wanted ? fmt::format("({})", text) : text; }
 
 } // namespace
 
@@ -69,9 +67,8 @@ bool is_constant(std::string_view name) {
 
 void check_arguments(const std::string& name, int given, const Meaning& meaning, const Place& place) {
     if (given >= meaning.least && given <= meaning.most) return;
-    const std::string wanted = meaning.least == meaning.most
-                                   ? fmt::format("{}", meaning.least)
-                                   : fmt::format("{} to {}", meaning.least, meaning.most);
+    const std::string wanted = meaning.least == meaning.most ? fmt::format("{}", meaning.least)
+                                                             : fmt::format("{} to {}", meaning.least, meaning.most);
     throw Diagnostic(fmt::format("'{}' takes {} argument{}, here it is given {}", name, wanted,
                                  meaning.most == 1 ? "" : "s", given == 0 ? "none" : std::to_string(given)))
         .at(place);
@@ -85,12 +82,9 @@ std::string quoted(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') result += '\\';
-        if (c == '\n')
-            result += "\\n";
-        else if (static_cast<unsigned char>(c) < 0x20)
-            result += fmt::format("\\{:03}", static_cast<int>(c));
-        else
-            result += c;
+        if (c == '\n') result += "\\n";
+        else if (static_cast<unsigned char>(c) < 0x20) result += fmt::format("\\{:03}", static_cast<int>(c));
+        else result += c;
     }
     result += '"';
     return result;
@@ -123,21 +117,15 @@ std::string ExpressionGenerator::condition(const Node& node) const {
 
 std::string ExpressionGenerator::generated(const Node& node, int strength) const {
     switch (node.kind) {
-    case NodeKind::integer:
-        return fmt::format("{}", node.integer);
-    case NodeKind::real:
-        return real_text(node.real);
-    case NodeKind::text:
-        return quoted(node.text);
-    case NodeKind::name:
-        return name(node);
+    case NodeKind::integer: return fmt::format("{}", node.integer);
+    case NodeKind::real: return real_text(node.real);
+    case NodeKind::text: return quoted(node.text);
+    case NodeKind::name: return name(node);
     case NodeKind::minus:
         // The blank keeps two signs from becoming a Lua comment.
         return in_parentheses(fmt::format("- {}", generated(node.children[0], sign)), strength > sign);
-    case NodeKind::logical_not:
-        return fmt::format("(({}) and 1 or 0)", condition(node));
-    case NodeKind::binary:
-        return binary(node, strength);
+    case NodeKind::logical_not: return fmt::format("(({}) and 1 or 0)", condition(node));
+    case NodeKind::binary: return binary(node, strength);
     }
     return "0";
 }
@@ -157,8 +145,7 @@ std::string ExpressionGenerator::binary(const Node& node, int strength) const {
     if (node.text == "/" && !(right.kind == NodeKind::real && right.real != 0))
         return fmt::format("R.divide({}, {})", value(left), value(right));
     const int own = node.text == "+" || node.text == "-" ? sum : product;
-    const std::string text =
-        fmt::format("{} {} {}", generated(left, own), node.text, generated(right, own + 1));
+    const std::string text = fmt::format("{} {} {}", generated(left, own), node.text, generated(right, own + 1));
     return in_parentheses(text, strength > own);
 }
 
@@ -175,8 +162,7 @@ Meaning ExpressionGenerator::meaning_of(const Node& name) const {
 }
 
 std::string ExpressionGenerator::built_in(char table, const std::string& name) const {
-    const bool shared =
-        is_plain_name(name) && (shared_.contains({table, name}) || shared_.size() < most_shared);
+    const bool shared = is_plain_name(name) && (shared_.contains({table, name}) || shared_.size() < most_shared);
     if (!shared) return fmt::format("{}{}", table, member(name));
     shared_.emplace(table, name);
     return fmt::format("{}_{}", table, name);
@@ -236,22 +222,19 @@ std::string ExpressionGenerator::assignment(const Node& target, const std::strin
             return assignment(target.children[0], whole);
         }
         const std::string arguments = list(target.children);
-        return fmt::format("{}({}{}{})", built_in('W', target.text), arguments, arguments.empty() ? "" : ", ",
-                           value);
+        return fmt::format("{}({}{}{})", built_in('W', target.text), arguments, arguments.empty() ? "" : ", ", value);
     }
     if (target.parentheses && target.text == scope_.function)
-        throw Diagnostic(
-            fmt::format("'{}' is this function: a value cannot be given to a call of it", target.text))
+        throw Diagnostic(fmt::format("'{}' is this function: a value cannot be given to a call of it", target.text))
             .at(target.place);
     if (!target.parentheses) return fmt::format("{} = {}", variable(target), value);
     const std::string array = variable(target);
     if (target.children.empty())
         throw Diagnostic(fmt::format("'{}()' names no element of an array", target.text)).at(target.place);
     if (target.children.size() == 1)
-        return fmt::format("R.set_element({}, {}, {}, {})", array, quoted(target.text),
-                           this->value(target.children[0]), value);
-    return fmt::format("R.set_element_of({}, {}, {}, {})", array, quoted(target.text), value,
-                       list(target.children));
+        return fmt::format("R.set_element({}, {}, {}, {})", array, quoted(target.text), this->value(target.children[0]),
+                           value);
+    return fmt::format("R.set_element_of({}, {}, {}, {})", array, quoted(target.text), value, list(target.children));
 }
 
 } // namespace kaya::fish

@@ -23,8 +23,7 @@ struct Scope {
 
 class ExpressionGenerator {
 public:
-    ExpressionGenerator(const Scope& scope, const Dictionary& dictionary)
-        : scope_(scope), dictionary_(dictionary) {}
+    ExpressionGenerator(const Scope& scope, const Dictionary& dictionary) : scope_(scope), dictionary_(dictionary) {}
 
     /// Lua expression with the value; truth values become 1 and 0.
     std::string value(const Node& node) const { return generated(node, 0); }

@@ -38,9 +38,7 @@ const Comparison* comparison_of(const Token& token) {
 constexpr std::array<std::string_view, 8> reserved{"then",  "else",    "elseif",     "end",
                                                    "endif", "endloop", "endsection", "endcase"};
 
-bool is_reserved(std::string_view word) {
-    return std::find(reserved.begin(), reserved.end(), word) != reserved.end();
-}
+bool is_reserved(std::string_view word) { return std::find(reserved.begin(), reserved.end(), word) != reserved.end(); }
 
 Node binary(std::string_view sign, Place place, Node left, Node right) {
     Node node;
@@ -62,12 +60,9 @@ Node unary(NodeKind kind, Place place, Node child) {
 
 std::string shown(const Token& token) {
     switch (token.kind) {
-    case TokenKind::end_of_line:
-        return "the end of the line";
-    case TokenKind::text:
-        return fmt::format("the text '{}'", token.text);
-    default:
-        return fmt::format("'{}'", token.text);
+    case TokenKind::end_of_line: return "the end of the line";
+    case TokenKind::text: return fmt::format("the text '{}'", token.text);
+    default: return fmt::format("'{}'", token.text);
     }
 }
 
@@ -97,8 +92,7 @@ public:
         do {
             node.children.push_back(disjunction());
             if (node.children.size() > most_arguments)
-                throw Diagnostic(
-                    fmt::format("'{}' is given more than {} arguments", node.text, most_arguments))
+                throw Diagnostic(fmt::format("'{}' is given more than {} arguments", node.text, most_arguments))
                     .at(node.place);
         } while (line_.take_sign(","));
         line_.expect_sign(")", fmt::format("the arguments of '{}'", node.text));
@@ -192,9 +186,7 @@ private:
         Node node;
         node.place = token.place;
         switch (token.kind) {
-        case TokenKind::integer:
-            node.integer = line_.take().integer;
-            return node;
+        case TokenKind::integer: node.integer = line_.take().integer; return node;
         case TokenKind::real:
             node.kind = NodeKind::real;
             node.real = line_.take().real;
@@ -206,8 +198,7 @@ private:
         case TokenKind::name:
             if (is_reserved(token.text)) break;
             return name();
-        default:
-            break;
+        default: break;
         }
         if (line_.take_sign("(")) {
             Node inner = disjunction();
@@ -247,14 +238,12 @@ const Token& Line::expect_name(std::string_view what) {
 
 void Line::expect_end(std::string_view after) {
     if (done()) return;
-    throw Diagnostic(fmt::format("{} is left over after {}", shown(peek()), after),
-                     "one statement stands on one line")
+    throw Diagnostic(fmt::format("{} is left over after {}", shown(peek()), after), "one statement stands on one line")
         .at(peek().place);
 }
 
 void fail_expected(const Line& line, std::string_view expected) {
-    throw Diagnostic(fmt::format("expected {}, found {}", expected, shown(line.peek())))
-        .at(line.peek().place);
+    throw Diagnostic(fmt::format("expected {}, found {}", expected, shown(line.peek()))).at(line.peek().place);
 }
 
 Node parse_expression(Line& line) { return ExpressionParser(line).disjunction(); }

@@ -17,9 +17,7 @@ public:
     std::vector<Token> tokens; ///< ends with end_of_line
 
     void restart() { at_ = 0; }
-    const Token& peek(std::size_t ahead = 0) const {
-        return tokens[std::min(at_ + ahead, tokens.size() - 1)];
-    }
+    const Token& peek(std::size_t ahead = 0) const { return tokens[std::min(at_ + ahead, tokens.size() - 1)]; }
     const Token& take() { return tokens[at_ + 1 < tokens.size() ? at_++ : at_]; }
     bool done() const { return peek().kind == TokenKind::end_of_line; }
     bool take_sign(std::string_view sign);

@@ -31,8 +31,7 @@ public:
         }
         for (std::size_t i = 0; i < tree_.arguments.size(); ++i)
             if (scope_.spilled.contains(tree_.arguments[i]))
-                text_ +=
-                    fmt::format("S[{}] = {}; ", quoted(tree_.arguments[i]), parameter(tree_.arguments[i]));
+                text_ += fmt::format("S[{}] = {}; ", quoted(tree_.arguments[i]), parameter(tree_.arguments[i]));
         for (const auto& local : tree_.locals)
             if (scope_.locals.contains(local)) text_ += fmt::format("local v_{} = 0; ", local);
         block(tree_.body);
@@ -80,56 +79,25 @@ private:
 
     void statement(const Statement& s) {
         switch (s.kind) {
-        case StatementKind::nothing:
-            break;
+        case StatementKind::nothing: break;
         case StatementKind::assign:
             text_ += expressions_.assignment(s.target, expressions_.value(s.value)) + "; ";
             break;
-        case StatementKind::evaluate:
-            text_ += fmt::format("do local _ = {} end ", expressions_.value(s.value));
-            break;
-        case StatementKind::array:
-            array(s);
-            break;
-        case StatementKind::loop_range:
-            loop_range(s);
-            break;
-        case StatementKind::loop_while:
-            loop_while(s);
-            break;
-        case StatementKind::loop_each:
-            loop_each(s);
-            break;
-        case StatementKind::loop_for:
-            loop_for(s);
-            break;
-        case StatementKind::branches:
-            branches(s);
-            break;
-        case StatementKind::choice:
-            choice(s);
-            break;
-        case StatementKind::section:
-            section(s);
-            break;
-        case StatementKind::exit_function:
-            text_ += "do return v_return end ";
-            break;
-        case StatementKind::exit_loop:
-            text_ += "break ";
-            break;
-        case StatementKind::exit_section:
-            text_ += fmt::format("goto section_{} ", sections_.back());
-            break;
-        case StatementKind::next_round:
-            text_ += fmt::format("goto round_{} ", rounds_.back());
-            break;
-        case StatementKind::give_back:
-            text_ += fmt::format("do return {} end ", expressions_.value(s.value));
-            break;
-        case StatementKind::command:
-            commands(s);
-            break;
+        case StatementKind::evaluate: text_ += fmt::format("do local _ = {} end ", expressions_.value(s.value)); break;
+        case StatementKind::array: array(s); break;
+        case StatementKind::loop_range: loop_range(s); break;
+        case StatementKind::loop_while: loop_while(s); break;
+        case StatementKind::loop_each: loop_each(s); break;
+        case StatementKind::loop_for: loop_for(s); break;
+        case StatementKind::branches: branches(s); break;
+        case StatementKind::choice: choice(s); break;
+        case StatementKind::section: section(s); break;
+        case StatementKind::exit_function: text_ += "do return v_return end "; break;
+        case StatementKind::exit_loop: text_ += "break "; break;
+        case StatementKind::exit_section: text_ += fmt::format("goto section_{} ", sections_.back()); break;
+        case StatementKind::next_round: text_ += fmt::format("goto round_{} ", rounds_.back()); break;
+        case StatementKind::give_back: text_ += fmt::format("do return {} end ", expressions_.value(s.value)); break;
+        case StatementKind::command: commands(s); break;
         }
     }
 
@@ -161,10 +129,9 @@ private:
                      : "local step = 1; ";
         text_ += expressions_.assignment(s.target, expressions_.value(s.expressions[0])) + "; ";
         const std::string variable = expressions_.value(s.target);
-        const std::string test =
-            s.expressions.size() == 3
-                ? fmt::format("(step > 0 and {0} <= last) or (step < 0 and {0} >= last)", variable)
-                : fmt::format("{} <= last", variable);
+        const std::string test = s.expressions.size() == 3
+                                     ? fmt::format("(step > 0 and {0} <= last) or (step < 0 and {0} >= last)", variable)
+                                     : fmt::format("{} <= last", variable);
         text_ += fmt::format("while {} do ", test);
         round(s);
         text_ += expressions_.assignment(s.target, variable + " + step") + " end end ";
@@ -197,8 +164,7 @@ private:
         bool first = true;
         for (const auto& branch : s.branches) {
             at_line(branch.place.line);
-            if (branch.condition.empty())
-                text_ += "else ";
+            if (branch.condition.empty()) text_ += "else ";
             else
                 text_ += fmt::format("{} {} then ", first ? "if" : "elseif",
                                      expressions_.condition(branch.condition.front()));
@@ -254,8 +220,8 @@ private:
             at_line(line.line);
             std::string joined;
             for (const auto& piece : line.pieces) {
-                const bool put_in = !piece.expression.empty() &&
-                                    (piece.text.empty() || scope_.is_local(piece.expression.front().text));
+                const bool put_in =
+                    !piece.expression.empty() && (piece.text.empty() || scope_.is_local(piece.expression.front().text));
                 joined += (joined.empty() ? "" : " .. ") +
                           (put_in ? fmt::format("R.word({})", expressions_.value(piece.expression.front()))
                                   : quoted(piece.text));
@@ -321,8 +287,7 @@ std::string generate_expression(const ExpressionTree& tree, const Dictionary& di
         body = fmt::format("local given = {}; {}; return given", expressions.value(s.value),
                            expressions.assignment(s.target, "given"));
     }
-    return fmt::format("local G, F, A, W, R = ...; {}return function() {} end", expressions.shared_built_ins(),
-                       body);
+    return fmt::format("local G, F, A, W, R = ...; {}return function() {} end", expressions.shared_built_ins(), body);
 }
 
 std::vector<std::string> outside_names(const FunctionTree& tree) {

@@ -8,7 +8,7 @@
 namespace kaya::fish {
 
 struct InnerCommand {
-    int line = 0;      ///< of the deck, its first
+    int line = 0;        ///< of the deck, its first
     bool joined = false; ///< an expression is part of a word (`save [name].sav`): its words are known at run time only
 };
 

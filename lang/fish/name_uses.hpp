@@ -9,13 +9,13 @@
 namespace kaya::fish {
 
 enum class Use {
-    read,     ///< name, in an expression
-    call,     ///< name(...): a function, or an element of an array
-    line,     ///< a line that is just the name, with or without arguments: a call, or it does nothing
-    declare,  ///< global name
-    set,      ///< name = value, array name(n), a variable of a loop
-    element,  ///< name(i) = value
-    command,  ///< @name in a command block, which the command will look up
+    read,    ///< name, in an expression
+    call,    ///< name(...): a function, or an element of an array
+    line,    ///< a line that is just the name, with or without arguments: a call, or it does nothing
+    declare, ///< global name
+    set,     ///< name = value, array name(n), a variable of a loop
+    element, ///< name(i) = value
+    command, ///< @name in a command block, which the command will look up
 };
 
 struct NameUse {

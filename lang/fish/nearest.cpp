@@ -64,7 +64,8 @@ bool is_one_slip(std::string_view one, std::string_view other) {
         const bool alone = (first || one[one.size() - rest.size() - 1] == '_') && (last || rest[1] == '_');
         return !alone && !both_count(rest.front(), other_rest.front()); // i_max and n_max are two
     }
-    return rest.size() >= 2 && rest[0] == other_rest[1] && rest[1] == other_rest[0] && rest.substr(2) == other_rest.substr(2);
+    return rest.size() >= 2 && rest[0] == other_rest[1] && rest[1] == other_rest[0] &&
+           rest.substr(2) == other_rest.substr(2);
 }
 
 } // namespace kaya::fish

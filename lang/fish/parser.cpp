@@ -61,12 +61,10 @@ public:
         tree.last_line = line_.peek().place.line;
         line_.take();
         line_.expect_end("'end'");
-        if (next_line())
-            throw Diagnostic("there is more text after the 'end' of the function").at(line_.peek().place);
+        if (next_line()) throw Diagnostic("there is more text after the 'end' of the function").at(line_.peek().place);
         if (result_.whilestepping && !tree.arguments.empty())
-            throw Diagnostic(
-                fmt::format("'{}' runs in every cycle, so nobody gives it its arguments", tree.name),
-                "take the arguments away, or 'whilestepping'")
+            throw Diagnostic(fmt::format("'{}' runs in every cycle, so nobody gives it its arguments", tree.name),
+                             "take the arguments away, or 'whilestepping'")
                 .at(tree.place);
         return std::move(result_);
     }
@@ -79,8 +77,8 @@ public:
             if (line_.peek().is_name(word) && line_.peek(1).kind == TokenKind::name) line_.take();
         Node value = parse_expression(line_);
         // `a = 3` reads as a comparison; only a name on the left makes it an assignment.
-        if (value.kind == NodeKind::binary && value.text == "==" &&
-            value.children[0].kind == NodeKind::name && line_.done() && has_single_equal()) {
+        if (value.kind == NodeKind::binary && value.text == "==" && value.children[0].kind == NodeKind::name &&
+            line_.done() && has_single_equal()) {
             Statement statement;
             statement.kind = StatementKind::assign;
             statement.place = value.children[0].place;
@@ -141,16 +139,14 @@ private:
             throw Diagnostic(fmt::format("the function '{}' has no 'end'", result_.tree.name),
                              "write 'end' on a line of its own after its last statement")
                 .at(opened.place);
-        throw Diagnostic(fmt::format("this '{}' has no '{}'", opened.opening, opened.closing))
-            .at(opened.place);
+        throw Diagnostic(fmt::format("this '{}' has no '{}'", opened.opening, opened.closing)).at(opened.place);
     }
 
     [[noreturn]] void fail_wrong_closer(const Block& opened, const Token& word) {
         if (opened.opening == "def")
-            throw Diagnostic(fmt::format("'{}' closes nothing: no block is open here", word.text))
-                .at(word.place);
-        throw Diagnostic(fmt::format("'{}' stands where '{}' must close the '{}' of line {}", word.text,
-                                     opened.closing, opened.opening, opened.place.line))
+            throw Diagnostic(fmt::format("'{}' closes nothing: no block is open here", word.text)).at(word.place);
+        throw Diagnostic(fmt::format("'{}' stands where '{}' must close the '{}' of line {}", word.text, opened.closing,
+                                     opened.opening, opened.place.line))
             .at(word.place);
     }
 
@@ -223,8 +219,8 @@ private:
         }
         if (!line_.done()) {
             // What begins like a statement and is none is more likely a slip of the pen than a name.
-            const auto near = did_you_mean(left.text, {"loop", "if", "else", "elseif", "case_of", "case", "section", "exit",
-                                                       "return", "local", "global", "array", "argument"});
+            const auto near = did_you_mean(left.text, {"loop", "if", "else", "elseif", "case_of", "case", "section",
+                                                       "exit", "return", "local", "global", "array", "argument"});
             if (!near.empty() && !left.parentheses && !line_.peek().is_sign("("))
                 throw Diagnostic(fmt::format("'{}' begins no statement", left.text),
                                  fmt::format("did you mean '{}'?", near))
@@ -243,21 +239,18 @@ private:
             if (std::find(arguments.begin(), arguments.end(), name.text) != arguments.end())
                 throw Diagnostic(fmt::format("the argument '{}' is named twice", name.text)).at(name.place);
             if (name.text == result_.tree.name)
-                throw Diagnostic("an argument has the name of its function", "give it another name")
-                    .at(name.place);
+                throw Diagnostic("an argument has the name of its function", "give it another name").at(name.place);
             if (arguments.size() == most_arguments)
-                throw Diagnostic(fmt::format("a function takes at most {} arguments", most_arguments))
-                    .at(name.place);
+                throw Diagnostic(fmt::format("a function takes at most {} arguments", most_arguments)).at(name.place);
             arguments.push_back(name.text);
         } while (line_.take_sign(","));
     }
 
     void add_local(const std::string& name) {
         auto& tree = result_.tree;
-        const bool known =
-            name == tree.name ||
-            std::find(tree.arguments.begin(), tree.arguments.end(), name) != tree.arguments.end() ||
-            std::find(tree.locals.begin(), tree.locals.end(), name) != tree.locals.end();
+        const bool known = name == tree.name ||
+                           std::find(tree.arguments.begin(), tree.arguments.end(), name) != tree.arguments.end() ||
+                           std::find(tree.locals.begin(), tree.locals.end(), name) != tree.locals.end();
         if (!known) tree.locals.push_back(name);
     }
 
@@ -322,9 +315,9 @@ private:
     }
 
     void nested_function(Statement& made) {
-        throw Diagnostic("a function begins inside of another one",
-                         fmt::format("the function '{}' of line {} has no 'end' yet", result_.tree.name,
-                                     result_.tree.place.line))
+        throw Diagnostic(
+            "a function begins inside of another one",
+            fmt::format("the function '{}' of line {} has no 'end' yet", result_.tree.name, result_.tree.place.line))
             .at(made.place);
     }
 
@@ -416,8 +409,7 @@ private:
             made.last_line = line_.peek().place.line;
             const Token word = line_.take();
             if (word.text == "endif" || word.text == "end_if") break;
-            if (has_else)
-                throw Diagnostic(fmt::format("a second '{}' in one 'if'", word.text)).at(word.place);
+            if (has_else) throw Diagnostic(fmt::format("a second '{}' in one 'if'", word.text)).at(word.place);
             if (word.text == "else" && !line_.take_name("if")) {
                 line_.expect_end("'else'");
                 has_else = true;
@@ -461,8 +453,7 @@ private:
             if (!inside("loop")) throw Diagnostic("'exit loop' stands outside of any loop").at(made.place);
         } else if (line_.take_name("section")) {
             made.kind = StatementKind::exit_section;
-            if (!inside("section"))
-                throw Diagnostic("'exit section' stands outside of any section").at(made.place);
+            if (!inside("section")) throw Diagnostic("'exit section' stands outside of any section").at(made.place);
         }
         line_.expect_end("'exit'");
     }
@@ -487,8 +478,7 @@ private:
         close("'command'");
         RawLine raw;
         for (;;) {
-            if (!lexer_.next_raw_line(raw))
-                throw Diagnostic("this 'command' has no 'endcommand'").at(made.place);
+            if (!lexer_.next_raw_line(raw)) throw Diagnostic("this 'command' has no 'endcommand'").at(made.place);
             const std::string word = first_word(raw.text);
             if (word == "endcommand" || word == "end_command") break;
             if (!word.empty()) made.commands.push_back(read_command_line(raw));
@@ -505,9 +495,7 @@ private:
 
 } // namespace
 
-ParsedFunction parse_function(const std::string& text, const Place& first) {
-    return Parser(text, first).function();
-}
+ParsedFunction parse_function(const std::string& text, const Place& first) { return Parser(text, first).function(); }
 
 ExpressionTree parse_expression_line(const std::string& text, const Place& first) {
     return Parser(text, first).expression();

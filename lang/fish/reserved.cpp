@@ -17,7 +17,8 @@ struct Group {
 
 constexpr Group groups[] = {
     {true, "gp_temp", "there is no heat"},
-    {true, "z_fsi z_fsr z_fri z_frr z_total_strain", "there are no tensors: z_vsi, z_ssi, z_vsr, z_ssr are the strains and their rates"},
+    {true, "z_fsi z_fsr z_fri z_frr z_total_strain",
+     "there are no tensors: z_vsi, z_ssi, z_vsr, z_ssr are the strains and their rates"},
     {true, "z_sig from_principal principal_stress b_moitensor",
      "there are no tensors: z_sxx and so on, z_sig1 to z_sig3, b_xmoi to b_zmoi"},
     {true, "apply_head bou_head bou_new gp_bou", "use the command bound, and gp_xload for loads"},
@@ -82,9 +83,9 @@ const ReservedName* find_reserved_family(std::string_view name) {
 }
 
 Diagnostic reserved_message(std::string_view name, const ReservedName& reserved) {
-    Diagnostic diagnostic(fmt::format("'{}' of 3DEC is not {}", name,
-                                      reserved.planned ? "supported yet" : "supported by kaya"),
-                          std::string(reserved.instead));
+    Diagnostic diagnostic(
+        fmt::format("'{}' of 3DEC is not {}", name, reserved.planned ? "supported yet" : "supported by kaya"),
+        std::string(reserved.instead));
     diagnostic.code = "unsupported-fish-name";
     return diagnostic;
 }

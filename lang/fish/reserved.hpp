@@ -10,8 +10,8 @@
 namespace kaya::fish {
 
 struct ReservedName {
-    std::string_view name; ///< lower case; a family of names ends with `*`: cable_*
-    bool planned;          ///< it has a meaning here and will come
+    std::string_view name;    ///< lower case; a family of names ends with `*`: cable_*
+    bool planned;             ///< it has a meaning here and will come
     std::string_view instead; ///< what to do, or why it is missing
 };
 

@@ -31,9 +31,8 @@ bool is_like_call(const Statement& statement) {
 
 bool after_word(const Statement& statement, std::size_t index, const Spelling& word) {
     const auto end = statement.words.begin() + static_cast<std::ptrdiff_t>(index);
-    return std::any_of(statement.words.begin(), end, [&](const Word& w) {
-        return w.kind == WordKind::word && word.matches(w.folded);
-    });
+    return std::any_of(statement.words.begin(), end,
+                       [&](const Word& w) { return w.kind == WordKind::word && word.matches(w.folded); });
 }
 
 /// The word that a message points at, when it may be a name.
@@ -47,7 +46,8 @@ std::optional<BareName> name_at(const Statement& statement, const Place& place, 
         if (names.is_function(found->folded) && is_like_call(statement)) return BareName{0, false};
         return std::nullopt;
     }
-    if (names.is_range(found->folded) && after_word(statement, index, Spelling{"range", 2})) return BareName{index, true};
+    if (names.is_range(found->folded) && after_word(statement, index, Spelling{"range", 2}))
+        return BareName{index, true};
     if (names.is_name(found->folded)) return BareName{index, false};
     return std::nullopt;
 }

@@ -93,8 +93,7 @@ void refuse_ambiguous(const Word& word, const std::vector<std::string_view>& can
 
 bool is_form(const CommandSpec& spec, const Word& word) {
     return word.kind == WordKind::word &&
-           std::any_of(spec.form.begin(), spec.form.end(),
-                       [&](const Spelling& s) { return s.matches(word.folded); });
+           std::any_of(spec.form.begin(), spec.form.end(), [&](const Spelling& s) { return s.matches(word.folded); });
 }
 
 /// Index of the word that names the form, 0 when there is none. Options may stand before it.
@@ -129,8 +128,7 @@ std::size_t wrong_word(const CommandSpec& spec, const Statement& statement) {
     if (reader.statement().words.size() > 1 && reader.peek() == &reader.statement().words[1])
         for (const auto* other : commands_called(language, spec.words.front().word)) {
             if (!asked || other->support != Support::not_yet) add_words(candidates, other->form);
-            if (!other->form.empty() && other->support != Support::not_yet)
-                listed.push_back(other->form.front().word);
+            if (!other->form.empty() && other->support != Support::not_yet) listed.push_back(other->form.front().word);
         }
     if (spec.range_elements) {
         candidates.push_back("range");
@@ -151,11 +149,10 @@ bool at_range(const CommandSpec& spec, Reader& reader) {
 }
 
 /// `ignored` gets the keywords that are without effect.
-void read_rest(const Language& language, const CommandSpec& spec, Reader& reader, void* target,
-               bool range_allowed, std::vector<std::string_view>& ignored) {
+void read_rest(const Language& language, const CommandSpec& spec, Reader& reader, void* target, bool range_allowed,
+               std::vector<std::string_view>& ignored) {
     while (const Word* word = reader.peek()) {
-        const KeywordSpec* keyword =
-            word->kind == WordKind::word ? find_keyword(spec.keywords, word->folded) : nullptr;
+        const KeywordSpec* keyword = word->kind == WordKind::word ? find_keyword(spec.keywords, word->folded) : nullptr;
         if (keyword) {
             if (keyword->support == Support::not_yet)
                 not_supported_yet(fmt::format("{} {}", spec.name(), keyword->words.front().word), keyword->help,
@@ -248,8 +245,8 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
     Reader reader(statement, found.form_at + 1, statement.words.size(), values);
     reader.keep_spelling(spelled);
     for (const auto& positional : spec.arguments) {
-        const bool number = positional.argument.kind == ArgumentKind::real ||
-                            positional.argument.kind == ArgumentKind::integer;
+        const bool number =
+            positional.argument.kind == ArgumentKind::real || positional.argument.kind == ArgumentKind::integer;
         if (positional.argument.optional && !(number ? reader.at_number() : reader.at_value())) continue;
         positional.read(reader, target);
     }
@@ -265,9 +262,7 @@ std::optional<Diagnostic> mistake_in(const Language& language, const Statement& 
     try {
         (void)bind_statement(language, statement);
         return std::nullopt;
-    } catch (const Diagnostic& problem) {
-        return problem;
-    }
+    } catch (const Diagnostic& problem) { return problem; }
 }
 
 /// A text that a command takes as it stands may also stand on the line below, `title` alone. A line that is a command, or
@@ -288,7 +283,8 @@ void take_text_below(const Language& language, Lexer& lexer, Statement& statemen
     const std::string text = next.raw(0);
     const std::string_view hint = problem->hint;
     if (const auto from = hint.find('\''); from != hint.npos && hint.starts_with("did you mean")) {
-        next.words.front().text = next.words.front().folded = hint.substr(from + 1, hint.find('\'', from + 1) - from - 1);
+        next.words.front().text = next.words.front().folded =
+            hint.substr(from + 1, hint.find('\'', from + 1) - from - 1);
         if (!mistake_in(language, next)) return; // cylce 100
     }
     statement.body = text;
@@ -326,16 +322,14 @@ bool next_statement(const Language& language, Lexer& lexer, Statement& statement
         const auto words = lexer.words_of_line(line);
         if (words.empty() || words[0].kind != WordKind::word) continue;
         const bool assigns = lines[static_cast<std::size_t>(line - 1)].find('=') != std::string::npos;
-        if (words.size() == 2 && !opens->body_needs_bare_line && !assigns &&
-            words[1].kind == WordKind::word &&
+        if (words.size() == 2 && !opens->body_needs_bare_line && !assigns && words[1].kind == WordKind::word &&
             std::any_of(opens->words.begin(), opens->words.end(),
                         [&](const Spelling& s) { return s.matches(words[0].folded); }))
             throw never_ended(line); // the next function starts: reading goes on there
         if (words.size() != 1 || words[0].folded != opens->body_end) continue;
 
         const int body_last = opens->body_needs_bare_line ? line - 1 : line;
-        for (int i = body_first; i <= body_last; ++i)
-            statement.body += lines[static_cast<std::size_t>(i - 1)] + "\n";
+        for (int i = body_first; i <= body_last; ++i) statement.body += lines[static_cast<std::size_t>(i - 1)] + "\n";
         statement.body_place = {lexer.source(), body_first, 1, 1};
         statement.last_line = line;
         lexer.go_to(line + 1);

@@ -18,10 +18,10 @@ struct BoundCommand {
     const CommandSpec* spec = nullptr;
     Place place; ///< of its first word
     int last_line = 0;
-    std::any command;  ///< the struct of lang/commands/commands.hpp
-    bool late = false; ///< holds wildcards: to be bound again with values when it is reached
+    std::any command;                      ///< the struct of lang/commands/commands.hpp
+    bool late = false;                     ///< holds wildcards: to be bound again with values when it is reached
     std::vector<std::string_view> ignored; ///< its words that are without effect, in whole
-    std::vector<BareName> bare;            ///< to be read in this order before the statement is bound, see bare_names.hpp
+    std::vector<BareName> bare; ///< to be read in this order before the statement is bound, see bare_names.hpp
 
     /// The statement in one line, words as typed and single blanks between them; a body follows as it is.
     std::string text() const;
@@ -43,8 +43,8 @@ FoundCommand find_command(const Language& language, const Statement& statement);
 /// Throws Diagnostic for the first mistake in the statement. Without `values` names bind to wildcards.
 /// A word `?` throws a Diagnostic of severity note that lists what may stand there. `spelled` takes the whole
 /// words that shortened ones stand for.
-BoundCommand bind_statement(const Language& language, const Statement& statement,
-                            const ValueSource* values = nullptr, Spelled* spelled = nullptr);
+BoundCommand bind_statement(const Language& language, const Statement& statement, const ValueSource* values = nullptr,
+                            Spelled* spelled = nullptr);
 
 /// The next statement with its body (def ... end), or false at the end of the text.
 /// Throws Diagnostic when the body is never ended; the lexer then follows what was read.

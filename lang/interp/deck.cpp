@@ -79,9 +79,7 @@ private:
     void run_check(const BoundCommand& command) {
         try {
             checks_->command(command.command);
-        } catch (Diagnostic& problem) {
-            throw problem.at(command.place);
-        }
+        } catch (Diagnostic& problem) { throw problem.at(command.place); }
     }
 
     SharedFile called(const BoundCommand& command) {
@@ -98,8 +96,7 @@ private:
     }
 
     void refuse_cycle(const fs::path& whole) const {
-        const auto first =
-            std::find_if(chain_.begin(), chain_.end(), [&](const auto& c) { return c.first == whole; });
+        const auto first = std::find_if(chain_.begin(), chain_.end(), [&](const auto& c) { return c.first == whole; });
         if (first == chain_.end()) return;
         std::string names;
         for (auto link = first; link != chain_.end(); ++link) names += link->second + " calls ";
@@ -110,8 +107,7 @@ private:
     /// The folder of the calling file first, then those of its callers, then where the program was started.
     std::vector<fs::path> searched() const {
         std::vector<fs::path> folders;
-        for (auto link = chain_.rbegin(); link != chain_.rend(); ++link)
-            folders.push_back(link->first.parent_path());
+        for (auto link = chain_.rbegin(); link != chain_.rend(); ++link) folders.push_back(link->first.parent_path());
         folders.insert(folders.end(), folders_.begin(), folders_.end());
         return folders;
     }
@@ -163,9 +159,7 @@ bool needs_more(const Language& language, std::string_view text) {
         const int count = static_cast<int>(lexer.source()->lines.size());
         while (next_statement(language, lexer, statement))
             if (lexer.line() > count && lexer.continued(count)) return true;
-    } catch (const Diagnostic& problem) {
-        return problem.code == "never-ended";
-    }
+    } catch (const Diagnostic& problem) { return problem.code == "never-ended"; }
     return false;
 }
 

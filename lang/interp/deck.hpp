@@ -15,8 +15,7 @@ namespace kaya::lang {
 /// All mistakes that were found in a deck (at most 20). Caught as a Diagnostic it is the first of them.
 class DeckErrors : public Diagnostic {
 public:
-    explicit DeckErrors(std::vector<Diagnostic> errors)
-        : Diagnostic(errors.front()), all(std::move(errors)) {}
+    explicit DeckErrors(std::vector<Diagnostic> errors) : Diagnostic(errors.front()), all(std::move(errors)) {}
     std::vector<Diagnostic> all;
 };
 
@@ -38,7 +37,7 @@ struct BoundFile {
 /// Checks that need more than the table: does this FISH function compile? They run when the deck is bound, before any
 /// command of it.
 struct Checks {
-    std::function<void(const std::any& command)> command; ///< throws Diagnostic for a mistake
+    std::function<void(const std::any& command)> command;             ///< throws Diagnostic for a mistake
     std::function<void(const std::filesystem::path&)> before_reading; ///< may refuse a file; each deck and called file
 };
 
@@ -64,8 +63,8 @@ struct ReadDeck {
 
 /// The same as bind_deck for `kaya check`: however many mistakes there are, they are given back, not thrown.
 /// Throws Diagnostic when the deck cannot be read at all.
-ReadDeck read_deck(const Language& language, const std::string& name,
-                   const std::vector<std::filesystem::path>& folders, const Checks* checks = nullptr);
+ReadDeck read_deck(const Language& language, const std::string& name, const std::vector<std::filesystem::path>& folders,
+                   const Checks* checks = nullptr);
 
 /// True when the text ends inside something: a line to be continued, def without end.
 /// The prompt then asks for the next line.

@@ -57,8 +57,7 @@ private:
         copy_up_to(statement.first_line - 1);
         // The lines of a body are those after the line of its last word.
         const int last = statement.body.empty() ? statement.last_line : statement.words.back().place.line;
-        for (int line = statement.first_line; line <= last; ++line)
-            add_line(statement, spelled, bound.spec->raw, line);
+        for (int line = statement.first_line; line <= last; ++line) add_line(statement, spelled, bound.spec->raw, line);
         done_ = last;
         copy_up_to(statement.last_line);
         return bound.spec->flow;
@@ -104,8 +103,6 @@ private:
 
 } // namespace
 
-std::string format_deck(const Language& language, const Source& source) {
-    return Formatter(language, source).text();
-}
+std::string format_deck(const Language& language, const Source& source) { return Formatter(language, source).text(); }
 
 } // namespace kaya::lang

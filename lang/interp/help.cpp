@@ -27,8 +27,7 @@ std::string arguments_of(const KeywordSpec& keyword) {
 /// "material (mat)"
 std::string spellings(const std::vector<Spelling>& words) {
     std::string text(words.front().word);
-    for (std::size_t i = 1; i < words.size(); ++i)
-        text += fmt::format("{}{}", i == 1 ? " (" : ", ", words[i].word);
+    for (std::size_t i = 1; i < words.size(); ++i) text += fmt::format("{}{}", i == 1 ? " (" : ", ", words[i].word);
     return words.size() > 1 ? text + ")" : text;
 }
 
@@ -73,8 +72,8 @@ std::string about_command(const CommandSpec& command) {
         text += "\n  Arguments\n";
         for (const auto& positional : command.arguments)
             add_line(text, optional_part(positional.argument.name, positional.argument.optional),
-                     fmt::format("{}{}({})", positional.argument.help,
-                                 positional.argument.help.empty() ? "" : " ", describe(positional.argument)));
+                     fmt::format("{}{}({})", positional.argument.help, positional.argument.help.empty() ? "" : " ",
+                                 describe(positional.argument)));
     }
     if (!command.keywords.empty()) {
         text += "\n  Keywords\n";
@@ -108,8 +107,8 @@ std::string about_keyword(const Language& language, std::string_view word) {
                                 arguments_of(*keyword), keyword->help);
     });
     if (const KeywordSpec* element = find_keyword(language.range_elements, word))
-        text += fmt::format("... range {}{}\n    {}\n", element->words.front().word, arguments_of(*element),
-                            element->help);
+        text +=
+            fmt::format("... range {}{}\n    {}\n", element->words.front().word, arguments_of(*element), element->help);
     return text;
 }
 
@@ -133,8 +132,7 @@ std::string usage(const CommandSpec& command) {
     if (command.raw) return text + (command.words.front().word == "@" ? "name" : " ...");
     for (const auto& positional : command.arguments)
         text.append(" ").append(optional_part(positional.argument.name, positional.argument.optional));
-    for (const auto& argument : command.otherwise_arguments)
-        text += fmt::format(" [{} ...]", argument.name);
+    for (const auto& argument : command.otherwise_arguments) text += fmt::format(" [{} ...]", argument.name);
     for (const auto& keyword : command.keywords)
         if (keyword.support != Support::not_yet)
             text += fmt::format(" [{}{}]", keyword.words.front().word, arguments_of(keyword));
@@ -188,8 +186,7 @@ std::string help_on(const Language& language, std::string_view words) {
     if (!text.empty()) return text;
     const auto near = did_you_mean(first.folded, all_words(language));
     throw Diagnostic(fmt::format("there is no command and no keyword '{}'", first.text),
-                     near.empty() ? "'kaya help' lists the commands"
-                                  : fmt::format("did you mean '{}'?", near));
+                     near.empty() ? "'kaya help' lists the commands" : fmt::format("did you mean '{}'?", near));
 }
 
 std::vector<std::string> completions(const Language& language, std::string_view line) {

@@ -54,7 +54,9 @@ Ended Interpreter::run_step(const BoundFile::Step& step) {
         Statement statement;
         next_statement(language_, lexer, statement);
         for (const BareName& name : command->bare) read_as_name(statement, name);
-        const ValueSource values = [this](const std::string& expression, const Place& place) { return host_.value(expression, place); };
+        const ValueSource values = [this](const std::string& expression, const Place& place) {
+            return host_.value(expression, place);
+        };
         with_values = bind_statement(language_, statement, &values);
         command = &with_values;
     }

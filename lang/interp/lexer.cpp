@@ -97,8 +97,7 @@ bool Lexer::read_line(int line_number, std::vector<Word>& words) const {
                     break;
                 }
             }
-            add(closed ? WordKind::text : WordKind::open, from, i,
-                closed ? text : std::string(line.substr(from)));
+            add(closed ? WordKind::text : WordKind::open, from, i, closed ? text : std::string(line.substr(from)));
             continue;
         }
         if (c == '[') {
@@ -181,7 +180,8 @@ std::string Statement::raw(std::size_t first) const {
         auto begin = static_cast<std::size_t>(from.column - 1);
         auto end = static_cast<std::size_t>(to.column + to.length - 1);
         // Brackets are blanks to the language and text to the reader: f(a), f ( a ), (one) brick
-        for (std::size_t at = begin; at > 0 && std::string_view("( \t").find(line[at - 1]) != std::string_view::npos; --at)
+        for (std::size_t at = begin; at > 0 && std::string_view("( \t").find(line[at - 1]) != std::string_view::npos;
+             --at)
             if (line[at - 1] == '(') begin = at - 1;
         while (line.find_first_not_of(" \t", end) < line.size() && line[line.find_first_not_of(" \t", end)] == ')')
             end = line.find(')', end) + 1;

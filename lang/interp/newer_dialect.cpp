@@ -107,7 +107,8 @@ std::size_t begins_like(const Statement& statement, const NewerCommand& command)
 
 std::optional<Diagnostic> newer_dialect(const Statement& statement) {
     const Word& first = statement.words.front();
-    if (first.kind != WordKind::word || (first.folded != "model" && first.folded != "block" && first.folded != "program"))
+    if (first.kind != WordKind::word ||
+        (first.folded != "model" && first.folded != "block" && first.folded != "program"))
         return std::nullopt;
     const NewerCommand* found = nullptr;
     std::size_t length = 0;
@@ -120,7 +121,8 @@ std::optional<Diagnostic> newer_dialect(const Statement& statement) {
     d.code = "newer-dialect";
     if (found) {
         const bool rest = found->rest_stays && statement.words.size() > length;
-        d.hint = fmt::format("classic: {}{}{}", found->classic, rest ? " " : "", rest ? statement.raw(length) : std::string());
+        d.hint = fmt::format("classic: {}{}{}", found->classic, rest ? " " : "",
+                             rest ? statement.raw(length) : std::string());
     }
     return d.at(first.place);
 }

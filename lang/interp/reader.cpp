@@ -34,11 +34,9 @@ const char* name_of(const Value& value) {
     return names[value.index()];
 }
 
-Diagnostic wrong_value(const Word& word, const Value& value, const ArgumentSpec& argument,
-                       const char* needed) {
+Diagnostic wrong_value(const Word& word, const Value& value, const ArgumentSpec& argument, const char* needed) {
     return wrong("wrong-type", word.place,
-                 fmt::format("{} is {}, where {} must be", word.shown(), name_of(value), needed),
-                 expected(argument));
+                 fmt::format("{} is {}, where {} must be", word.shown(), name_of(value), needed), expected(argument));
 }
 
 double as_real(const Word& word, const Value& got, const ArgumentSpec& argument) {
@@ -47,8 +45,7 @@ double as_real(const Word& word, const Value& got, const ArgumentSpec& argument)
     else if (const auto* i = std::get_if<std::int64_t>(&got)) value = static_cast<double>(*i);
     else throw wrong_value(word, got, argument, "a number");
     if (!std::isfinite(value))
-        throw wrong("wrong-type", word.place,
-                    fmt::format("{} is {}, not a usable number", word.shown(), value),
+        throw wrong("wrong-type", word.place, fmt::format("{} is {}, not a usable number", word.shown(), value),
                     expected(argument));
     return value;
 }
@@ -83,11 +80,11 @@ void Reader::check_limits(const ArgumentSpec& argument, double value) const {
     const Limits& l = argument.limits;
     if (l.hold(value)) return;
     const bool low = l.low_excluded ? value <= l.low : value < l.low;
-    const char* relation = low ? (l.low_excluded ? "greater than" : "at least")
-                               : (l.high_excluded ? "less than" : "at most");
-    throw wrong("out-of-limits", previous().place,
-                fmt::format("{} must be {} {:g}, not {:g}", name_of_value(argument), relation,
-                            low ? l.low : l.high, value));
+    const char* relation =
+        low ? (l.low_excluded ? "greater than" : "at least") : (l.high_excluded ? "less than" : "at most");
+    throw wrong(
+        "out-of-limits", previous().place,
+        fmt::format("{} must be {} {:g}, not {:g}", name_of_value(argument), relation, low ? l.low : l.high, value));
 }
 
 bool Reader::at_number() const {
@@ -101,8 +98,7 @@ void Reader::missing(const ArgumentSpec& argument) const {
     place.column += place.length;
     place.length = 1;
     const bool number = argument.kind == ArgumentKind::real || argument.kind == ArgumentKind::integer;
-    throw wrong("missing-value", place,
-                fmt::format("a {} is missing after '{}'", number ? "number" : "word", after),
+    throw wrong("missing-value", place, fmt::format("a {} is missing after '{}'", number ? "number" : "word", after),
                 expected(argument));
 }
 
@@ -112,19 +108,16 @@ void Reader::unknown(std::string_view what, const std::vector<std::string_view>&
     refuse_open(word);
     const std::string list = fmt::format("{}", fmt::join(listed.empty() ? candidates : listed, ", "));
     if (is_question(word))
-        throw Choices(candidates.empty() ? "nothing more may stand here"
-                                         : fmt::format("{} may be: {}", what, list),
+        throw Choices(candidates.empty() ? "nothing more may stand here" : fmt::format("{} may be: {}", what, list),
                       {candidates.begin(), candidates.end()}, word.place);
     if (candidates.empty())
-        throw wrong("left-over", word.place,
-                    fmt::format("unexpected {} after the end of the command", word.shown()),
+        throw wrong("left-over", word.place, fmt::format("unexpected {} after the end of the command", word.shown()),
                     "nothing more is expected here");
     if (word.kind != WordKind::word)
         throw wrong("not-a-word", word.place, fmt::format("{} stands where {} must be", word.shown(), what),
                     "expected: " + list);
     if (word.text == "&" || word.text == "...")
-        throw wrong("unknown-word", word.place,
-                    fmt::format("'{}' stands in the middle of the line", word.text),
+        throw wrong("unknown-word", word.place, fmt::format("'{}' stands in the middle of the line", word.text),
                     "a line is continued by a mark at its very end");
     const auto near = did_you_mean(word.folded, candidates);
     throw wrong("unknown-word", word.place, fmt::format("'{}' is not {}", word.text, what),
@@ -133,8 +126,7 @@ void Reader::unknown(std::string_view what, const std::vector<std::string_view>&
 
 Value Reader::value_of(const Word& word) {
     if (word.text.empty())
-        throw wrong("missing-value", word.place, "a name is missing after '@'",
-                    "write for example @pressure");
+        throw wrong("missing-value", word.place, "a name is missing after '@'", "write for example @pressure");
     late_ = true;
     return (*values_)(word.text, word.place);
 }
@@ -144,8 +136,7 @@ const Word& Reader::take_value(const ArgumentSpec& argument) {
     const Word& word = take();
     if (is_question(word)) throw Choices(expected(argument), {}, word.place);
     if (word.late() && word.text.empty())
-        throw wrong("missing-value", word.place, "a name is missing after '@'",
-                    "write for example @pressure");
+        throw wrong("missing-value", word.place, "a name is missing after '@'", "write for example @pressure");
     return word;
 }
 
@@ -159,8 +150,8 @@ double Reader::real(const ArgumentSpec& argument) {
         return value;
     }
     if (word.kind != WordKind::number)
-        throw wrong("not-a-number", word.place,
-                    fmt::format("expected a number, found {}", word.shown()), expected(argument));
+        throw wrong("not-a-number", word.place, fmt::format("expected a number, found {}", word.shown()),
+                    expected(argument));
     if (std::isinf(word.number))
         throw wrong("out-of-limits", word.place, fmt::format("{} is too large for a number", word.text));
     check_limits(argument, word.number);
@@ -179,8 +170,7 @@ std::int64_t Reader::integer(const ArgumentSpec& argument) {
             value = static_cast<std::int64_t>(*r);
         else throw wrong_value(word, got, argument, "a whole number");
     } else if (word.kind != WordKind::number) {
-        throw wrong("not-a-number", word.place,
-                    fmt::format("{} stands where a whole number must be", word.shown()),
+        throw wrong("not-a-number", word.place, fmt::format("{} stands where a whole number must be", word.shown()),
                     expected(argument));
     } else if (!word.whole) {
         throw wrong("not-whole", word.place,
@@ -203,8 +193,7 @@ std::string Reader::text(const ArgumentSpec& argument) {
         throw wrong_value(word, got, argument, "a text");
     }
     if (word.kind == WordKind::text && word.text.empty())
-        throw wrong("missing-value", word.place, fmt::format("{} is an empty text", argument.name),
-                    expected(argument));
+        throw wrong("missing-value", word.place, fmt::format("{} is an empty text", argument.name), expected(argument));
     return word.text;
 }
 
@@ -258,8 +247,7 @@ Value Reader::any(const ArgumentSpec& argument) {
 std::string Reader::symbol(const ArgumentSpec& argument) {
     const Word& word = take_value(argument);
     if (word.kind != WordKind::symbol)
-        throw wrong("not-a-symbol", word.place,
-                    fmt::format("{} stands where a name with @ must be", word.shown()),
+        throw wrong("not-a-symbol", word.place, fmt::format("{} stands where a name with @ must be", word.shown()),
                     fmt::format("write @{}", word.text));
     return word.text;
 }
@@ -272,11 +260,9 @@ void read_keywords(Reader& reader, const std::vector<KeywordSpec>& keywords, voi
                 for (const Spelling& s : keyword.words) words.push_back(s.word);
             reader.unknown("the next word", words);
         }
-        const KeywordSpec* found =
-            word->kind == WordKind::word ? find_keyword(keywords, word->folded) : nullptr;
+        const KeywordSpec* found = word->kind == WordKind::word ? find_keyword(keywords, word->folded) : nullptr;
         if (!found) return;
-        if (found->support == Support::not_yet)
-            not_supported_yet(found->words.front().word, found->help, word->place);
+        if (found->support == Support::not_yet) not_supported_yet(found->words.front().word, found->help, word->place);
         reader.take();
         reader.spell(found->words.front().word);
         found->read(reader, target);

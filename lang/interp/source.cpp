@@ -39,8 +39,7 @@ constexpr std::array signatures = {
 void refuse_binary(const std::string& name, std::string_view text) {
     for (const auto& s : signatures)
         if (text.starts_with(s.start))
-            throw Diagnostic(fmt::format(fmt::runtime(s.message), name),
-                             fmt::format(fmt::runtime(s.hint), name));
+            throw Diagnostic(fmt::format(fmt::runtime(s.message), name), fmt::format(fmt::runtime(s.hint), name));
     const auto nul = text.find('\0');
     if (nul != std::string_view::npos)
         throw Diagnostic(fmt::format("'{}' holds a byte 0 at position {}: it is not a text", name, nul),
@@ -89,8 +88,7 @@ Source source_from_text(std::string name, std::string_view text, int first_line)
 Source read_source(const fs::path& path, std::string name) {
     std::error_code error;
     const auto status = fs::status(path, error);
-    if (status.type() == fs::file_type::not_found)
-        throw no_file(name, {});
+    if (status.type() == fs::file_type::not_found) throw no_file(name, {});
     if (fs::is_directory(status))
         throw Diagnostic(fmt::format("'{}' is a folder, not a command file", name), "name a file inside it");
     if (fs::is_regular_file(status) && fs::file_size(path, error) > largest_deck)
@@ -106,8 +104,8 @@ Source read_source(const fs::path& path, std::string name) {
     while (in.read(piece.data(), piece.size()) || in.gcount() > 0) {
         text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
         if (text.size() > largest_deck) // a pipe or device has no size to ask for
-            throw Diagnostic(fmt::format("'{}' is too large for a command file (more than {} MB)", name,
-                                         largest_deck >> 20));
+            throw Diagnostic(
+                fmt::format("'{}' is too large for a command file (more than {} MB)", name, largest_deck >> 20));
     }
     if (in.bad()) throw Diagnostic(fmt::format("reading '{}' failed: {}", name, std::strerror(errno)));
     SourceText source = *source_from_text(std::move(name), text);

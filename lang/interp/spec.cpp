@@ -24,7 +24,8 @@ std::string CommandSpec::name() const {
 }
 
 const KeywordSpec* find_keyword(const std::vector<KeywordSpec>& keywords, std::string_view typed) {
-    return resolve(keywords, typed, [](const KeywordSpec& k) -> const auto& { return k.words; });
+    return resolve(
+        keywords, typed, [](const KeywordSpec& k) -> const auto& { return k.words; });
 }
 
 void not_supported_yet(std::string_view name, std::string_view help, const Place& place) {
@@ -35,8 +36,7 @@ void not_supported_yet(std::string_view name, std::string_view help, const Place
 }
 
 std::string describe(const ArgumentSpec& argument) {
-    static constexpr const char* kinds[] = {"a number", "a whole number", "a word or a text in quotes",
-                                            "on or off"};
+    static constexpr const char* kinds[] = {"a number", "a whole number", "a word or a text in quotes", "on or off"};
     const char* kind = kinds[static_cast<int>(argument.kind)];
     // A letter tells nothing that the keyword in front of it does not.
     const bool named = argument.name.size() > 1 && argument.kind != ArgumentKind::on_off;
@@ -45,9 +45,7 @@ std::string describe(const ArgumentSpec& argument) {
     const Limits& l = argument.limits;
     const bool low = std::isfinite(l.low), high = std::isfinite(l.high);
     if (low) text += fmt::format(", {} {:g}", l.low_excluded ? "greater than" : "at least", l.low);
-    if (high)
-        text +=
-            fmt::format("{} {} {:g}", low ? " and" : ",", l.high_excluded ? "less than" : "at most", l.high);
+    if (high) text += fmt::format("{} {} {:g}", low ? " and" : ",", l.high_excluded ? "less than" : "at most", l.high);
     if (!argument.unit.empty()) text += fmt::format(" [{}]", argument.unit);
     return text;
 }

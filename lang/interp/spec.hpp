@@ -57,8 +57,7 @@ struct Spelling {
 
     /// `typed` is folded.
     bool matches(std::string_view typed) const {
-        return typed == word || (typed.size() >= shortest && word.starts_with(typed)) ||
-               fits_part_by_part(word, typed);
+        return typed == word || (typed.size() >= shortest && word.starts_with(typed)) || fits_part_by_part(word, typed);
     }
 };
 
@@ -93,8 +92,8 @@ struct Example {
 
 /// What the interpreter itself does when the command is reached.
 enum class Flow {
-    next,      ///< the handler runs, then the next command
-    call,      ///< another file runs
+    next, ///< the handler runs, then the next command
+    call, ///< another file runs
     leave_file,
     leave_all
 };
@@ -111,9 +110,9 @@ struct CommandSpec {
     Support support = Support::runs;
     bool options_before_form = false; ///< poly region 1 brick ...
     Flow flow = Flow::next;
-    std::string_view body_end;   ///< "end": the lines up to this word belong to the command
+    std::string_view body_end;         ///< "end": the lines up to this word belong to the command
     bool body_needs_bare_line = false; ///< only a line without further words opens a body (lua)
-    bool raw = false;            ///< takes the rest of the line as it stands
+    bool raw = false;                  ///< takes the rest of the line as it stands
 
     /// Elements of a range phrase, when the command takes one.
     const std::vector<KeywordSpec>* range_elements = nullptr;
@@ -123,8 +122,8 @@ struct CommandSpec {
     std::function<std::any()> make;
     std::function<void*(std::any&)> address;
     std::function<void(Reader&, void*)> read_range;
-    std::function<void(const Statement&, void*)> start;      ///< place and body, before anything is read
-    std::function<bool(Reader&, void*)> otherwise; ///< for a word that is no keyword; false: not mine
+    std::function<void(const Statement&, void*)> start; ///< place and body, before anything is read
+    std::function<bool(Reader&, void*)> otherwise;      ///< for a word that is no keyword; false: not mine
     std::vector<ArgumentSpec> otherwise_arguments;
     std::function<void(const Reader&, void*)> finish;        ///< what only the whole line shows
     std::function<std::string(const std::any&)> called_file; ///< of Flow::call

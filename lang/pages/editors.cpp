@@ -61,11 +61,12 @@ struct Vocabulary {
 };
 
 const std::vector<std::string> fish_words = {
-    "array",     "argument", "case",      "case_of",    "caseof",     "command",   "continue",   "def",
-    "define",    "else",     "elseif",    "end",        "endcase",    "endcommand", "endif",     "endloop",
-    "endsection", "end_case", "end_command", "end_if",  "end_loop",   "end_section", "exit",      "foreach",
-    "for",       "global",   "if",        "local",      "loop",       "null",      "return",     "section",
-    "then",      "while",    "whilestepping", "while_stepping"};
+    "array",       "argument",   "case",     "case_of",     "caseof",        "command",
+    "continue",    "def",        "define",   "else",        "elseif",        "end",
+    "endcase",     "endcommand", "endif",    "endloop",     "endsection",    "end_case",
+    "end_command", "end_if",     "end_loop", "end_section", "exit",          "foreach",
+    "for",         "global",     "if",       "local",       "loop",          "null",
+    "return",      "section",    "then",     "while",       "whilestepping", "while_stepping"};
 
 /// The names that FISH knows without a definition. Their list in docs/fish.md is that of the program, which a test sees to.
 Words fish_names() {
@@ -76,7 +77,8 @@ Words fish_names() {
         if (line == "## Every name") listed = true;
         if (!listed || line.empty() || line.front() < 'a' || line.front() > 'z') continue;
         std::istringstream words(line);
-        for (std::string word; words >> word;) names.insert(word.ends_with('*') ? word.substr(0, word.size() - 1) : word);
+        for (std::string word; words >> word;)
+            names.insert(word.ends_with('*') ? word.substr(0, word.size() - 1) : word);
     }
     return names;
 }
@@ -141,13 +143,15 @@ std::string vscode_grammar(const Vocabulary& words) {
     const std::vector<std::string> in_commands = {
         pattern("support.function.kaya", fmt::format("(?i)^\\s*(?:{})\\b", fmt::join(commands, "|"))),
         // Many a range element is a keyword elsewhere: mat, block, plane.
-        fmt::format("    {{ \"begin\": {}, \"end\": {}, \"beginCaptures\": {{ \"1\": {{ \"name\": \"keyword.other.range.kaya\" }} }}, "
-                    "\"patterns\": [\n{}\n    ] }}",
-                    json("(?i)\\b(range)\\b"), json("(?=;|$)"),
-                    fmt::join(joined(joined(common_patterns(), {pattern("keyword.other.range.kaya",
-                                                                        fmt::format("(?i)\\b(?:{})\\b", alternatives(words.elements)))}),
-                                     closing_patterns()),
-                              ",\n")),
+        fmt::format(
+            "    {{ \"begin\": {}, \"end\": {}, \"beginCaptures\": {{ \"1\": {{ \"name\": \"keyword.other.range.kaya\" }} }}, "
+            "\"patterns\": [\n{}\n    ] }}",
+            json("(?i)\\b(range)\\b"), json("(?=;|$)"),
+            fmt::join(joined(joined(common_patterns(),
+                                    {pattern("keyword.other.range.kaya",
+                                             fmt::format("(?i)\\b(?:{})\\b", alternatives(words.elements)))}),
+                             closing_patterns()),
+                      ",\n")),
         pattern("support.type.property-name.kaya", fmt::format("(?i)\\b(?:{})\\b", alternatives(words.keywords))),
     };
     std::string intrinsics;
@@ -156,13 +160,16 @@ std::string vscode_grammar(const Vocabulary& words) {
         intrinsics += c;
     }
     const std::vector<std::string> in_functions = {
-        fmt::format("    {{ \"begin\": {}, \"end\": {}, \"beginCaptures\": {{ \"1\": {{ \"name\": \"keyword.control.kaya\" }} }}, "
-                    "\"endCaptures\": {{ \"1\": {{ \"name\": \"keyword.control.kaya\" }} }}, \"patterns\": [{{ \"include\": \"#commands\" }}] }}",
-                    json("(?i)^\\s*(command)\\b"), json("(?i)^\\s*(end_?command)\\b")),
+        fmt::format(
+            "    {{ \"begin\": {}, \"end\": {}, \"beginCaptures\": {{ \"1\": {{ \"name\": \"keyword.control.kaya\" }} }}, "
+            "\"endCaptures\": {{ \"1\": {{ \"name\": \"keyword.control.kaya\" }} }}, \"patterns\": [{{ \"include\": \"#commands\" }}] }}",
+            json("(?i)^\\s*(command)\\b"), json("(?i)^\\s*(end_?command)\\b")),
         pattern("keyword.control.kaya", fmt::format("(?i)(?<![.@])\\b(?:{})\\b", fmt::join(fish_words, "|"))),
         pattern("support.function.intrinsic.kaya", fmt::format("(?i)(?<![.@\\w])(?:{})(?![.\\w])", intrinsics)),
     };
-    const auto list = [](const std::vector<std::string>& patterns) { return fmt::format("{}", fmt::join(patterns, ",\n")); };
+    const auto list = [](const std::vector<std::string>& patterns) {
+        return fmt::format("{}", fmt::join(patterns, ",\n"));
+    };
     return fmt::format(
         "{{\n  \"name\": \"kaya\",\n  \"scopeName\": \"source.kaya\",\n  \"fileTypes\": [\"3dd\", \"3ddat\", \"fis\"],\n"
         "  \"patterns\": [\n"
@@ -182,8 +189,8 @@ std::string vscode_grammar(const Vocabulary& words) {
 std::string completion_words(const Language& language) {
     std::vector<std::string> entries;
     const auto entry = [&](std::string_view label, std::string_view of, std::string_view help) {
-        entries.push_back(fmt::format("  {{ \"label\": {}, \"of\": {}, \"help\": {} }}", json(label), json(of),
-                                      json(help)));
+        entries.push_back(
+            fmt::format("  {{ \"label\": {}, \"of\": {}, \"help\": {} }}", json(label), json(of), json(help)));
     };
     for (const auto& family : language.families)
         for (const auto& command : family.commands) {
@@ -221,8 +228,7 @@ std::string snippets(const Language& language) {
                     body += fmt::format(" ${{{}:{}}}", ++place, literal(positional.argument.name));
             if (command.range_elements) body += " $0";
             entries.push_back(fmt::format("  {}: {{ \"prefix\": {}, \"body\": {}, \"description\": {} }}",
-                                          json(command.name()), json(command.name()), json(body),
-                                          json(command.help)));
+                                          json(command.name()), json(command.name()), json(body), json(command.help)));
         }
     // Two forms of one name (lua with and without a file) cannot both be keys.
     std::vector<std::string> kept;
@@ -235,7 +241,8 @@ std::string snippets(const Language& language) {
 }
 
 /// Words as one expression: what is defined later wins at one place, and commands come last.
-std::string vim_match(std::string_view group, std::string_view before, const std::vector<std::string>& words, std::string_view more = "") {
+std::string vim_match(std::string_view group, std::string_view before, const std::vector<std::string>& words,
+                      std::string_view more = "") {
     return fmt::format("syntax match {} /{}\\%({}\\)\\>/{}\n", group, before, fmt::join(words, "\\|"), more);
 }
 
@@ -246,7 +253,8 @@ std::string vim_syntax(const Vocabulary& words) {
                        "syntax case ignore\nsetlocal iskeyword=@,48-57,_,-\n";
     std::vector<std::string> commands, classic;
     for (const auto& [word, shortest] : words.shortest) // Vim's own way of saying how much of a word is enough
-        commands.push_back(shortest < word.size() ? fmt::format("{}\\%[{}]", word.substr(0, shortest), word.substr(shortest)) : word);
+        commands.push_back(
+            shortest < word.size() ? fmt::format("{}\\%[{}]", word.substr(0, shortest), word.substr(shortest)) : word);
     for (const auto& name : fish_names())
         if (name.find('.') == std::string::npos) classic.push_back(name);
     text += vim_match("kayaKeyword", "\\<", {words.keywords.begin(), words.keywords.end()});
@@ -256,31 +264,32 @@ std::string vim_syntax(const Vocabulary& words) {
     text += vim_match("kayaCommand", "^\\s*\\zs", commands);
     text += fmt::format("syntax keyword kayaFish contained {}\n", fmt::join(fish_words, " "));
     text += fmt::format("syntax keyword kayaIntrinsic contained {}\n", fmt::join(classic, " "));
-    return text + "syntax match kayaIntrinsic contained /\\<\\%(block\\|global\\|math\\|mech\\|table\\|string\\|array\\|list\\)\\%(\\.\\h\\w*\\)\\+/\n"
-                  "syntax match kayaNumber /\\k\\@1<![-+]\\=\\%(\\d\\+\\.\\=\\d*\\|\\.\\d\\+\\)\\%([eE][-+]\\=\\d\\+\\)\\=/\n"
-                  "syntax match kayaVariable /@\\h\\w*/\n"
-                  "syntax match kayaContinued /\\(&\\|\\.\\.\\.\\)\\s*$/\n"
-                  "syntax region kayaText start=/'/ end=/'\\|$/\n"
-                  "syntax region kayaText start=/\"/ end=/\"\\|$/\n"
-                  "syntax match kayaComment /;.*$/\n"
-                  "syntax region kayaInner contained matchgroup=kayaFish start=/^\\s*command\\>/ end=/^\\s*end_\\=command\\>/ "
-                  "contains=kayaKeyword,kayaRange,kayaCommand,kayaNumber,kayaVariable,kayaContinued,kayaText,kayaComment\n"
-                  "syntax region kayaFunction transparent matchgroup=kayaFish start=/^\\s*\\%(fish\\s\\+\\)\\=def\\%(ine\\)\\=\\>/ "
-                  "end=/^\\s*end\\s*\\%(;.*\\)\\=$/ "
-                  "contains=kayaFish,kayaIntrinsic,kayaInner,kayaNumber,kayaVariable,kayaContinued,kayaText,kayaComment\n"
-                  "syntax region kayaLua matchgroup=kayaCommand start=/^\\s*lua\\s*\\%(;.*\\)\\=$/ end=/^\\s*endlua\\>/ keepend "
-                  "contains=@kayaLuaWords\n"
-                  "highlight default link kayaCommand Statement\n"
-                  "highlight default link kayaKeyword Identifier\n"
-                  "highlight default link kayaRange Type\n"
-                  "highlight default link kayaFish Keyword\n"
-                  "highlight default link kayaIntrinsic Function\n"
-                  "highlight default link kayaNumber Number\n"
-                  "highlight default link kayaVariable PreProc\n"
-                  "highlight default link kayaContinued Special\n"
-                  "highlight default link kayaText String\n"
-                  "highlight default link kayaComment Comment\n"
-                  "let b:current_syntax = \"kaya\"\n";
+    return text +
+           "syntax match kayaIntrinsic contained /\\<\\%(block\\|global\\|math\\|mech\\|table\\|string\\|array\\|list\\)\\%(\\.\\h\\w*\\)\\+/\n"
+           "syntax match kayaNumber /\\k\\@1<![-+]\\=\\%(\\d\\+\\.\\=\\d*\\|\\.\\d\\+\\)\\%([eE][-+]\\=\\d\\+\\)\\=/\n"
+           "syntax match kayaVariable /@\\h\\w*/\n"
+           "syntax match kayaContinued /\\(&\\|\\.\\.\\.\\)\\s*$/\n"
+           "syntax region kayaText start=/'/ end=/'\\|$/\n"
+           "syntax region kayaText start=/\"/ end=/\"\\|$/\n"
+           "syntax match kayaComment /;.*$/\n"
+           "syntax region kayaInner contained matchgroup=kayaFish start=/^\\s*command\\>/ end=/^\\s*end_\\=command\\>/ "
+           "contains=kayaKeyword,kayaRange,kayaCommand,kayaNumber,kayaVariable,kayaContinued,kayaText,kayaComment\n"
+           "syntax region kayaFunction transparent matchgroup=kayaFish start=/^\\s*\\%(fish\\s\\+\\)\\=def\\%(ine\\)\\=\\>/ "
+           "end=/^\\s*end\\s*\\%(;.*\\)\\=$/ "
+           "contains=kayaFish,kayaIntrinsic,kayaInner,kayaNumber,kayaVariable,kayaContinued,kayaText,kayaComment\n"
+           "syntax region kayaLua matchgroup=kayaCommand start=/^\\s*lua\\s*\\%(;.*\\)\\=$/ end=/^\\s*endlua\\>/ keepend "
+           "contains=@kayaLuaWords\n"
+           "highlight default link kayaCommand Statement\n"
+           "highlight default link kayaKeyword Identifier\n"
+           "highlight default link kayaRange Type\n"
+           "highlight default link kayaFish Keyword\n"
+           "highlight default link kayaIntrinsic Function\n"
+           "highlight default link kayaNumber Number\n"
+           "highlight default link kayaVariable PreProc\n"
+           "highlight default link kayaContinued Special\n"
+           "highlight default link kayaText String\n"
+           "highlight default link kayaComment Comment\n"
+           "let b:current_syntax = \"kaya\"\n";
 }
 
 std::string fuzz_dictionary(const Vocabulary& words) {
@@ -311,12 +320,12 @@ int main(int argc, char** argv) {
     const Vocabulary words(language);
     std::map<fs::path, std::string> wanted;
     for (const auto& [name, text] : std::map<std::string, std::string>{
-        {"vscode/syntaxes/kaya.tmLanguage.json", vscode_grammar(words)},
-        {"vscode/snippets/kaya.json", snippets(language)},
-        {"vscode/words.json", completion_words(language)},
-        {"vim/syntax/kaya.vim", vim_syntax(words)},
-        {"fuzz/kaya.dict", fuzz_dictionary(words)},
-    })
+             {"vscode/syntaxes/kaya.tmLanguage.json", vscode_grammar(words)},
+             {"vscode/snippets/kaya.json", snippets(language)},
+             {"vscode/words.json", completion_words(language)},
+             {"vim/syntax/kaya.vim", vim_syntax(words)},
+             {"fuzz/kaya.dict", fuzz_dictionary(words)},
+         })
         wanted[folder / name] = text;
     return kaya::write_generated(wanted, check, "it does not agree with the tables: run editor_files editors");
 }

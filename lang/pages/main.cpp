@@ -88,7 +88,8 @@ std::string arguments(const Page& page) {
             rows += fmt::format("| | {} | {} |\n", cell(describe(positional.argument)), cell(positional.argument.help));
         argument_rows(rows, command->keywords, "");
         if (command->range_elements)
-            rows += "| `range` | [a range phrase](../range-phrase.md) | what is meant; everything visible if not given |\n";
+            rows +=
+                "| `range` | [a range phrase](../range-phrase.md) | what is meant; everything visible if not given |\n";
         if (rows.empty()) continue;
         if (page.commands.size() > 1) out += fmt::format("`{}`\n\n", command->name());
         out += "| word | values | meaning |\n|---|---|---|\n" + rows + "\n";
@@ -164,9 +165,10 @@ std::string range_page(const Language& language) {
 }
 
 std::string not_yet_page(const Language& language) {
-    std::string text = "# Known, not supported yet\n\n"
-                       "A deck that uses one of these stops before its first command runs, with the line; `kaya check` lists\n"
-                       "the lines.\n\n| command | what it is about |\n|---|---|\n";
+    std::string text =
+        "# Known, not supported yet\n\n"
+        "A deck that uses one of these stops before its first command runs, with the line; `kaya check` lists\n"
+        "the lines.\n\n| command | what it is about |\n|---|---|\n";
     for (const auto& family : language.families)
         for (const auto& command : family.commands) {
             if (command.support == Support::not_yet)

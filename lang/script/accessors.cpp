@@ -37,10 +37,9 @@ const FieldInfo& field_of(lua_State* L) {
     const bool null = lua_type(L, 1) == LUA_TNUMBER && lua_tonumber(L, 1) == 0;
     if (null)
         throw Diagnostic(fmt::format("'{}' is given a null pointer", field_of(L).classic),
-                         fmt::format("test the pointer against 0 before its {} is used", table.name),
-                         Fault::run);
-    throw Diagnostic(fmt::format("'{}' needs a pointer to a {}, here it is given {}", field_of(L).classic,
-                                 table.name, describe_value(L, 1)),
+                         fmt::format("test the pointer against 0 before its {} is used", table.name), Fault::run);
+    throw Diagnostic(fmt::format("'{}' needs a pointer to a {}, here it is given {}", field_of(L).classic, table.name,
+                                 describe_value(L, 1)),
                      {}, Fault::run);
 }
 
@@ -60,15 +59,12 @@ int write_field(lua_State* L) {
     if (handle.table != key.table) fail_pointer(L);
     Machine& machine = machine_of(L);
     if (!machine.restoring)
-        machine.world.set(handle, key.field,
-                          value_at(L, 2, fmt::format("the new '{}'", field_of(L).classic)));
+        machine.world.set(handle, key.field, value_at(L, 2, fmt::format("the new '{}'", field_of(L).classic)));
     return 0;
 }
 
 /// Upvalue of both: number of the quantity.
-std::size_t global_of(lua_State* L) {
-    return static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)));
-}
+std::size_t global_of(lua_State* L) { return static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1))); }
 
 int read_global(lua_State* L) {
     push_fish_value(L, machine_of(L).world.get(World::whole_model, global_of(L)));
@@ -79,8 +75,8 @@ int write_global(lua_State* L) {
     Machine& machine = machine_of(L);
     if (machine.restoring) return 0;
     const std::size_t number = global_of(L);
-    machine.world.set(
-        World::whole_model, number, value_at(L, 1, fmt::format("the new '{}'", machine.world.globals()[number].name)));
+    machine.world.set(World::whole_model, number,
+                      value_at(L, 1, fmt::format("the new '{}'", machine.world.globals()[number].name)));
     return 0;
 }
 

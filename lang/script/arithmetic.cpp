@@ -30,13 +30,10 @@ constexpr std::array<Operation, 10> operations{{{"__add", "{} and {} cannot be a
 
 [[noreturn]] void fail_operands(lua_State* L, std::size_t operation) {
     const std::string left = describe_value(L, 1), right = describe_value(L, 2);
-    throw Diagnostic(fmt::vformat(operations[operation].phrase, fmt::make_format_args(left, right)), {},
-                     Fault::run);
+    throw Diagnostic(fmt::vformat(operations[operation].phrase, fmt::make_format_args(left, right)), {}, Fault::run);
 }
 
-int refuse(lua_State* L) {
-    fail_operands(L, static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1))));
-}
+int refuse(lua_State* L) { fail_operands(L, static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)))); }
 
 [[noreturn]] void fail_division() { throw Diagnostic("division by zero", {}, Fault::run); }
 
@@ -47,9 +44,7 @@ int text_operation(lua_State* L) {
     const auto operation = static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)));
     if (called_by_fish(L)) {
         const bool add = operation == 0;
-        const auto joins = [&](int i) {
-            return lua_type(L, i) == LUA_TSTRING || lua_type(L, i) == LUA_TNUMBER;
-        };
+        const auto joins = [&](int i) { return lua_type(L, i) == LUA_TSTRING || lua_type(L, i) == LUA_TNUMBER; };
         if (!add || !joins(1) || !joins(2)) fail_operands(L, operation);
         const std::string joined = text_at(L, 1) + text_at(L, 2);
         lua_pushlstring(L, joined.data(), joined.size());
@@ -77,14 +72,10 @@ template <VectorOperation operation> int vector_operation(lua_State* L) {
         const Vec3 a = vector_at(L, 1), b = vector_at(L, 2);
         push_vector(L, operation == VectorOperation::add ? Vec3(a + b) : Vec3(a - b));
     } else if constexpr (operation == VectorOperation::multiply) {
-        if (left && right)
-            push_vector(L, vector_at(L, 1).cwiseProduct(vector_at(L, 2)));
-        else if (left && is_number(L, 2))
-            push_vector(L, vector_at(L, 1) * lua_tonumber(L, 2));
-        else if (right && is_number(L, 1))
-            push_vector(L, vector_at(L, 2) * lua_tonumber(L, 1));
-        else
-            fail_operands(L, number);
+        if (left && right) push_vector(L, vector_at(L, 1).cwiseProduct(vector_at(L, 2)));
+        else if (left && is_number(L, 2)) push_vector(L, vector_at(L, 1) * lua_tonumber(L, 2));
+        else if (right && is_number(L, 1)) push_vector(L, vector_at(L, 2) * lua_tonumber(L, 1));
+        else fail_operands(L, number);
     } else {
         if (!left || !is_number(L, 2)) fail_operands(L, number);
         if (lua_tonumber(L, 2) == 0) fail_division();
@@ -149,8 +140,8 @@ int vector_index(lua_State* L) {
 }
 
 int vector_new_index(lua_State*) {
-    throw Diagnostic("the components of a vector cannot be set one by one",
-                     "make a new one: v = vector(1, v.y, v.z)", Fault::run);
+    throw Diagnostic("the components of a vector cannot be set one by one", "make a new one: v = vector(1, v.y, v.z)",
+                     Fault::run);
 }
 
 // --- numbers of FISH ------------------------------------------------------------------------------
@@ -194,8 +185,7 @@ int power(lua_State* L) {
     const double base = lua_tonumber(L, 1), exponent = lua_tonumber(L, 2);
     if (base == 0 && exponent < 0) fail_division();
     if (base < 0 && exponent != std::floor(exponent))
-        throw Diagnostic(fmt::format("the negative number {:g} has no power {:g}", base, exponent), {},
-                         Fault::run);
+        throw Diagnostic(fmt::format("the negative number {:g} has no power {:g}", base, exponent), {}, Fault::run);
     lua_pushnumber(L, exponent == 2 ? base * base : std::pow(base, exponent)); // as Lua does it
     return 1;
 }
@@ -212,10 +202,8 @@ int step(lua_State* L) {
 int whole(lua_State* L) {
     int is_whole = 0;
     const lua_Integer number = is_number(L, 1) ? lua_tointegerx(L, 1, &is_whole) : 0;
-    if (is_whole)
-        lua_pushinteger(L, number);
-    else
-        lua_pushnil(L);
+    if (is_whole) lua_pushinteger(L, number);
+    else lua_pushnil(L);
     return 1;
 }
 
@@ -225,16 +213,15 @@ constexpr std::array<luaL_Reg, 5> vector_methods{{{"length", guarded<vector_leng
                                                   {"cross", guarded<vector_cross>},
                                                   {nullptr, nullptr}}};
 
-constexpr std::array<luaL_Reg, 9> vector_events{
-    {{"__add", guarded<vector_operation<VectorOperation::add>>},
-     {"__sub", guarded<vector_operation<VectorOperation::subtract>>},
-     {"__mul", guarded<vector_operation<VectorOperation::multiply>>},
-     {"__div", guarded<vector_operation<VectorOperation::divide>>},
-     {"__unm", guarded<vector_minus>},
-     {"__eq", guarded<vector_equal>},
-     {"__tostring", guarded<vector_show>},
-     {"__newindex", guarded<vector_new_index>},
-     {nullptr, nullptr}}};
+constexpr std::array<luaL_Reg, 9> vector_events{{{"__add", guarded<vector_operation<VectorOperation::add>>},
+                                                 {"__sub", guarded<vector_operation<VectorOperation::subtract>>},
+                                                 {"__mul", guarded<vector_operation<VectorOperation::multiply>>},
+                                                 {"__div", guarded<vector_operation<VectorOperation::divide>>},
+                                                 {"__unm", guarded<vector_minus>},
+                                                 {"__eq", guarded<vector_equal>},
+                                                 {"__tostring", guarded<vector_show>},
+                                                 {"__newindex", guarded<vector_new_index>},
+                                                 {nullptr, nullptr}}};
 
 constexpr std::array<luaL_Reg, 5> runtime_functions{{{"divide", guarded<divide>},
                                                      {"power", guarded<power>},

@@ -54,10 +54,8 @@ void collect_functions(lua_State* L, const std::string& prefix, int depth, Defin
     for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
         if (lua_type(L, -2) != LUA_TSTRING) continue;
         const std::string name = prefix + lua_tostring(L, -2);
-        if (lua_isfunction(L, -1))
-            found[name] = lua_topointer(L, -1);
-        else if (lua_istable(L, -1) && depth > 0)
-            collect_functions(L, name + ".", depth - 1, found);
+        if (lua_isfunction(L, -1)) found[name] = lua_topointer(L, -1);
+        else if (lua_istable(L, -1) && depth > 0) collect_functions(L, name + ".", depth - 1, found);
     }
 }
 
@@ -74,8 +72,7 @@ void keep_chunk(Machine& machine, StoredSource chunk) {
     auto& stored = machine.fish.stored;
     if (!machine.registered)
         std::erase_if(stored, [&](const StoredSource& old) {
-            return old.kind == chunk.kind && old.line == chunk.line && old.name == chunk.name &&
-                   old.text == chunk.text;
+            return old.kind == chunk.kind && old.line == chunk.line && old.name == chunk.name && old.text == chunk.text;
         });
     stored.push_back(std::move(chunk));
 }
@@ -115,8 +112,7 @@ bool is_module_name(const std::string& name) {
 }
 
 /// Runs the text of a module; its value, or true, is left on the stack and remembered.
-void run_module(Machine& machine, const std::string& name, const std::string& shown,
-                const std::string& text) {
+void run_module(Machine& machine, const std::string& name, const std::string& shown, const std::string& text) {
     lua_State* L = machine.lua;
     load_chunk(machine, text, beginning_of(shown, text));
     lua_pushstring(L, name.c_str());

@@ -35,7 +35,8 @@ std::int32_t find_table(const World& world, std::string_view name) {
 std::ptrdiff_t find_relation(const World& world, RelationInfo::Form form, std::int32_t from, std::int32_t to) {
     const auto& relations = world.relations();
     for (std::size_t i = 0; i < relations.size(); ++i)
-        if (relations[i].form == form && relations[i].from == from && relations[i].to == to) return static_cast<std::ptrdiff_t>(i);
+        if (relations[i].form == form && relations[i].from == from && relations[i].to == to)
+            return static_cast<std::ptrdiff_t>(i);
     return -1;
 }
 

@@ -15,10 +15,8 @@ namespace kaya::script {
 std::filesystem::path allowed_path(const Machine& machine, const std::string& name, Access access) {
     if (machine.options.trusted) return name;
     Gate& gate = *machine.options.gate;
-    if (access == Access::writing)
-        gate.may_write(name);
-    else
-        gate.may_read(name);
+    if (access == Access::writing) gate.may_write(name);
+    else gate.may_read(name);
     return resolved(name);
 }
 
@@ -33,20 +31,17 @@ int open(lua_State* L) {
     const std::int64_t mode = integer_argument(L, 2, "open");
     const std::int64_t format = integer_argument(L, 3, "open");
     if (mode < reading || mode > appending)
-        throw Diagnostic(fmt::format("'open' is given the mode {}", mode), "0 reads, 1 writes, 2 appends",
-                         Fault::run);
+        throw Diagnostic(fmt::format("'open' is given the mode {}", mode), "0 reads, 1 writes, 2 appends", Fault::run);
     if (format != 1)
-        throw Diagnostic("FISH's own binary files cannot be read or written",
-                         "use 1 as third argument: plain text", Fault::run);
+        throw Diagnostic("FISH's own binary files cannot be read or written", "use 1 as third argument: plain text",
+                         Fault::run);
     if (machine.file.reading.is_open() || machine.file.writing.is_open())
         throw Diagnostic("a file is open already", "call 'close' before the next 'open'", Fault::run);
     const auto path = allowed_path(machine, name, mode == reading ? Access::reading : Access::writing);
     bool done = true;
     if (!machine.restoring) {
-        if (mode == reading)
-            machine.file.reading.open(path);
-        else
-            machine.file.writing.open(path, mode == writing ? std::ios::trunc : std::ios::app);
+        if (mode == reading) machine.file.reading.open(path);
+        else machine.file.writing.open(path, mode == writing ? std::ios::trunc : std::ios::app);
         done = machine.file.reading.is_open() || machine.file.writing.is_open();
     }
     lua_pushinteger(L, done ? 0 : 1);
@@ -75,9 +70,8 @@ lua_Integer element_count(lua_State* L, const char* function) {
     const auto size = static_cast<lua_Integer>(lua_rawlen(L, 1));
     const std::int64_t wanted = integer_argument(L, 2, function);
     if (wanted < 0 || wanted > size)
-        throw Diagnostic(
-            fmt::format("'{}' is to use {} lines, but the array has {} elements", function, wanted, size), {},
-            Fault::run);
+        throw Diagnostic(fmt::format("'{}' is to use {} lines, but the array has {} elements", function, wanted, size),
+                         {}, Fault::run);
     return wanted;
 }
 

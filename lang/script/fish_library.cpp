@@ -32,10 +32,8 @@ fish::Dictionary dictionary_of(const Machine& machine, const fish::Function* com
         if (const auto found = fish.functions.find(name); found != fish.functions.end())
             return function_meaning(found->second.function);
         if (const auto found = fish.built_ins.find(name); found != fish.built_ins.end())
-            return {fish::NameKind::built_in, found->second.least, found->second.most,
-                    found->second.writable};
-        if (fish.lua_functions.contains(name))
-            return {fish::NameKind::function, 0, most_lua_arguments, false};
+            return {fish::NameKind::built_in, found->second.least, found->second.most, found->second.writable};
+        if (fish.lua_functions.contains(name)) return {fish::NameKind::function, 0, most_lua_arguments, false};
         return {};
     };
 }
@@ -52,8 +50,7 @@ bool variable_exists(const Machine& machine, const std::string& name) {
 }
 
 /// A variable is the integer 0 from its first mention on.
-void create_variables(Machine& machine, const std::vector<std::string>& mentions,
-                      const fish::Dictionary& dictionary) {
+void create_variables(Machine& machine, const std::vector<std::string>& mentions, const fish::Dictionary& dictionary) {
     lua_State* L = machine.lua;
     for (const auto& name : mentions) {
         if (dictionary(name).kind != fish::NameKind::variable || is_constant(name)) continue;
@@ -108,8 +105,7 @@ void set_translator(Machine& machine, const std::string& name) {
 }
 
 void forget_expressions(Machine& machine) {
-    for (const auto& [text, kept] : machine.fish.expressions)
-        luaL_unref(machine.lua, LUA_REGISTRYINDEX, kept);
+    for (const auto& [text, kept] : machine.fish.expressions) luaL_unref(machine.lua, LUA_REGISTRYINDEX, kept);
     machine.fish.expressions.clear();
 }
 
@@ -129,9 +125,8 @@ void check_argument_count(const Machine& machine, const std::string& name, int g
     if (found == machine.fish.functions.end()) return;
     const int wanted = static_cast<int>(found->second.function.arguments.size());
     if (given != wanted)
-        throw Diagnostic(fmt::format("the FISH function '{}' takes {} argument{}, here it is given {}", name,
-                                     wanted, wanted == 1 ? "" : "s",
-                                     given == 0 ? "none" : std::to_string(given)),
+        throw Diagnostic(fmt::format("the FISH function '{}' takes {} argument{}, here it is given {}", name, wanted,
+                                     wanted == 1 ? "" : "s", given == 0 ? "none" : std::to_string(given)),
                          {}, Fault::run);
 }
 
@@ -157,8 +152,8 @@ int call_lua_function(lua_State* L) {
     lua_getfield(L, -1, lua_tostring(L, lua_upvalueindex(1)));
     lua_remove(L, -2);
     if (!lua_isfunction(L, -1))
-        throw Diagnostic(fmt::format("the Lua function '{}' is gone", lua_tostring(L, lua_upvalueindex(1))),
-                         {}, Fault::run);
+        throw Diagnostic(fmt::format("the Lua function '{}' is gone", lua_tostring(L, lua_upvalueindex(1))), {},
+                         Fault::run);
     lua_insert(L, 1);
     lua_call(L, lua_gettop(L) - 1, 1);
     make_fish_value(L);
@@ -174,9 +169,8 @@ void define_fish_function(Machine& machine, const std::string& text, const Place
         throw Diagnostic(fmt::format("'{}' is built in and cannot be defined", function.name),
                          "give the function another name")
             .at(function.place);
-    const bool is_callback = std::ranges::any_of(fish.hooks, [&](const StoredHook& hook) {
-        return hook.function == function.name && !hook.whilestepping;
-    });
+    const bool is_callback = std::ranges::any_of(
+        fish.hooks, [&](const StoredHook& hook) { return hook.function == function.name && !hook.whilestepping; });
     if (is_callback && !function.arguments.empty())
         throw Diagnostic(fmt::format("'{}' is a callback, so nobody gives it its arguments", function.name),
                          fmt::format("write before: fish callback remove {}", function.name))
@@ -199,21 +193,18 @@ void define_fish_function(Machine& machine, const std::string& text, const Place
     lua_setfield(L, -2, name.c_str());
     lua_pop(L, 1);
 
-    std::erase_if(fish.hooks,
-                  [&](const StoredHook& hook) { return hook.function == name && hook.whilestepping; });
-    if (function.whilestepping)
-        fish.hooks.push_back({name, static_cast<std::uint8_t>(Moment::after_cycle), 1, true});
+    std::erase_if(fish.hooks, [&](const StoredHook& hook) { return hook.function == name && hook.whilestepping; });
+    if (function.whilestepping) fish.hooks.push_back({name, static_cast<std::uint8_t>(Moment::after_cycle), 1, true});
     std::erase_if(fish.stored, [&](const StoredSource& stored) {
         return stored.kind == StoredSource::Kind::fish && stored.title == name;
     });
-    fish.stored.push_back({StoredSource::Kind::fish, name, place.source ? place.source->name : "",
-                           std::max(place.line, 1), text});
+    fish.stored.push_back(
+        {StoredSource::Kind::fish, name, place.source ? place.source->name : "", std::max(place.line, 1), text});
     fish.lua_functions.erase(name);
     fish.functions[name] = {std::move(function), chunk_name};
     for (auto& [other, defined] : fish.functions) {
         const auto& mentions = defined.function.mentions;
-        if (other != name && std::binary_search(mentions.begin(), mentions.end(), name))
-            set_translator(machine, other);
+        if (other != name && std::binary_search(mentions.begin(), mentions.end(), name)) set_translator(machine, other);
     }
     forget_expressions(machine);
 }
@@ -315,8 +306,8 @@ std::vector<std::string> fish_symbols(const Machine& machine) {
 bool knows_fish_name(const Machine& machine, const std::string& given) {
     const std::string name = lower_case(given);
     const FishLibrary& fish = machine.fish;
-    return fish.functions.contains(name) || fish.lua_functions.contains(name) ||
-           fish.built_ins.contains(name) || variable_exists(machine, name);
+    return fish.functions.contains(name) || fish.lua_functions.contains(name) || fish.built_ins.contains(name) ||
+           variable_exists(machine, name);
 }
 
 } // namespace kaya::script

@@ -32,7 +32,7 @@ struct FishLibrary {
     std::map<std::string, DefinedFunction, std::less<>> functions;
     std::set<std::string, std::less<>> lua_functions; ///< lower case names of global Lua functions
     std::map<std::string, BuiltIn, std::less<>> built_ins;
-    std::vector<StoredHook> hooks; ///< functions that run in cycles, in the order in which they came
+    std::vector<StoredHook> hooks;    ///< functions that run in cycles, in the order in which they came
     std::vector<StoredSource> stored; ///< FISH functions and Lua chunks in the order in which they came
     /// Translated expressions of commands and histories, by text: number in Lua's registry.
     std::unordered_map<std::string, int> expressions;

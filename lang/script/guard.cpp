@@ -35,10 +35,8 @@ int count_levels(lua_State* L) {
     }
     while (below < above) {
         const int middle = (below + above) / 2;
-        if (lua_getstack(L, middle, &record))
-            below = middle + 1;
-        else
-            above = middle;
+        if (lua_getstack(L, middle, &record)) below = middle + 1;
+        else above = middle;
     }
     return below;
 }
@@ -50,8 +48,7 @@ std::string describe(const Source& source, const lua_Debug& record) {
         return source.title.empty() ? "in a FISH expression" + where
                                     : fmt::format("in FISH function '{}'{}", source.title, where);
     if (record.what && std::strcmp(record.what, "main") == 0) return "in a Lua chunk" + where;
-    return record.name ? fmt::format("in Lua function '{}'{}", record.name, where)
-                       : "in a Lua function" + where;
+    return record.name ? fmt::format("in Lua function '{}'{}", record.name, where) : "in a Lua function" + where;
 }
 
 /// Gives the diagnostic the place of the innermost line of a script, and a line for every function.
@@ -60,8 +57,7 @@ void add_stack(lua_State* L, Diagnostic& diagnostic) {
     lua_Debug record;
     const int levels = count_levels(L) - machine.levels_before;
     int shown = 0;
-    for (int level = 0; level < levels && shown <= most_stack_lines && lua_getstack(L, level, &record);
-         ++level) {
+    for (int level = 0; level < levels && shown <= most_stack_lines && lua_getstack(L, level, &record); ++level) {
         lua_getinfo(L, "Sln", &record);
         const Source* source = machine.sources.find(record.source);
         if (!source) continue;
@@ -74,10 +70,9 @@ void add_stack(lua_State* L, Diagnostic& diagnostic) {
 /// Lua's own words, where they would not be understood by somebody who wrote FISH.
 Diagnostic translated(std::string_view text) {
     if (text.find("stack overflow") != std::string_view::npos)
-        return Diagnostic("functions call each other too deeply",
-                          "a function that calls itself needs a way to end", Fault::run);
-    if (text == "not enough memory")
-        return Diagnostic("the script needs more memory than there is", {}, Fault::run);
+        return Diagnostic("functions call each other too deeply", "a function that calls itself needs a way to end",
+                          Fault::run);
+    if (text == "not enough memory") return Diagnostic("the script needs more memory than there is", {}, Fault::run);
     return Diagnostic(std::string(text), {}, Fault::run);
 }
 
@@ -86,8 +81,8 @@ Diagnostic from_error_value(lua_State* L, int index) {
     std::size_t size = 0;
     const char* raw = lua_type(L, index) == LUA_TSTRING ? lua_tolstring(L, index, &size) : nullptr;
     if (!raw)
-        return Diagnostic(fmt::format("the script stopped with a {} as error value", luaL_typename(L, index)),
-                          {}, Fault::run);
+        return Diagnostic(fmt::format("the script stopped with a {} as error value", luaL_typename(L, index)), {},
+                          Fault::run);
     const std::string message(raw, size);
     std::string_view chunk, text = message;
     int line = 0;
@@ -104,9 +99,7 @@ int handle_error(lua_State* L) {
         Diagnostic diagnostic = from_error_value(L, 1);
         add_stack(L, diagnostic);
         push_diagnostic(L, diagnostic);
-    } catch (const std::exception&) {
-        lua_settop(L, 1);
-    }
+    } catch (const std::exception&) { lua_settop(L, 1); }
     return 1;
 }
 
@@ -144,9 +137,8 @@ const Diagnostic* diagnostic_at(lua_State* L, int index) {
 void call_protected(lua_State* L, int arguments, int results) {
     Machine& machine = machine_of(L);
     if (machine.depth >= deepest_call)
-        throw Diagnostic(
-            fmt::format("commands and functions call each other more than {} levels deep", deepest_call),
-            "a function that runs commands which call it needs a way to end", Fault::run);
+        throw Diagnostic(fmt::format("commands and functions call each other more than {} levels deep", deepest_call),
+                         "a function that runs commands which call it needs a way to end", Fault::run);
     const int outer_levels = machine.levels_before;
     // A wish to stop that came while no script ran was not meant for this one.
     if (machine.depth == 0) lua_sethook(L, nullptr, 0, 0), machine.stopping = false;

@@ -20,13 +20,10 @@ void open_diagnostics(lua_State* L);
 template <int (*body)(lua_State*)> int guarded(lua_State* L) {
     try {
         return body(L);
-    } catch (const Diagnostic& diagnostic) {
-        push_diagnostic(L, diagnostic);
-    } catch (const std::bad_alloc&) {
-        push_diagnostic(L, Diagnostic("there is not enough memory for this model", "use fewer blocks or longer zone edges", Fault::run));
-    } catch (const std::exception& error) {
-        push_diagnostic(L, Diagnostic(error.what(), {}, Fault::own));
-    }
+    } catch (const Diagnostic& diagnostic) { push_diagnostic(L, diagnostic); } catch (const std::bad_alloc&) {
+        push_diagnostic(L, Diagnostic("there is not enough memory for this model",
+                                      "use fewer blocks or longer zone edges", Fault::run));
+    } catch (const std::exception& error) { push_diagnostic(L, Diagnostic(error.what(), {}, Fault::own)); }
     return lua_error(L);
 }
 

@@ -17,11 +17,10 @@ bool is_handle(const World& world, const Handle& handle) {
 }
 
 void* pack_handle(const Handle& handle) {
-    if (handle.table < 0 || handle.table >= 16 || handle.slot >> slot_bits ||
-        handle.generation >> generation_bits)
-        throw Diagnostic("an object of the model cannot be named by a script: its number is too large", {},
-                         Fault::own);
-    const std::uintptr_t bits = static_cast<std::uintptr_t>(handle.table) << (slot_bits + generation_bits + model_bits) |
+    if (handle.table < 0 || handle.table >= 16 || handle.slot >> slot_bits || handle.generation >> generation_bits)
+        throw Diagnostic("an object of the model cannot be named by a script: its number is too large", {}, Fault::own);
+    const std::uintptr_t bits = static_cast<std::uintptr_t>(handle.table)
+                                    << (slot_bits + generation_bits + model_bits) |
                                 static_cast<std::uintptr_t>(handle.model) << (slot_bits + generation_bits) |
                                 static_cast<std::uintptr_t>(handle.generation) << slot_bits | handle.slot;
     return reinterpret_cast<void*>(bits);
@@ -30,8 +29,7 @@ void* pack_handle(const Handle& handle) {
 namespace {
 
 std::string with_article(std::string_view name) {
-    const bool vowel =
-        !name.empty() && std::string_view("aeiou").find(name.front()) != std::string_view::npos;
+    const bool vowel = !name.empty() && std::string_view("aeiou").find(name.front()) != std::string_view::npos;
     return fmt::format("{} {}", vowel ? "an" : "a", name);
 }
 
@@ -65,9 +63,8 @@ int new_index(lua_State* L) {
     const Member& member = member_at(L, machine, handle);
     const auto& table = machine.world.tables()[handle.table];
     if (member.kind != MemberKind::field || !table.fields[member.number].writable)
-        throw Diagnostic(
-            fmt::format("'{}' of {} can be read, not set", lua_tostring(L, 2), with_article(table.name)), {},
-            Fault::run);
+        throw Diagnostic(fmt::format("'{}' of {} can be read, not set", lua_tostring(L, 2), with_article(table.name)),
+                         {}, Fault::run);
     if (machine.restoring) return 0;
     machine.world.set(handle, member.number, value_at(L, 3, fmt::format("the new '{}'", lua_tostring(L, 2))));
     return 0;
@@ -124,16 +121,15 @@ void index_fields(lua_State* L) {
             members.add({kept_name(L, fmt::format("{}s", tables[child].name)), MemberKind::method,
                          static_cast<std::uint32_t>(child)});
         for (std::size_t i = 0; i < table.fields.size(); ++i)
-            members.add(
-                {kept_name(L, table.fields[i].name), MemberKind::field, static_cast<std::uint32_t>(i)});
+            members.add({kept_name(L, table.fields[i].name), MemberKind::field, static_cast<std::uint32_t>(i)});
         machine.fields.tables.push_back(std::move(members));
     }
     for (std::int32_t table = 0; table < static_cast<std::int32_t>(tables.size()); ++table)
-        machine.next_relations.push_back(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, find_relation(machine.world, RelationInfo::Form::next, table, table))));
+        machine.next_relations.push_back(static_cast<std::size_t>(
+            std::max<std::ptrdiff_t>(0, find_relation(machine.world, RelationInfo::Form::next, table, table))));
     const auto& globals = machine.world.globals();
     for (std::size_t i = 0; i < globals.size(); ++i)
-        machine.fields.globals.add(
-            {kept_name(L, globals[i].name), MemberKind::field, static_cast<std::uint32_t>(i)});
+        machine.fields.globals.add({kept_name(L, globals[i].name), MemberKind::field, static_cast<std::uint32_t>(i)});
 }
 
 } // namespace

@@ -14,7 +14,9 @@ static_assert(World::model_numbers == 1u << model_bits);
 
 inline Handle unpack_handle(const void* packed) {
     const auto bits = reinterpret_cast<std::uintptr_t>(packed);
-    const auto part = [bits](int from, int count) { return static_cast<std::uint32_t>(bits >> from & ((1u << count) - 1)); };
+    const auto part = [bits](int from, int count) {
+        return static_cast<std::uint32_t>(bits >> from & ((1u << count) - 1));
+    };
     return {static_cast<std::int32_t>(bits >> (slot_bits + generation_bits + model_bits)), part(0, slot_bits),
             part(slot_bits, generation_bits), static_cast<std::uint8_t>(part(slot_bits + generation_bits, model_bits))};
 }
@@ -30,6 +32,5 @@ void* pack_handle(const Handle& handle);
 
 /// The type of all handles: fields, methods, text, and errors for arithmetic.
 void open_handles(lua_State* L);
-
 
 } // namespace kaya::script

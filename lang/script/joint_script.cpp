@@ -42,7 +42,8 @@ namespace {
 std::string text_of(const std::filesystem::path& file) {
     std::ifstream stream(file);
     if (!stream || std::filesystem::is_directory(file))
-        throw Diagnostic(fmt::format("the joint model {} cannot be read", file.string()), "look at the name of the file");
+        throw Diagnostic(fmt::format("the joint model {} cannot be read", file.string()),
+                         "look at the name of the file");
     std::ostringstream text;
     text << stream.rdbuf();
     return text.str();

@@ -193,13 +193,15 @@ void refuse_other_names(lua_State* L, std::string_view of, std::initializer_list
         const std::string word = lua_tostring(L, -1);
         if (std::find(known.begin(), known.end(), word) != known.end()) continue;
         const std::string meant(did_you_mean(word, {known.begin(), known.end()}));
-        throw std::runtime_error(meant.empty() ? fmt::format("{} has no '{}'; it has {}", of, word, fmt::join(known, ", "))
-                           : fmt::format("{} has no '{}'; did you mean '{}'?", of, word, meant));
+        throw std::runtime_error(meant.empty()
+                                     ? fmt::format("{} has no '{}'; it has {}", of, word, fmt::join(known, ", "))
+                                     : fmt::format("{} has no '{}'; did you mean '{}'?", of, word, meant));
     }
 }
 
 void push_freezer(lua_State* L) {
-    if (luaL_loadbufferx(L, freezer, std::strlen(freezer), "=kaya", "t") != LUA_OK) throw std::runtime_error(lua_tostring(L, -1));
+    if (luaL_loadbufferx(L, freezer, std::strlen(freezer), "=kaya", "t") != LUA_OK)
+        throw std::runtime_error(lua_tostring(L, -1));
 }
 
 } // namespace kaya::script

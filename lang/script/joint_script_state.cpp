@@ -46,10 +46,25 @@ void set_number(lua_State* L, const char* field, double value) {
 }
 
 /// What run() finds in a row; the header says what they mean.
-constexpr const char* row_fields[] = {
-    "area", "normal_disp", "normal_disp_inc", "pore_pressure", "normal_force", "normal_stiffness", "shear_stiffness", "frictional_work",
-    "time_step", "shear_disp_x", "shear_disp_y", "shear_disp_z", "shear_disp_inc_x", "shear_disp_inc_y", "shear_disp_inc_z",
-    "shear_force_x", "shear_force_y", "shear_force_z", "state"};
+constexpr const char* row_fields[] = {"area",
+                                      "normal_disp",
+                                      "normal_disp_inc",
+                                      "pore_pressure",
+                                      "normal_force",
+                                      "normal_stiffness",
+                                      "shear_stiffness",
+                                      "frictional_work",
+                                      "time_step",
+                                      "shear_disp_x",
+                                      "shear_disp_y",
+                                      "shear_disp_z",
+                                      "shear_disp_inc_x",
+                                      "shear_disp_inc_y",
+                                      "shear_disp_inc_z",
+                                      "shear_force_x",
+                                      "shear_force_y",
+                                      "shear_force_z",
+                                      "state"};
 
 std::string text_field(lua_State* L, const char* field, const char* otherwise) {
     lua_getfield(L, -1, field);
@@ -97,7 +112,8 @@ JointScriptTable::Property property_on_stack(lua_State* L) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     JointScriptTable::Property p{first_text(L, "properties"), "", "-", "", std::nan(""), -infinity, infinity, false};
     if (lua_type(L, -1) != LUA_TTABLE) return p;
-    refuse_other_names(L, fmt::format("the entry of property '{}'", p.name), {"unit", "help", "initial", "minimum", "maximum", "optional"});
+    refuse_other_names(L, fmt::format("the entry of property '{}'", p.name),
+                       {"unit", "help", "initial", "minimum", "maximum", "optional"});
     lua_rawgeti(L, -1, 2);
     if (lua_type(L, -1) == LUA_TSTRING) p.aliases = lua_tostring(L, -1);
     lua_pop(L, 1);
@@ -117,9 +133,10 @@ JointScriptTable::Property property_on_stack(lua_State* L) {
 JointScriptState::JointScriptState(const std::string& text, const std::string& file) : lua_(luaL_newstate()) {
     if (!lua_) throw std::bad_alloc();
     try {
-        const luaL_Reg libraries[] = {
-            {LUA_GNAME, luaopen_base}, {LUA_MATHLIBNAME, luaopen_math}, {LUA_STRLIBNAME, luaopen_string},
-            {LUA_TABLIBNAME, luaopen_table}};
+        const luaL_Reg libraries[] = {{LUA_GNAME, luaopen_base},
+                                      {LUA_MATHLIBNAME, luaopen_math},
+                                      {LUA_STRLIBNAME, luaopen_string},
+                                      {LUA_TABLIBNAME, luaopen_table}};
         for (const auto& library : libraries) {
             luaL_requiref(lua_, library.name, library.func, 1);
             lua_pop(lua_, 1);
@@ -172,15 +189,17 @@ void JointScriptState::refuse_change() {
     const std::string name = lua_isstring(lua_, -1) ? lua_tostring(lua_, -1) : "";
     lua_pop(lua_, 1);
     if (!name.empty())
-        fail(fmt::format("'{}' is changed by the functions of the model and would be kept from call to call: a joint model keeps nothing "
-                         "but its history",
-                         name));
+        fail(fmt::format(
+            "'{}' is changed by the functions of the model and would be kept from call to call: a joint model keeps nothing "
+            "but its history",
+            name));
 }
 
 void JointScriptState::read_table() {
     if (lua_type(lua_, -1) != LUA_TTABLE) fail("the file must return a table");
-    refuse_other_names(lua_, "the table of the model",
-                       {"name", "title", "version", "properties", "history", "states", "initialise", "run", "check", "stiffness"});
+    refuse_other_names(
+        lua_, "the table of the model",
+        {"name", "title", "version", "properties", "history", "states", "initialise", "run", "check", "stiffness"});
     table_.name = text_field(lua_, "name", "");
     if (table_.name.empty()) fail("'name' is missing");
     table_.title = text_field(lua_, "title", "");

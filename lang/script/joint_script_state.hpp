@@ -54,8 +54,8 @@ private:
     lua_State* lua_ = nullptr;
     JointScriptTable table_;
     std::vector<std::vector<std::string>> names_of_properties_; ///< words under which run() finds each value
-    std::vector<std::string> spellings_; ///< of the history, with _ for -
-    const kaya_jbatch* batch_ = nullptr; ///< of the running call, for tables
+    std::vector<std::string> spellings_;                        ///< of the history, with _ for -
+    const kaya_jbatch* batch_ = nullptr;                        ///< of the running call, for tables
     int chunk_ = 0, model_ = 0, row_ = 0, values_ = 0, view_ = 0, kept_ = 0; ///< numbers in Lua's registry
     int changed_ = 0; ///< of a function that gives the name of a variable that was changed since the file was read
 

@@ -83,14 +83,12 @@ int reduce(lua_State* L) {
 int nearest(lua_State* L) {
     const std::int32_t table = table_argument(L, "nearest");
     Vec3 place;
-    if (lua_gettop(L) == 2)
-        place = vector_argument(L, 2, "nearest");
+    if (lua_gettop(L) == 2) place = vector_argument(L, 2, "nearest");
     else
         for (int i = 0; i < 3; ++i) place[i] = number_argument(L, i + 2, "nearest");
     World& world = machine_of(L).world;
     const auto relation = find_relation(world, RelationInfo::Form::nearest, -1, table);
-    if (relation < 0)
-        throw Diagnostic("corners of faces cannot be looked for", "look for the gridpoint", Fault::run);
+    if (relation < 0) throw Diagnostic("corners of faces cannot be looked for", "look for the gridpoint", Fault::run);
     push_lua_value(L, world.relate(static_cast<std::size_t>(relation), {}, place));
     return 1;
 }
@@ -132,7 +130,8 @@ void set_samples(lua_State* L, const char* name, std::span<const double> values)
     lua_setfield(L, -2, name);
     if (values.empty()) return;
     const auto [least, greatest] = std::ranges::minmax(values);
-    for (const auto& [key, value] : {std::pair{"minimum", least}, std::pair{"maximum", greatest}, std::pair{"last", values.back()}}) {
+    for (const auto& [key, value] :
+         {std::pair{"minimum", least}, std::pair{"maximum", greatest}, std::pair{"last", values.back()}}) {
         lua_pushnumber(L, value);
         lua_setfield(L, -2, key);
     }
@@ -143,7 +142,8 @@ int history(lua_State* L) {
     const std::string name = lua_isinteger(L, 1) ? std::to_string(lua_tointeger(L, 1)) : text_argument(L, 1, "history");
     const auto samples = machine_of(L).world.history(name);
     if (!samples)
-        throw Diagnostic(fmt::format("there is no history '{}'", name), "name it by its number or its label: list hist", Fault::run);
+        throw Diagnostic(fmt::format("there is no history '{}'", name), "name it by its number or its label: list hist",
+                         Fault::run);
     lua_newtable(L);
     push_numbers(L, samples->times);
     lua_setfield(L, -2, "times");
@@ -230,10 +230,8 @@ int print(lua_State* L) {
 int write(lua_State* L) {
     Machine& machine = machine_of(L);
     for (const char c : text_argument(L, 1, "io.write")) {
-        if (c == '\n')
-            print_line(machine, std::exchange(machine.unfinished_line, {}));
-        else
-            machine.unfinished_line += c;
+        if (c == '\n') print_line(machine, std::exchange(machine.unfinished_line, {}));
+        else machine.unfinished_line += c;
     }
     return 0;
 }
@@ -292,10 +290,8 @@ int run_lines(lua_State* L, const char* function, bool caught) {
     std::string printed, before = std::exchange(world.stopped_by, {});
     if (!machine.restoring) printed = world.command(text, place ? place.source->name : "", place.line, caught);
     if (caught) lua_pushlstring(L, printed.data(), printed.size());
-    if (world.stopped_by.empty())
-        lua_pushnil(L);
-    else
-        lua_pushlstring(L, world.stopped_by.data(), world.stopped_by.size());
+    if (world.stopped_by.empty()) lua_pushnil(L);
+    else lua_pushlstring(L, world.stopped_by.data(), world.stopped_by.size());
     if (world.stopped_by.empty()) world.stopped_by = std::move(before);
     return caught ? 2 : 1;
 }
@@ -334,12 +330,14 @@ int write_table(lua_State* L) {
         lua_rawgeti(L, 3, i);
         const bool numbers = lua_type(L, -1) == LUA_TNUMBER && lua_type(L, -2) == LUA_TNUMBER;
         if (!numbers || !std::isfinite(lua_tonumber(L, -1)) || !std::isfinite(lua_tonumber(L, -2)))
-            throw Diagnostic(fmt::format("point {} of table {} is not two numbers", i, number), "give x and y the same number of numbers", Fault::run);
+            throw Diagnostic(fmt::format("point {} of table {} is not two numbers", i, number),
+                             "give x and y the same number of numbers", Fault::run);
         table.insert(lua_tonumber(L, -2), lua_tonumber(L, -1));
         lua_pop(L, 2);
     }
     if (lua_rawlen(L, 3) != lua_rawlen(L, 2))
-        throw Diagnostic(fmt::format("table {} is given {} x and {} y", number, lua_rawlen(L, 2), lua_rawlen(L, 3)), "give as many of both", Fault::run);
+        throw Diagnostic(fmt::format("table {} is given {} x and {} y", number, lua_rawlen(L, 2), lua_rawlen(L, 3)),
+                         "give as many of both", Fault::run);
     if (machine.restoring) return 0;
     table.name = machine.tables[number].name;
     machine.tables[number] = std::move(table);
@@ -350,7 +348,8 @@ int write_table(lua_State* L) {
 int table_value(lua_State* L) {
     const std::int64_t number = integer_argument(L, 1, "tables");
     const auto found = machine_of(L).tables.find(number);
-    if (found == machine_of(L).tables.end()) throw Diagnostic(fmt::format("there is no table {}", number), {}, Fault::run);
+    if (found == machine_of(L).tables.end())
+        throw Diagnostic(fmt::format("there is no table {}", number), {}, Fault::run);
     lua_pushnumber(L, found->second.at(number_argument(L, 2, "at")));
     return 1;
 }
@@ -363,14 +362,13 @@ int add_hook(lua_State* L) {
     for (std::size_t i = 0; i < moments.size(); ++i)
         if (moments[i] == name) made.moment = static_cast<Moment>(i);
     if (lua_type(L, 2) != LUA_TFUNCTION)
-        throw Diagnostic(
-            fmt::format("hook.{} needs a function, here it is given {}", name, describe_value(L, 2)), {},
-            Fault::run);
+        throw Diagnostic(fmt::format("hook.{} needs a function, here it is given {}", name, describe_value(L, 2)), {},
+                         Fault::run);
     if (!lua_isnoneornil(L, 3)) {
         made.interval = integer_argument(L, 3, "hook");
         if (made.interval < 1)
-            throw Diagnostic(fmt::format("the interval of a hook is {}", made.interval),
-                             "it counts cycles from 1 up", Fault::run);
+            throw Diagnostic(fmt::format("the interval of a hook is {}", made.interval), "it counts cycles from 1 up",
+                             Fault::run);
     }
     lua_pushvalue(L, 2);
     made.function = luaL_ref(L, LUA_REGISTRYINDEX);
@@ -415,9 +413,7 @@ int new_global(lua_State* L) {
 }
 
 /// (message, hint)
-int fail(lua_State* L) {
-    throw Diagnostic(text_argument(L, 1, "fail"), text_argument(L, 2, "fail"), Fault::run);
-}
+int fail(lua_State* L) { throw Diagnostic(text_argument(L, 1, "fail"), text_argument(L, 2, "fail"), Fault::run); }
 
 constexpr std::array<luaL_Reg, 35> natives{{
     {"fail", guarded<fail>},

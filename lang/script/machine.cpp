@@ -95,10 +95,8 @@ Machine::~Machine() { lua_close(lua); }
 
 void print_line(Machine& machine, const std::string& line) {
     if (machine.restoring) return;
-    if (machine.sink)
-        machine.sink(line);
-    else
-        std::printf("%s\n", line.c_str());
+    if (machine.sink) machine.sink(line);
+    else std::printf("%s\n", line.c_str());
 }
 
 } // namespace kaya::script

@@ -43,8 +43,8 @@ const MaterialName& name_of(lua_State* L) {
 std::int64_t number_of(lua_State* L) {
     const std::int64_t number = integer_argument(L, 1, name_of(L).name);
     if (number < 1 || number > 2147483647)
-        throw Diagnostic(fmt::format("'{}' is given {}; materials have numbers from 1 up", name_of(L).name, number),
-                         {}, Fault::run);
+        throw Diagnostic(fmt::format("'{}' is given {}; materials have numbers from 1 up", name_of(L).name, number), {},
+                         Fault::run);
     return number;
 }
 

@@ -89,20 +89,16 @@ int arc_tangent_of_two(lua_State* L) {
 
 int absolute(lua_State* L) {
     const double x = number_argument(L, 1, "abs");
-    if (lua_isinteger(L, 1))
-        lua_pushinteger(L, std::abs(lua_tointeger(L, 1)));
-    else
-        lua_pushnumber(L, std::abs(x));
+    if (lua_isinteger(L, 1)) lua_pushinteger(L, std::abs(lua_tointeger(L, 1)));
+    else lua_pushnumber(L, std::abs(x));
     return 1;
 }
 
 int sign(lua_State* L) {
     const double x = number_argument(L, 1, "sgn");
     const bool negative = x < 0;
-    if (lua_isinteger(L, 1))
-        lua_pushinteger(L, negative ? -1 : 1);
-    else
-        lua_pushnumber(L, negative ? -1.0 : 1.0);
+    if (lua_isinteger(L, 1)) lua_pushinteger(L, negative ? -1 : 1);
+    else lua_pushnumber(L, negative ? -1.0 : 1.0);
     return 1;
 }
 
@@ -126,10 +122,8 @@ template <bool greatest> int extreme(lua_State* L) {
         whole = whole && lua_isinteger(L, i);
         if (lua_compare(L, greatest ? best : i, greatest ? i : best, LUA_OPLT)) best = i;
     }
-    if (whole)
-        lua_pushvalue(L, best);
-    else
-        lua_pushnumber(L, lua_tonumber(L, best));
+    if (whole) lua_pushvalue(L, best);
+    else lua_pushnumber(L, lua_tonumber(L, best));
     return 1;
 }
 
@@ -171,10 +165,8 @@ int bits_not(lua_State* L) {
 /// Bits that leave the 64 of an integer are lost; a negative count shifts the other way.
 void push_shifted(lua_State* L, std::int64_t value, std::int64_t left) {
     const auto bits = static_cast<std::uint64_t>(value);
-    if (left <= -64 || left >= 64)
-        lua_pushinteger(L, 0);
-    else
-        lua_pushinteger(L, static_cast<lua_Integer>(left >= 0 ? bits << left : bits >> -left));
+    if (left <= -64 || left >= 64) lua_pushinteger(L, 0);
+    else lua_pushinteger(L, static_cast<lua_Integer>(left >= 0 ? bits << left : bits >> -left));
 }
 
 int shift_left(lua_State* L) {

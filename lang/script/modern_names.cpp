@@ -106,7 +106,9 @@ int list_children(lua_State* L) {
     const bool pointer = lua_type(L, 1) == LUA_TLIGHTUSERDATA;
     const Handle owner = pointer ? unpack_handle(lua_touserdata(L, 1)) : Handle{};
     if (!pointer || owner.table != list.from)
-        fail_argument(L, 1, list.array.data(), fmt::format("a pointer to a {}", world.tables()[static_cast<std::size_t>(list.from)].name).c_str());
+        fail_argument(
+            L, 1, list.array.data(),
+            fmt::format("a pointer to a {}", world.tables()[static_cast<std::size_t>(list.from)].name).c_str());
     const auto first = static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)));
     const std::size_t next = machine_of(L).next_relations[static_cast<std::size_t>(list.to)];
     lua_newtable(L);

@@ -25,8 +25,7 @@ int in_range(lua_State* L) {
     World& world = machine_of(L).world;
     bool inside = false;
     if (is_vector(L, 2)) inside = world.in_range(name, vector_at(L, 2));
-    else if (lua_type(L, 2) == LUA_TLIGHTUSERDATA)
-        inside = world.in_range(name, unpack_handle(lua_touserdata(L, 2)));
+    else if (lua_type(L, 2) == LUA_TLIGHTUSERDATA) inside = world.in_range(name, unpack_handle(lua_touserdata(L, 2)));
     else fail_argument(L, 2, "in_range", "a pointer to an object or a vector");
     lua_pushinteger(L, inside ? 1 : 0);
     return 1;
@@ -36,8 +35,8 @@ int in_range(lua_State* L) {
 int inbox(lua_State* L) {
     const Vec3 one = vector_argument(L, 1, "inbox"), other = vector_argument(L, 2, "inbox");
     const Vec3 place = vector_argument(L, 3, "inbox");
-    const bool inside = (place.array() >= one.cwiseMin(other).array()).all() &&
-                        (place.array() <= one.cwiseMax(other).array()).all();
+    const bool inside =
+        (place.array() >= one.cwiseMin(other).array()).all() && (place.array() <= one.cwiseMax(other).array()).all();
     lua_pushinteger(L, inside ? 1 : 0);
     return 1;
 }

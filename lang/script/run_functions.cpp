@@ -17,14 +17,16 @@ World::Samples samples(lua_State* L, const char* function) {
     const std::string name = lua_isinteger(L, 1) ? std::to_string(lua_tointeger(L, 1)) : text_argument(L, 1, function);
     const auto found = machine_of(L).world.history(name);
     if (!found)
-        throw Diagnostic(fmt::format("there is no history '{}'", name), "name it by its number or its label: list hist", Fault::run);
+        throw Diagnostic(fmt::format("there is no history '{}'", name), "name it by its number or its label: list hist",
+                         Fault::run);
     return *found;
 }
 
 World::Samples some_samples(lua_State* L, const char* function) {
     const World::Samples all = samples(L, function);
     if (all.values.empty())
-        throw Diagnostic(fmt::format("'{}' is asked for a history that has no sample", function), "cycle before it is read", Fault::run);
+        throw Diagnostic(fmt::format("'{}' is asked for a history that has no sample", function),
+                         "cycle before it is read", Fault::run);
     return all;
 }
 

@@ -22,8 +22,7 @@ int fail_not_array(lua_State* L) {
     const Machine& machine = machine_of(L);
     const std::string name = lua_tostring(L, 2);
     const bool zero = lua_isinteger(L, 1) && lua_tointeger(L, 1) == 0;
-    if (!zero)
-        throw Diagnostic(fmt::format("'{}' is no array but {}", name, describe_value(L, 1)), {}, Fault::run);
+    if (!zero) throw Diagnostic(fmt::format("'{}' is no array but {}", name, describe_value(L, 1)), {}, Fault::run);
     if (const auto* reserved = fish::find_reserved_family(name)) {
         Diagnostic unsupported = fish::reserved_message(name, *reserved);
         unsupported.fault = Fault::run;
@@ -54,16 +53,14 @@ std::string joined(lua_State* L, int table) {
 int fail_outside(lua_State* L) {
     const std::string name = lua_tostring(L, 2);
     lua_getfield(L, 1, "dimensions");
-    throw Diagnostic(
-        fmt::format("{}({}) is outside of the array {}({})", name, joined(L, 3), name, joined(L, 4)),
-        "indices are whole numbers and count from 1", Fault::run);
+    throw Diagnostic(fmt::format("{}({}) is outside of the array {}({})", name, joined(L, 3), name, joined(L, 4)),
+                     "indices are whole numbers and count from 1", Fault::run);
 }
 
 /// (name, size)
 int fail_size(lua_State* L) {
-    throw Diagnostic(
-        fmt::format("the size of the array '{}' is {}", lua_tostring(L, 1), describe_value(L, 2)),
-        "a size is a whole number above 0", Fault::run);
+    throw Diagnostic(fmt::format("the size of the array '{}' is {}", lua_tostring(L, 1), describe_value(L, 2)),
+                     "a size is a whole number above 0", Fault::run);
 }
 
 /// (name)
@@ -74,8 +71,8 @@ int fail_too_large(lua_State* L) {
 
 /// (value)
 int fail_not_list(lua_State* L) {
-    throw Diagnostic(fmt::format("'loop foreach' needs a list, here it is given {}", describe_value(L, 1)),
-                     {}, Fault::run);
+    throw Diagnostic(fmt::format("'loop foreach' needs a list, here it is given {}", describe_value(L, 1)), {},
+                     Fault::run);
 }
 
 // --- elements of arrays with one dimension ------------------------------------------------------------
@@ -99,10 +96,8 @@ bool is_list(lua_State* L) {
         array = kind == machine_of(L).array_type || kind == machine_of(L).grid_type;
         lua_pop(L, 1);
     }
-    if (array)
-        fail_outside(L);
-    else
-        fail_not_array(L);
+    if (array) fail_outside(L);
+    else fail_not_array(L);
     throw std::logic_error("internal error: inconsistent array type");
 }
 
@@ -153,8 +148,7 @@ int word(lua_State* L) {
             text += '\'';
         }
     } else if (std::holds_alternative<Handle>(value)) {
-        throw Diagnostic("a pointer cannot stand in a command", "use its number, as in [b_id(p)]",
-                         Fault::run);
+        throw Diagnostic("a pointer cannot stand in a command", "use its number, as in [b_id(p)]", Fault::run);
     } else {
         text = text_at(L, 1);
     }

@@ -44,9 +44,7 @@ void stop_hook(lua_State* L, lua_Debug*) { guarded<stop>(L); }
 /// Leaves the stack as it was, whatever happens in between.
 class StackLevel {
 public:
-    explicit StackLevel(lua_State* L) : lua_(L), level_(lua_gettop(L)) {
-        luaL_checkstack(L, 40, "for a call");
-    }
+    explicit StackLevel(lua_State* L) : lua_(L), level_(lua_gettop(L)) { luaL_checkstack(L, 40, "for a call"); }
     ~StackLevel() { lua_settop(lua_, level_); }
     StackLevel(const StackLevel&) = delete;
     StackLevel& operator=(const StackLevel&) = delete;
@@ -72,9 +70,7 @@ private:
 template <class Action> auto placed(const Place& place, Action action) {
     try {
         return action();
-    } catch (Diagnostic& diagnostic) {
-        throw diagnostic.at(place);
-    }
+    } catch (Diagnostic& diagnostic) { throw diagnostic.at(place); }
 }
 
 } // namespace
@@ -82,9 +78,7 @@ template <class Action> auto placed(const Place& place, Action action) {
 Scripts::Scripts(World& world, Options options) : impl_(std::make_unique<Impl>(world, std::move(options))) {}
 Scripts::~Scripts() = default;
 
-void Scripts::on_print(std::function<void(const std::string&)> sink) {
-    impl_->machine->sink = std::move(sink);
-}
+void Scripts::on_print(std::function<void(const std::string&)> sink) { impl_->machine->sink = std::move(sink); }
 
 void Scripts::on_require(std::function<std::vector<std::filesystem::path>()> folders) {
     impl_->machine->deck_folders = std::move(folders);
@@ -147,9 +141,7 @@ void Scripts::set(const std::string& name, const Value& value, const Place& plac
 
 void Scripts::seed(std::uint64_t seed) { impl_->machine->random.seed(seed); }
 
-bool Scripts::knows(const std::string& name) const {
-    return knows_fish_name(*impl_->machine, bare_expression(name));
-}
+bool Scripts::knows(const std::string& name) const { return knows_fish_name(*impl_->machine, bare_expression(name)); }
 
 std::vector<std::string> Scripts::symbols() const { return fish_symbols(*impl_->machine); }
 
@@ -159,12 +151,13 @@ std::vector<std::pair<std::string, bool>> Scripts::built_in_names() const {
     return names;
 }
 
-std::vector<std::pair<std::string, std::string>> Scripts::newer_names() const { return modern_names(impl_->machine->world); }
+std::vector<std::pair<std::string, std::string>> Scripts::newer_names() const {
+    return modern_names(impl_->machine->world);
+}
 
 fish::Meaning Scripts::meaning_of(const std::string& name) const { return dictionary_of(*impl_->machine)(name); }
 
-void Scripts::add_fish_hook(const std::string& function, Moment moment, std::int64_t interval,
-                            const Place& place) {
+void Scripts::add_fish_hook(const std::string& function, Moment moment, std::int64_t interval, const Place& place) {
     FishLibrary& fish = impl_->machine->fish;
     const std::string name = lower_case(function);
     const auto found = fish.functions.find(name);
@@ -189,8 +182,7 @@ void Scripts::remove_fish_hook(const std::string& function, const Place& place) 
     const auto removed = std::erase_if(impl_->machine->fish.hooks, [&](const StoredHook& hook) {
         return hook.function == name && !hook.whilestepping;
     });
-    if (removed == 0)
-        throw Diagnostic(fmt::format("no callback runs '{}'", function), {}, Fault::run).at(place);
+    if (removed == 0) throw Diagnostic(fmt::format("no callback runs '{}'", function), {}, Fault::run).at(place);
 }
 
 bool Scripts::has_hooks(Moment moment) const {
@@ -220,10 +212,8 @@ void Scripts::run_hooks(Moment moment, std::int64_t cycle) {
         if (hook.moment != moment || cycle % hook.interval != 0) continue;
         lua_rawgeti(L, LUA_REGISTRYINDEX, hook.function);
         // A hook that ran before may have taken this one away.
-        if (lua_isfunction(L, -1))
-            call_protected(L, 0, 0);
-        else
-            lua_pop(L, 1);
+        if (lua_isfunction(L, -1)) call_protected(L, 0, 0);
+        else lua_pop(L, 1);
     }
 }
 
@@ -265,8 +255,9 @@ bool Scripts::running() const { return impl_->machine->depth > 0; }
 
 void Scripts::refuse_while_awaited(const char* what) const {
     if (impl_->machine->awaited > 0)
-        throw Diagnostic(fmt::format("'{}' cannot be given here: a command or a cycle waits for what the function gives", what),
-                         "call the function on a line of its own, as @name, or from a Lua chunk", Fault::run);
+        throw Diagnostic(
+            fmt::format("'{}' cannot be given here: a command or a cycle waits for what the function gives", what),
+            "call the function on a line of its own, as @name, or from a Lua chunk", Fault::run);
 }
 
 void Scripts::change_model(const ScriptState* state) {

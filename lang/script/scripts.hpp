@@ -19,11 +19,10 @@
 namespace kaya::script {
 
 struct Options {
-    bool trusted =
-        false; ///< true: os.execute, io.popen, files anywhere, debug, load libraries
+    bool trusted = false;       ///< true: os.execute, io.popen, files anywhere, debug, load libraries
     std::shared_ptr<Gate> gate; ///< says which files may be touched; the working folder alone if there is none
-    std::uint64_t seed = 1;                            ///< of urand, grand and Lua's math.random
-    std::size_t memory = 0; ///< bytes that scripts may take together; 0: as much as there is
+    std::uint64_t seed = 1;     ///< of urand, grand and Lua's math.random
+    std::size_t memory = 0;     ///< bytes that scripts may take together; 0: as much as there is
     std::vector<std::filesystem::path> module_folders; ///< searched by `require` after the deck's folder
 };
 

@@ -34,8 +34,7 @@ Place line_place(const Source& source, int lua_line) {
     if (first == std::string::npos) return place;
     // A comment is no part of what went wrong.
     auto last = text.find_last_not_of(" \t\r", text.find(source.is_fish ? ";" : "--", first));
-    if (last != std::string::npos && text.compare(last, 1, ";") == 0)
-        last = text.find_last_not_of(" \t;", last);
+    if (last != std::string::npos && text.compare(last, 1, ";") == 0) last = text.find_last_not_of(" \t;", last);
     place.column = static_cast<int>(first) + 1;
     place.length = last == std::string::npos || last < first ? 1 : static_cast<int>(last - first) + 1;
     return place;

@@ -50,8 +50,8 @@ struct ScriptState {
     std::vector<std::pair<std::string, StoredValue>> lua_globals;  ///< sorted by name; no functions
     std::vector<std::pair<std::string, StoredValue>> extras;       ///< "b_extra" -> object handle -> value
     std::vector<StoredObject> objects;
-    std::vector<StoredSource> sources;      ///< FISH functions and Lua chunks that define something, in order
-    std::vector<StoredHook> hooks;          ///< of FISH functions, in the order in which they came
+    std::vector<StoredSource> sources; ///< FISH functions and Lua chunks that define something, in order
+    std::vector<StoredHook> hooks;     ///< of FISH functions, in the order in which they came
     Tables tables;
     std::array<std::uint64_t, 4> random{};
 };

@@ -71,18 +71,10 @@ private:
 void put(Writer& out, const StoredValue& value) {
     out.number(static_cast<std::uint8_t>(value.index()));
     switch (value.index()) {
-    case 1:
-        out.number(static_cast<std::uint8_t>(std::get<bool>(value)));
-        break;
-    case 2:
-        out.number(std::get<std::int64_t>(value));
-        break;
-    case 3:
-        out.number(std::get<double>(value));
-        break;
-    case 4:
-        out.text(std::get<std::string>(value));
-        break;
+    case 1: out.number(static_cast<std::uint8_t>(std::get<bool>(value))); break;
+    case 2: out.number(std::get<std::int64_t>(value)); break;
+    case 3: out.number(std::get<double>(value)); break;
+    case 4: out.text(std::get<std::string>(value)); break;
     case 5:
         for (int i = 0; i < 3; ++i) out.number(std::get<Vec3>(value)[i]);
         break;
@@ -93,11 +85,8 @@ void put(Writer& out, const StoredValue& value) {
         out.number(handle.generation);
         break;
     }
-    case 7:
-        out.number(static_cast<std::uint64_t>(std::get<ObjectReference>(value).index));
-        break;
-    default:
-        break;
+    case 7: out.number(static_cast<std::uint64_t>(std::get<ObjectReference>(value).index)); break;
+    default: break;
     }
 }
 
@@ -109,21 +98,11 @@ template <class Number> Number taken(Reader& in) {
 
 void take(Reader& in, StoredValue& value) {
     switch (taken<std::uint8_t>(in)) {
-    case 0:
-        value = std::monostate{};
-        return;
-    case 1:
-        value = taken<std::uint8_t>(in) != 0;
-        return;
-    case 2:
-        value = taken<std::int64_t>(in);
-        return;
-    case 3:
-        value = taken<double>(in);
-        return;
-    case 4:
-        in.text(value.emplace<std::string>());
-        return;
+    case 0: value = std::monostate{}; return;
+    case 1: value = taken<std::uint8_t>(in) != 0; return;
+    case 2: value = taken<std::int64_t>(in); return;
+    case 3: value = taken<double>(in); return;
+    case 4: in.text(value.emplace<std::string>()); return;
     case 5: {
         Vec3 vector;
         for (int i = 0; i < 3; ++i) in.number(vector[i]);
@@ -138,12 +117,8 @@ void take(Reader& in, StoredValue& value) {
         value = handle;
         return;
     }
-    case 7:
-        value = ObjectReference{static_cast<std::size_t>(taken<std::uint64_t>(in))};
-        return;
-    default:
-        throw Diagnostic("the saved scripts hold a value of an unknown kind", "the file is damaged",
-                         Fault::run);
+    case 7: value = ObjectReference{static_cast<std::size_t>(taken<std::uint64_t>(in))}; return;
+    default: throw Diagnostic("the saved scripts hold a value of an unknown kind", "the file is damaged", Fault::run);
     }
 }
 
@@ -198,9 +173,9 @@ ScriptState from_bytes(const std::string& bytes) {
         throw Diagnostic("these are no saved scripts", "the file is damaged, or no file of kaya", Fault::run);
     const auto found = taken<std::uint32_t>(in);
     if (found != version)
-        throw Diagnostic(fmt::format("the scripts were saved in version {}; this program reads version {}",
-                                     found, version),
-                         {}, Fault::run);
+        throw Diagnostic(
+            fmt::format("the scripts were saved in version {}; this program reads version {}", found, version), {},
+            Fault::run);
     ScriptState state;
     for (Named* values : {&state.fish_globals, &state.lua_globals, &state.extras})
         in.list(*values, [&](auto& item) {
@@ -237,8 +212,7 @@ ScriptState from_bytes(const std::string& bytes) {
         });
     }
     for (auto& word : state.random) in.number(word);
-    if (!in.done())
-        throw Diagnostic("bytes are left over after the saved scripts", "the file is damaged", Fault::run);
+    if (!in.done()) throw Diagnostic("bytes are left over after the saved scripts", "the file is damaged", Fault::run);
     return state;
 }
 

@@ -24,10 +24,7 @@ using Named = std::vector<std::pair<std::string, StoredValue>>;
 bool before(const StoredValue& a, const StoredValue& b) {
     const auto rank = [](const StoredValue& v) {
         const bool number = std::holds_alternative<std::int64_t>(v) || std::holds_alternative<double>(v);
-        return number                                   ? 0
-               : std::holds_alternative<std::string>(v) ? 1
-               : std::holds_alternative<bool>(v)        ? 2
-                                                        : 3;
+        return number ? 0 : std::holds_alternative<std::string>(v) ? 1 : std::holds_alternative<bool>(v) ? 2 : 3;
     };
     if (rank(a) != rank(b)) return rank(a) < rank(b);
     const auto number = [](const StoredValue& v) {
@@ -35,20 +32,15 @@ bool before(const StoredValue& a, const StoredValue& b) {
         return whole ? static_cast<double>(*whole) : std::get<double>(v);
     };
     switch (rank(a)) {
-    case 0:
-        return number(a) < number(b);
-    case 1:
-        return std::get<std::string>(a) < std::get<std::string>(b);
-    case 2:
-        return !std::get<bool>(a) && std::get<bool>(b);
-    default:
-        break;
+    case 0: return number(a) < number(b);
+    case 1: return std::get<std::string>(a) < std::get<std::string>(b);
+    case 2: return !std::get<bool>(a) && std::get<bool>(b);
+    default: break;
     }
     const auto* left = std::get_if<Handle>(&a);
     const auto* right = std::get_if<Handle>(&b);
     if (!left || !right) return left != nullptr && right == nullptr;
-    return std::tie(left->table, left->slot, left->generation) <
-           std::tie(right->table, right->slot, right->generation);
+    return std::tie(left->table, left->slot, left->generation) < std::tie(right->table, right->slot, right->generation);
 }
 
 class StateWriter {
@@ -90,8 +82,7 @@ private:
     /// The value at the top of the stack; false for what is no data: functions, files.
     bool take(StoredValue& value, int depth) {
         if (lua_istable(lua_, -1)) return take_table(value, depth);
-        if (lua_isfunction(lua_, -1) || (lua_type(lua_, -1) == LUA_TUSERDATA && !is_vector(lua_, -1)))
-            return false;
+        if (lua_isfunction(lua_, -1) || (lua_type(lua_, -1) == LUA_TUSERDATA && !is_vector(lua_, -1))) return false;
         std::visit([&](auto&& plain) { value = plain; }, value_at(lua_, -1, "a variable"));
         if (is_stale(value)) value = std::monostate{};
         return true;
@@ -110,8 +101,7 @@ private:
 
     bool take_table(StoredValue& value, int depth) {
         if (depth > deepest_table)
-            throw Diagnostic("the tables of a Lua variable are nested too deeply to be saved", {},
-                             Fault::run);
+            throw Diagnostic("the tables of a Lua variable are nested too deeply to be saved", {}, Fault::run);
         luaL_checkstack(lua_, 8, "too many tables in tables");
         const auto [found, is_new] = known_.try_emplace(lua_topointer(lua_, -1), state_.objects.size());
         value = ObjectReference{found->second};
@@ -119,10 +109,8 @@ private:
         state_.objects.emplace_back();
         StoredObject object;
         const std::size_t index = found->second;
-        if (is_array())
-            take_array(object, depth);
-        else
-            take_pairs(object, depth);
+        if (is_array()) take_array(object, depth);
+        else take_pairs(object, depth);
         state_.objects[index] = std::move(object);
         return true;
     }
@@ -154,8 +142,7 @@ private:
     void take_pairs(StoredObject& object, int depth) {
         std::vector<StoredValue> keys;
         for (lua_pushnil(lua_); lua_next(lua_, -2) != 0; lua_pop(lua_, 1)) {
-            if (lua_istable(lua_, -2) || lua_isfunction(lua_, -2) || lua_type(lua_, -2) == LUA_TUSERDATA)
-                continue;
+            if (lua_istable(lua_, -2) || lua_isfunction(lua_, -2) || lua_type(lua_, -2) == LUA_TUSERDATA) continue;
             StoredValue key;
             lua_pushvalue(lua_, -2);
             take(key, depth + 1);
@@ -180,8 +167,7 @@ private:
             [&](const auto& plain) {
                 if constexpr (!std::is_same_v<std::decay_t<decltype(plain)>, ObjectReference>)
                     push_lua_value(lua_, Value(plain));
-                else
-                    lua_pushnil(lua_);
+                else lua_pushnil(lua_);
             },
             stored);
     }
@@ -229,7 +215,8 @@ private:
     /// Numbers of objects and of lines are those that a model can have, before anything is made of them.
     void check() const {
         const auto check_value = [&](const StoredValue& value) {
-            if (const auto* reference = std::get_if<ObjectReference>(&value); reference && reference->index >= made_.size())
+            if (const auto* reference = std::get_if<ObjectReference>(&value);
+                reference && reference->index >= made_.size())
                 fail_damaged();
             const auto* handle = std::get_if<Handle>(&value);
             if (handle && handle->generation != 0 && !is_handle(machine_.world, *handle)) fail_damaged();
@@ -271,10 +258,8 @@ private:
     void define(const StoredSource& stored) {
         const Place place{decks_[stored.name], static_cast<int>(stored.line), 1, 1};
         try {
-            if (stored.kind == StoredSource::Kind::fish)
-                define_fish_function(machine_, stored.text, place);
-            else
-                run_chunk(machine_, stored.text, place);
+            if (stored.kind == StoredSource::Kind::fish) define_fish_function(machine_, stored.text, place);
+            else run_chunk(machine_, stored.text, place);
         } catch (Diagnostic& diagnostic) {
             machine_.restoring = false;
             throw diagnostic.add("while the scripts of the saved model were defined again");
@@ -297,8 +282,7 @@ private:
     /// Pushes the value. Below it stands what the variable holds now: a table is filled, not replaced,
     /// because functions of the chunks that ran again may hold it.
     void push(const StoredValue& stored) {
-        if (const auto* reference = std::get_if<ObjectReference>(&stored))
-            return push_object(reference->index);
+        if (const auto* reference = std::get_if<ObjectReference>(&stored)) return push_object(reference->index);
         if (const auto* stored_handle = std::get_if<Handle>(&stored)) {
             Handle handle = *stored_handle;
             handle.model = machine_.world.model_number;
@@ -321,17 +305,13 @@ private:
         luaL_checkstack(lua_, 8, "too many tables in tables");
         const StoredObject& object = state_.objects[index];
         const bool array = !object.dimensions.empty();
-        if (!array && lua_istable(lua_, -1))
-            lua_pushvalue(lua_, -1);
-        else
-            lua_newtable(lua_);
+        if (!array && lua_istable(lua_, -1)) lua_pushvalue(lua_, -1);
+        else lua_newtable(lua_);
         lua_pushvalue(lua_, -1);
         made_[index] = luaL_ref(lua_, LUA_REGISTRYINDEX);
         if (++depth_ > deepest_table + 1) fail_damaged();
-        if (array)
-            fill_array(object);
-        else
-            fill_pairs(object);
+        if (array) fill_array(object);
+        else fill_pairs(object);
         --depth_;
     }
 
@@ -349,8 +329,7 @@ private:
     void fill_array(const StoredObject& object) {
         std::size_t size = 1;
         for (const std::int64_t extent : object.dimensions)
-            if (extent < 1 || __builtin_mul_overflow(size, static_cast<std::size_t>(extent), &size))
-                fail_damaged();
+            if (extent < 1 || __builtin_mul_overflow(size, static_cast<std::size_t>(extent), &size)) fail_damaged();
         if (size != object.values.size()) fail_damaged();
         for (std::size_t i = 0; i < object.values.size(); ++i) {
             lua_pushnil(lua_);

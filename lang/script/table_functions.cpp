@@ -18,8 +18,7 @@ Table& existing_table(lua_State* L, const char* function) {
     Tables& tables = machine_of(L).tables;
     const auto found = tables.find(number);
     if (found == tables.end() || found->second.points.empty())
-        throw Diagnostic(fmt::format("table {} holds no point", number), "fill it before it is read",
-                         Fault::run);
+        throw Diagnostic(fmt::format("table {} holds no point", number), "fill it before it is read", Fault::run);
     return found->second;
 }
 
@@ -127,15 +126,13 @@ int find(lua_State* L) {
         return 1;
     }
     const std::string name = text_argument(L, 1, "get_table");
-    const auto found =
-        std::ranges::find_if(tables, [&name](const auto& entry) { return entry.second.name == name; });
+    const auto found = std::ranges::find_if(tables, [&name](const auto& entry) { return entry.second.name == name; });
     lua_pushinteger(L, name.empty() || found == tables.end() ? 0 : found->first);
     return 1;
 }
 
 int remove(lua_State* L) {
-    lua_pushinteger(L, static_cast<lua_Integer>(
-                           machine_of(L).tables.erase(integer_argument(L, 1, "del_table"))));
+    lua_pushinteger(L, static_cast<lua_Integer>(machine_of(L).tables.erase(integer_argument(L, 1, "del_table"))));
     return 1;
 }
 

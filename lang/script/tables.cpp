@@ -22,10 +22,8 @@ double Table::at(double x) const {
 
 void Table::set(double x, double y) {
     const auto place = std::lower_bound(points.begin(), points.end(), x, before);
-    if (place != points.end() && place->x == x)
-        place->y = y;
-    else
-        points.insert(place, {x, y});
+    if (place != points.end() && place->x == x) place->y = y;
+    else points.insert(place, {x, y});
 }
 
 void Table::insert(double x, double y) {

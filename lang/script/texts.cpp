@@ -33,8 +33,8 @@ int string(lua_State* L) {
         text = fmt::format("{:.{}g}", lua_tonumber(L, 1), static_cast<int>(digits));
     }
     if (lua_gettop(L) >= 2) {
-        const auto width = static_cast<std::size_t>(
-            std::clamp<std::int64_t>(integer_argument(L, 2, "string"), 0, widest_field));
+        const auto width =
+            static_cast<std::size_t>(std::clamp<std::int64_t>(integer_argument(L, 2, "string"), 0, widest_field));
         const std::string fill =
             lua_gettop(L) >= 3 && lua_type(L, 3) == LUA_TSTRING ? text_argument(L, 3, "string") : " ";
         if (text.size() < width) text.insert(0, width - text.size(), fill.empty() ? ' ' : fill[0]);
@@ -51,14 +51,12 @@ bool push_number(lua_State* L, std::string_view text) {
     if (text.empty()) return false;
     const char* end = text.data() + text.size();
     std::int64_t whole = 0;
-    if (const auto result = std::from_chars(text.data(), end, whole);
-        result.ec == std::errc{} && result.ptr == end) {
+    if (const auto result = std::from_chars(text.data(), end, whole); result.ec == std::errc{} && result.ptr == end) {
         lua_pushinteger(L, whole);
         return true;
     }
     double number = 0;
-    if (const auto result = std::from_chars(text.data(), end, number);
-        result.ec != std::errc{} || result.ptr != end)
+    if (const auto result = std::from_chars(text.data(), end, number); result.ec != std::errc{} || result.ptr != end)
         return false;
     lua_pushnumber(L, number);
     return true;
@@ -103,8 +101,7 @@ int part(lua_State* L) {
     const std::int64_t rest = size - first + 1;
     const std::int64_t count =
         lua_gettop(L) == 3 ? std::clamp<std::int64_t>(integer_argument(L, 3, "substr"), 0, rest) : rest;
-    push_text(L, std::string_view(text).substr(static_cast<std::size_t>(first - 1),
-                                               static_cast<std::size_t>(count)));
+    push_text(L, std::string_view(text).substr(static_cast<std::size_t>(first - 1), static_cast<std::size_t>(count)));
     return 1;
 }
 
@@ -131,8 +128,7 @@ int find(lua_State* L) {
 int character(lua_State* L) {
     const std::int64_t code = integer_argument(L, 1, "char");
     if (code < 1 || code > 255)
-        throw Diagnostic(fmt::format("'char' is given {}; characters have the numbers 1 to 255", code), {},
-                         Fault::run);
+        throw Diagnostic(fmt::format("'char' is given {}; characters have the numbers 1 to 255", code), {}, Fault::run);
     const char c = static_cast<char>(code);
     push_text(L, {&c, 1});
     return 1;
@@ -163,10 +159,8 @@ bool find_word(const std::string& text, std::int64_t wanted, std::string_view& w
 int parse(lua_State* L) {
     const std::string text = text_argument(L, 1, "parse");
     std::string_view word;
-    if (!find_word(text, integer_argument(L, 2, "parse"), word))
-        lua_pushinteger(L, 0);
-    else if (!push_number(L, word))
-        push_text(L, word);
+    if (!find_word(text, integer_argument(L, 2, "parse"), word)) lua_pushinteger(L, 0);
+    else if (!push_number(L, word)) push_text(L, word);
     return 1;
 }
 
@@ -233,20 +227,11 @@ int code_name(lua_State* L) {
 int type(lua_State* L) {
     int number = 5;
     switch (lua_type(L, 1)) {
-    case LUA_TNUMBER:
-        number = lua_isinteger(L, 1) ? 1 : 2;
-        break;
-    case LUA_TSTRING:
-        number = 3;
-        break;
-    case LUA_TLIGHTUSERDATA:
-        number = 4;
-        break;
-    case LUA_TUSERDATA:
-        number = 6;
-        break;
-    default:
-        break;
+    case LUA_TNUMBER: number = lua_isinteger(L, 1) ? 1 : 2; break;
+    case LUA_TSTRING: number = 3; break;
+    case LUA_TLIGHTUSERDATA: number = 4; break;
+    case LUA_TUSERDATA: number = 6; break;
+    default: break;
     }
     lua_pushinteger(L, number);
     return 1;
@@ -270,8 +255,7 @@ int raise(lua_State* L) { throw Diagnostic(text_at(L, 1), {}, Fault::run); }
 void push_dimensions(lua_State* L, int index, const char* function) {
     bool array = lua_type(L, index) == LUA_TTABLE && lua_getmetatable(L, index);
     if (array) {
-        array = lua_topointer(L, -1) == machine_of(L).array_type ||
-                lua_topointer(L, -1) == machine_of(L).grid_type;
+        array = lua_topointer(L, -1) == machine_of(L).array_type || lua_topointer(L, -1) == machine_of(L).grid_type;
         lua_pop(L, 1);
     }
     if (!array) fail_argument(L, index, function, "an array");

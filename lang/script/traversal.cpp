@@ -30,16 +30,14 @@ Handle pointer_argument(lua_State* L) {
     if (lua_type(L, 1) == LUA_TNUMBER && lua_tonumber(L, 1) == 0)
         throw Diagnostic(fmt::format("'{}' is given a null pointer", traversal.name),
                          "test the pointer against 0 before it is used", Fault::run);
-    throw Diagnostic(fmt::format("'{}' needs a pointer to a {}, here it is given {}", traversal.name,
-                                 table_name(L), describe_value(L, 1)),
+    throw Diagnostic(fmt::format("'{}' needs a pointer to a {}, here it is given {}", traversal.name, table_name(L),
+                                 describe_value(L, 1)),
                      {}, Fault::run);
 }
 
 void push_handle(lua_State* L, const Handle& handle) {
-    if (handle.generation == 0)
-        lua_pushinteger(L, 0);
-    else
-        lua_pushlightuserdata(L, pack_handle(handle));
+    if (handle.generation == 0) lua_pushinteger(L, 0);
+    else lua_pushlightuserdata(L, pack_handle(handle));
 }
 
 void push_related(lua_State* L, const Handle& from, const World::At& at = {}) {
@@ -64,8 +62,7 @@ int nearest(lua_State* L) {
     } else if (lua_gettop(L) == 3) {
         for (int i = 0; i < 3; ++i) place[i] = number_argument(L, i + 1, name);
     } else {
-        throw Diagnostic(fmt::format("'{}' needs a place: three coordinates or one vector", name), {},
-                         Fault::run);
+        throw Diagnostic(fmt::format("'{}' needs a place: three coordinates or one vector", name), {}, Fault::run);
     }
     push_related(L, {}, place);
     return 1;
@@ -79,7 +76,8 @@ int numbered(lua_State* L) {
     if (number < 1) {
         const World& world = machine_of(L).world;
         const auto to = static_cast<std::size_t>(world.relations()[traversal.relation].to);
-        throw Diagnostic(fmt::format("'{}' counts {}s from 1, not {}", traversal.name, world.tables()[to].name, number), {}, Fault::run);
+        throw Diagnostic(fmt::format("'{}' counts {}s from 1, not {}", traversal.name, world.tables()[to].name, number),
+                         {}, Fault::run);
     }
     push_related(L, owner, static_cast<std::size_t>(number - 1));
     return 1;
@@ -96,7 +94,8 @@ int property(lua_State* L) {
 int write_property(lua_State* L) {
     const Handle owner = pointer_argument(L);
     const std::string name = text_argument(L, 2, traversal_of(L).name.c_str());
-    if (!machine_of(L).restoring) machine_of(L).world.set_property(owner, name, number_argument(L, 3, traversal_of(L).name.c_str()));
+    if (!machine_of(L).restoring)
+        machine_of(L).world.set_property(owner, name, number_argument(L, 3, traversal_of(L).name.c_str()));
     return 0;
 }
 
@@ -180,7 +179,8 @@ std::vector<Traversal> traversals_of(const World& world) {
     std::vector<Traversal> all;
     const auto& relations = world.relations();
     for (std::size_t i = 0; i < relations.size(); ++i)
-        if (!relations[i].classic.empty()) all.push_back({std::string(relations[i].classic), Walk::relation, relations[i].from, i});
+        if (!relations[i].classic.empty())
+            all.push_back({std::string(relations[i].classic), Walk::relation, relations[i].from, i});
     const auto& tables = world.tables();
     for (std::size_t i = 0; i < tables.size(); ++i) {
         if (tables[i].classic.empty()) continue;
@@ -189,7 +189,8 @@ std::vector<Traversal> traversals_of(const World& world) {
         };
         const auto table = static_cast<std::int32_t>(i);
         if (const auto to_nearest = find_relation(world, RelationInfo::Form::nearest, -1, table); to_nearest >= 0)
-            all.push_back({fmt::format("{}_near", tables[i].classic), Walk::relation, -1, static_cast<std::size_t>(to_nearest)});
+            all.push_back(
+                {fmt::format("{}_near", tables[i].classic), Walk::relation, -1, static_cast<std::size_t>(to_nearest)});
         if (tables[i].has_properties) add("prop", Walk::property);
         add("extra", Walk::extra);
         if (!tables[i].has_spares) continue;

@@ -14,29 +14,19 @@ namespace kaya::script {
 void push_lua_value(lua_State* L, const Value& value) {
     if (const auto* number = std::get_if<double>(&value)) return lua_pushnumber(L, *number); // nearly always
     switch (value.index()) {
-    case 0:
-        lua_pushnil(L);
-        break;
-    case 1:
-        lua_pushboolean(L, *std::get_if<bool>(&value));
-        break;
-    case 2:
-        lua_pushinteger(L, *std::get_if<std::int64_t>(&value));
-        break;
+    case 0: lua_pushnil(L); break;
+    case 1: lua_pushboolean(L, *std::get_if<bool>(&value)); break;
+    case 2: lua_pushinteger(L, *std::get_if<std::int64_t>(&value)); break;
     case 4: {
         const auto& text = *std::get_if<std::string>(&value);
         lua_pushlstring(L, text.data(), text.size());
         break;
     }
-    case 5:
-        push_vector(L, *std::get_if<Vec3>(&value));
-        break;
+    case 5: push_vector(L, *std::get_if<Vec3>(&value)); break;
     default: {
         const Handle& handle = *std::get_if<Handle>(&value);
-        if (handle.generation == 0)
-            lua_pushnil(L);
-        else
-            lua_pushlightuserdata(L, pack_handle(handle));
+        if (handle.generation == 0) lua_pushnil(L);
+        else lua_pushlightuserdata(L, pack_handle(handle));
     }
     }
 }
@@ -58,10 +48,8 @@ void make_fish_value(lua_State* L) {
 Value value_at(lua_State* L, int index, const std::string& what) {
     switch (lua_type(L, index)) {
     case LUA_TNONE:
-    case LUA_TNIL:
-        return std::monostate{};
-    case LUA_TBOOLEAN:
-        return lua_toboolean(L, index) != 0;
+    case LUA_TNIL: return std::monostate{};
+    case LUA_TBOOLEAN: return lua_toboolean(L, index) != 0;
     case LUA_TNUMBER:
         if (lua_isinteger(L, index)) return static_cast<std::int64_t>(lua_tointeger(L, index));
         return static_cast<double>(lua_tonumber(L, index));
@@ -70,10 +58,8 @@ Value value_at(lua_State* L, int index, const std::string& what) {
         const char* text = lua_tolstring(L, index, &size);
         return std::string(text, size);
     }
-    case LUA_TLIGHTUSERDATA:
-        return unpack_handle(lua_touserdata(L, index));
-    default:
-        break;
+    case LUA_TLIGHTUSERDATA: return unpack_handle(lua_touserdata(L, index));
+    default: break;
     }
     if (is_vector(L, index)) return vector_at(L, index);
     throw Diagnostic(fmt::format("{} is {}, where one value is needed", what, describe_value(L, index)),
@@ -84,28 +70,22 @@ std::string describe_value(lua_State* L, int index) {
     const Machine& machine = machine_of(L);
     switch (lua_type(L, index)) {
     case LUA_TNONE:
-    case LUA_TNIL:
-        return "nothing";
-    case LUA_TBOOLEAN:
-        return lua_toboolean(L, index) ? "true" : "false";
+    case LUA_TNIL: return "nothing";
+    case LUA_TBOOLEAN: return lua_toboolean(L, index) ? "true" : "false";
     case LUA_TNUMBER:
         return fmt::format("the {} {}", lua_isinteger(L, index) ? "integer" : "number", text_at(L, index));
-    case LUA_TSTRING:
-        return fmt::format("the text '{}'", lua_tostring(L, index));
+    case LUA_TSTRING: return fmt::format("the text '{}'", lua_tostring(L, index));
     case LUA_TLIGHTUSERDATA:
         return "a pointer to " + handle_text(machine.world, unpack_handle(lua_touserdata(L, index)));
-    case LUA_TFUNCTION:
-        return "a function";
+    case LUA_TFUNCTION: return "a function";
     case LUA_TTABLE:
         if (lua_getmetatable(L, index)) {
-            const bool array =
-                lua_topointer(L, -1) == machine.array_type || lua_topointer(L, -1) == machine.grid_type;
+            const bool array = lua_topointer(L, -1) == machine.array_type || lua_topointer(L, -1) == machine.grid_type;
             lua_pop(L, 1);
             if (array) return "an array";
         }
         return "a table";
-    default:
-        break;
+    default: break;
     }
     if (is_vector(L, index)) return "the vector " + text_at(L, index);
     return fmt::format("a {}", luaL_typename(L, index));
@@ -113,8 +93,7 @@ std::string describe_value(lua_State* L, int index) {
 
 std::string text_at(lua_State* L, int index) {
     const int type = lua_type(L, index);
-    const bool plain =
-        type != LUA_TTABLE && type != LUA_TFUNCTION && (type != LUA_TUSERDATA || is_vector(L, index));
+    const bool plain = type != LUA_TTABLE && type != LUA_TFUNCTION && (type != LUA_TUSERDATA || is_vector(L, index));
     if (!plain) return describe_value(L, index);
     return to_text(value_at(L, index, "this"), &machine_of(L).world);
 }
@@ -145,9 +124,8 @@ bool called_by_fish(lua_State* L) {
 void fail_argument(lua_State* L, int index, const char* function, const char* wanted) {
     const int count = lua_gettop(L);
     const std::string position = index == 1 && count <= 1 ? "" : fmt::format("argument {} of ", index);
-    throw Diagnostic(fmt::format("{}'{}' must be {}, here it is {}",
-                                 position.empty() ? "the argument of " : position, function, wanted,
-                                 describe_value(L, index)),
+    throw Diagnostic(fmt::format("{}'{}' must be {}, here it is {}", position.empty() ? "the argument of " : position,
+                                 function, wanted, describe_value(L, index)),
                      {}, Fault::run);
 }
 

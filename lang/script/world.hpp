@@ -58,7 +58,7 @@ struct RelationInfo {
     std::int32_t from = -1; ///< number of a table; -1: of the whole model
     std::int32_t to = -1;
     std::string_view classic = {}, modern = {}; ///< names in FISH; "" when there is none
-    std::string_view array = {}; ///< of `first`: the name of all objects of the list at once
+    std::string_view array = {};                ///< of `first`: the name of all objects of the list at once
 };
 
 /// Tables of objects with named fields, and relations between them.

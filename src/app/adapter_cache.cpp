@@ -54,7 +54,8 @@ std::string processor() {
     std::istringstream lines(content_of("/proc/cpuinfo"));
     std::set<std::string> said;
     for (std::string line; std::getline(lines, line);)
-        if (line.starts_with("model name") || line.starts_with("flags") || line.starts_with("Features") || line.starts_with("CPU part"))
+        if (line.starts_with("model name") || line.starts_with("flags") || line.starts_with("Features") ||
+            line.starts_with("CPU part"))
             said.insert(line);
     std::string text;
     for (const auto& line : said) text += line + "\n";
@@ -65,7 +66,8 @@ void remove_oldest(const fs::path& folder) {
     std::error_code ignored;
     std::vector<std::pair<fs::file_time_type, fs::path>> objects;
     for (const auto& entry : fs::directory_iterator(folder, ignored))
-        if (entry.path().extension() == ".o") objects.emplace_back(fs::last_write_time(entry.path(), ignored), entry.path());
+        if (entry.path().extension() == ".o")
+            objects.emplace_back(fs::last_write_time(entry.path(), ignored), entry.path());
     if (objects.size() <= most_objects) return;
     std::sort(objects.begin(), objects.end());
     for (std::size_t k = 0; k + most_objects < objects.size(); ++k) fs::remove(objects[k].second, ignored);

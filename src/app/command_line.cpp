@@ -22,7 +22,8 @@ constexpr const char* help_hint = "kaya --help lists commands and options";
 
 std::vector<std::string> commands_of(const CLI::App& app) {
     std::vector<std::string> names;
-    for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+    for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
     return names;
 }
 
@@ -46,10 +47,12 @@ const CLI::App& innermost(const CLI::App& app, std::string& words) {
 
 Diagnostic unexpected(const CLI::App& command, const std::string& words, const std::string& word) {
     const bool option = word.starts_with("-");
-    const std::string near = nearest(word.substr(0, word.find('=')), option ? options_of(command) : commands_of(command));
+    const std::string near =
+        nearest(word.substr(0, word.find('=')), option ? options_of(command) : commands_of(command));
     const std::string what = option ? fmt::format("'{}' has no option '{}'", words, word)
                                     : fmt::format("'{}' does not take '{}'", words, word);
-    return Diagnostic(what, near.empty() ? fmt::format("{} --help shows what it takes", words) : fmt::format("did you mean '{}'?", near));
+    return Diagnostic(what, near.empty() ? fmt::format("{} --help shows what it takes", words)
+                                         : fmt::format("did you mean '{}'?", near));
 }
 
 Diagnostic missing_command(const CLI::App& command, const std::string& words) {
@@ -58,7 +61,8 @@ Diagnostic missing_command(const CLI::App& command, const std::string& words) {
     const std::string near = given.empty() ? "" : nearest(given.front(), names);
     const std::string what = given.empty() ? fmt::format("'{}' needs another word", words)
                                            : fmt::format("'{}' knows no '{}'", words, given.front());
-    return Diagnostic(what, near.empty() ? fmt::format("one of: {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
+    return Diagnostic(what, near.empty() ? fmt::format("one of: {}", fmt::join(names, ", "))
+                                         : fmt::format("did you mean '{}'?", near));
 }
 
 } // namespace
@@ -66,19 +70,22 @@ Diagnostic missing_command(const CLI::App& command, const std::string& words) {
 Diagnostic mistake_of(const CLI::App& app, const CLI::ParseError& error) {
     std::string words;
     const CLI::App& command = innermost(app, words);
-    const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error), missing = dynamic_cast<const CLI::RequiredError*>(&error);
+    const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error),
+               missing = dynamic_cast<const CLI::RequiredError*>(&error);
     std::string text = error.what();
     if (const auto colon = text.find(": "); extra && colon != text.npos) {
         // The parser has forgotten the words, and its sentence lists them.
         std::istringstream listed(text.substr(colon + 2));
         const std::vector<std::string> extras{std::istream_iterator<std::string>(listed), {}};
-        const auto option = std::find_if(extras.begin(), extras.end(), [](const std::string& word) { return word.starts_with("-"); });
+        const auto option =
+            std::find_if(extras.begin(), extras.end(), [](const std::string& word) { return word.starts_with("-"); });
         if (!extras.empty()) return unexpected(command, words, option == extras.end() ? extras.front() : *option);
     }
     if (missing && !commands_of(command).empty() && &command != &app) return missing_command(command, words);
     if (!text.empty() && text.back() == '.') text.pop_back();
     if (missing)
-        return Diagnostic(fmt::format("'{}' needs more: {}", words, text), fmt::format("{} --help shows what it takes", words));
+        return Diagnostic(fmt::format("'{}' needs more: {}", words, text),
+                          fmt::format("{} --help shows what it takes", words));
     return Diagnostic(text, help_hint);
 }
 
@@ -87,10 +94,12 @@ std::optional<Diagnostic> misspelt_command(const CLI::App& app, const std::strin
         lang::find_deck(deck, {"."});
         return std::nullopt;
     } catch (const Diagnostic&) { // no deck: perhaps a command
-        const bool a_word = std::all_of(deck.begin(), deck.end(), [](unsigned char c) { return std::isalpha(c) || c == '-'; });
+        const bool a_word =
+            std::all_of(deck.begin(), deck.end(), [](unsigned char c) { return std::isalpha(c) || c == '-'; });
         const std::string near = a_word ? nearest(deck, commands_of(app)) : "";
         if (near.empty()) return std::nullopt;
-        return Diagnostic(fmt::format("'{}' is neither a command of kaya nor a deck", deck), fmt::format("did you mean 'kaya {}'?", near));
+        return Diagnostic(fmt::format("'{}' is neither a command of kaya nor a deck", deck),
+                          fmt::format("did you mean 'kaya {}'?", near));
     }
 }
 
@@ -108,7 +117,8 @@ void go_into(const std::string& folder, std::vector<std::string>& decks, std::st
         throw Diagnostic(fmt::format("the folder '{}' of --into cannot be used: {}", folder, problem.message()),
                          "name a folder that you may write into", Fault::run);
     const auto from_there = [&](std::string& file) {
-        if (!file.empty() && !fs::path(file).is_absolute()) file = fs::proximate(fs::weakly_canonical(from) / file, whole).string();
+        if (!file.empty() && !fs::path(file).is_absolute())
+            file = fs::proximate(fs::weakly_canonical(from) / file, whole).string();
     };
     for (auto& deck : decks) from_there(deck);
     from_there(journal);

@@ -50,8 +50,9 @@ Names lua_names(const Session& session, bool after_point) {
         add_fields(names, session, false);
         return names;
     }
-    Names names = {"model", "vector", "command", "count", "nearest", "history", "every", "print", "pairs", "ipairs", "math", "string",
-                   "table", "function", "local", "return", "end", "then", "else", "elseif", "while", "for", "endlua"};
+    Names names = {"model", "vector", "command", "count",  "nearest", "history",  "every", "print",
+                   "pairs", "ipairs", "math",    "string", "table",   "function", "local", "return",
+                   "end",   "then",   "else",    "elseif", "while",   "for",      "endlua"};
     for (const auto& table : session.world.tables()) names.insert(std::string(table.name) + "s");
     for (const auto& name : session.scripts->symbols()) names.insert(name);
     return names;
@@ -71,7 +72,9 @@ Inside inside_of(const std::string& before) {
 bool takes_file(const std::vector<std::string>& words) {
     if (words.empty()) return false;
     const std::string& first = words.front();
-    if (words.size() == 1 && (means(first, "call", 2) || means(first, "restore", 3) || means(first, "save", 2) || first == "lua")) return true;
+    if (words.size() == 1 &&
+        (means(first, "call", 2) || means(first, "restore", 3) || means(first, "save", 2) || first == "lua"))
+        return true;
     if (means(first, "table", 2) && words.size() > 2) return words.back() == "read" || words.back() == "write";
     if (means(first, "jmodel", 2)) return words.back() == "load";
     return means(first, "import", 2) && words.size() > 1;
@@ -83,7 +86,8 @@ Names files(const std::string& typed) {
     const auto slash = typed.rfind('/');
     const std::string folder = slash == typed.npos ? "" : typed.substr(0, slash + 1);
     std::error_code problem;
-    for (fs::directory_iterator entry(folder.empty() ? "." : folder, problem), end; !problem && entry != end; entry.increment(problem)) {
+    for (fs::directory_iterator entry(folder.empty() ? "." : folder, problem), end; !problem && entry != end;
+         entry.increment(problem)) {
         const std::string name = entry->path().filename().string();
         if (name.front() == '.' && typed.size() == folder.size()) continue;
         std::error_code ignored;
@@ -136,7 +140,8 @@ Names all_names(const Session& session, const std::string& before, const std::st
     const auto words = words_of(line.substr(0, line.size() - typed.size()));
     const Inside inside = inside_of(before);
     Names names;
-    if (inside == Inside::lua) return lua_names(session, typed.empty() && !line.empty() && (line.back() == '.' || line.back() == ':'));
+    if (inside == Inside::lua)
+        return lua_names(session, typed.empty() && !line.empty() && (line.back() == '.' || line.back() == ':'));
     if (inside == Inside::function) {
         add_fish(names, session);
         return names;

@@ -166,7 +166,8 @@ constexpr Explanation explanations[] = {
      "The step of 'set dt' is above the one that is surely stable, and more than a tenth of the energy that has been turned\n"
      "over comes from nowhere. Give a smaller one, or 'set dt 0' for the one that is computed."},
     // Exit status.
-    {"status-1", "the deck is wrong", "Exit status 1. Nothing has run when the mistake is one of the words of the deck."},
+    {"status-1", "the deck is wrong",
+     "Exit status 1. Nothing has run when the mistake is one of the words of the deck."},
     {"status-2", "the run failed",
      "Exit status 2: the deck could be read, and a command of it failed while it ran, or Ctrl-C stopped it."},
     {"status-3", "kaya itself failed", "Exit status 3: a fault of the program. Please report it with the deck."},

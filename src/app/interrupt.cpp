@@ -25,9 +25,11 @@ void end_if_deaf(int) {
     const Session* session = listening.load();
     tell_whom_it_waits_for();
     if (session == nullptr || !session->is_deaf()) return;
-    constexpr char message[] = "error: stopped by the user inside of one call into Lua's library that did not come to its end\n";
+    constexpr char message[] =
+        "error: stopped by the user inside of one call into Lua's library that did not come to its end\n";
     if (::ftrylockfile(stdout) == 0) ::fflush_unlocked(stdout);
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message, sizeof message - 1); // there is nobody to tell if it fails
+    [[maybe_unused]] const auto written =
+        ::write(STDERR_FILENO, message, sizeof message - 1); // there is nobody to tell if it fails
     std::_Exit(static_cast<int>(Fault::run));
 }
 

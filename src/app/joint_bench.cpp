@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct Order {
     BenchOrder bench;
-    std::vector<std::string> settings; ///< word=value
+    std::vector<std::string> settings;       ///< word=value
     std::string fitted, offsets = "opening"; ///< words with commas between
     bool strict = false, no_picture = false;
 };
@@ -109,23 +109,30 @@ void add_joint_bench(CLI::App& app, const std::function<std::vector<fs::path>()>
         });
         return std::pair(sub, order);
     };
-    const auto [testing, test] = add("jtest", "lead one sub-contact of a joint model along a path and look at the answer");
+    const auto [testing, test] =
+        add("jtest", "lead one sub-contact of a joint model along a path and look at the answer");
     testing->add_flag("--strict", test->strict, "exit with 2 when something odd was found");
     const auto [fitting, fit] = add("jfit", "fit properties of a joint model to a curve that was measured");
     fitting->add_option("--fit", fit->fitted, "the properties, with commas between")->required();
-    fitting->add_option("--offset", fit->offsets, "measured columns whose zero is not known, with commas between; none: \"\"")
+    fitting
+        ->add_option("--offset", fit->offsets,
+                     "measured columns whose zero is not known, with commas between; none: \"\"")
         ->default_str("opening");
     fit->bench.settings.steps = 0; // as many as the result needs
 }
 
-void add_zone_bench(CLI::App& app, const std::function<std::vector<fs::path>()>& folders, std::function<int()>& chosen) {
+void add_zone_bench(CLI::App& app, const std::function<std::vector<fs::path>()>& folders,
+                    std::function<int()>& chosen) {
     auto order = std::make_shared<ZoneOrder>();
     auto* sub = app.add_subcommand("ztest", "lead one zone of a zone model along a path and look at the answer");
     sub->add_option("model", order->bench.model, "name or file of the zone model")->required();
     sub->add_option("path", order->bench.path, "CSV file of the path: docs/writing-a-zone-model.md")->required();
     sub->add_option("values", order->settings, "properties: bulk=4e9 shear=3e9 cohesion=1e6 friction=30");
-    sub->add_option("--stress", order->stress, "stress in the beginning: xx,yy,zz,xy,xz,yz, tension positive")->delimiter(',')->expected(6);
-    sub->add_option("--steps", order->bench.settings.steps, "steps between two points of the path")->check(CLI::Range(1, 1'000'000));
+    sub->add_option("--stress", order->stress, "stress in the beginning: xx,yy,zz,xy,xz,yz, tension positive")
+        ->delimiter(',')
+        ->expected(6);
+    sub->add_option("--steps", order->bench.settings.steps, "steps between two points of the path")
+        ->check(CLI::Range(1, 1'000'000));
     sub->add_option("--volume", order->bench.settings.volume, "volume of the zone")->check(CLI::PositiveNumber);
     sub->add_option("--output", order->bench.output, "name of the files, without an ending");
     sub->add_flag("--no-picture", order->no_picture, "no PNG, also where gnuplot is installed");

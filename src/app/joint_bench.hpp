@@ -14,6 +14,7 @@ void add_joint_bench(CLI::App& app, const std::function<std::vector<std::filesys
                      std::function<int()>& chosen);
 
 /// The same for ztest; the folders are those of joint models.
-void add_zone_bench(CLI::App& app, const std::function<std::vector<std::filesystem::path>()>& folders, std::function<int()>& chosen);
+void add_zone_bench(CLI::App& app, const std::function<std::vector<std::filesystem::path>()>& folders,
+                    std::function<int()>& chosen);
 
 } // namespace kaya

@@ -19,8 +19,8 @@ constexpr long create_ruleset = 444, add_rule = 445, restrict_self = 446;
 constexpr std::uint64_t right_to_refer = 1ULL << 13, right_to_truncate = 1ULL << 14;
 
 constexpr std::uint64_t reading = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
-constexpr std::uint64_t rights_of_files = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE |
-                                          LANDLOCK_ACCESS_FS_EXECUTE | right_to_truncate;
+constexpr std::uint64_t rights_of_files =
+    LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_EXECUTE | right_to_truncate;
 
 std::uint64_t all_rights(int version) {
     std::uint64_t rights = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1; // those of the first version

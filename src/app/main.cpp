@@ -14,7 +14,6 @@
 #include "io/info.hpp"
 #include "laws/crash_report.hpp"
 
-
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
@@ -41,8 +40,8 @@ struct CommandLine {
     bool format_in_place = false;
     bool format_check = false;
     bool check_as_json = false;
-    std::string code;         ///< of `explain`
-    std::string saved;        ///< of `info`
+    std::string code;                  ///< of `explain`
+    std::string saved;                 ///< of `info`
     std::vector<std::string> compared; ///< of `diff`
     std::vector<std::string> reported; ///< of `report`: saved models
     std::string report;                ///< and the page
@@ -79,21 +78,24 @@ int start(int argc, char** argv) {
                  "keyboard.",
                  "kaya"};
     app.set_version_flag("--version", std::string("kaya ") + program_version());
-    app.add_option("deck", line.run.decks, "command files, run one after the other in one session; - is the standard input");
+    app.add_option("deck", line.run.decks,
+                   "command files, run one after the other in one session; - is the standard input");
     app.add_option("--threads", line.run.options.threads,
                    "threads to use; 0 is one for each core; results do not depend on it")
         ->check(CLI::Range(0, 4096));
-    app.add_option("--joints", line.run.options.joint_folders,
-                   "a folder with joint models; may be given several times")
+    app.add_option("--joints", line.run.options.joint_folders, "a folder with joint models; may be given several times")
         ->allow_extra_args(false)
         ->check([](const std::string& folder) {
             return fs::is_directory(folder) ? std::string() : fmt::format("there is no folder {}", folder);
         });
-    app.add_option("--watch", line.run.watch, "a port: a browser on this machine can look at the run while it goes on; 0: any that is free")->check(CLI::Range(0, 65535));
+    app.add_option("--watch", line.run.watch,
+                   "a port: a browser on this machine can look at the run while it goes on; 0: any that is free")
+        ->check(CLI::Range(0, 65535));
     app.add_option("--into", line.run.into, "the folder for files that the run writes; it is made if it is not there");
     app.add_flag("--strict", line.run.options.strict, "warnings are errors");
     app.add_flag("--batch,--quiet,-q", line.run.options.quiet, "results, warnings and errors only");
-    app.add_option("--set", line.run.parameters, "NAME=VALUE: a value for `param` of the decks; may be given several times")
+    app.add_option("--set", line.run.parameters,
+                   "NAME=VALUE: a value for `param` of the decks; may be given several times")
         ->allow_extra_args(false);
     app.add_flag("--echo", line.run.options.echo, "show each command before it runs");
     app.add_flag("--trust", line.run.options.trust, "the deck may use files and libraries anywhere and start programs");
@@ -104,39 +106,51 @@ int start(int argc, char** argv) {
     auto* formatting = app.add_subcommand("fmt", "show decks in their long form: whole words, single blanks");
     formatting->add_option("deck", line.formatted, "command files")->required();
     auto* writing = formatting->add_flag("--write,-w", line.format_in_place, "write it into the files");
-    formatting->add_flag("--check", line.format_check, "write nothing; name the decks that are not in their long form, status 1 if there are any")
+    formatting
+        ->add_flag("--check", line.format_check,
+                   "write nothing; name the decks that are not in their long form, status 1 if there are any")
         ->excludes(writing);
     auto* explaining = app.add_subcommand("explain", "explain a message by its code, or list the codes");
     explaining->add_option("code", line.code, "as shown in brackets after a message on a terminal");
     auto* replaying = app.add_subcommand("replay", "run a journal again and compare the final state");
     replaying->add_option("journal", line.run.journal, "a file that a run has written")->required();
-    replaying->add_option("--into", line.run.into, "the folder for files that the run writes; it is made if it is not there");
+    replaying->add_option("--into", line.run.into,
+                          "the folder for files that the run writes; it is made if it is not there");
     auto* describing = app.add_subcommand("info", "say what a saved model holds");
     describing->add_option("file", line.saved, "a file that 'save' has written");
     describing->add_flag("--sandbox", line.sandbox, "say what a run in this folder may do");
-    auto* reporting = app.add_subcommand("report", "make a page of a saved model for a browser: numbers, curves, a view to turn");
-    reporting->add_option("file", line.reported, "files that 'save' has written; the last one is that of the tables, and all can be seen in their order")->required();
+    auto* reporting =
+        app.add_subcommand("report", "make a page of a saved model for a browser: numbers, curves, a view to turn");
+    reporting
+        ->add_option(
+            "file", line.reported,
+            "files that 'save' has written; the last one is that of the tables, and all can be seen in their order")
+        ->required();
     reporting->add_option("--out", line.report, "name of the page; the file's name with .html if not given");
-    auto* exporting = app.add_subcommand("export", "write the tables of a saved model as CSV: blocks, zones, contacts, histories and all others");
+    auto* exporting = app.add_subcommand(
+        "export", "write the tables of a saved model as CSV: blocks, zones, contacts, histories and all others");
     exporting->add_option("file", line.exported, "a file that 'save' has written")->required();
     exporting->add_option("--into", line.tables, "the folder; the file's name with -tables if not given");
     exporting->add_flag("--vtk", line.paraview, "also the files for ParaView");
     auto* comparing = app.add_subcommand("diff", "say in what two saved models differ");
     comparing->add_option("file", line.compared, "two files that 'save' has written")->required()->expected(2);
-    auto* allowing = app.add_subcommand("allow", "allow runs a folder or a joint model, for good; without one, list what is allowed");
+    auto* allowing = app.add_subcommand(
+        "allow", "allow runs a folder or a joint model, for good; without one, list what is allowed");
     allowing->add_option("path", line.allowed, "folders, or libraries as they are now");
     allowing->add_flag("--revoke", line.revoke, "take it back");
-    auto* checking =
-        app.add_subcommand("check", "read decks and say what is wrong with them, without running them");
+    auto* checking = app.add_subcommand("check", "read decks and say what is wrong with them, without running them");
     checking->add_option("deck", line.checked, "command files")->required();
     checking->add_flag("--json", line.check_as_json, "one object of JSON per line, for editors");
     auto* helping = app.add_subcommand("help", "list the commands of decks, or explain one of them");
     helping->add_option("command", line.help_words, "a command, a keyword, or a name of FISH: poly brick, cx_nforce");
     const fs::path program = program_folder(argv[0]);
     std::function<int()> about_models;
-    add_joint_bench(app, [&] { return joint_folders(line.run, program); }, about_models);
-    add_zone_bench(app, [&] { return joint_folders(line.run, program); }, about_models);
-    add_model_commands(app, program, [&] { return joint_folders(line.run, program); }, about_models);
+    add_joint_bench(
+        app, [&] { return joint_folders(line.run, program); }, about_models);
+    add_zone_bench(
+        app, [&] { return joint_folders(line.run, program); }, about_models);
+    add_model_commands(
+        app, program, [&] { return joint_folders(line.run, program); }, about_models);
     add_study_commands(app, line.run, program, about_models);
     app.require_subcommand(0, 1);
     try {
@@ -192,7 +206,8 @@ int start(int argc, char** argv) {
     }
     if (*describing && (line.sandbox || line.saved.empty())) {
         if (!line.sandbox)
-            throw Diagnostic("info needs the name of a file", "such as: kaya info wall.kaya.h5, or kaya info --sandbox");
+            throw Diagnostic("info needs the name of a file",
+                             "such as: kaya info wall.kaya.h5, or kaya info --sandbox");
         fmt::print("{}", describe_sandbox(policy_of(line.run, program)));
         return 0;
     }
@@ -220,7 +235,8 @@ namespace {
 /// Otherwise the next file that is opened would be taken for the standard output.
 void open_missing_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) < 0) std::_Exit(static_cast<int>(kaya::Fault::run));
+        if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) < 0)
+            std::_Exit(static_cast<int>(kaya::Fault::run));
 }
 
 /// TBB throws where nobody can catch it when the system gives it no thread, which is for want of memory as a rule.
@@ -230,7 +246,9 @@ void open_missing_streams() {
     } catch (const std::exception& error) {
         if (std::string_view(error.what()).find("pthread_create") != std::string_view::npos) {
             std::fflush(stdout);
-            std::fprintf(stderr, "error: the system gives no more threads (%s); there is not enough memory, or too many run\n", error.what());
+            std::fprintf(stderr,
+                         "error: the system gives no more threads (%s); there is not enough memory, or too many run\n",
+                         error.what());
             std::_Exit(static_cast<int>(kaya::Fault::run));
         }
     } catch (...) { // what it is, the report of the crash says

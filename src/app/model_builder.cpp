@@ -72,8 +72,7 @@ int run_program(const Words& words) {
     pid_t child = 0;
     if (posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0) return 127;
     int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
@@ -107,7 +106,7 @@ std::string all_text(const std::vector<fs::path>& sources) {
 struct Lines {
     Words compiler, flags;
     Words of_sources; ///< folders and macros that the adapter does without
-    Words of_user; ///< words that the user has given
+    Words of_user;    ///< words that the user has given
 
     Words compile(const fs::path& source, const fs::path& object, bool own = true) const {
         Words line = compiler;
@@ -133,8 +132,8 @@ Lines lines_of(const BuildOrder& order, const std::string& text, const fs::path&
     lines.compiler = compiler_words(order.compiler);
     lines.of_user = order.flags;
     const auto add = [&](std::initializer_list<std::string> more) { lines.flags.insert(lines.flags.end(), more); };
-    add({fmt::format("-std={}", native ? "gnu++20" : order.standard), "-O3", "-march=native", "-ffp-contract=off", "-fno-math-errno",
-         "-fno-trapping-math", "-fPIC", "-fvisibility=hidden"});
+    add({fmt::format("-std={}", native ? "gnu++20" : order.standard), "-O3", "-march=native", "-ffp-contract=off",
+         "-fno-math-errno", "-fno-trapping-math", "-fPIC", "-fvisibility=hidden"});
     std::set<fs::path> folders;
     for (const auto& source : order.sources) folders.insert(source.has_parent_path() ? source.parent_path() : ".");
     for (const auto& folder : folders) lines.of_sources.insert(lines.of_sources.end(), {"-I", folder.string()});
@@ -152,7 +151,8 @@ Lines lines_of(const BuildOrder& order, const std::string& text, const fs::path&
 /// A file that is being made; it is gone when nobody wants it.
 class Draft {
 public:
-    Draft(const fs::path& folder, const std::string& ending) : file(folder / fmt::format(".kaya-jmodel-{}{}", getpid(), ending)) {}
+    Draft(const fs::path& folder, const std::string& ending)
+        : file(folder / fmt::format(".kaya-jmodel-{}{}", getpid(), ending)) {}
     ~Draft() {
         std::error_code ignored;
         fs::remove(file, ignored);
@@ -172,8 +172,9 @@ void compile(const BuildOrder& order, const fs::path& include, const fs::path& l
         return run_program(line);
     };
     const auto refuse = [&](const fs::path& what, int status) {
-        throw Diagnostic(fmt::format("{} does not compile (status {} of {})", what.string(), status, lines.compiler.front()),
-                         "the messages of the compiler are above");
+        throw Diagnostic(
+            fmt::format("{} does not compile (status {} of {})", what.string(), status, lines.compiler.front()),
+            "the messages of the compiler are above");
     };
     const Draft adapter_draft(order.folder, "-adapter.o");
     const fs::path adapter_source = include / "kaya/compat/adapter.cpp";

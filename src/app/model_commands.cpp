@@ -114,7 +114,8 @@ void add_model_commands(CLI::App& app, const fs::path& program_folder,
     building->add_option("--into", order->folder, "folder of the library; the present one if not given");
     building->add_option("--compiler", order->compiler, "the compiler; CXX, c++, g++ or clang++ if not given");
     building->add_option("--std", order->standard, "language standard of sources for 3DEC: gnu++17");
-    building->add_option("--flag", order->flags, "one more word for the compiler: --flag=-g; may be given several times")
+    building
+        ->add_option("--flag", order->flags, "one more word for the compiler: --flag=-g; may be given several times")
         ->allow_extra_args(false);
     building->add_flag("--displacement-at-end", order->displacement_at_end,
                        "normal_disp_ and shear_disp_ of a source for 3DEC include the increment of the step");
@@ -138,7 +139,8 @@ void add_model_commands(CLI::App& app, const fs::path& program_folder,
     building_zones->add_option("source", of_zones->sources, "its .cpp files")->required();
     building_zones->add_option("--into", of_zones->folder, "folder of the library; the present one if not given");
     building_zones->add_option("--compiler", of_zones->compiler, "the compiler; CXX, c++, g++ or clang++ if not given");
-    building_zones->add_option("--flag", of_zones->flags, "one more word for the compiler: --flag=-g; may be given several times")
+    building_zones
+        ->add_option("--flag", of_zones->flags, "one more word for the compiler: --flag=-g; may be given several times")
         ->allow_extra_args(false);
     building_zones->add_flag("--show", of_zones->show, "show the compiler's line");
     building_zones->callback([of_zones, program_folder, &chosen] {
@@ -155,7 +157,8 @@ void add_model_commands(CLI::App& app, const fs::path& program_folder,
         std::array<std::string_view, 2> kinds; ///< of its templates
         const char* next;                      ///< what to do with it
     };
-    const auto add_new = [&](const char* command, const char* help, Writing native, std::optional<Writing> lua, auto names_taken) {
+    const auto add_new = [&](const char* command, const char* help, Writing native, std::optional<Writing> lua,
+                             auto names_taken) {
         auto name = std::make_shared<std::string>();
         auto in_lua = std::make_shared<bool>(false);
         auto* making = app.add_subcommand(command, help);
@@ -164,33 +167,38 @@ void add_model_commands(CLI::App& app, const fs::path& program_folder,
         making->callback([=, &chosen] {
             chosen = [=] {
                 const Writing& writing = *in_lua ? *lua : native;
-                for (const auto& file : write_new_model(writing.kinds, {*name, ".", names_taken(joint_folders())})) fmt::print("{}\n", file.string());
+                for (const auto& file : write_new_model(writing.kinds, {*name, ".", names_taken(joint_folders())}))
+                    fmt::print("{}\n", file.string());
                 fmt::print(fmt::runtime(writing.next), *name);
                 return 0;
             };
         });
     };
     add_new("new-jmodel", "write a joint model to begin with: source, deck, test and page",
-            {{"joint", "joint-shared"}, "build it:  kaya jmodel build {0}/{0}.cpp --into {0}\ntest it:   kaya {0}/test-{0}.3dd\n"},
-            Writing{{"joint-lua", "joint-shared"}, "test it:   kaya --joints {0} {0}/test-{0}.3dd\n"}, [](const auto& folders) {
+            {{"joint", "joint-shared"},
+             "build it:  kaya jmodel build {0}/{0}.cpp --into {0}\ntest it:   kaya {0}/test-{0}.3dd\n"},
+            Writing{{"joint-lua", "joint-shared"}, "test it:   kaya --joints {0} {0}/test-{0}.3dd\n"},
+            [](const auto& folders) {
                 JointRegistry registry;
                 registry.set_path(folders);
                 return registry.available();
             });
-    add_new("new-zmodel", "write a zone model to begin with: source, path, test and page",
-            {{"zone"},
-            "build it:  kaya zmodel build {0}/{0}.cpp --into {0}\ntry it:    kaya ztest {0}/{0}.so {0}/triaxial.csv bulk=4e9 shear=3e9 "
-            "strength=2e7\ntest it:   kaya {0}/test-{0}.3dd\n"},
-            std::nullopt, [](const auto& folders) {
-                ZoneModels models;
-                models.set_path(folders);
-                return models.available();
-            });
+    add_new(
+        "new-zmodel", "write a zone model to begin with: source, path, test and page",
+        {{"zone"},
+         "build it:  kaya zmodel build {0}/{0}.cpp --into {0}\ntry it:    kaya ztest {0}/{0}.so {0}/triaxial.csv bulk=4e9 shear=3e9 "
+         "strength=2e7\ntest it:   kaya {0}/test-{0}.3dd\n"},
+        std::nullopt, [](const auto& folders) {
+            ZoneModels models;
+            models.set_path(folders);
+            return models.available();
+        });
 
     auto* plugin = app.add_subcommand("plugin", "look at joint and zone models");
     plugin->require_subcommand(1);
     auto names = std::make_shared<std::vector<std::string>>();
-    auto* listing = plugin->add_subcommand("list", "file, name, versions, properties and states of joint and zone models");
+    auto* listing =
+        plugin->add_subcommand("list", "file, name, versions, properties and states of joint and zone models");
     listing->add_option("model", *names, "names or files; all that are found if not given");
     listing->callback([names, joint_folders, &chosen] {
         chosen = [names, joint_folders] { return list_plugins(*names, joint_folders()); };

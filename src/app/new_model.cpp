@@ -52,8 +52,7 @@ std::vector<fs::path> write_new_model(std::span<const std::string_view> kinds, c
         std::ofstream stream(files.back());
         stream << filled(std::string(each.text), name);
         stream.close();
-        if (!stream)
-            throw Diagnostic(fmt::format("cannot write {}", files.back().string()), {}, Fault::run);
+        if (!stream) throw Diagnostic(fmt::format("cannot write {}", files.back().string()), {}, Fault::run);
     }
     return files;
 }

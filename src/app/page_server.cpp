@@ -27,14 +27,16 @@ constexpr std::chrono::seconds lately{30};
 /// 128 bits that nobody can guess.
 std::string token() {
     std::array<unsigned char, 16> bytes{};
-    if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) throw Diagnostic("this machine gives no random numbers", {}, Fault::run);
+    if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+        throw Diagnostic("this machine gives no random numbers", {}, Fault::run);
     std::string text;
     for (const unsigned char byte : bytes) text += fmt::format("{:02x}", byte);
     return text;
 }
 
 /// Asks for a newer page now and then, and offers it; what is looked at stays until somebody wants to see more.
-constexpr const char* reload_script = R"(<div id="newer" style="display:none;position:fixed;top:0;left:0;right:0;padding:.4em;text-align:center;background:#fd8;z-index:9">the run has gone on: <a href="">show it</a></div>
+constexpr const char* reload_script =
+    R"(<div id="newer" style="display:none;position:fixed;top:0;left:0;right:0;padding:.4em;text-align:center;background:#fd8;z-index:9">the run has gone on: <a href="">show it</a></div>
 <script>setInterval(async () => {
     try {
         const now = await (await fetch('version')).text();
@@ -56,10 +58,14 @@ struct PageServer::Server {
     std::atomic<bool> ends = false;
     std::atomic<std::int64_t> asked = 0; ///< seconds of the steady clock
     std::mutex mutex;                    ///< of the page and its version
-    std::string page = "<!DOCTYPE html><title>kaya</title><meta http-equiv=\"refresh\" content=\"2\"><p>The run has not begun to cycle yet.</p>";
+    std::string page =
+        "<!DOCTYPE html><title>kaya</title><meta http-equiv=\"refresh\" content=\"2\"><p>The run has not begun to cycle yet.</p>";
     int version = 0;
 
-    static std::int64_t now() { return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+    static std::int64_t now() {
+        return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now().time_since_epoch())
+            .count();
+    }
 
     http::response<http::string_body> answer(const http::request<http::empty_body>& request) {
         http::response<http::string_body> response(http::status::ok, request.version());
@@ -139,7 +145,8 @@ PageServer::PageServer(int port) : server_(std::make_unique<Server>()) {
     if (!problem) own.acceptor.bind(place, problem);
     if (!problem) own.acceptor.listen(8, problem);
     if (problem)
-        throw Diagnostic(fmt::format("port {} cannot be used: {}", port, problem.message()), "another program has it, or it is below 1024: --watch 0 takes any that is free", Fault::run);
+        throw Diagnostic(fmt::format("port {} cannot be used: {}", port, problem.message()),
+                         "another program has it, or it is below 1024: --watch 0 takes any that is free", Fault::run);
     address_ = fmt::format("http://{}:{}{}", here, own.acceptor.local_endpoint().port(), own.path);
     // Signals are for the run, and so is a reader that goes away in the middle of a page.
     sigset_t all, before;

@@ -22,7 +22,8 @@ constexpr std::size_t digest_length = 64;
 void write_permissions(const Permissions& permissions) {
     const fs::path file = permissions_file();
     if (file.empty())
-        throw Diagnostic("there is no place for your permissions", "set HOME, or XDG_CONFIG_HOME to a whole path", Fault::run);
+        throw Diagnostic("there is no place for your permissions", "set HOME, or XDG_CONFIG_HOME to a whole path",
+                         Fault::run);
     std::error_code problem;
     fs::create_directories(file.parent_path(), problem);
     std::string text;
@@ -66,12 +67,10 @@ Permissions read_permissions() {
         if (line.empty()) continue;
         const auto blank = line.find(' ');
         const std::string word = line.substr(0, blank), rest = blank == line.npos ? "" : line.substr(blank + 1);
-        if (word == folder_word && fs::path(rest).is_absolute())
-            permissions.folders.emplace_back(rest);
+        if (word == folder_word && fs::path(rest).is_absolute()) permissions.folders.emplace_back(rest);
         else if (word == library_word && rest.size() > digest_length + 1 && rest[digest_length] == ' ')
             permissions.libraries[rest.substr(0, digest_length)] = rest.substr(digest_length + 1);
-        else
-            fail_damaged(file, number);
+        else fail_damaged(file, number);
     }
     return permissions;
 }
@@ -85,7 +84,8 @@ void allow(const fs::path& path) {
         permissions.folders.push_back(whole);
     } else if (fs::is_regular_file(whole, ignored)) {
         const std::string bytes = read_whole_file(whole.string());
-        if (!bytes.starts_with("\x7f" "ELF"))
+        if (!bytes.starts_with("\x7f"
+                               "ELF"))
             throw Diagnostic(fmt::format("'{}' is neither a folder nor a library", path.string()),
                              "files are allowed by their folder");
         // A library that was built anew takes the place of the one before.
@@ -101,7 +101,8 @@ void revoke(const fs::path& path) {
     Permissions permissions = read_permissions();
     const fs::path whole = place_of(path);
     const auto folders = std::erase(permissions.folders, whole);
-    const auto libraries = std::erase_if(permissions.libraries, [&](const auto& known) { return known.second == whole; });
+    const auto libraries =
+        std::erase_if(permissions.libraries, [&](const auto& known) { return known.second == whole; });
     if (folders + libraries == 0)
         throw Diagnostic(fmt::format("'{}' was not allowed", path.string()), "'kaya allow' lists what is");
     write_permissions(permissions);

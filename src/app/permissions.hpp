@@ -9,8 +9,9 @@
 namespace kaya {
 
 struct Permissions {
-    std::vector<std::filesystem::path> folders;              ///< files below may be read and written
-    std::map<std::string, std::filesystem::path> libraries; ///< joint models by sha256, with the place where they were seen
+    std::vector<std::filesystem::path> folders; ///< files below may be read and written
+    std::map<std::string, std::filesystem::path>
+        libraries; ///< joint models by sha256, with the place where they were seen
 };
 
 /// kaya/allowed below XDG_CONFIG_HOME, or .config of the home folder; empty when there is neither.

@@ -74,7 +74,8 @@ extern "C" void leave_line(int) {}
 
 class LineEditor {
 public:
-    explicit LineEditor(const Session& session) : session_(session), editor_(el_init("kaya", stdin, stdout, stderr)), history_(history_init()) {
+    explicit LineEditor(const Session& session)
+        : session_(session), editor_(el_init("kaya", stdin, stdout, stderr)), history_(history_init()) {
         HistEvent event;
         history(history_, &event, H_SETSIZE, kept_lines);
         history(history_, &event, H_SETUNIQUE, 1);
@@ -107,7 +108,8 @@ public:
     /// `above` are the lines of a statement that goes on.
     Read read(const std::string& above, std::string& line) {
         before_ = above;
-        struct sigaction on_interrupt {}, before {};
+        struct sigaction on_interrupt {
+        }, before{};
         on_interrupt.sa_handler = leave_line; // without SA_RESTART: reading ends
         sigaction(SIGINT, &on_interrupt, &before);
         int size = 0;
@@ -191,9 +193,7 @@ bool own_command(Session& session, const std::string& text) {
 void forget_interrupt(Session& session) {
     try {
         session.stop_if_interrupted();
-    } catch (const Diagnostic&) {
-        return;
-    }
+    } catch (const Diagnostic&) { return; }
 }
 
 /// Runs one statement; throws what the session throws.
@@ -229,8 +229,8 @@ int show(Session& session) {
 
 int from_keyboard(Session& session) {
     std::setlocale(LC_CTYPE, ""); // letters beyond ASCII take one place on the screen
-    session.output.say(fmt::format("kaya {}: help lists the commands, ? in place of a word what may stand there, quit ends",
-                                   program_version()));
+    session.output.say(fmt::format(
+        "kaya {}: help lists the commands, ? in place of a word what may stand there, quit ends", program_version()));
     LineEditor editor(session);
     std::string text, line;
     for (;;) {
@@ -244,9 +244,7 @@ int from_keyboard(Session& session) {
         if (lang::needs_more(lang::classic(), text)) continue;
         try {
             if (run_text(session, std::exchange(text, {})) == lang::Ended::quit) return 0;
-        } catch (...) {
-            show(session);
-        }
+        } catch (...) { show(session); }
     }
 }
 
@@ -259,9 +257,7 @@ int from_pipe(Session& session) {
             if (run_text(session, std::exchange(text, {})) == lang::Ended::quit) return 0;
         }
         if (!text.empty()) run_text(session, text);
-    } catch (...) {
-        return show(session);
-    }
+    } catch (...) { return show(session); }
     return 0;
 }
 
@@ -270,7 +266,8 @@ int from_pipe(Session& session) {
 std::filesystem::path history_file() {
     if (const char* named = std::getenv("KAYA_HISTORY")) return named;
     if (const char* state = std::getenv("XDG_STATE_HOME")) return std::filesystem::path(state) / "kaya" / "history";
-    if (const char* home = std::getenv("HOME")) return std::filesystem::path(home) / ".local" / "state" / "kaya" / "history";
+    if (const char* home = std::getenv("HOME"))
+        return std::filesystem::path(home) / ".local" / "state" / "kaya" / "history";
     return {};
 }
 

@@ -103,15 +103,15 @@ int run_decks(Session& session, const RunOrder& order) {
         }
     }
     for (const auto& name : session.given_properties.unused())
-        session.warn(Diagnostic(fmt::format("no command set '{}'", name), "the value that was given for it was not used"));
+        session.warn(
+            Diagnostic(fmt::format("no command set '{}'", name), "the value that was given for it was not used"));
     if (journal) journal->finish();
     session.autosave.done();
     const auto& clock = session.model.clock;
     if (clock.cycle > 0)
-        session.output.say(
-            fmt::format("done: {}, time {}, hash {:016x}{}", counted(clock.cycle, "cycle"), time_text(session.model),
-                        state_hash(session.model),
-                        session.warnings == 0 ? "" : ", " + counted(session.warnings, "warning")));
+        session.output.say(fmt::format("done: {}, time {}, hash {:016x}{}", counted(clock.cycle, "cycle"),
+                                       time_text(session.model), state_hash(session.model),
+                                       session.warnings == 0 ? "" : ", " + counted(session.warnings, "warning")));
     session.output.stop_log();
     session.output.flush();
     if (order.ended) order.ended(session);
@@ -136,9 +136,13 @@ int run_session(Session& session, const RunOrder& order) {
         if (error.code == broken_pipe) return nobody_reads;
         return fail(session, order, error);
     } catch (const std::bad_alloc&) {
-        return fail(session, order, Diagnostic(no_memory, "use fewer blocks or longer zone edges", Fault::run).at(session.last_place));
+        return fail(session, order,
+                    Diagnostic(no_memory, "use fewer blocks or longer zone edges", Fault::run).at(session.last_place));
     } catch (const std::exception& error) {
-        return fail(session, order, Diagnostic(fmt::format("kaya itself failed: {}", error.what()), "please report this, with the deck", Fault::own).at(session.last_place));
+        return fail(session, order,
+                    Diagnostic(fmt::format("kaya itself failed: {}", error.what()), "please report this, with the deck",
+                               Fault::own)
+                        .at(session.last_place));
     }
 }
 

@@ -27,9 +27,9 @@ struct RunOrder {
     std::vector<std::string> parameters; ///< NAME=VALUE
     std::string journal;                 ///< of `replay`
     bool no_journal = false;
-    std::optional<int> watch;            ///< port on which a browser can look on; 0: any
-    std::function<void(Session&)> begun;  ///< after the parameters, before the first deck
-    std::function<void(Session&)> ended;  ///< after the last deck, when all went well
+    std::optional<int> watch;                                ///< port on which a browser can look on; 0: any
+    std::function<void(Session&)> begun;                     ///< after the parameters, before the first deck
+    std::function<void(Session&)> ended;                     ///< after the last deck, when all went well
     std::function<void(Session&, const Diagnostic&)> failed; ///< after the message
 };
 

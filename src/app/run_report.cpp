@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t most_states = 24, most_bytes = 4'000'000; ///< a page of less than 10 MB opens at once
 
 std::size_t bytes_of(const std::vector<ReportState>& states) {
-    return std::accumulate(states.begin(), states.end(), std::size_t{0}, [](std::size_t sum, const ReportState& state) { return sum + state.scene.size(); });
+    return std::accumulate(states.begin(), states.end(), std::size_t{0},
+                           [](std::size_t sum, const ReportState& state) { return sum + state.scene.size(); });
 }
 
 } // namespace
@@ -76,7 +77,8 @@ std::string RunReport::page() {
     order.source = "run";
     order.course = course_.curves();
     order.warnings = session_.warning_texts;
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - began_).count();
+    const auto seconds =
+        std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - began_).count();
     order.took = seconds < 60 ? fmt::format("{} s", seconds) : fmt::format("{} min {} s", seconds / 60, seconds % 60);
     order.file = std::filesystem::path(session_.deck).filename().string();
     order.version = program_version();
@@ -84,7 +86,8 @@ std::string RunReport::page() {
     if (!states_.empty() && states_.back().cycle > model.clock.cycle) states_.clear();
     order.centre = states_.empty() ? report_centre(model) : centre_;
     order.before = states_;
-    if (!states_.empty() && states_.back().cycle == model.clock.cycle) order.before.pop_back(); // it comes last by itself
+    if (!states_.empty() && states_.back().cycle == model.clock.cycle)
+        order.before.pop_back(); // it comes last by itself
     return report_of(model, session_extras(session_), order);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 /// Where systems keep programs, libraries and their settings, and no user's work.
 constexpr const char* system_folders[] = {"/usr", "/lib", "/lib32", "/lib64", "/bin", "/etc",
-                                          "/opt", "/nix", "/gnu", "/proc", "/sys", "/dev"};
+                                          "/opt", "/nix", "/gnu",   "/proc",  "/sys", "/dev"};
 
 /// A reader or writer that is no file.
 constexpr const char* devices[] = {"/dev/null", "/dev/tty", "/dev/full", "/dev/shm"};
@@ -72,9 +72,10 @@ std::string describe_sandbox(const Gate::Policy& policy) {
     }
     for (const auto& [digest, library] : read_permissions().libraries) add("library", library);
     const int version = landlock_version();
-    add("kernel", version > 0 ? fmt::format("Landlock {}: native joint models are held to these files too, and start no program",
-                                            version)
-                              : std::string("no Landlock: native joint models can do what you can do"));
+    add("kernel",
+        version > 0
+            ? fmt::format("Landlock {}: native joint models are held to these files too, and start no program", version)
+            : std::string("no Landlock: native joint models can do what you can do"));
     add("--trust", std::string("lifts all of this"));
     return text;
 }

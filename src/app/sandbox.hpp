@@ -10,7 +10,7 @@
 namespace kaya {
 
 struct SandboxOrder {
-    std::vector<std::string> inputs;                   ///< decks or the journal, as given on the command line
+    std::vector<std::string> inputs;                  ///< decks or the journal, as given on the command line
     std::vector<std::filesystem::path> joint_folders; ///< those that the user or the installation named
     std::vector<std::filesystem::path> kept;          ///< what the program itself writes, not the deck
 };

@@ -47,8 +47,11 @@ void read_results(Session& session, const std::vector<Asked>& asked, Outcome& ou
     constexpr const char* lua_name = "study_result";
     for (const auto& one : asked) {
         try {
-            if (one.lua) session.scripts->run_lua(fmt::format("function {}() return ({}) end", lua_name, one.expression), one.place);
-            outcome.results.emplace_back(one.name, study_value(session.scripts->value(one.lua ? lua_name : one.expression, one.place), session));
+            if (one.lua)
+                session.scripts->run_lua(fmt::format("function {}() return ({}) end", lua_name, one.expression),
+                                         one.place);
+            outcome.results.emplace_back(
+                one.name, study_value(session.scripts->value(one.lua ? lua_name : one.expression, one.place), session));
         } catch (const Diagnostic& problem) {
             outcome.end = Outcome::End::failed;
             outcome.message = fmt::format("result '{}': {}", one.name, problem.message);
@@ -60,10 +63,12 @@ void read_results(Session& session, const std::vector<Asked>& asked, Outcome& ou
 
 /// What the deck made of the values that it was given: "" when it used them.
 std::string unused_values(Session& session, const Case& one, const std::set<std::string>& declared) {
-    for (const auto& name : session.given_properties.unused()) return fmt::format("no command of the deck sets '{}'", name);
+    for (const auto& name : session.given_properties.unused())
+        return fmt::format("no command of the deck sets '{}'", name);
     for (const auto& [name, value] : one.values) {
         if (is_property(name) || declared.contains(lang::fold(name))) continue;
-        if (study_value(session.scripts->value(name), session) != study_value(session.parameters[lang::fold(name)], session))
+        if (study_value(session.scripts->value(name), session) !=
+            study_value(session.parameters[lang::fold(name)], session))
             return fmt::format("the deck gives '{0}' a value of its own: write there param {0} = VALUE", name);
     }
     return {};
@@ -104,16 +109,22 @@ RunCase run_case(const RunOrder& base, const Study& study, const fs::path& progr
             outcome.message = cycles   ? fmt::format("took more than {} cycles", study.limits.cycles)
                               : memory ? fmt::format("took more than {} MB", study.limits.megabytes)
                                        : error.message;
-            if (outcome.end == Outcome::End::failed && error.place) outcome.message = fmt::format("{}:{}: {}", fs::path(error.place.source->name).filename().string(), error.place.line, error.message);
+            if (outcome.end == Outcome::End::failed && error.place)
+                outcome.message = fmt::format("{}:{}: {}", fs::path(error.place.source->name).filename().string(),
+                                              error.place.line, error.message);
             write_outcome(file, one, outcome);
         };
         return run(order, program);
     };
 }
 
-LocalRuns::Options local_options(const Study& study, int at_once, bool shared) { return {at_once, shared, study.limits, study.kept}; }
+LocalRuns::Options local_options(const Study& study, int at_once, bool shared) {
+    return {at_once, shared, study.limits, study.kept};
+}
 
-int cores(int wanted) { return wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+int cores(int wanted) {
+    return wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
 
 /// Which of several processes this is: as mpirun and srun say. 0: the first, or the only one.
 int own_rank() {
@@ -125,28 +136,36 @@ int own_rank() {
 void forget_runs(const fs::path& folder) {
     std::error_code failed;
     if (!fs::exists(folder / "about.toml", failed)) {
-        if (fs::exists(folder, failed) && !fs::is_empty(folder, failed)) throw Diagnostic(fmt::format("{} is no folder of a study: --anew does not touch it", folder.string()));
+        if (fs::exists(folder, failed) && !fs::is_empty(folder, failed))
+            throw Diagnostic(fmt::format("{} is no folder of a study: --anew does not touch it", folder.string()));
         return;
     }
     for (const char* own : {"runs", "slurm", "about.toml", "study.toml", "results.csv", "results.h5", "report.html"}) {
         fs::remove_all(folder / own, failed);
-        if (failed) throw Diagnostic(fmt::format("cannot remove {}: {}", (folder / own).string(), failed.message()), {}, Fault::run);
+        if (failed)
+            throw Diagnostic(fmt::format("cannot remove {}: {}", (folder / own).string(), failed.message()), {},
+                             Fault::run);
     }
 }
 
 /// Outcomes of runs that were not done go, so that these are done again.
 void forget_failures(const StudyFolder& folder, const std::vector<Case>& cases) {
     for (const auto& one : cases)
-        if (const auto outcome = folder.outcome(one); outcome && outcome->end != Outcome::End::done) fs::remove(folder.outcome_file(one.number));
+        if (const auto outcome = folder.outcome(one); outcome && outcome->end != Outcome::End::done)
+            fs::remove(folder.outcome_file(one.number));
 }
 
-std::unique_ptr<Runs> runs_of(const StudyOrder& wanted, const RunOrder& order, const Study& study, const fs::path& program, const StudyFolder& folder, StudyProgress& progress) {
+std::unique_ptr<Runs> runs_of(const StudyOrder& wanted, const RunOrder& order, const Study& study,
+                              const fs::path& program, const StudyFolder& folder, StudyProgress& progress) {
     if (!wanted.slurm)
-        return std::make_unique<LocalRuns>(folder, local_options(study, wanted.ranks ? 1 : cores(wanted.at_once), wanted.ranks), run_case(order, study, program), progress);
+        return std::make_unique<LocalRuns>(folder,
+                                           local_options(study, wanted.ranks ? 1 : cores(wanted.at_once), wanted.ranks),
+                                           run_case(order, study, program), progress);
     SlurmRuns::Options options;
     options.program = {(program / "kaya").string()};
     if (order.options.trust) options.program.emplace_back("--trust");
-    for (const auto& joints : order.options.joint_folders) options.program.insert(options.program.end(), {"--joints", fs::absolute(joints).string()});
+    for (const auto& joints : order.options.joint_folders)
+        options.program.insert(options.program.end(), {"--joints", fs::absolute(joints).string()});
     options.sbatch = wanted.sbatch;
     options.stop = &asked_to_stop;
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { asked_to_stop = true; });
@@ -156,7 +175,8 @@ std::unique_ptr<Runs> runs_of(const StudyOrder& wanted, const RunOrder& order, c
 int carry_out(const StudyOrder& wanted, const RunOrder& order, const fs::path& program) {
     const Study study = read_study(wanted.file);
     check_names(study);
-    const fs::path path = wanted.folder.empty() ? fs::path(fs::path(wanted.file).stem().string() + "-study") : fs::path(wanted.folder);
+    const fs::path path =
+        wanted.folder.empty() ? fs::path(fs::path(wanted.file).stem().string() + "-study") : fs::path(wanted.folder);
     if (wanted.anew) forget_runs(path);
     const auto cases = cases_of(study); // what is wrong with the design is said before a folder is made
     const bool first = !wanted.ranks || own_rank() == 0;
@@ -166,7 +186,9 @@ int carry_out(const StudyOrder& wanted, const RunOrder& order, const fs::path& p
     const auto runs = runs_of(wanted, order, study, program, folder, progress);
     const StudyAnswers answers = answer(study, *runs);
     if (!first) return 0;
-    const auto write = [&](const char* name, const std::string& text) { write_whole_file((folder.path() / name).string(), text); };
+    const auto write = [&](const char* name, const std::string& text) {
+        write_whole_file((folder.path() / name).string(), text);
+    };
     write("results.csv", csv_of(answers.cases, answers.outcomes, study.asked));
     write("results.h5", hdf5_of(answers.cases, answers.outcomes, study.asked));
     write("report.html", report_page(study, answers, program_version()));
@@ -212,19 +234,25 @@ int rerun(const StudyOrder& wanted, RunOrder order, const fs::path& program) {
     const StudyFolder folder{fs::path(wanted.folder)};
     const Kept kept = kept_runs(folder);
     const auto found = std::ranges::find(kept.cases, wanted.number, &Case::number);
-    if (found == kept.cases.end()) throw Diagnostic(fmt::format("{} has no run {}", wanted.folder, wanted.number), kept.cases.empty() ? "" : fmt::format("the last is {}", kept.cases.back().number));
+    if (found == kept.cases.end())
+        throw Diagnostic(fmt::format("{} has no run {}", wanted.folder, wanted.number),
+                         kept.cases.empty() ? "" : fmt::format("the last is {}", kept.cases.back().number));
     const Outcome& before = kept.outcomes[static_cast<std::size_t>(found - kept.cases.begin())];
     const fs::path deck = write_case_deck(kept.study, *found);
     fmt::print("{}\n", deck.string());
     order.decks = {deck.string()};
     std::string hash;
     order.ended = [&](Session& session) { hash = fmt::format("{:016x}", state_hash(session.model)); };
-    order.failed = [&](Session& session, const Diagnostic&) { hash = fmt::format("{:016x}", state_hash(session.model)); };
+    order.failed = [&](Session& session, const Diagnostic&) {
+        hash = fmt::format("{:016x}", state_hash(session.model));
+    };
     order.into = (folder.path() / "reruns" / fmt::format("{:06}", wanted.number)).string();
     prepare_run(order, CLI::App());
     const int status = run(order, program);
     if (before.hash.empty()) return status;
-    fmt::print("{}\n", hash == before.hash ? "the final state is that of the study" : fmt::format("the final state is not that of the study: {} instead of {}", hash, before.hash));
+    fmt::print("{}\n", hash == before.hash ? "the final state is that of the study"
+                                           : fmt::format("the final state is not that of the study: {} instead of {}",
+                                                         hash, before.hash));
     return hash == before.hash ? status : static_cast<int>(Fault::run);
 }
 
@@ -245,13 +273,19 @@ void add_study_commands(CLI::App& app, const RunOrder& order, const fs::path& pr
     auto* study = app.add_subcommand("study", "run one deck many times with parameters that vary: docs/studies.md");
     study->add_option("study", wanted->file, "the study, a TOML file");
     study->add_option("--into", wanted->folder, "folder of the runs; the study's name with -study if not given");
-    study->add_option("--jobs", wanted->at_once, "runs at one time; one for each core if not given")->check(CLI::Range(1, 4096));
+    study->add_option("--jobs", wanted->at_once, "runs at one time; one for each core if not given")
+        ->check(CLI::Range(1, 4096));
     study->add_flag("--anew", wanted->anew, "remove the runs that are there");
     study->add_flag("--again", wanted->again, "do runs again that failed");
     study->add_flag("--quiet,-q", wanted->quiet, "no progress");
     auto* slurm = study->add_flag("--slurm", wanted->slurm, "the runs are jobs of Slurm");
-    study->add_option("--sbatch", wanted->sbatch, "an option for sbatch: --sbatch=--partition=long; may be given several times")->allow_extra_args(false)->needs(slurm);
-    study->add_flag("--mpi", wanted->ranks, "this is one of several processes of mpirun or srun that share the runs")->excludes(slurm);
+    study
+        ->add_option("--sbatch", wanted->sbatch,
+                     "an option for sbatch: --sbatch=--partition=long; may be given several times")
+        ->allow_extra_args(false)
+        ->needs(slurm);
+    study->add_flag("--mpi", wanted->ranks, "this is one of several processes of mpirun or srun that share the runs")
+        ->excludes(slurm);
     auto* showing = study->add_subcommand("show", "show the runs of a study");
     showing->add_option("folder", wanted->folder, "the folder of the study")->required();
     auto* repeating = study->add_subcommand("rerun", "do one run again, with a deck of its own");

@@ -26,9 +26,7 @@ public:
         std::string text;
         try {
             text = read_whole_file(file.string());
-        } catch (const Diagnostic&) {
-            return false;
-        }
+        } catch (const Diagnostic&) { return false; }
         std::istringstream lines(text);
         for (std::string line; std::getline(lines, line);)
             if (!take_line(line, file.parent_path())) return false;
@@ -54,7 +52,8 @@ private:
             std::erase_if(name, [](char c) { return c == '@' || c == '\''; });
             declared_.insert(lower_case(name.substr(0, name.find('='))));
         }
-        const bool reads = (command.size() >= 3 && std::string("call").starts_with(command)) || (command == "lua" && !name.empty());
+        const bool reads =
+            (command.size() >= 3 && std::string("call").starts_with(command)) || (command == "lua" && !name.empty());
         if (!reads || name.empty()) return true;
         std::erase_if(name, [](char c) { return c == '\'' || c == '"'; });
         return take(fs::path(name).has_extension() ? folder / name : folder / (name + ".3dd"));
@@ -66,7 +65,8 @@ private:
 
 std::string param_line(const std::string& name, const StudyValue& value) {
     const std::string text = text_of(value);
-    return fmt::format("param {} = {}\n", is_property(name) ? "'" + name + "'" : name, std::holds_alternative<std::string>(value) ? "'" + text + "'" : text);
+    return fmt::format("param {} = {}\n", is_property(name) ? "'" + name + "'" : name,
+                       std::holds_alternative<std::string>(value) ? "'" + text + "'" : text);
 }
 
 } // namespace
@@ -84,7 +84,8 @@ void check_names(const Study& study) {
         if (is_property(name) || words.has(name)) return; // of properties the run says whether the deck sets them
         const auto near = did_you_mean(lower_case(name), words.all());
         throw Diagnostic(fmt::format("the deck does not mention '{}'", name),
-                         near.empty() ? fmt::format("write param {} = 30 in the deck, and use @{}", name, name) : fmt::format("did you mean '{}'?", near))
+                         near.empty() ? fmt::format("write param {} = 30 in the deck, and use @{}", name, name)
+                                      : fmt::format("did you mean '{}'?", near))
             .at(place);
     };
     for (const auto& factor : study.factors) check(factor.name, factor.place);

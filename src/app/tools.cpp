@@ -28,8 +28,7 @@ namespace fs = std::filesystem;
 std::string about_field(const script::FieldInfo& field, std::string_view table) {
     std::string text = table.empty() ? fmt::format("model.{}", field.name) : fmt::format("{}.{}", table, field.name);
     if (!field.classic.empty()) text += fmt::format(", in FISH {}{}", field.classic, table.empty() ? "" : "(pointer)");
-    return fmt::format("{}\n    {}{}{}\n", text, field.help,
-                       field.unit == "-" ? "" : fmt::format(" [{}]", field.unit),
+    return fmt::format("{}\n    {}{}{}\n", text, field.help, field.unit == "-" ? "" : fmt::format(" [{}]", field.unit),
                        field.writable ? "; can be set" : "");
 }
 
@@ -154,7 +153,8 @@ int format_decks(const std::vector<std::string>& decks, Formatting what, Output&
     return status;
 }
 
-std::string write_report(const std::vector<std::string>& saved, const std::string& page, const std::vector<fs::path>& joint_folders) {
+std::string write_report(const std::vector<std::string>& saved, const std::string& page,
+                         const std::vector<fs::path>& joint_folders) {
     ReportOrder order;
     order.source = "saved model";
     order.version = program_version();
@@ -189,16 +189,21 @@ std::vector<std::string> export_saved(const std::string& saved, const std::strin
     const fs::path into = folder.empty() ? fs::path(bare + "-tables") : fs::path(folder);
     std::error_code problem;
     fs::create_directories(into, problem);
-    if (problem) throw Diagnostic(fmt::format("cannot make the folder {}: {}", into.string(), problem.message()), "give another: --into FOLDER", Fault::run);
+    if (problem)
+        throw Diagnostic(fmt::format("cannot make the folder {}: {}", into.string(), problem.message()),
+                         "give another: --into FOLDER", Fault::run);
     std::vector<std::string> written;
     const auto write = [&](const std::string& name, const std::string& text) {
         written.push_back((into / name).string());
         write_whole_file(written.back(), text);
     };
-    for (const ObjectKind kind : exported_kinds()) write(fmt::format("{}.csv", info_of(kind).file), field_csv(model, kind));
+    for (const ObjectKind kind : exported_kinds())
+        write(fmt::format("{}.csv", info_of(kind).file), field_csv(model, kind));
     write("fields.csv", field_list_csv());
     if (!model.histories.all.empty()) write("histories.csv", history_csv(model.histories, {}, {}));
-    for (std::size_t i = 0; i < extras.decks.size(); ++i) write(fmt::format("deck-{}-{}", i + 1, fs::path(extras.decks[i].name).filename().string()), extras.decks[i].content);
+    for (std::size_t i = 0; i < extras.decks.size(); ++i)
+        write(fmt::format("deck-{}-{}", i + 1, fs::path(extras.decks[i].name).filename().string()),
+              extras.decks[i].content);
     if (!paraview) return written;
     const auto files = VtkSeries().write(model, (into / fs::path(bare).filename()).string());
     written.insert(written.end(), files.begin(), files.end());

@@ -13,7 +13,8 @@ namespace kaya {
 std::string help_text(const std::string& words);
 
 /// `kaya report`: the page of a saved model, over time when there are several. Gives its name. Throws Diagnostic.
-std::string write_report(const std::vector<std::string>& saved, const std::string& page, const std::vector<std::filesystem::path>& joint_folders);
+std::string write_report(const std::vector<std::string>& saved, const std::string& page,
+                         const std::vector<std::filesystem::path>& joint_folders);
 
 /// `kaya export`: a folder with the tables of a saved model, and its files for ParaView if asked. Gives the names of the files. Throws Diagnostic.
 std::vector<std::string> export_saved(const std::string& saved, const std::string& folder, bool paraview);

@@ -7,8 +7,7 @@
 
 namespace kaya {
 
-template <typename Number>
-std::string counted(Number number, std::string_view noun) {
+template <typename Number> std::string counted(Number number, std::string_view noun) {
     if (number == 1) return fmt::format("{} {}", number, noun);
     if (noun.ends_with("y")) return fmt::format("{} {}ies", number, noun.substr(0, noun.size() - 1));
     return fmt::format("{} {}s", number, noun);

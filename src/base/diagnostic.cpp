@@ -60,8 +60,7 @@ std::string underlined(const Diagnostic& d) {
         else if (!continues_character(line[i])) below += ' ';
     }
     for (int i = 0; i < length; ++i)
-        if (column - 1 + i >= static_cast<int>(line.size()) || !continues_character(line[column - 1 + i]))
-            below += '^';
+        if (column - 1 + i >= static_cast<int>(line.size()) || !continues_character(line[column - 1 + i])) below += '^';
     const std::string number = std::to_string(d.place.line);
     return fmt::format("  {:>4} | {}\n  {:>4} | {}", number, line, "", below);
 }
@@ -118,8 +117,8 @@ std::string readable(const std::string& message) {
 } // namespace
 
 std::string render(const Diagnostic& d, bool colour, bool with_code) {
-    const std::string kind = colour ? fmt::format("{}{}\033[0m", colour_of(d.severity), name_of(d.severity))
-                                    : name_of(d.severity);
+    const std::string kind =
+        colour ? fmt::format("{}{}\033[0m", colour_of(d.severity), name_of(d.severity)) : name_of(d.severity);
     // What `kaya explain` knows it by: for a reader at the screen or of a log, not for programs that read what is piped to them.
     std::string code = with_code && !d.code.empty() ? fmt::format(" [{}]", d.code) : std::string();
     if (colour && !code.empty()) code = fmt::format(" \033[2m[{}]\033[0m", d.code);
@@ -157,8 +156,8 @@ std::string_view did_you_mean(std::string_view word, const std::vector<std::stri
         if (whole >= static_cast<int>(std::max(word.size(), candidate.size()))) halves = limit + 1;
         if (word.size() >= 3 && beginning <= 1) halves = std::min(halves, 2 * beginning + 1);
         // Between equals the one that starts like the word is the likelier.
-        const bool likelier = halves == best_halves && !best.empty() && candidate.front() == word.front() &&
-                              best.front() != word.front();
+        const bool likelier =
+            halves == best_halves && !best.empty() && candidate.front() == word.front() && best.front() != word.front();
         if (halves < best_halves || likelier) {
             best = candidate;
             best_halves = halves;

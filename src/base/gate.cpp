@@ -109,7 +109,8 @@ void Gate::shut(Policy policy) {
 }
 
 bool Gate::is_below(const fs::path& whole, const std::vector<fs::path>& folders) const {
-    return std::any_of(folders.begin(), folders.end(), [&](const fs::path& folder) { return lies_below(whole, folder); });
+    return std::any_of(folders.begin(), folders.end(),
+                       [&](const fs::path& folder) { return lies_below(whole, folder); });
 }
 
 bool Gate::is_named(const fs::path& file) const {
@@ -118,7 +119,8 @@ bool Gate::is_named(const fs::path& file) const {
 
 void Gate::refuse_outside(const fs::path& file, const fs::path& whole) const {
     if (whole.empty())
-        refuse("file-outside", fmt::format("the links of '{}' lead round in circles", file.string()), "name the file itself");
+        refuse("file-outside", fmt::format("the links of '{}' lead round in circles", file.string()),
+               "name the file itself");
     for (const auto system : system_folders)
         if (lies_below(whole, system))
             refuse("file-special", fmt::format("'{}' belongs to the system, not to a deck", file.string()),
@@ -136,8 +138,9 @@ void Gate::refuse_special(const fs::path& file, const fs::path& whole) const {
         refuse("file-special", fmt::format("'{}' is not an ordinary file", file.string()),
                "name an ordinary file; --trust allows pipes and devices");
     if (info.st_nlink > 1)
-        refuse("file-special", fmt::format("'{}' has {} names (hard links), and the others may lie anywhere", file.string(),
-                                           info.st_nlink),
+        refuse("file-special",
+               fmt::format("'{}' has {} names (hard links), and the others may lie anywhere", file.string(),
+                           info.st_nlink),
                fmt::format("make a copy of it: cp {0} {0}.copy && mv {0}.copy {0}", quoted(file)));
 }
 
@@ -147,7 +150,8 @@ void Gate::refuse_in_use(const fs::path& file, const fs::path& whole) const {
                           return fs::equivalent(code, whole, ignored);
                       });
     if (used)
-        refuse("file-in-use", fmt::format("this run takes its commands from '{}', and would overwrite it", file.string()),
+        refuse("file-in-use",
+               fmt::format("this run takes its commands from '{}', and would overwrite it", file.string()),
                "give it another name");
     if (!policy_.permissions.empty() && whole == policy_.permissions)
         refuse("file-in-use", fmt::format("'{}' says what runs may do, and no run writes it", file.string()),

@@ -16,7 +16,8 @@ inline std::string lower_case(std::string_view text) {
 }
 
 inline bool equal_ignoring_case(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char one, char other) { return lower_case(one) == lower_case(other); });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](char one, char other) { return lower_case(one) == lower_case(other); });
 }
 
 } // namespace kaya

@@ -12,8 +12,8 @@ namespace kaya {
 class ChunkBody {
 public:
     template <class Body>
-        requires(!std::is_same_v<std::remove_cvref_t<Body>, ChunkBody>)
-    ChunkBody(Body&& body) // implicit on purpose: a lambda is written at the call
+    requires(!std::is_same_v<std::remove_cvref_t<Body>, ChunkBody>)
+        ChunkBody(Body&& body) // implicit on purpose: a lambda is written at the call
         : body_(const_cast<void*>(static_cast<const void*>(std::addressof(body)))),
           call_([](void* b, std::size_t first, std::size_t last) {
               (*static_cast<std::remove_reference_t<Body>*>(b))(first, last);

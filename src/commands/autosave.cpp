@@ -25,16 +25,16 @@ void note(Session& session, const std::string& message, const std::string& hint)
 
 } // namespace
 
-std::string Autosave::file_name() {
-    return fmt::format("{}-autosave{}", session_.run_name(), save_ending);
-}
+std::string Autosave::file_name() { return fmt::format("{}-autosave{}", session_.run_name(), save_ending); }
 
 void Autosave::find_earlier() {
     const std::string name = file_name();
     std::error_code ignored;
     if (name != written_ && fs::exists(name, ignored))
         note(session_, fmt::format("an earlier run was cut off and has left '{}'", name),
-             fmt::format("'kaya info {0}' says how far it was, 'restore {0}' goes on from there; this run will replace it", name));
+             fmt::format(
+                 "'kaya info {0}' says how far it was, 'restore {0}' goes on from there; this run will replace it",
+                 name));
 }
 
 double Autosave::unsaved() const { return since_ ? std::chrono::duration<double>(Clock::now() - *since_).count() : 0; }
@@ -70,7 +70,8 @@ bool Autosave::into_file(const std::function<void(const std::string&)>& save, st
         save(name);
     } catch (const Diagnostic& problem) {
         if (!std::exchange(complained_, true))
-            note(session_, fmt::format("the model could not be kept in '{}': {}", name, problem.message), "the run goes on");
+            note(session_, fmt::format("the model could not be kept in '{}': {}", name, problem.message),
+                 "the run goes on");
         return false;
     }
     written_ = name;
@@ -102,9 +103,10 @@ void Autosave::keep() {
     if (is_long() && failed_cycle_ > 0) write_before_failure();
     else if (is_long()) write();
     if (written_.empty()) return;
-    const std::string before = failed_cycle_ == 0              ? ""
-                               : cycle_ + 1 == failed_cycle_ ? ", before the one that failed,"
-                                                              : fmt::format(", {} cycles before the one that failed,", failed_cycle_ - cycle_);
+    const std::string before = failed_cycle_ == 0 ? ""
+                               : cycle_ + 1 == failed_cycle_
+                                   ? ", before the one that failed,"
+                                   : fmt::format(", {} cycles before the one that failed,", failed_cycle_ - cycle_);
     note(session_, fmt::format("the model after cycle {}{} is kept in '{}'", cycle_, before, written_),
          fmt::format("'restore {}' goes on from there", written_));
 }

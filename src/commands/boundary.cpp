@@ -108,7 +108,8 @@ void warn_of_held_loads(Session& session, const std::vector<Row>& blocks, const 
             for (int k = 0; k < components; ++k) {
                 const double load = k < 3 ? model.blocks.load[b][k] : moment[k - 3];
                 // Moments of loads come with them, and turn a block that is held by its centroid only.
-                const bool rests = k >= 3 ? (model.blocks.fixed[b] & 7) == 7 : moment.norm() > 0 && (model.blocks.fixed[b] & 56) != 56;
+                const bool rests =
+                    k >= 3 ? (model.blocks.fixed[b] & 7) == 7 : moment.norm() > 0 && (model.blocks.fixed[b] & 56) != 56;
                 if (load != 0 && (model.blocks.fixed[b] & (1 << k)) && !rests) return say(b, k, "the centroid");
             }
             continue;
@@ -122,9 +123,10 @@ void warn_of_held_loads(Session& session, const std::vector<Row>& blocks, const 
 }
 
 void warn_of_no_face(Session& session, const lang::Boundary& command, std::size_t points, std::string_view what) {
-    session.warn(Diagnostic(fmt::format("no face on the surface has all its corners among the {} gridpoints in range", points),
-                            fmt::format("{} has no effect", what))
-                     .at(command.range.place ? command.range.place : command.place));
+    session.warn(
+        Diagnostic(fmt::format("no face on the surface has all its corners among the {} gridpoints in range", points),
+                   fmt::format("{} has no effect", what))
+            .at(command.range.place ? command.range.place : command.place));
 }
 
 void put_reactions(Session& session, const lang::Boundary& command) {
@@ -136,10 +138,11 @@ void put_reactions(Session& session, const lang::Boundary& command) {
         const auto held = [&](std::uint8_t fixed) { return (fixed & (1 << axis)) != 0; };
         if (std::ranges::none_of(bodies.blocks, [&](Row b) { return held(model.blocks.fixed[b]); }) &&
             std::ranges::none_of(bodies.gridpoints, [&](Row g) { return held(model.gridpoints.fixed[g]); }))
-            session.warn(Diagnostic(fmt::format("nothing in range is held in {}", axis_names[axis]),
-                                    fmt::format("{}reaction has no effect: hold it first, e.g. `bound {}vel 0`, and cycle",
-                                                axis_names[axis], axis_names[axis]))
-                             .at(command.place));
+            session.warn(
+                Diagnostic(fmt::format("nothing in range is held in {}", axis_names[axis]),
+                           fmt::format("{}reaction has no effect: hold it first, e.g. `bound {}vel 0`, and cycle",
+                                       axis_names[axis], axis_names[axis]))
+                    .at(command.place));
         replace_by_reaction(model, bodies, axis);
     }
 }
@@ -172,20 +175,23 @@ void put_on_faces(Session& session, const lang::Boundary& command, const std::ve
     const std::uint8_t bits = quiet_bits(command);
     double area = 0;
     for (const Row t : triangles) area += triangle_area_vector(model, t).norm();
-    session.output.say(fmt::format("{} an area of {}", bits != 0 ? "quiet boundary on" : "nvel holds", number_text(area)));
+    session.output.say(
+        fmt::format("{} an area of {}", bits != 0 ? "quiet boundary on" : "nvel holds", number_text(area)));
     if (command.normal_velocity) hold_normals(model, triangles, *command.normal_velocity);
     if (bits == 0) return;
     make_quiet(model, triangles, bits);
     for (const Row t : triangles)
         for (const Row g : model.triangles.gridpoints[t])
             for (int axis = 0; axis < 3; ++axis)
-                if ((model.gridpoints.fixed[g] & (1 << axis)) && (bits & ((quiet_x << axis) | quiet_normal | quiet_shear))) {
-                    session.warn(Diagnostic(fmt::format("a gridpoint of block {} on the quiet boundary is held in {}",
-                                                        model.blocks.number[model.gridpoints.block[g]], axis_names[axis]),
-                                            fmt::format("waves come back from it: let it go with `bound {}reaction`, which "
-                                                        "keeps the force that holds it",
-                                                        axis_names[axis]))
-                                     .at(command.place));
+                if ((model.gridpoints.fixed[g] & (1 << axis)) &&
+                    (bits & ((quiet_x << axis) | quiet_normal | quiet_shear))) {
+                    session.warn(
+                        Diagnostic(fmt::format("a gridpoint of block {} on the quiet boundary is held in {}",
+                                               model.blocks.number[model.gridpoints.block[g]], axis_names[axis]),
+                                   fmt::format("waves come back from it: let it go with `bound {}reaction`, which "
+                                               "keeps the force that holds it",
+                                               axis_names[axis]))
+                            .at(command.place));
                     return;
                 }
 }
@@ -244,7 +250,8 @@ void reset(Session& session, lang::Reset::What what) {
 void run(Session& session, const lang::Fix& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
     for (const Vec3& direction : command.directions) hold_direction(session.model, {blocks, {}}, direction, 0);
-    if (any(command.components) || command.directions.empty()) fix_blocks(session.model, blocks, bits_of(command.components));
+    if (any(command.components) || command.directions.empty())
+        fix_blocks(session.model, blocks, bits_of(command.components));
     warn_of_held_loads(session, blocks, command.range.place);
 }
 
@@ -281,7 +288,8 @@ void bound(Session& session, const lang::Boundary& command) {
     }
     if (!command.directed_velocity.empty()) {
         const Bodies bodies = pick_bodies(session, command.range);
-        for (const auto& [speed, direction] : command.directed_velocity) hold_direction(model, bodies, direction, speed);
+        for (const auto& [speed, direction] : command.directed_velocity)
+            hold_direction(model, bodies, direction, speed);
     }
     if (!triangles.empty()) put_on_faces(session, command, triangles);
     if (points.empty() || !loads) return;
@@ -289,14 +297,15 @@ void bound(Session& session, const lang::Boundary& command) {
         if (!command.load[axis]) continue;
         add_load(model, points, axis, *command.load[axis], function);
         // Repeated loads add up, at every gridpoint: the number shows what the total became.
-        session.output.say(fmt::format("{}load {} added at {}", axis_names[axis],
-                                       number_text(*command.load[axis]), counted(points.size(), "gridpoint")));
+        session.output.say(fmt::format("{}load {} added at {}", axis_names[axis], number_text(*command.load[axis]),
+                                       counted(points.size(), "gridpoint")));
     }
     for (const auto& [force, direction] : command.directed_load) {
         const Vec3 vector = force * direction.normalized();
         for (int axis = 0; axis < 3; ++axis)
             if (vector[axis] != 0) add_load(model, points, axis, vector[axis], function);
-        session.output.say(fmt::format("load {} along {} added at {}", number_text(force), place_text(direction.normalized()), counted(points.size(), "gridpoint")));
+        session.output.say(fmt::format("load {} along {} added at {}", number_text(force),
+                                       place_text(direction.normalized()), counted(points.size(), "gridpoint")));
     }
     if (command.stress) {
         find_contacts(model, session.joints); // they tell which faces are exterior
@@ -343,15 +352,16 @@ Vec6 load_of(const lang::Apply& command) {
 void check_place_of_load(Session& session, const lang::Apply& command, const std::vector<Row>& blocks) {
     const Model& model = session.model;
     if (blocks.size() > 1)
-        throw Diagnostic(fmt::format("{} are in range, and a force acts at a place of one", counted(blocks.size(), "block")),
-                         "pick one block, e.g. with range id n")
+        throw Diagnostic(
+            fmt::format("{} are in range, and a force acts at a place of one", counted(blocks.size(), "block")),
+            "pick one block, e.g. with range id n")
             .at(command.place);
     const Row b = blocks.front();
     const double away = distance_to(model, ObjectKind::block, b, *command.at);
     constexpr double on_it = 1e-3; // of the size of the block: places are given before it has moved a little
     if (away > on_it * block_size(model, b))
-        session.warn(Diagnostic(fmt::format("{} is {} away from block {}, which is loaded there", place_text(*command.at), number_text(away),
-                                            model.blocks.number[b]),
+        session.warn(Diagnostic(fmt::format("{} is {} away from block {}, which is loaded there",
+                                            place_text(*command.at), number_text(away), model.blocks.number[b]),
                                 "the force acts on it as if by a rigid arm")
                          .at(command.place));
 }
@@ -367,16 +377,18 @@ void run(Session& session, const lang::Apply& command) {
     if (loaded)
         for (const Row b : blocks)
             if (model.blocks.deformable[b])
-                throw Diagnostic(fmt::format("block {} is deformable and takes no load as a whole",
-                                             model.blocks.number[b]),
-                                 "load its gridpoints with bound, or take it out of the range")
+                throw Diagnostic(
+                    fmt::format("block {} is deformable and takes no load as a whole", model.blocks.number[b]),
+                    "load its gridpoints with bound, or take it out of the range")
                     .at(command.place);
     if (command.at && !blocks.empty()) check_place_of_load(session, command, blocks);
     for (int k = 0; k < components; ++k)
         if (command.velocity[k]) prescribe_velocity(model, {blocks, {}}, k, *command.velocity[k], function);
-    for (const auto& [speed, direction] : command.directed_velocity) hold_direction(model, {blocks, {}}, direction, speed);
+    for (const auto& [speed, direction] : command.directed_velocity)
+        hold_direction(model, {blocks, {}}, direction, speed);
     for (int k = command.at ? 3 : 0; k < components; ++k)
-        if (load[static_cast<std::size_t>(k)] != 0) add_block_load(model, blocks, k, load[static_cast<std::size_t>(k)], function);
+        if (load[static_cast<std::size_t>(k)] != 0)
+            add_block_load(model, blocks, k, load[static_cast<std::size_t>(k)], function);
     if (command.at)
         for (const Row b : blocks) add_load_at(model, b, *command.at, {load[0], load[1], load[2]}, function);
     if (loaded) warn_of_held_loads(session, blocks, command.place);

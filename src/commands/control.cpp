@@ -95,7 +95,8 @@ void run(Session& session, const lang::Set& command) {
     if (command.time_step) give_time_step(session, *command.time_step);
     if (command.threads) set_threads(static_cast<int>(std::max<std::int64_t>(1, *command.threads)));
     if (command.echo) session.options.echo = *command.echo;
-    if (command.autosave) session.autosave.set_interval(*command.autosave > 0 ? std::optional(60 * *command.autosave) : std::nullopt);
+    if (command.autosave)
+        session.autosave.set_interval(*command.autosave > 0 ? std::optional(60 * *command.autosave) : std::nullopt);
     if (command.report) session.report = *command.report;
     if (command.gravity) settings.gravity = *command.gravity;
     if (command.seed) session.scripts->seed(static_cast<std::uint64_t>(*command.seed));
@@ -104,10 +105,8 @@ void run(Session& session, const lang::Set& command) {
         if (session.output.logging()) session.output.start_log(session.output_file(session.log_file));
     }
     if (command.log) {
-        if (*command.log)
-            session.output.start_log(session.output_file(session.log_file));
-        else
-            session.output.stop_log();
+        if (*command.log) session.output.start_log(session.output_file(session.log_file));
+        else session.output.stop_log();
     }
     for (const auto& [name, value] : command.fish) {
         const auto scripted = std::visit([](const auto& v) { return script::Value(v); }, value);
@@ -115,9 +114,7 @@ void run(Session& session, const lang::Set& command) {
     }
 }
 
-void run(Session& session, const lang::NameRange& command) {
-    session.ranges[lower_case(command.name)] = command.range;
-}
+void run(Session& session, const lang::NameRange& command) { session.ranges[lower_case(command.name)] = command.range; }
 
 void add_handlers(HandlerTable& table, lang::ControlCommands list) { fill(table, list); }
 

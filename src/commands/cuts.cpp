@@ -117,12 +117,12 @@ void run(Session& session, const lang::JointSetCommand& command) {
         const auto pieces = apply(session, rows, cut, thinnest, name);
         if (command.join) join_pieces(session.model, cut, pieces);
         if (cut.parents.empty())
-            session.warn(
-                Diagnostic("no block was cut by this joint set",
-                           cut.slivers > 0 ? fmt::format("{} not made: a piece would be thinner than {:.3g}",
-                                                         counted(cut.slivers, "cut was", "cuts were"), thinnest)
-                                           : "look at its origin and its dip")
-                    .at(command.place));
+            session.warn(Diagnostic("no block was cut by this joint set",
+                                    cut.slivers > 0
+                                        ? fmt::format("{} not made: a piece would be thinner than {:.3g}",
+                                                      counted(cut.slivers, "cut was", "cuts were"), thinnest)
+                                        : "look at its origin and its dip")
+                             .at(command.place));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
@@ -141,7 +141,8 @@ void run(Session& session, const lang::TunnelCommand& command) {
         const std::vector<Row> pieces =
             apply(session, rows, cut.blocks, thinnest, fmt::format("tunnel, joint set {}", outline.id));
         if (cut.blocks.parents.empty() && cut.swallowed.empty())
-            session.warn(Diagnostic("no block lies in the tunnel", "look at the corners of its outline").at(command.place));
+            session.warn(
+                Diagnostic("no block lies in the tunnel", "look at the corners of its outline").at(command.place));
         if (command.region == 0) return;
         auto& region = session.model.blocks.region;
         for (std::size_t i = 0; i < pieces.size(); ++i)
@@ -177,19 +178,23 @@ void run(Session& session, const lang::CutGround& command) {
         const GroundCut cut = cut_by_ground(shapes_of(model, rows), ground, id, thinnest, std::ref(work));
         const auto pieces = apply(session, rows, cut.blocks, thinnest, fmt::format("ground, joint set {}", id));
         if (cut.blocks.parents.empty()) {
-            session.warn(Diagnostic("no block was cut by this surface", "look at its place: list blocks shows those of the blocks").at(command.place));
+            session.warn(Diagnostic("no block was cut by this surface",
+                                    "look at its place: list blocks shows those of the blocks")
+                             .at(command.place));
             return;
         }
         // What lies on one side stays one body.
         for (std::size_t i = 0; i < pieces.size();) {
             std::array<std::vector<Row>, 2> sides;
             const int parent = cut.blocks.pieces[i].parent;
-            for (; i < pieces.size() && cut.blocks.pieces[i].parent == parent; ++i) sides[cut.above[i] ? 1 : 0].push_back(pieces[i]);
+            for (; i < pieces.size() && cut.blocks.pieces[i].parent == parent; ++i)
+                sides[cut.above[i] ? 1 : 0].push_back(pieces[i]);
             for (const auto& side : sides)
                 if (side.size() > 1) join_pairs(model, adjacent_pairs(model, side));
         }
         for (std::size_t i = 0; i < pieces.size(); ++i)
-            if (command.region && !cut.above[i]) model.blocks.region[pieces[i]] = static_cast<std::int32_t>(*command.region);
+            if (command.region && !cut.above[i])
+                model.blocks.region[pieces[i]] = static_cast<std::int32_t>(*command.region);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
@@ -197,8 +202,7 @@ void run(Session& session, const lang::CutGround& command) {
 }
 
 void run(Session& session, const lang::Densify& command) {
-    const std::vector<Row> rows =
-        rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+    const std::vector<Row> rows = rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
     if (rows.empty()) return;
     constexpr double most_pieces = 5e6;
     std::array<int, 3> parts{};
@@ -233,8 +237,7 @@ void join(Session& session, const std::vector<std::pair<Row, Row>>& pairs, const
         throw;
     }
     if (pairs.empty())
-        return session.warn(
-            Diagnostic("none of these blocks lie face on face", "nothing is joined").at(place));
+        return session.warn(Diagnostic("none of these blocks lie face on face", "nothing is joined").at(place));
     std::set<std::int32_t> bodies;
     std::set<Row> blocks;
     for (const auto& pair : pairs) {

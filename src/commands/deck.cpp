@@ -38,7 +38,8 @@ lang::Checks deck_checks() {
     lang::Checks checks;
     checks.command = [](const std::any& command) {
         if (const auto* function = std::any_cast<lang::FishDefinition>(&command))
-            fish::generate(fish::read_function(function->text, function->place), [](std::string_view) { return fish::Meaning{}; });
+            fish::generate(fish::read_function(function->text, function->place),
+                           [](std::string_view) { return fish::Meaning{}; });
         else if (const auto* chunk = std::any_cast<lang::LuaChunk>(&command))
             script::check_lua_text(chunk->text, chunk->place);
     };

@@ -30,7 +30,7 @@ public:
     lang::Interpreter interpreter;
     NamedRanges ranges;
     std::map<std::string, script::Value> parameters; ///< of `param` and `kaya --set`, by folded name; `new` keeps them
-    GivenProperties given_properties; ///< of `param` and `kaya --set`, in the place of those of the deck
+    GivenProperties given_properties;                ///< of `param` and `kaya --set`, in the place of those of the deck
     std::string title;
     std::string deck; ///< file name of the deck that runs, for default names of output files
     std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files

@@ -118,8 +118,8 @@ void DeckNames::use_words(const lang::BoundCommand& command) {
     for (const auto& word : statement.words) {
         if (parameter != nullptr && lang::fold(parameter->name) == lang::fold(word.text)) continue;
         const bool target = set != nullptr && std::ranges::any_of(set->fish, [&](const auto& given) {
-            return lang::fold(given.first) == lang::fold(word.text);
-        });
+                                return lang::fold(given.first) == lang::fold(word.text);
+                            });
         if (word.late() && !word.text.empty() && !target) learn_expression(word);
     }
 }
@@ -164,9 +164,7 @@ void DeckNames::find_unknown(std::vector<Diagnostic>& found) const {
             if (use.use != read && use.use != call && use.use != line) continue;
             try {
                 fish::check_arguments(use.name, use.arguments, meaning, use.place);
-            } catch (const Diagnostic& mistake) {
-                found.push_back(mistake);
-            }
+            } catch (const Diagnostic& mistake) { found.push_back(mistake); }
             continue;
         }
         if (is_made(use.name) || fish::find_reserved(use.name)) continue;

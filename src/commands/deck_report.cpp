@@ -29,7 +29,8 @@ std::string json(std::string_view text) {
         else {
             const std::size_t length = c >= 0xf0 && c < 0xf5 ? 4 : c >= 0xe0 ? 3 : c >= 0xc2 ? 2 : 0;
             bool whole = length > 0 && c < 0xf5 && i + length <= text.size();
-            for (std::size_t k = 1; whole && k < length; ++k) whole = (static_cast<unsigned char>(text[i + k]) & 0xc0) == 0x80;
+            for (std::size_t k = 1; whole && k < length; ++k)
+                whole = (static_cast<unsigned char>(text[i + k]) & 0xc0) == 0x80;
             if (whole) out += text.substr(i, length), i += length - 1;
             else out += "\xef\xbf\xbd";
         }
@@ -54,8 +55,13 @@ public:
     void statement(const lang::BoundCommand& command) {
         ++report.statements;
         const auto ignored = [&](std::string text) {
-            report.lines.push_back({command.place.source->name, command.place.line, command.place.column,
-                                    Outlook::ignored, std::move(text), {}, {}});
+            report.lines.push_back({command.place.source->name,
+                                    command.place.line,
+                                    command.place.column,
+                                    Outlook::ignored,
+                                    std::move(text),
+                                    {},
+                                    {}});
         };
         if (command.spec->support == lang::Support::ignored) ignored(command.text());
         else if (!command.ignored.empty()) {
@@ -72,7 +78,8 @@ public:
 
     /// What the whole deck shows. Where a statement could not be read, it may have made the names that are missing.
     void findings(const DeckReview& review) {
-        const bool whole = std::ranges::all_of(report.lines, [](const auto& line) { return line.outlook != Outlook::wrong; });
+        const bool whole =
+            std::ranges::all_of(report.lines, [](const auto& line) { return line.outlook != Outlook::wrong; });
         if (!whole) return;
         for (const auto& finding : review.findings()) add(finding);
     }
@@ -111,7 +118,8 @@ std::string DeckReport::text(const std::string& deck) const {
         text += fmt::format("{}:{}:{}: {}: {}", line.file, line.line, line.column, word_of(line.outlook), line.text);
         text += line.hint.empty() ? "\n" : fmt::format("; {}\n", line.hint);
     }
-    text += fmt::format("{}: {}: {} run", deck, counted(statements, "statement"), statements - (lines.size() - count(Outlook::doubtful)));
+    text += fmt::format("{}: {}: {} run", deck, counted(statements, "statement"),
+                        statements - (lines.size() - count(Outlook::doubtful)));
     for (const auto outlook : {Outlook::ignored, Outlook::not_supported, Outlook::unknown, Outlook::wrong})
         if (count(outlook) > 0) text += fmt::format(", {} {}", count(outlook), word_of(outlook));
     if (const auto n = count(Outlook::doubtful); n > 0) text += ", " + counted(n, "warning");
@@ -130,10 +138,11 @@ std::string DeckReport::json_lines() const {
         const std::string proposal = from == line.hint.npos || to == line.hint.npos
                                          ? ""
                                          : line.hint.substr(from + begin.size(), to - from - begin.size());
-        text += fmt::format("{{\"file\": {}, \"line\": {}, \"column\": {}, \"severity\": \"{}\", \"kind\": \"{}\", \"code\": {}, "
-                            "\"message\": {}, \"hint\": {}, \"proposal\": {}}}\n",
-                            json(line.file), line.line, line.column, severity, word_of(line.outlook), json(line.code),
-                            json(line.text), json(line.hint), json(proposal));
+        text += fmt::format(
+            "{{\"file\": {}, \"line\": {}, \"column\": {}, \"severity\": \"{}\", \"kind\": \"{}\", \"code\": {}, "
+            "\"message\": {}, \"hint\": {}, \"proposal\": {}}}\n",
+            json(line.file), line.line, line.column, severity, word_of(line.outlook), json(line.code), json(line.text),
+            json(line.hint), json(proposal));
     }
     return text;
 }

@@ -29,8 +29,8 @@ struct ReportLine {
 };
 
 struct DeckReport {
-    std::vector<ReportLine> lines; ///< files in the order of their first call, lines ascending
-    std::size_t statements = 0;    ///< of all files, those inside FISH functions too
+    std::vector<ReportLine> lines;            ///< files in the order of their first call, lines ascending
+    std::size_t statements = 0;               ///< of all files, those inside FISH functions too
     std::size_t count(Outlook outlook) const; ///< of lines
     bool can_run() const;
     /// "deck.3dd:12:5: not supported yet: ...", one for each line, and the counts.

@@ -23,7 +23,8 @@ struct FileRead {
 };
 
 FileRead file_read_by(const lang::BoundCommand& command) {
-    if (const auto* table = std::any_cast<lang::TableCommand>(&command.command)) return {table->file, "table", command.place};
+    if (const auto* table = std::any_cast<lang::TableCommand>(&command.command))
+        return {table->file, "table", command.place};
     if (const auto* lua = std::any_cast<lang::LuaFile>(&command.command)) return {lua->file, "Lua", command.place};
     return {};
 }
@@ -89,8 +90,8 @@ void DeckReview::doubt_last_line(const SourceText& source) {
         if (start == std::string::npos || words[start] == ';') continue; // a comment does not end a statement
         if (!lexer.continued(line)) return;
         const auto column = static_cast<int>(words.find_last_not_of(" \t\r")) + 1;
-        other_.push_back(doubt("the last line ends with a mark that continues it, and nothing follows", "is a line lost?",
-                               {text, line, column, 1}));
+        other_.push_back(doubt("the last line ends with a mark that continues it, and nothing follows",
+                               "is a line lost?", {text, line, column, 1}));
         return;
     }
 }
@@ -101,10 +102,13 @@ void DeckReview::doubt_values(const lang::Set& set, const lang::BoundCommand& co
     lang::Statement statement;
     if (set.fish.empty() || !lexer.next(statement)) return;
     for (const auto& word : statement.words) {
-        const bool begins = !word.text.empty() && std::string_view("0123456789.+-").find(word.text.front()) != std::string_view::npos;
-        if (word.kind != lang::WordKind::word || !begins || word.text.find_first_of("+-*/^", 1) == std::string::npos) continue;
-        other_.push_back(doubt(fmt::format("'{}' is taken as a text", word.text),
-                               fmt::format("brackets make arithmetic of it: [{}]; quotes say that it is a text", word.text), word.place));
+        const bool begins =
+            !word.text.empty() && std::string_view("0123456789.+-").find(word.text.front()) != std::string_view::npos;
+        if (word.kind != lang::WordKind::word || !begins || word.text.find_first_of("+-*/^", 1) == std::string::npos)
+            continue;
+        other_.push_back(doubt(
+            fmt::format("'{}' is taken as a text", word.text),
+            fmt::format("brackets make arithmetic of it: [{}]; quotes say that it is a text", word.text), word.place));
     }
 }
 

@@ -38,11 +38,12 @@ std::size_t memory_for_scripts(std::size_t megabytes) {
 
 Engine::~Engine() { scripts.reset(); }
 
-void Engine::begin(const std::shared_ptr<Gate>& gate, const std::vector<std::filesystem::path>& joint_folders, bool trust,
-                   std::size_t script_memory) {
+void Engine::begin(const std::shared_ptr<Gate>& gate, const std::vector<std::filesystem::path>& joint_folders,
+                   bool trust, std::size_t script_memory) {
     joints.set_path(joint_folders);
     add_lua_loader(joints);
-    joints.before_loading = joints.zones.before_loading = [gate](const std::filesystem::path& file) { gate->may_load(file); };
+    joints.before_loading =
+        joints.zones.before_loading = [gate](const std::filesystem::path& file) { gate->may_load(file); };
     joints.tables().set_source([this](const std::string& name) { return table_points(*scripts, name); });
 
     script::Options script_options;

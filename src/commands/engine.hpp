@@ -36,9 +36,9 @@ public:
     ModelWorld world;
     std::unique_ptr<script::Scripts> scripts;
     std::unique_ptr<Cycle> cycle;
-    bool inside_cycle = false; ///< a hook is running: structure must not change
+    bool inside_cycle = false;                                     ///< a hook is running: structure must not change
     std::vector<std::pair<Place, std::function<void()>>> deferred; ///< changes that wait for the end of the cycle
-    Occupied occupied;         ///< where blocks stand, for the warning about two in one place
+    Occupied occupied; ///< where blocks stand, for the warning about two in one place
 };
 
 } // namespace kaya

@@ -35,8 +35,11 @@ std::vector<Incoming> from_grid(const std::string& path, std::int32_t region) {
     const Grid3d grid = read_grid3d_file(path);
     for (const auto& block : grid.blocks) {
         stop_point();
-        Incoming incoming{solid_from_surface(surface_of(grid, block), of_files), {}, block.group,
-                          block.region != 0 ? block.region : region, block.material};
+        Incoming incoming{solid_from_surface(surface_of(grid, block), of_files),
+                          {},
+                          block.group,
+                          block.region != 0 ? block.region : region,
+                          block.material};
         if (!block.zones.empty()) {
             if (incoming.solid.parts.size() > 1)
                 throw Diagnostic(fmt::format("block {} is concave and has zones", block.number),
@@ -82,7 +85,8 @@ void run(Session& session, const lang::Import& command) {
         std::size_t parts = 0, zoned = 0;
         for (const Incoming& block : blocks) {
             NewBlock options;
-            options.material = block.material != 0 ? block.material : static_cast<std::int32_t>(command.options.material);
+            options.material =
+                block.material != 0 ? block.material : static_cast<std::int32_t>(command.options.material);
             options.constitutive = static_cast<std::int32_t>(command.options.constitutive);
             options.region = block.region;
             options.group = group_number(model, block.group);

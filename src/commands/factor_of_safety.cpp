@@ -48,8 +48,8 @@ constexpr double first_width = 0.03, widening = 4;
 class Trials {
 public:
     Trials(Session& session, const lang::Solve& command, const Limits& limits)
-        : session_(session), asked_(command), file_(command.file), keep_(command.keep), ratio_(limits.ratio.value_or(default_ratio)),
-          progress_(session.output, session.model, {}) {
+        : session_(session), asked_(command), file_(command.file), keep_(command.keep),
+          ratio_(limits.ratio.value_or(default_ratio)), progress_(session.output, session.model, {}) {
         session.cycle->prepare(); // contacts must have their properties
         check_strengths(command.place);
         if (session.model.settings.damping == Damping::none)
@@ -58,7 +58,8 @@ public:
                 .at(command.place);
         start_ = session.model;
         start_.settings.energy = true; // a failing trial is known by its account
-        start_.unreduced = static_cast<std::uint8_t>((asked_(Reduced::friction) ? 0 : keep_friction) | (asked_(Reduced::cohesion) ? 0 : keep_cohesion) |
+        start_.unreduced = static_cast<std::uint8_t>((asked_(Reduced::friction) ? 0 : keep_friction) |
+                                                     (asked_(Reduced::cohesion) ? 0 : keep_cohesion) |
                                                      (asked_(Reduced::tension) ? 0 : keep_tension));
         try {
             span_ = command.cycles ? *command.cycles : characteristic_span(command.place);
@@ -92,22 +93,23 @@ public:
         for (int step = 1; step < lowering_steps && !outcome.tired; ++step) {
             const double lowered = first * std::pow(factor / first, static_cast<double>(step) / lowering_steps);
             lower(lowered);
-            if (warm_)
-                outcome.cycles += run(std::max<std::int64_t>(1, span_ / (2 * lowering_steps)), 0).cycles;
-            else
-                settle(outcome, lowered, calm, nullptr);
+            if (warm_) outcome.cycles += run(std::max<std::int64_t>(1, span_ / (2 * lowering_steps)), 0).cycles;
+            else settle(outcome, lowered, calm, nullptr);
         }
         if (!outcome.tired) {
             lower(factor);
             session_.cycle->prepare();
-            FailureMonitor monitor(session_.model, *session_.cycle, static_cast<std::int64_t>((patient_ ? patient_window_part : window_part) * static_cast<double>(span_)));
+            FailureMonitor monitor(
+                session_.model, *session_.cycle,
+                static_cast<std::int64_t>((patient_ ? patient_window_part : window_part) * static_cast<double>(span_)));
             // A bolt across a joint that slips is far softer than all that a span knows: nobody can tell how long a block goes on.
             settle(outcome, factor, ratio_, patient_ && !session_.model.structures.cables.empty() ? nullptr : &monitor);
         }
         const bool at_rest = outcome.at_rest;
         session_.output.say(fmt::format("strength divided by {:.6g}: {} after {}, ratio {:.3e}{}", factor,
-                                        at_rest ? "stands" : "fails", counted(outcome.cycles, "cycle"), session_.model.clock.average_ratio,
-                                        outcome.moving    ? "; " + body_text(session_.model, *outcome.moving) + " moves on"
+                                        at_rest ? "stands" : "fails", counted(outcome.cycles, "cycle"),
+                                        session_.model.clock.average_ratio,
+                                        outcome.moving ? "; " + body_text(session_.model, *outcome.moving) + " moves on"
                                         : outcome.goes_on ? "; it moves on and does not slow down"
                                                           : ""));
         if (!at_rest && !file_.empty()) save_as(session_, file_);
@@ -138,7 +140,9 @@ public:
     const std::string& mechanism() const { return mechanism_; }
 
 private:
-    RestSpan run(std::int64_t cycles, double ratio, FailureMonitor* monitor = nullptr) { return advance_span(session_, cycles, ratio, monitor, &progress_); }
+    RestSpan run(std::int64_t cycles, double ratio, FailureMonitor* monitor = nullptr) {
+        return advance_span(session_, cycles, ratio, monitor, &progress_);
+    }
 
     /// How a trial stands so far.
     struct Outcome {
@@ -174,7 +178,8 @@ private:
         auto& sets = session_.model.joint_properties;
         if (asked_(Reduced::joints))
             for (std::size_t i = 0; i < sets.size(); ++i)
-                if (const auto values = reduced(session_.joints.get(sets[i].model), whole_[i], factor, asked_)) sets[i].values = *values;
+                if (const auto values = reduced(session_.joints.get(sets[i].model), whole_[i], factor, asked_))
+                    sets[i].values = *values;
         session_.model.settings.strength_factor = asked_(Reduced::zones) ? factor : 1;
         ModelEdit(session_.model, Change::properties);
     }
@@ -197,13 +202,15 @@ private:
         std::vector<double> shifts(model.blocks.size());
         for (Row b = 0; b < static_cast<Row>(shifts.size()); ++b) {
             shifts[static_cast<std::size_t>(b)] = (block_displacement(model, b) - block_displacement(start_, b)).norm();
-            if (shifts[static_cast<std::size_t>(b)] > farthest) farthest = shifts[static_cast<std::size_t>(b)], first = b;
+            if (shifts[static_cast<std::size_t>(b)] > farthest)
+                farthest = shifts[static_cast<std::size_t>(b)], first = b;
         }
         if (first == no_row) return {};
         constexpr double much = 0.1;
         const auto moved = std::ranges::count_if(shifts, [&](double shift) { return shift > much * farthest; });
-        return fmt::format("at {:.6g} {} moved most, by {} when the trial ended; {} of {} went a tenth of that or more", factor,
-                           body_text(model, MovingBody{first}), number_text(farthest), moved, counted(static_cast<std::int64_t>(shifts.size()), "block"));
+        return fmt::format("at {:.6g} {} moved most, by {} when the trial ended; {} of {} went a tenth of that or more",
+                           factor, body_text(model, MovingBody{first}), number_text(farthest), moved,
+                           counted(static_cast<std::int64_t>(shifts.size()), "block"));
     }
 
     void check_strengths(const Place& place) {
@@ -226,8 +233,9 @@ private:
                                   .at(place));
         }
         if (!any)
-            throw Diagnostic(without.empty() ? "there is no joint whose strength could be divided"
-                                             : fmt::format("joint model '{}' has no strength that could be divided", without),
+            throw Diagnostic(without.empty()
+                                 ? "there is no joint whose strength could be divided"
+                                 : fmt::format("joint model '{}' has no strength that could be divided", without),
                              "a factor of safety needs joints with friction, cohesion or tension")
                 .at(place);
         if (!without.empty())
@@ -251,9 +259,10 @@ private:
         progress_.expect("how long the model takes to come to rest", std::nullopt);
         const RestSpan span = run(patience, ratio_);
         if (span.at_rest) return std::max(span.cycles, shortest_span);
-        throw Diagnostic(fmt::format("with joints that cannot fail the model is not at rest after {} cycles: the ratio is {:.3e}", span.cycles,
-                                     model.clock.average_ratio),
-                         "hold it so that only joints can let it go, or give a larger `ratio`, or the `cycles` of a span")
+        throw Diagnostic(
+            fmt::format("with joints that cannot fail the model is not at rest after {} cycles: the ratio is {:.3e}",
+                        span.cycles, model.clock.average_ratio),
+            "hold it so that only joints can let it go, or give a larger `ratio`, or the `cycles` of a span")
             .at(place);
     }
 
@@ -267,7 +276,8 @@ private:
     Model start_;
     std::optional<Model> stable_, failed_; ///< ends of trials
     double stable_factor_ = 0;
-    std::vector<std::vector<double>> whole_, stable_whole_; ///< values of the property sets before they are divided, now and at stable_
+    std::vector<std::vector<double>> whole_,
+        stable_whole_; ///< values of the property sets before they are divided, now and at stable_
     bool warm_ = true, patient_ = false, failed_early_ = false;
     std::string mechanism_;
     std::int64_t span_ = 0;
@@ -282,12 +292,14 @@ struct Bracket {
 Bracket given_bracket(Trials& trials, const lang::Solve& command) {
     const Bracket bracket{(*command.bracket)[0], (*command.bracket)[1]};
     if (!trials.stands(bracket.stands))
-        throw Diagnostic(fmt::format("the model fails with its strength divided by {:.6g}, where it should stand", bracket.stands),
-                         "give a smaller first number after bracket")
+        throw Diagnostic(
+            fmt::format("the model fails with its strength divided by {:.6g}, where it should stand", bracket.stands),
+            "give a smaller first number after bracket")
             .at(command.place);
     if (trials.stands(bracket.fails))
-        throw Diagnostic(fmt::format("the model stands with its strength divided by {:.6g}, where it should fail", bracket.fails),
-                         "give a greater second number after bracket")
+        throw Diagnostic(
+            fmt::format("the model stands with its strength divided by {:.6g}, where it should fail", bracket.fails),
+            "give a greater second number after bracket")
             .at(command.place);
     return bracket;
 }
@@ -379,8 +391,11 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
     if (guess > 0) session.output.say(fmt::format("the search begins at a factor of {:.4g}", guess));
     {
         Trials trials(session, command, limits);
-        bracket = command.bracket ? given_bracket(trials, command) : guess > 0 ? bracket_around(trials, guess) : found_bracket(trials);
-        if (closed(bracket)) bracket = confirmed(trials, narrowed(trials, bracket, command.resolution), command.resolution);
+        bracket = command.bracket ? given_bracket(trials, command)
+                  : guess > 0     ? bracket_around(trials, guess)
+                                  : found_bracket(trials);
+        if (closed(bracket))
+            bracket = confirmed(trials, narrowed(trials, bracket, command.resolution), command.resolution);
         if (!trials.mechanism().empty()) session.output.say(trials.mechanism());
     }
     double& factor = session.model.clock.factor_of_safety;
@@ -392,8 +407,9 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
         session.output.say(fmt::format("factor of safety: above {:.6g}", bracket.stands));
     } else {
         factor = 0.5 * (bracket.stands + bracket.fails);
-        session.output.say(fmt::format("factor of safety: {:.4g}, between {:.6g}, where it stands, and {:.6g}, where it fails", factor,
-                                       bracket.stands, bracket.fails));
+        session.output.say(
+            fmt::format("factor of safety: {:.4g}, between {:.6g}, where it stands, and {:.6g}, where it fails", factor,
+                        bracket.stands, bracket.fails));
     }
 }
 

@@ -42,13 +42,15 @@ std::vector<Vec3> places_of(const Model& model) {
 } // namespace
 
 FailureMonitor::FailureMonitor(const Model& model, const Cycle& cycle, std::int64_t window)
-    : model_(model), cycle_(cycle), stride_(std::max<std::int64_t>(1, window / static_cast<std::int64_t>(intervals))), until_check_(stride_) {
+    : model_(model), cycle_(cycle), stride_(std::max<std::int64_t>(1, window / static_cast<std::int64_t>(intervals))),
+      until_check_(stride_) {
     samples_.push_back(now());
 }
 
 FailureMonitor::Sample FailureMonitor::now() const {
     const Energy& energy = model_.energy;
-    return {kinetic_ / static_cast<double>(stride_), ratio_ / static_cast<double>(stride_), energy.supplied(), energy.joint_stored() + cycle_.energy_in_zones(), places_of(model_)};
+    return {kinetic_ / static_cast<double>(stride_), ratio_ / static_cast<double>(stride_), energy.supplied(),
+            energy.joint_stored() + cycle_.energy_in_zones(), places_of(model_)};
 }
 
 bool FailureMonitor::sample() {
@@ -87,28 +89,35 @@ bool FailureMonitor::force_falls() const {
 
 bool FailureMonitor::goes_on() const {
     const std::size_t n = samples_.back().places.size();
-    if (n == 0 || std::ranges::any_of(samples_, [&](const Sample& sample) { return sample.places.size() != n; })) return false;
+    if (n == 0 || std::ranges::any_of(samples_, [&](const Sample& sample) { return sample.places.size() != n; }))
+        return false;
 
     double early = 0, late = 0; // kinetic energies of the first and the last third
     for (std::size_t i = 1; i <= third; ++i) early += samples_[i].kinetic, late += samples_[2 * third + i].kinetic;
     if (!(late >= kept * early) || force_falls()) return false;
 
-    const double supplied = samples_.back().supplied - samples_.front().supplied, stored = samples_.back().stored - samples_.front().stored;
+    const double supplied = samples_.back().supplied - samples_.front().supplied,
+                 stored = samples_.back().stored - samples_.front().stored;
     if (!(supplied > 0 && stored <= stored_part * supplied)) return false;
 
     std::vector<double> shifts(n);
-    for (std::size_t i = 0; i < n; ++i) shifts[i] = (samples_.back().places[i] - samples_.front().places[i]).squaredNorm();
+    for (std::size_t i = 0; i < n; ++i)
+        shifts[i] = (samples_.back().places[i] - samples_.front().places[i]).squaredNorm();
     std::vector<std::size_t> fastest(n);
     std::iota(fastest.begin(), fastest.end(), 0);
     const std::size_t count = std::max<std::size_t>(1, n / share);
-    std::ranges::nth_element(fastest, fastest.begin() + static_cast<std::ptrdiff_t>(count - 1),
-                             [&](std::size_t a, std::size_t b) { return shifts[a] > shifts[b] || (shifts[a] == shifts[b] && a < b); });
+    std::ranges::nth_element(
+        fastest, fastest.begin() + static_cast<std::ptrdiff_t>(count - 1),
+        [&](std::size_t a, std::size_t b) { return shifts[a] > shifts[b] || (shifts[a] == shifts[b] && a < b); });
     std::size_t going = 0;
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t i = fastest[k];
-        const Vec3 first = samples_[third].places[i] - samples_.front().places[i], second = samples_[2 * third].places[i] - samples_[third].places[i],
+        const Vec3 first = samples_[third].places[i] - samples_.front().places[i],
+                   second = samples_[2 * third].places[i] - samples_[third].places[i],
                    last = samples_.back().places[i] - samples_[2 * third].places[i];
-        const auto follows = [](const Vec3& a, const Vec3& b) { return a.dot(b) >= straight * a.norm() * b.norm() && b.norm() >= kept * a.norm(); };
+        const auto follows = [](const Vec3& a, const Vec3& b) {
+            return a.dot(b) >= straight * a.norm() * b.norm() && b.norm() >= kept * a.norm();
+        };
         going += shifts[i] > 0 && follows(first, second) && follows(second, last);
     }
     return static_cast<double>(going) >= most * static_cast<double>(count);

@@ -27,9 +27,9 @@ public:
 
 private:
     struct Sample {
-        double kinetic, ratio;     ///< energy, and average ratio of the force out of balance; means since the last look
-        double supplied, stored;   ///< energies
-        std::vector<Vec3> places;         ///< displacements of all that is free to move
+        double kinetic, ratio;    ///< energy, and average ratio of the force out of balance; means since the last look
+        double supplied, stored;  ///< energies
+        std::vector<Vec3> places; ///< displacements of all that is free to move
     };
     Sample now() const;
     bool goes_on() const;

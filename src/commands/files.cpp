@@ -30,8 +30,7 @@ std::string save_name(const std::string& name) {
 /// The file as named, else with the ending that `save` adds; next to the deck or in the current folder.
 std::string saved_file(const Session& session, const std::string& name) {
     std::error_code ignored;
-    for (const auto& candidate :
-         {fs::path(name), fs::path(save_name(name)), session.next_to_deck(save_name(name))})
+    for (const auto& candidate : {fs::path(name), fs::path(save_name(name)), session.next_to_deck(save_name(name))})
         if (fs::is_regular_file(candidate, ignored)) return candidate.string();
     return save_name(name);
 }
@@ -39,8 +38,8 @@ std::string saved_file(const Session& session, const std::string& name) {
 const std::string& part(const SaveExtras& extras, std::string_view name) {
     const auto found = std::ranges::find(extras.scripts, name, &SaveExtras::Item::name);
     if (found == extras.scripts.end())
-        throw Diagnostic(fmt::format("the save file has no part '{}'", name),
-                         "it was not written by this program", Fault::run);
+        throw Diagnostic(fmt::format("the save file has no part '{}'", name), "it was not written by this program",
+                         Fault::run);
     return found->content;
 }
 
@@ -64,18 +63,19 @@ void wake_objects(Session& session, Model& model) {
 }
 
 /// A saved model runs on with the joint models that it had: they must be here, with the same properties.
-void load_joint_models(Session& session, Model& model, const std::vector<JointFile>& files, const std::string& save_file) {
+void load_joint_models(Session& session, Model& model, const std::vector<JointFile>& files,
+                       const std::string& save_file) {
     for (auto& set : model.joint_properties) {
         if (set.model.find('/') != std::string::npos)
             throw Diagnostic(fmt::format("the save file names the joint model '{}' by a path", set.model),
                              "kaya saves names of joint models alone; the file was changed", Fault::run);
         const auto& properties = find_saved_model(session, set.model, files, save_file).properties;
         // Properties that the model has got since have the value with which it does what it did.
-        while (set.values.size() < properties.size() && properties[set.values.size()].has_default()) set.values.push_back(properties[set.values.size()].initial);
+        while (set.values.size() < properties.size() && properties[set.values.size()].has_default())
+            set.values.push_back(properties[set.values.size()].initial);
         if (properties.size() != set.values.size())
             throw Diagnostic(
-                fmt::format("joint model '{}' has other properties now than when the model was saved",
-                            set.model),
+                fmt::format("joint model '{}' has other properties now than when the model was saved", set.model),
                 "use the library that was used then", Fault::run);
     }
     if (std::ranges::find(model.contacts.properties, no_row) != model.contacts.properties.end())
@@ -89,11 +89,14 @@ void refuse_missing_functions(Session& session, const Model& model, const std::s
     const auto find = [&](const std::string& expression, const std::string& who) {
         const std::string name = expression.substr(0, expression.find_first_of("( "));
         if (session.scripts->knows(name)) return;
-        throw Diagnostic(fmt::format("{} of '{}' asks for @{}, which is not defined here", who, file, name),
-                         "a script that restores a model goes on with its own functions: define it before, or restore on a line of the deck", Fault::run);
+        throw Diagnostic(
+            fmt::format("{} of '{}' asks for @{}, which is not defined here", who, file, name),
+            "a script that restores a model goes on with its own functions: define it before, or restore on a line of the deck",
+            Fault::run);
     };
     for (const History& history : model.histories.all)
-        if (history.source.kind == HistorySource::Kind::function) find(history.source.quantity, fmt::format("history {}", history.number));
+        if (history.source.kind == HistorySource::Kind::function)
+            find(history.source.quantity, fmt::format("history {}", history.number));
     for (const TimeFunction& function : model.time_functions)
         if (function.kind == TimeFunction::Kind::script) find(function.script, "a boundary condition");
 }
@@ -182,10 +185,8 @@ void run(Session& session, const lang::Restore& command) {
 void run(Session& session, const lang::HistoryWrite& command) {
     const auto& histories = session.model.histories;
     try {
-        if (histories.all.empty())
-            throw Diagnostic("there are no histories to write", "hist records one: hist unbal");
-        const std::string file =
-            command.file.empty() ? fs::path(session.deck).stem().string() + ".csv" : command.file;
+        if (histories.all.empty()) throw Diagnostic("there are no histories to write", "hist records one: hist unbal");
+        const std::string file = command.file.empty() ? fs::path(session.deck).stem().string() + ".csv" : command.file;
         write_history_csv(histories, session.output_file(file), command.numbers, command.versus);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);

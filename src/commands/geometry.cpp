@@ -19,10 +19,9 @@ void give_zones_to_blocks(Session& session, const Command& command, const Genera
     try {
         LongWork work(session, "zones");
         if (generate(blocks, std::ref(work)) == 0)
-            session.warn(
-                Diagnostic(fmt::format("all {} blocks that this acts on have zones already", blocks.size()),
-                           "the command has no effect")
-                    .at(command.place));
+            session.warn(Diagnostic(fmt::format("all {} blocks that this acts on have zones already", blocks.size()),
+                                    "the command has no effect")
+                             .at(command.place));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
@@ -32,8 +31,7 @@ void give_zones_to_blocks(Session& session, const Command& command, const Genera
 } // namespace
 
 void run(Session& session, const lang::Hide& command) {
-    for (const Row block : session.pick(ObjectKind::block, command.range))
-        session.model.blocks.hidden[block] = 1;
+    for (const Row block : session.pick(ObjectKind::block, command.range)) session.model.blocks.hidden[block] = 1;
 }
 
 void run(Session& session, const lang::Seek& command) {
@@ -61,7 +59,7 @@ void run(Session& session, const lang::FaceTriangulation& command) {
         }
         blocks.face_triangles[block] = command.style == Style::radial     ? FaceTriangles::radial
                                        : command.style == Style::radial_8 ? FaceTriangles::radial_8
-                                                                      : FaceTriangles::fan;
+                                                                          : FaceTriangles::fan;
         if (command.style == Style::fan) blocks.face_edge[block] = 0;
     }
     if (rigid > 0) ModelEdit(session.model, Change::surfaces);
@@ -72,10 +70,9 @@ void run(Session& session, const lang::FaceTriangulation& command) {
 }
 
 void run(Session& session, const lang::GenerateEdge& command) {
-    give_zones_to_blocks(session, command,
-                         [&](const std::vector<Row>& blocks, const ProgressCallback& progress) {
-                             return generate_zones(session.model, blocks, command.edge, progress);
-                         });
+    give_zones_to_blocks(session, command, [&](const std::vector<Row>& blocks, const ProgressCallback& progress) {
+        return generate_zones(session.model, blocks, command.edge, progress);
+    });
 }
 
 void run(Session& session, const lang::GenerateQuad& command) {

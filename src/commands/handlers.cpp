@@ -24,9 +24,7 @@ const HandlerTable& handlers() {
 void run_command(Session& session, const lang::BoundCommand& command) {
     try {
         handlers()[command.spec->index](session, command.command);
-    } catch (const Advised& mistake) {
-        throw worded(mistake);
-    }
+    } catch (const Advised& mistake) { throw worded(mistake); }
 }
 
 void put_off(Session& session, std::function<void()> change) {

@@ -67,8 +67,7 @@ struct SourceOf {
         const auto rate = std::ranges::find(rates, std::string_view(item.word), &Rate::word);
         source.rate = rate != rates.end();
         const Field* field = find_history_field(source.rate ? rate->of : std::string_view(item.word));
-        if (field == nullptr)
-            throw Diagnostic(fmt::format("'{}' is not a quantity that can be recorded", item.word));
+        if (field == nullptr) throw Diagnostic(fmt::format("'{}' is not a quantity that can be recorded", item.word));
         source.kind = kind_of(*field);
         source.quantity = field->name;
         // Contacts are found late, at the first cycle; a history of one wants them now.
@@ -99,8 +98,7 @@ History& history_of(Session& session, std::int64_t number, const Place& place) {
     const auto found = std::ranges::find(all, number, &History::number);
     if (found != all.end()) return *found;
     throw Diagnostic(fmt::format("there is no history {}", number),
-                     all.empty() ? "none has been made"
-                                 : fmt::format("the last one is {}", all.back().number))
+                     all.empty() ? "none has been made" : fmt::format("the last one is {}", all.back().number))
         .at(place);
 }
 

@@ -34,9 +34,12 @@ constexpr std::size_t shown = 12; ///< digits of a hash that tell two files apar
 void compare(Session& session, const JointModel& model, const JointFile& saved) {
     const std::string now = digest_of(model.file);
     if (now == saved.digest) return;
-    Diagnostic warning(fmt::format("joint model '{}' in {} is not the one that the model was saved with", model.name, model.file.string()),
-                       fmt::format("what was saved had {}; look whether the file was built again, or is another one", saved.path));
-    warning.add(fmt::format("sha256 {} then, {} now", saved.digest.substr(0, shown), now.empty() ? "none" : now.substr(0, shown)));
+    Diagnostic warning(
+        fmt::format("joint model '{}' in {} is not the one that the model was saved with", model.name,
+                    model.file.string()),
+        fmt::format("what was saved had {}; look whether the file was built again, or is another one", saved.path));
+    warning.add(fmt::format("sha256 {} then, {} now", saved.digest.substr(0, shown),
+                            now.empty() ? "none" : now.substr(0, shown)));
     warning.code = "joint-model-other-file";
     session.warn(std::move(warning));
 }
@@ -71,7 +74,8 @@ std::vector<JointFile> joint_files_from_text(const std::string& text) {
         words.get();
         std::getline(words, file.path);
         if (!is_digest(file.digest) || file.path.empty() || file.path.front() != '/')
-            throw Diagnostic("the save file does not say well where its joint models were", "the file was changed", Fault::run);
+            throw Diagnostic("the save file does not say well where its joint models were", "the file was changed",
+                             Fault::run);
         files.push_back(std::move(file));
     }
     return files;
@@ -93,7 +97,9 @@ const JointModel& find_saved_model(Session& session, const std::string& name, co
         if (fs::exists(file, unreadable)) {
             const std::string digest = digest_of(file);
             if (digest == saved->digest) found.clear();
-            else found += fmt::format(": its sha256 begins with {}", digest.empty() ? "nothing" : digest.substr(0, shown));
+            else
+                found +=
+                    fmt::format(": its sha256 begins with {}", digest.empty() ? "nothing" : digest.substr(0, shown));
         }
         if (!found.empty()) { // what a file names is loaded as it was, or not at all
             if (tried.empty() || tried.back() != found) tried.push_back(found);
@@ -101,8 +107,11 @@ const JointModel& find_saved_model(Session& session, const std::string& name, co
         }
         const JointModel& model = session.joints.get(file.string());
         if (model.name != name)
-            throw Diagnostic(fmt::format("{} holds joint model '{}' now, and held '{}' when the model was saved", file.string(), model.name, name),
-                             fmt::format("bring the file back whose sha256 begins with {}", saved->digest.substr(0, shown)), Fault::run);
+            throw Diagnostic(
+                fmt::format("{} holds joint model '{}' now, and held '{}' when the model was saved", file.string(),
+                            model.name, name),
+                fmt::format("bring the file back whose sha256 begins with {}", saved->digest.substr(0, shown)),
+                Fault::run);
         return model;
     }
     try {
@@ -112,8 +121,10 @@ const JointModel& find_saved_model(Session& session, const std::string& name, co
     } catch (const Diagnostic& unknown) {
         if (unknown.code != "joint-model-unknown") throw;
     }
-    Diagnostic error(fmt::format("joint model '{}' of the save file is not there", name),
-                     "bring the file back; one that was built again is taken when it is loaded before: jmodel load FILE", Fault::run);
+    Diagnostic error(
+        fmt::format("joint model '{}' of the save file is not there", name),
+        "bring the file back; one that was built again is taken when it is loaded before: jmodel load FILE",
+        Fault::run);
     for (const auto& line : tried) error.add(line);
     error.add(fmt::format("looked for {}.so and {}.lua in the folders of joint models", name, name));
     error.add(fmt::format("the sha256 of its file began with {}", saved->digest.substr(0, shown)));

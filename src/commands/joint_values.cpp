@@ -29,13 +29,14 @@ JointValue history_value(const JointModel& joint, std::size_t k) {
 
 JointValue field_value(const JointModel& joint, std::size_t k) {
     const auto& field = joint.fields[k];
-    return {field.name, field.unit, field.help,
-            [k, initial = field.initial, property = field.property](const Model& model, Row row) -> std::optional<double> {
-                const auto& subs = model.sub_contacts;
-                const bool is_set = static_cast<std::int32_t>(k) < subs.field_columns && (subs.field_set[row] >> k & 1u);
-                if (is_set) return subs.field[k][row];
-                return property ? given(model, row, *property) : initial;
-            }};
+    return {
+        field.name, field.unit, field.help,
+        [k, initial = field.initial, property = field.property](const Model& model, Row row) -> std::optional<double> {
+            const auto& subs = model.sub_contacts;
+            const bool is_set = static_cast<std::int32_t>(k) < subs.field_columns && (subs.field_set[row] >> k & 1u);
+            if (is_set) return subs.field[k][row];
+            return property ? given(model, row, *property) : initial;
+        }};
 }
 
 JointValue held_value(const JointModel& joint, std::size_t property) {
@@ -66,7 +67,8 @@ std::string recorded_name(Engine& engine, const std::string& name, const Vec3& p
     locate(engine.model, source);
     const JointModel* joint = joint_model_of(engine, source.row);
     if (joint == nullptr)
-        throw Diagnostic("the nearest sub-contact has no joint model yet", "assign one first: jmodel model NAME", Fault::run);
+        throw Diagnostic("the nearest sub-contact has no joint model yet", "assign one first: jmodel model NAME",
+                         Fault::run);
     std::vector<std::string> names;
     for (const auto& value : joint_values(*joint)) {
         if (value.name == name) return source.quantity;

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 // Every line of a journal that is no line of a deck begins with one of these.
 constexpr std::string_view first_line = "; kaya journal 1";
-constexpr std::string_view deck_mark = ";deck ";       ///< name
-constexpr std::string_view lines_mark = ";lines ";     ///< first line, number of lines, name of the source
+constexpr std::string_view deck_mark = ";deck ";   ///< name
+constexpr std::string_view lines_mark = ";lines "; ///< first line, number of lines, name of the source
 // In front of lines that did not come to their end:
 constexpr std::string_view stopped_mark = ";stopped "; ///< cycle after which the user stopped them
 constexpr std::string_view cut_off_mark = ";cut off";  ///< the user stopped them inside of a script
@@ -41,7 +41,8 @@ std::string digest_of(const fs::path& file) {
 
 /// A name on a line of the journal: a file may be called with a line end in it.
 std::string on_one_line(std::string name) {
-    std::ranges::replace_if(name, [](char c) { return c == '\n' || c == '\r'; }, '_');
+    std::ranges::replace_if(
+        name, [](char c) { return c == '\n' || c == '\r'; }, '_');
     return name;
 }
 
@@ -90,7 +91,8 @@ Record read_record(const std::string& file) {
     const auto source = lang::read_source(file, file);
     const auto& lines = source->lines;
     if (lines.empty() || lines.front() != first_line)
-        throw Diagnostic(fmt::format("'{}' is not a journal", file), fmt::format("a journal begins with '{}'", first_line));
+        throw Diagnostic(fmt::format("'{}' is not a journal", file),
+                         fmt::format("a journal begins with '{}'", first_line));
     Record record;
     std::string deck;
     Completion completion; // of the lines that come next
@@ -152,8 +154,7 @@ std::string final_hash(Session& session) { return fmt::format("{:016x}", state_h
 
 } // namespace
 
-Journal::Journal(Session& session, const std::string& file)
-    : session_(session), file_(file) {
+Journal::Journal(Session& session, const std::string& file) : session_(session), file_(file) {
     try {
         stream_.open(session.output_file(file), std::ios::binary);
     } catch (const Diagnostic& refused) { // a link that leads elsewhere, say
@@ -195,7 +196,8 @@ void Journal::executed(const lang::BoundCommand& command, const Completion& comp
 void Journal::finish() {
     for (const auto& model : session_.joints.loaded())
         write(fmt::format("{}{} {}\n", joint_mark, digest_of(model->file), on_one_line(model->file.string())));
-    for (const auto& file : session_.files_read) write(fmt::format("{}{} {}\n", file_mark, digest_of(file), on_one_line(file)));
+    for (const auto& file : session_.files_read)
+        write(fmt::format("{}{} {}\n", file_mark, digest_of(file), on_one_line(file)));
     write(fmt::format("; cycle {}, time {}\n{}{}\n", session_.model.clock.cycle, session_.model.clock.time, hash_mark,
                       final_hash(session_)));
 }
@@ -246,8 +248,8 @@ int replay_journal(Session& session, const std::string& file) {
         session.output.print(fmt::format("replayed: the same final state, hash {}", hash));
         return 0;
     }
-    throw Diagnostic(fmt::format("the final state is another one: hash {} and in the journal {}", hash, record.hash), {},
-                     Fault::run);
+    throw Diagnostic(fmt::format("the final state is another one: hash {} and in the journal {}", hash, record.hash),
+                     {}, Fault::run);
 }
 
 } // namespace kaya

@@ -17,7 +17,8 @@ constexpr int part_of_time = 100;
 std::size_t bytes_of(Model& model) {
     std::size_t bytes = 0;
     model.tables([&](const char*, auto& table) {
-        table.columns([&](const std::string&, const auto& column, Role) { bytes += column.size() * sizeof(column[0]); });
+        table.columns(
+            [&](const std::string&, const auto& column, Role) { bytes += column.size() * sizeof(column[0]); });
     });
     return bytes;
 }

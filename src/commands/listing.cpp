@@ -103,7 +103,8 @@ std::string list_properties(Session& session, const lang::List& command) {
     const bool of_blocks = command.part != joints, of_joints = command.part != blocks;
     std::vector<std::string> headings{of_blocks ? "mat" : "jmat"};
     if (of_blocks)
-        for (const char* word : {"density", "bulk", "shear", "bcoh", "bfric", "bten", "bdil"}) headings.emplace_back(word);
+        for (const char* word : {"density", "bulk", "shear", "bcoh", "bfric", "bten", "bdil"})
+            headings.emplace_back(word);
     if (of_joints) headings.emplace_back("joint");
     TextTable table(std::move(headings));
     for (const auto& [number, m] : session.model.materials) {
@@ -126,8 +127,8 @@ std::string list_joint_models(Session& session, const lang::List&) {
         text += fmt::format("{} {}: {}\n", model->name, model->version, model->title);
         TextTable table({"  property", "also", "unit", "meaning"});
         for (const auto& p : model->properties)
-            table.add({"  " + p.name, p.aliases.empty() ? "-" : fmt::format("{}", fmt::join(p.aliases, " ")),
-                       p.unit, p.help});
+            table.add({"  " + p.name, p.aliases.empty() ? "-" : fmt::format("{}", fmt::join(p.aliases, " ")), p.unit,
+                       p.help});
         text += table.text() + "\n";
     }
     for (const Row row : property_sets_in_use(session.model)) {
@@ -148,14 +149,15 @@ std::string list_histories(Session& session, const lang::List& command) {
     for (const auto& h : histories.all) {
         if (command.number.value_or(h.number) != h.number) continue;
         const bool none = h.values.empty();
-        const auto range = none ? std::pair<double, double>{}
-                                : std::pair{std::ranges::min(h.values), std::ranges::max(h.values)};
+        const auto range =
+            none ? std::pair<double, double>{} : std::pair{std::ranges::min(h.values), std::ranges::max(h.values)};
         const bool function = h.source.kind == HistorySource::Kind::function;
         const auto object = sampled_object(session.model, h.source);
-        table.add({std::to_string(h.number), h.label, (function ? "@" : "") + h.source.quantity, object ? object->name : "-",
-                   object ? place_text(object->place) : "-", object ? number_text(object->distance) : "-",
-                   std::to_string(h.values.size()), none ? "-" : number_text(range.first),
-                   none ? "-" : number_text(range.second), none ? "-" : number_text(h.values.back())});
+        table.add({std::to_string(h.number), h.label, (function ? "@" : "") + h.source.quantity,
+                   object ? object->name : "-", object ? place_text(object->place) : "-",
+                   object ? number_text(object->distance) : "-", std::to_string(h.values.size()),
+                   none ? "-" : number_text(range.first), none ? "-" : number_text(range.second),
+                   none ? "-" : number_text(h.values.back())});
     }
     if (table.size() == 0) return fmt::format("no history {}", *command.number);
     return table.text() + (histories.interval == 1 ? std::string("\na sample every cycle")
@@ -163,8 +165,7 @@ std::string list_histories(Session& session, const lang::List& command) {
 }
 
 std::string list_time(Session& session, const lang::List&) {
-    return fmt::format("time = {}\ncycle = {}", time_text(session.model),
-                       session.model.clock.cycle);
+    return fmt::format("time = {}\ncycle = {}", time_text(session.model), session.model.clock.cycle);
 }
 
 std::string list_unbalanced(Session& session, const lang::List&) {
@@ -183,7 +184,8 @@ std::string list_information(Session& session, const lang::List&) {
     const std::pair<const char*, std::size_t> counts[] = {
         {"cycle", static_cast<std::size_t>(m.clock.cycle)},
         {"blocks", m.blocks.size()},
-        {"of them deformable", static_cast<std::size_t>(std::ranges::count_if(m.blocks.deformable, [](auto d) { return d != 0; }))},
+        {"of them deformable",
+         static_cast<std::size_t>(std::ranges::count_if(m.blocks.deformable, [](auto d) { return d != 0; }))},
         {"gridpoints", m.gridpoints.size()},
         {"zones", m.zones.size()},
         {"contacts", m.contacts.size()},
@@ -223,10 +225,9 @@ std::string list_extremes(Session& session, const lang::List&) {
         opening.consider(std::max(points.normal_displacement[row], 0.0), points.position[row]);
     }
     TextTable table({"largest", "value", "x", "y", "z"});
-    for (const Extreme* e :
-         {&displacement, &velocity, &most_compressive, &most_tensile, &shear, &closure, &opening})
-        table.add({std::string(e->name), number_text(e->value), number_text(e->place[0]),
-                   number_text(e->place[1]), number_text(e->place[2])});
+    for (const Extreme* e : {&displacement, &velocity, &most_compressive, &most_tensile, &shear, &closure, &opening})
+        table.add({std::string(e->name), number_text(e->value), number_text(e->place[0]), number_text(e->place[1]),
+                   number_text(e->place[2])});
     return table.text() + fmt::format("\nunbalanced force = {}", number_text(model.clock.unbalanced_force));
 }
 
@@ -234,16 +235,16 @@ std::string list_energy(Session& session, const lang::List&) {
     const auto& e = session.model.energy;
     TextTable table({"energy", "value"});
     std::vector<std::pair<const char*, double>> rows{{"kinetic", e.kinetic},
-                                                              {"kinetic at the start", e.start},
-                                                              {"work of gravity", e.gravity},
-                                                              {"work of the boundary", e.boundary},
-                                                              {"damped", e.damped},
-                                                              {"stored in joints", e.joint_stored()},
-                                                              {"lost in slip and breaking", e.joint_friction},
-                                                              {"lost where touches change", e.joint_lost},
-                                                              {"put into zones", e.zone_work},
-                                                              {"made by changes of the time step", e.step_made},
-                                                              {"not accounted for", e.error()}};
+                                                     {"kinetic at the start", e.start},
+                                                     {"work of gravity", e.gravity},
+                                                     {"work of the boundary", e.boundary},
+                                                     {"damped", e.damped},
+                                                     {"stored in joints", e.joint_stored()},
+                                                     {"lost in slip and breaking", e.joint_friction},
+                                                     {"lost where touches change", e.joint_lost},
+                                                     {"put into zones", e.zone_work},
+                                                     {"made by changes of the time step", e.step_made},
+                                                     {"not accounted for", e.error()}};
     if (session.model.structures.any()) rows.insert(rows.end() - 2, {"put into cables", e.structure_work});
     for (const auto& [name, value] : rows) table.add({name, number_text(value)});
     return table.text();
@@ -285,8 +286,7 @@ std::string list_tables(Session& session, const lang::List&) {
 std::string list_ranges(Session& session, const lang::List&) {
     if (session.ranges.empty()) return "no named ranges";
     TextTable table({"range", "elements"});
-    for (const auto& [name, phrase] : session.ranges)
-        table.add({name, std::to_string(phrase.elements.size())});
+    for (const auto& [name, phrase] : session.ranges) table.add({name, std::to_string(phrase.elements.size())});
     return table.text();
 }
 
@@ -313,8 +313,8 @@ std::string list_joint_sets(Session& session, const lang::List&) {
     const auto& model = session.model;
     struct JointSetSums {
         std::size_t faces = 0, contacts = 0;
-        double area = 0;              ///< of contacts
-        Vec3 normal = Vec3::Zero();   ///< mean of the upward normals of faces, weighted with area
+        double area = 0;            ///< of contacts
+        Vec3 normal = Vec3::Zero(); ///< mean of the upward normals of faces, weighted with area
     };
     std::map<std::int32_t, JointSetSums> sets;
     for (Row f = 0; f < static_cast<Row>(model.faces.size()); ++f) {
@@ -352,10 +352,11 @@ std::string list_memory(Session& session, const lang::List&) {
         });
         total += bytes;
         if (rows.size() > 0)
-            table.add({name, std::to_string(rows.size()), std::to_string(columns),
-                       fmt::format("{:.3f}", bytes / megabyte)});
+            table.add(
+                {name, std::to_string(rows.size()), std::to_string(columns), fmt::format("{:.3f}", bytes / megabyte)});
     });
-    return (table.size() > 0 ? table.text() + "\n" : "") + fmt::format("megabytes of all tables = {:.3f}", total / megabyte);
+    return (table.size() > 0 ? table.text() + "\n" : "") +
+           fmt::format("megabytes of all tables = {:.3f}", total / megabyte);
 }
 
 std::string list_version(Session&, const lang::List&) { return fmt::format("kaya {}", program_version()); }
@@ -366,14 +367,14 @@ namespace {
 void add_damping(TextTable& table, const Settings& s) {
     static constexpr std::array dampings{"none", "local", "global", "combined", "rayleigh"};
     const std::string bodies = dampings[static_cast<std::size_t>(s.damping)];
-    table.add({"damping", s.contact_damping == 0           ? bodies
+    table.add({"damping", s.contact_damping == 0       ? bodies
                           : s.damping == Damping::none ? "dashpots of contacts only"
                                                        : bodies + " and dashpots of contacts"});
     table.add({"local factor", number_text(s.local_factor)});
     table.add({"rayleigh fraction", number_text(s.rayleigh_fraction)});
     table.add({"rayleigh frequency", number_text(s.rayleigh_frequency)});
-    table.add({"rayleigh parts", fmt::format("{}{}", s.rayleigh_mass ? "mass " : "",
-                                             s.rayleigh_stiffness ? "stiffness" : "")});
+    table.add({"rayleigh parts",
+               fmt::format("{}{}", s.rayleigh_mass ? "mass " : "", s.rayleigh_stiffness ? "stiffness" : "")});
     table.add({"contact dashpots", number_text(s.contact_damping)});
 }
 

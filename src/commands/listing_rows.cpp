@@ -37,9 +37,8 @@ std::vector<Row> shown_rows(Session& session, const lang::List& command, ObjectK
 }
 
 /// A line for each row, up to the longest table; the rest is counted.
-template <class Line>
-std::string rows_text(const std::vector<Row>& rows, const lang::List& command, ObjectKind kind,
-                      std::vector<std::string> headings, Line line) {
+template <class Line> std::string rows_text(const std::vector<Row>& rows, const lang::List& command, ObjectKind kind,
+                                            std::vector<std::string> headings, Line line) {
     if (rows.empty()) return fmt::format("no {}{}", info_of(kind).plural, command.range.place ? " in range" : "");
     TextTable table(std::move(headings));
     for (const Row row : rows) {
@@ -48,14 +47,13 @@ std::string rows_text(const std::vector<Row>& rows, const lang::List& command, O
     }
     std::string text = table.text();
     if (rows.size() > longest_table)
-        text += fmt::format("\n... and {} more {}; a range picks which are shown",
-                            rows.size() - longest_table, info_of(kind).plural);
+        text += fmt::format("\n... and {} more {}; a range picks which are shown", rows.size() - longest_table,
+                            info_of(kind).plural);
     return text;
 }
 
-template <class Line>
-std::string rows_text(Session& session, const lang::List& command, ObjectKind kind,
-                      std::vector<std::string> headings, Line line) {
+template <class Line> std::string rows_text(Session& session, const lang::List& command, ObjectKind kind,
+                                            std::vector<std::string> headings, Line line) {
     return rows_text(shown_rows(session, command, kind), command, kind, std::move(headings), line);
 }
 
@@ -75,7 +73,9 @@ std::string blocks_text(const Model& model, const std::vector<Row>& rows, const 
                     number_text(blocks.volume[row]),
                     std::to_string(blocks.gridpoints[row].count),
                     std::to_string(blocks.zones[row].count),
-                    blocks.deformable[row] ? "-" : fixity_text(model, blocks.fixed[row], model.gridpoints.roller[blocks.gridpoints[row].first])};
+                    blocks.deformable[row]
+                        ? "-"
+                        : fixity_text(model, blocks.fixed[row], model.gridpoints.roller[blocks.gridpoints[row].first])};
         });
 }
 
@@ -143,13 +143,12 @@ std::string list_boundary(Session& session, const lang::List& command) {
             continue;
         }
         table.add({std::to_string(row + 1), std::to_string(session.model.blocks.number[block]),
-                   numbers(points.position[row]), fixity_text(session.model, held, points.roller[row]), numbers(gridpoint_velocity(session.model, row)),
-                   numbers(points.load[row])});
+                   numbers(points.position[row]), fixity_text(session.model, held, points.roller[row]),
+                   numbers(gridpoint_velocity(session.model, row)), numbers(points.load[row])});
     }
     if (table.size() == 0) return "no boundary conditions";
     return table.text() +
-           (more == 0 ? ""
-                      : fmt::format("\n... and {} more gridpoints; a range picks which are shown", more));
+           (more == 0 ? "" : fmt::format("\n... and {} more gridpoints; a range picks which are shown", more));
 }
 
 std::string list_zones(Session& session, const lang::List& command) {
@@ -158,8 +157,7 @@ std::string list_zones(Session& session, const lang::List& command) {
                      {"zone", "block", "centroid", "volume", "sxx", "syy", "szz", "sxy", "sxz", "syz"},
                      [&](Row row) -> std::vector<std::string> {
                          std::vector<std::string> words{
-                             std::to_string(row + 1),
-                             std::to_string(session.model.blocks.number[zones.block[row]]),
+                             std::to_string(row + 1), std::to_string(session.model.blocks.number[zones.block[row]]),
                              numbers(zone_centroid(session.model, row)), number_text(zones.volume[row])};
                          for (int k = 0; k < 6; ++k) words.push_back(number_text(zones.stress[row][k]));
                          return words;
@@ -173,9 +171,13 @@ std::string list_faces(Session& session, const lang::List& command) {
                      [&](Row row) -> std::vector<std::string> {
                          const Vec3 area = face_area_vector(model, row);
                          const std::int32_t group = group_of(model, ObjectKind::face, row);
-                         return {std::to_string(row + 1), std::to_string(model.blocks.number[model.faces.block[row]]),
-                                 numbers(face_centroid(model, row)), numbers(area.normalized()), number_text(area.norm()),
-                                 std::to_string(model.faces.joint_set[row]), group == 0 ? "-" : model.group_names[group]};
+                         return {std::to_string(row + 1),
+                                 std::to_string(model.blocks.number[model.faces.block[row]]),
+                                 numbers(face_centroid(model, row)),
+                                 numbers(area.normalized()),
+                                 number_text(area.norm()),
+                                 std::to_string(model.faces.joint_set[row]),
+                                 group == 0 ? "-" : model.group_names[group]};
                      });
 }
 
@@ -185,31 +187,35 @@ std::string list_stresses(Session& session, const lang::List& command) {
                      {"zone", "block", "centroid", "s1", "s2", "s3", "mean", "shear"},
                      [&](Row row) -> std::vector<std::string> {
                          const Vec3 s = principal_stresses(model, row);
-                         return {std::to_string(row + 1), std::to_string(model.blocks.number[model.zones.block[row]]),
-                                 numbers(zone_centroid(model, row)), number_text(s[0]), number_text(s[1]),
-                                 number_text(s[2]), number_text(s.mean()), number_text(0.5 * (s[2] - s[0]))};
+                         return {std::to_string(row + 1),
+                                 std::to_string(model.blocks.number[model.zones.block[row]]),
+                                 numbers(zone_centroid(model, row)),
+                                 number_text(s[0]),
+                                 number_text(s[1]),
+                                 number_text(s[2]),
+                                 number_text(s.mean()),
+                                 number_text(0.5 * (s[2] - s[0]))};
                      });
 }
 
 std::string list_contacts(Session& session, const lang::List& command) {
     const auto& model = session.model;
     const auto& contacts = model.contacts;
-    return rows_text(
-        session, command, ObjectKind::contact,
-        {"contact", "block1", "block2", "touch", "position", "normal", "area", "points", "jmat", "jmodel"},
-        [&](Row row) -> std::vector<std::string> {
-            const JointProperties* properties = properties_of(model, row);
-            return {std::to_string(contacts.number[row]),
-                    std::to_string(model.blocks.number[contacts.block1[row]]),
-                    std::to_string(model.blocks.number[contacts.block2[row]]),
-                    contact_type_text(contacts.type[row]),
-                    numbers(contacts.position[row]),
-                    numbers(contacts.normal[row]),
-                    number_text(contacts.area[row]),
-                    std::to_string(contacts.sub_contacts[row].count),
-                    std::to_string(contacts.material[row]),
-                    properties == nullptr ? "-" : properties->model};
-        });
+    return rows_text(session, command, ObjectKind::contact,
+                     {"contact", "block1", "block2", "touch", "position", "normal", "area", "points", "jmat", "jmodel"},
+                     [&](Row row) -> std::vector<std::string> {
+                         const JointProperties* properties = properties_of(model, row);
+                         return {std::to_string(contacts.number[row]),
+                                 std::to_string(model.blocks.number[contacts.block1[row]]),
+                                 std::to_string(model.blocks.number[contacts.block2[row]]),
+                                 contact_type_text(contacts.type[row]),
+                                 numbers(contacts.position[row]),
+                                 numbers(contacts.normal[row]),
+                                 number_text(contacts.area[row]),
+                                 std::to_string(contacts.sub_contacts[row].count),
+                                 std::to_string(contacts.material[row]),
+                                 properties == nullptr ? "-" : properties->model};
+                     });
 }
 
 /// What one sub-contact has for itself: `list subcontacts 7`.
@@ -231,20 +237,20 @@ std::string history_text(Session& session, std::int64_t number) {
 std::string list_sub_contacts(Session& session, const lang::List& command) {
     const auto& model = session.model;
     const auto& points = model.sub_contacts;
-    const std::string rows = rows_text(
-        session, command, ObjectKind::sub_contact,
-        {"sub-contact", "contact", "position", "area", "nforce", "sforce", "ndis", "sdis", "state"},
-        [&](Row row) -> std::vector<std::string> {
-            return {std::to_string(points.number[row]),
-                    std::to_string(model.contacts.number[points.contact[row]]),
-                    numbers(points.position[row]),
-                    number_text(points.area[row]),
-                    number_text(points.normal_force[row]),
-                    number_text(points.shear_force[row].norm()),
-                    number_text(points.normal_displacement[row]),
-                    number_text(points.shear_displacement[row].norm()),
-                    state_text(session, points.contact[row], points.state[row])};
-        });
+    const std::string rows =
+        rows_text(session, command, ObjectKind::sub_contact,
+                  {"sub-contact", "contact", "position", "area", "nforce", "sforce", "ndis", "sdis", "state"},
+                  [&](Row row) -> std::vector<std::string> {
+                      return {std::to_string(points.number[row]),
+                              std::to_string(model.contacts.number[points.contact[row]]),
+                              numbers(points.position[row]),
+                              number_text(points.area[row]),
+                              number_text(points.normal_force[row]),
+                              number_text(points.shear_force[row].norm()),
+                              number_text(points.normal_displacement[row]),
+                              number_text(points.shear_displacement[row].norm()),
+                              state_text(session, points.contact[row], points.state[row])};
+                  });
     return command.number ? rows + history_text(session, *command.number) : rows;
 }
 

@@ -70,8 +70,7 @@ constexpr std::array<EarlyWord, 6> early_words{{{"kn", "jkn"},
 const BlockProperty* find_block_property(std::string_view word) {
     const auto exact = std::ranges::find(block_properties, word, &BlockProperty::word);
     if (exact != block_properties.end()) return &*exact;
-    const auto longer =
-        std::ranges::find_if(block_properties, [&](const auto& p) { return p.word.starts_with(word); });
+    const auto longer = std::ranges::find_if(block_properties, [&](const auto& p) { return p.word.starts_with(word); });
     return longer != block_properties.end() ? &*longer : nullptr;
 }
 
@@ -83,9 +82,8 @@ std::string_view whole_word(std::string_view word) {
 
 /// Drops a value that was given before under another spelling of the same word: jfric, jfriction.
 void forget_other_spellings(std::map<std::string, double>& values, const std::string& word) {
-    std::erase_if(values, [&](const auto& entry) {
-        return entry.first != word && whole_word(entry.first) == whole_word(word);
-    });
+    std::erase_if(
+        values, [&](const auto& entry) { return entry.first != word && whole_word(entry.first) == whole_word(word); });
 }
 
 /// The property of a zone model, whatever zone model it is; those that ship are loaded to know their words.
@@ -116,10 +114,10 @@ bool is_joint_word(const JointRegistry& joints, std::string_view word) {
             known.insert(known.end(), property.aliases.begin(), property.aliases.end());
         }
     const auto near = did_you_mean(item.word, known);
-    throw Diagnostic(fmt::format("'{}' is not a property of {}", item.word,
-                                 joint_only ? "joints" : "blocks, nor of joints"),
-                     near.empty() ? "if it belongs to a joint model, load that first: jmodel load NAME"
-                                  : fmt::format("did you mean '{}'?", near))
+    throw Diagnostic(
+        fmt::format("'{}' is not a property of {}", item.word, joint_only ? "joints" : "blocks, nor of joints"),
+        near.empty() ? "if it belongs to a joint model, load that first: jmodel load NAME"
+                     : fmt::format("did you mean '{}'?", near))
         .at(item.place);
 }
 
@@ -155,7 +153,8 @@ void refuse_wrong_switch(const JointRegistry& joints, const Items& items) {
             return found && model->properties[*found].minimum == 0 && model->properties[*found].maximum == 1;
         });
         if (!is_known)
-            throw Diagnostic(fmt::format("'{}' cannot be switched on or off", item.word), "give it a number").at(item.place);
+            throw Diagnostic(fmt::format("'{}' cannot be switched on or off", item.word), "give it a number")
+                .at(item.place);
     }
 }
 
@@ -202,8 +201,7 @@ void warn_unused(Session& session, std::int32_t number, const Material& material
             return found == nullptr || found->find_property(name).has_value();
         });
         if (known) continue;
-        if (!session.said_once.insert(fmt::format("prop {} {} {}", number, word, *models.begin())).second)
-            continue;
+        if (!session.said_once.insert(fmt::format("prop {} {} {}", number, word, *models.begin())).second) continue;
         const auto place = session.property_places.find({number, word});
         Diagnostic warning(fmt::format("'{}' of joint material {} has no effect", word, number),
                            fmt::format("joint model {} has no such property", fmt::join(models, ", ")));
@@ -224,10 +222,12 @@ void warn_unused_by_zones(Session& session, std::int32_t number, const Material&
         const bool known = std::ranges::any_of(models, [&, &name = word](const std::string& model) {
             return session.joints.zones.get(model).find_property(name).has_value();
         });
-        if (known || !session.said_once.insert(fmt::format("zone prop {} {} {}", number, word, *models.begin())).second) continue;
+        if (known || !session.said_once.insert(fmt::format("zone prop {} {} {}", number, word, *models.begin())).second)
+            continue;
         const auto place = session.property_places.find({number, word});
-        Diagnostic warning(fmt::format("'{}' of material {} has no effect: its zones are {}", word, number, fmt::join(models, ", ")),
-                           "zones that yield need a zone model that has it: `change cons 2` or `zone model mohr-coulomb`");
+        Diagnostic warning(
+            fmt::format("'{}' of material {} has no effect: its zones are {}", word, number, fmt::join(models, ", ")),
+            "zones that yield need a zone model that has it: `change cons 2` or `zone model mohr-coulomb`");
         if (place != session.property_places.end()) warning.at(place->second);
         session.warn(std::move(warning));
     }
@@ -237,7 +237,8 @@ void warn_unused_by_zones(Session& session, std::int32_t number, const Material&
 
 std::string whole_property_word(std::string_view word) {
     if (const auto* property = find_block_property(word))
-        return std::string(std::ranges::find(block_properties, property->value, &BlockProperty::value)->word); // one word of bulk and k
+        return std::string(std::ranges::find(block_properties, property->value, &BlockProperty::value)
+                               ->word); // one word of bulk and k
     const auto early = std::ranges::find(early_words, word, &EarlyWord::first);
     return std::string(whole_word(early != early_words.end() ? early->second : word));
 }
@@ -256,23 +257,19 @@ void run(Session& session, const lang::Property& typed) {
         if (property != nullptr) {
             set_block_property(material, *property, item);
             session.property_places[{number, std::string(property->word)}] = item.place;
-        }
-        else if (is_joint_word(session.joints, item.word))
-            of_joints.push_back(item);
+        } else if (is_joint_word(session.joints, item.word)) of_joints.push_back(item);
         else if (const auto early = std::ranges::find(early_words, std::string_view(item.word), &EarlyWord::first);
                  early != early_words.end())
             of_joints.push_back({std::string(early->second), item.value, item.place});
         else if (const auto* of_zones = command.joint ? nullptr : find_zone_property(session.joints.zones, item.word)) {
             material.zone[of_zones->name] = checked(*of_zones, item);
             session.property_places[{number, of_zones->name}] = item.place;
-        }
-        else
-            refuse_word(session, item, command.joint);
+        } else refuse_word(session, item, command.joint);
     }
     if (!of_joints.empty()) {
         pointing_at(of_joints, [&](std::size_t* failed) {
-            set_joint_material(session.model, session.joints, number, names_and_values(of_joints),
-                               session.here(), failed);
+            set_joint_material(session.model, session.joints, number, names_and_values(of_joints), session.here(),
+                               failed);
         });
         for (const auto& item : of_joints) {
             session.property_places[{number, item.word}] = item.place;
@@ -310,8 +307,8 @@ void run(Session& session, const lang::Change& command) {
         assign_joint_model(model, session.joints, contacts, joint_model_of_number(model, number), session.here());
     }
     if (command.joint_material)
-        change_joint_material(model, session.joints, contacts,
-                              static_cast<std::int32_t>(*command.joint_material), session.here());
+        change_joint_material(model, session.joints, contacts, static_cast<std::int32_t>(*command.joint_material),
+                              session.here());
 }
 
 namespace {
@@ -328,7 +325,8 @@ void change_joint_model(Session& session, const lang::JointModelCommand& command
     if (contacts.empty() && !to_come) return;
     if (command.action == Action::assign) {
         try {
-            assign_joint_model(session.model, session.joints, contacts, session.joints.get(command.model).name, session.here());
+            assign_joint_model(session.model, session.joints, contacts, session.joints.get(command.model).name,
+                               session.here());
         } catch (Diagnostic& mistake) {
             mistake.at(command.model_place);
             throw;
@@ -336,8 +334,8 @@ void change_joint_model(Session& session, const lang::JointModelCommand& command
     }
     if (command.items.empty()) return;
     pointing_at(command.items, [&](std::size_t* failed) {
-        set_joint_properties(session.model, session.joints, contacts, names_and_values(command.items),
-                             session.here(), failed);
+        set_joint_properties(session.model, session.joints, contacts, names_and_values(command.items), session.here(),
+                             failed);
     });
 }
 

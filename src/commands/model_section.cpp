@@ -23,13 +23,17 @@ double cross(const SectionPoint& a, const SectionPoint& b) { return a.x() * b.y(
 
 /// Andrew's monotone chain; blocks are convex.
 std::vector<SectionPoint> convex_hull(std::vector<SectionPoint> points, double near) {
-    std::ranges::sort(points, [](const auto& a, const auto& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); });
-    points.erase(std::unique(points.begin(), points.end(), [near](const auto& a, const auto& b) { return (a - b).norm() < near; }), points.end());
+    std::ranges::sort(points,
+                      [](const auto& a, const auto& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); });
+    points.erase(std::unique(points.begin(), points.end(),
+                             [near](const auto& a, const auto& b) { return (a - b).norm() < near; }),
+                 points.end());
     std::vector<SectionPoint> hull;
     for (int half = 0; half < 2; ++half) {
         const std::size_t start = hull.size();
         for (const auto& point : points) {
-            while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0) hull.pop_back();
+            while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0)
+                hull.pop_back();
             hull.push_back(point);
         }
         if (!hull.empty()) hull.pop_back();
@@ -48,7 +52,8 @@ public:
         const auto& points = model_.gridpoints;
         const Span corners = model_.blocks.gridpoints[block];
         double low = INFINITY, high = -INFINITY;
-        for (Row g = corners.first; g < corners.end(); ++g) low = std::min(low, above(points.position[g])), high = std::max(high, above(points.position[g]));
+        for (Row g = corners.first; g < corners.end(); ++g)
+            low = std::min(low, above(points.position[g])), high = std::max(high, above(points.position[g]));
         if (!(low < 0 && high > 0)) return {};
         std::vector<SectionPoint> cuts;
         const Span triangles = model_.blocks.triangles[block];
@@ -112,7 +117,8 @@ SlopeSection section_of(Model& model, JointRegistry& laws, const SectionPlane& p
         auto outline = cutter.outline(block);
         if (outline.empty()) continue;
         cut[static_cast<std::size_t>(block)] = 1;
-        const auto [found, is_new] = known.try_emplace({model.blocks.material[block], model.blocks.constitutive[block], model.blocks.zone_properties[block]}, 0);
+        const auto [found, is_new] = known.try_emplace(
+            {model.blocks.material[block], model.blocks.constitutive[block], model.blocks.zone_properties[block]}, 0);
         if (is_new)
             if (const auto strength = rock_strength(model, laws, block)) {
                 found->second = section.strengths.size();
@@ -134,9 +140,12 @@ SlopeSection section_of(Model& model, JointRegistry& laws, const SectionPlane& p
         if (found->second != 0) cutter.add_joints(contact, found->second, section.joints);
     }
     if (!any_strength && section.joints.empty() && !section.cells.empty())
-        throw Diagnostic("nothing in the section has a strength", "give the rock one, e.g. `prop mat 1 bcoh 3e4 bfric 20`, and the joints theirs");
+        throw Diagnostic("nothing in the section has a strength",
+                         "give the rock one, e.g. `prop mat 1 bcoh 3e4 bfric 20`, and the joints theirs");
     if (model.settings.water != Water::none)
-        section.pore_pressure = [water = WaterPressure(model), plane](const SectionPoint& at) { return water.at(plane.place(at)); };
+        section.pore_pressure = [water = WaterPressure(model), plane](const SectionPoint& at) {
+            return water.at(plane.place(at));
+        };
     return section;
 }
 

@@ -14,7 +14,9 @@ struct SectionPlane {
 
     Vec3 normal() const { return along.cross(up); }
     SectionPoint seen(const Vec3& place) const { return {along.dot(place), up.dot(place)}; }
-    Vec3 place(const SectionPoint& at) const { return point + (at.x() - along.dot(point)) * along + (at.y() - up.dot(point)) * up; }
+    Vec3 place(const SectionPoint& at) const {
+        return point + (at.x() - along.dot(point)) * along + (at.y() - up.dot(point)) * up;
+    }
 };
 
 /// Visible blocks that the plane cuts with their weights and strengths, and the joints between them. Water is that of the model.

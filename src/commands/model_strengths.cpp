@@ -37,13 +37,15 @@ std::optional<Strength> coulomb_of(const Values& values) {
 std::optional<Strength> barton_of(const Values& values) {
     const auto friction = values.of("friction-residual"), jrc = values.of("jrco"), jcs = values.of("jcso");
     if (!friction || !jrc || !jcs) return std::nullopt;
-    const double sample = values.of("lo").value_or(100 * values.of("mm").value_or(1e-3)), joint = values.of("ln").value_or(sample);
+    const double sample = values.of("lo").value_or(100 * values.of("mm").value_or(1e-3)),
+                 joint = values.of("ln").value_or(sample);
     const double size = values.of("large").value_or(0) == 1 ? 1 : joint / sample;
     return Strength::barton({*friction, *jrc * std::pow(size, -0.02 * *jrc), *jcs * std::pow(size, -0.03 * *jrc)});
 }
 
 std::optional<Strength> hoek_brown_of(const Values& values) {
-    const auto strength = values.of("constant-sci"), mb = values.of("constant-mb"), s = values.of("constant-s"), a = values.of("constant-a");
+    const auto strength = values.of("constant-sci"), mb = values.of("constant-mb"), s = values.of("constant-s"),
+               a = values.of("constant-a");
     if (!strength || !mb || !s || !a) return std::nullopt;
     return Strength::hoek_brown({*strength, *mb, *s, *a});
 }
@@ -59,7 +61,8 @@ std::optional<Strength> rock_strength(const Model& model, JointRegistry& laws, R
         return coulomb_of(values);
     }
     const auto material = model.materials.find(model.blocks.material[block]);
-    if (material == model.materials.end() || (material->second.cohesion == 0 && material->second.friction == 0)) return std::nullopt;
+    if (material == model.materials.end() || (material->second.cohesion == 0 && material->second.friction == 0))
+        return std::nullopt;
     return Strength::coulomb(material->second.cohesion, material->second.friction);
 }
 

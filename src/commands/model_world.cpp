@@ -46,7 +46,8 @@ Row next_of(const Model& model, const Relation& list, Row row) {
 
 } // namespace
 
-ModelWorld::ModelWorld(Model& model, JointRegistry& joints, WorldHost& host) : model_(model), joints_(joints), host_(host) {
+ModelWorld::ModelWorld(Model& model, JointRegistry& joints, WorldHost& host)
+    : model_(model), joints_(joints), host_(host) {
     for (const KindInfo& kind : kinds())
         if (kind.kind < end_of_script_kinds)
             infos_.push_back({kind.name, {}, kind.classic, kind.modern, kind.has_properties, kind.has_spares});
@@ -66,13 +67,15 @@ ModelWorld::ModelWorld(Model& model, JointRegistry& joints, WorldHost& host) : m
 
 void ModelWorld::add_relations() {
     using Form = script::RelationInfo::Form;
-    const auto add = [&](Form form, ObjectKind from, ObjectKind to, const Relation::Names& names, const Relation* relation,
-                         std::string_view array = {}) {
+    const auto add = [&](Form form, ObjectKind from, ObjectKind to, const Relation::Names& names,
+                         const Relation* relation, std::string_view array = {}) {
         relation_infos_.push_back({form, script_table(from), script_table(to), names.classic, names.modern, array});
         relations_.push_back(relation);
     };
     for (const Relation& relation : kaya::relations()) {
-        const Form form = relation.list != nullptr ? Form::first : relation.one != nullptr ? Form::other : Form::numbered;
+        const Form form = relation.list != nullptr  ? Form::first
+                          : relation.one != nullptr ? Form::other
+                                                    : Form::numbered;
         add(form, relation.from, relation.to, relation.first, &relation, relation.array);
         if (!relation.next.classic.empty()) add(Form::next, relation.to, relation.to, relation.next, &relation);
     }
@@ -89,8 +92,9 @@ Row ModelWorld::row_of(const Handle& object) const {
     const Row block = block_of_shape(object.slot);
     if (block == no_row) return no_row;
     const Span rows = kind.in_block(model_, block);
-    return object.generation <= static_cast<std::uint32_t>(rows.count) ? rows.first + static_cast<Row>(object.generation) - 1
-                                                                       : no_row;
+    return object.generation <= static_cast<std::uint32_t>(rows.count)
+               ? rows.first + static_cast<Row>(object.generation) - 1
+               : no_row;
 }
 
 Row ModelWorld::block_of_shape(std::uint32_t shape) const {
@@ -117,13 +121,14 @@ Row ModelWorld::living_row(const Handle& object) const {
     if (row != no_row) return row;
     const KindInfo& kind = kind_of(object);
     if (object.generation == 0)
-        throw Diagnostic(fmt::format("this {} is null", kind.name),
-                         "test it against 0 (FISH) or nil (Lua) before use", Fault::run);
-    throw Diagnostic(fmt::format("this {} no longer exists", kind.name),
-                     object.model != model_number ? "it belonged to a model that was replaced since (new, restore); find it again"
-                     : kind.in_block == nullptr ? "it was deleted; find another one"
-                                                : "its block was deleted, cut, zoned or taken out since it was found; find it again",
-                     Fault::run);
+        throw Diagnostic(fmt::format("this {} is null", kind.name), "test it against 0 (FISH) or nil (Lua) before use",
+                         Fault::run);
+    throw Diagnostic(
+        fmt::format("this {} no longer exists", kind.name),
+        object.model != model_number ? "it belonged to a model that was replaced since (new, restore); find it again"
+        : kind.in_block == nullptr   ? "it was deleted; find another one"
+                                   : "its block was deleted, cut, zoned or taken out since it was found; find it again",
+        Fault::run);
 }
 
 Handle ModelWorld::handle(ObjectKind kind, Row row) const {
@@ -141,16 +146,11 @@ Handle ModelWorld::handle(ObjectKind kind, Row row) const {
 
 Value ModelWorld::script_value(const FieldValue& value) const {
     switch (value.index()) {
-    case 0:
-        return *std::get_if<double>(&value);
-    case 1:
-        return *std::get_if<std::int64_t>(&value);
-    case 2:
-        return *std::get_if<Vec3>(&value);
-    case 3:
-        return *std::get_if<std::string>(&value);
-    default:
-        break;
+    case 0: return *std::get_if<double>(&value);
+    case 1: return *std::get_if<std::int64_t>(&value);
+    case 2: return *std::get_if<Vec3>(&value);
+    case 3: return *std::get_if<std::string>(&value);
+    default: break;
     }
     const Link& link = *std::get_if<Link>(&value);
     return handle(link.kind, link.row);
@@ -188,7 +188,8 @@ Handle ModelWorld::relate(std::size_t number, const Handle& object, const At& at
     const auto rows = relation.numbered(model_, row);
     const std::size_t index = std::get<std::size_t>(at);
     if (index >= rows.size())
-        throw Diagnostic(fmt::format("it has {} 1 to {}, not {}", info_of(to).plural, rows.size(), index + 1), {}, Fault::run);
+        throw Diagnostic(fmt::format("it has {} 1 to {}, not {}", info_of(to).plural, rows.size(), index + 1), {},
+                         Fault::run);
     return handle(to, rows[index]);
 }
 
@@ -199,9 +200,11 @@ Handle ModelWorld::nearest(ObjectKind kind, const Vec3& place) {
         const Row block = block_of(model_, kind, best);
         const double size = block == no_row ? distance : block_size(model_, block);
         if (distance > size)
-            host_.warn_once_here(Diagnostic(fmt::format("the nearest {} is {:.6g} away from ({:.6g}, {:.6g}, {:.6g}), and its block is {:.6g} across",
-                                                        info_of(kind).name, distance, place[0], place[1], place[2], size),
-                            "look at the place"));
+            host_.warn_once_here(Diagnostic(
+                fmt::format(
+                    "the nearest {} is {:.6g} away from ({:.6g}, {:.6g}, {:.6g}), and its block is {:.6g} across",
+                    info_of(kind).name, distance, place[0], place[1], place[2], size),
+                "look at the place"));
     }
     return handle(kind, best);
 }
@@ -225,13 +228,14 @@ double ModelWorld::reduce(std::int32_t table, std::size_t field, std::string_vie
     }
     if (how == "sum") return sum;
     if (rows == 0)
-        throw Diagnostic(fmt::format("there is no {} to take the {} of", info_of(static_cast<ObjectKind>(table)).name, how), {},
-                         Fault::run);
+        throw Diagnostic(
+            fmt::format("there is no {} to take the {} of", info_of(static_cast<ObjectKind>(table)).name, how), {},
+            Fault::run);
     if (how == "min" || how == "minimum") return low;
     if (how == "max" || how == "maximum") return high;
     if (how == "mean" || how == "average") return sum / rows;
-    throw Diagnostic(fmt::format("'{}' is not a way to reduce a field", how),
-                     "use sum, mean, minimum or maximum", Fault::run);
+    throw Diagnostic(fmt::format("'{}' is not a way to reduce a field", how), "use sum, mean, minimum or maximum",
+                     Fault::run);
 }
 
 std::optional<script::World::Samples> ModelWorld::history(const std::string& name) {

@@ -26,8 +26,8 @@ public:
     virtual ~WorldHost() = default;
     /// What `command` does; gives what was printed when it is to be caught.
     virtual std::string run_text(const std::string& text, const std::string& chunk, int line, bool caught) = 0;
-    virtual void note(const std::string& message) = 0;         ///< said once
-    virtual void warn_once_here(Diagnostic warning) = 0;       ///< once for the command that runs
+    virtual void note(const std::string& message) = 0;   ///< said once
+    virtual void warn_once_here(Diagnostic warning) = 0; ///< once for the command that runs
     /// The phrase of a named range and its test; null when there is none.
     virtual const lang::RangePhrase* range_phrase(const std::string& name) = 0;
     virtual RangeTest range_test_of(ObjectKind kind, const lang::RangePhrase& range) = 0;
@@ -83,7 +83,7 @@ private:
     WorldHost& host_;
     std::map<std::pair<std::string, ObjectKind>, RangeTest> range_tests_;
     std::int64_t cycle_of_tests_ = 0;
-    std::uint64_t rows_of_tests_ = 0; ///< Stale::rows_revision
+    std::uint64_t rows_of_tests_ = 0;                              ///< Stale::rows_revision
     mutable std::unordered_map<std::int32_t, Row> block_of_shape_; ///< of shapes below this number
     mutable std::int32_t next_known_shape_ = 0;
     mutable std::uint64_t known_rows_ = 0; ///< Stale::rows_revision

@@ -34,8 +34,8 @@ bool ModelWorld::in_range(const std::string& name, const std::variant<script::Ha
     // A place is tested as a gridpoint that stands there.
     const RangeTest& test = test_of(name, ObjectKind::gridpoint);
     if (host_.asks_for_objects(*host_.range_phrase(name)))
-        throw Diagnostic(fmt::format("the range '{}' asks for more than a place", name),
-                         "give a pointer to an object", Fault::run);
+        throw Diagnostic(fmt::format("the range '{}' asks for more than a place", name), "give a pointer to an object",
+                         Fault::run);
     Model only;
     only.gridpoints.resize(1);
     only.gridpoints.position[0] = std::get<Vec3>(what);
@@ -73,8 +73,10 @@ const JointProperties& set_of(const Model& model, Row contact) {
 
 double* ModelWorld::history_value(Row sub_contact, const std::string& name) {
     const JointModel& joint = joints_.get(set_of(model_, model_.sub_contacts.contact[sub_contact]).model);
-    for (std::size_t k = 0; k < joint.history.size() && static_cast<std::int32_t>(k) < model_.sub_contacts.history_columns; ++k)
-        if (joint.history[k].name == name) return &model_.sub_contacts.history[k][static_cast<std::size_t>(sub_contact)];
+    for (std::size_t k = 0;
+         k < joint.history.size() && static_cast<std::int32_t>(k) < model_.sub_contacts.history_columns; ++k)
+        if (joint.history[k].name == name)
+            return &model_.sub_contacts.history[k][static_cast<std::size_t>(sub_contact)];
     return nullptr;
 }
 
@@ -91,22 +93,25 @@ bool ModelWorld::set_own_value(Row sub_contact, const std::string& name, double 
         if (property) {
             const auto& p = joint.properties[*property];
             if (value < p.minimum || value > p.maximum)
-                throw Diagnostic(fmt::format("'{}' is {}, outside of its limits {} and {}", p.name, value, p.minimum, p.maximum),
-                                 "give a value within them", Fault::run);
+                throw Diagnostic(
+                    fmt::format("'{}' is {}, outside of its limits {} and {}", p.name, value, p.minimum, p.maximum),
+                    "give a value within them", Fault::run);
         }
         subs.keep_fields(joint.fields.size());
         subs.set_field(*field, sub_contact, value);
         return true;
     }
     if (!property) fail_property(joint, name);
-    return subs.keeps_objects && joint.set_object_value(subs.object[static_cast<std::size_t>(sub_contact)], *property, value);
+    return subs.keeps_objects &&
+           joint.set_object_value(subs.object[static_cast<std::size_t>(sub_contact)], *property, value);
 }
 
 void ModelWorld::set_property(const Owner& owner, const std::string& name, double value) {
     if (const auto* material = std::get_if<Material>(&owner)) {
         // The command itself, so that its checks and its way to the contacts are the same.
         const bool joint = name.starts_with('j');
-        host_.run_text(fmt::format("prop {} {} {} {}", joint ? "jmat" : "mat", material->number, name, value), "script", 1, false);
+        host_.run_text(fmt::format("prop {} {} {} {}", joint ? "jmat" : "mat", material->number, name, value), "script",
+                       1, false);
         return;
     }
     const auto& object = std::get<script::Handle>(owner);
@@ -131,14 +136,16 @@ std::optional<double> ModelWorld::own_value(Row sub_contact, const std::string& 
 }
 
 script::Value ModelWorld::property(const Owner& owner, const std::string& name) {
-    if (const auto* material = std::get_if<Material>(&owner)) return material_value(model_, joints_, material->number, name);
+    if (const auto* material = std::get_if<Material>(&owner))
+        return material_value(model_, joints_, material->number, name);
     return object_property(std::get<script::Handle>(owner), name);
 }
 
 script::Value ModelWorld::object_property(const script::Handle& object, const std::string& name) {
     const Row row = living_row(object);
     const auto kind = static_cast<ObjectKind>(object.table);
-    if (kind == ObjectKind::zone) return material_value(model_, joints_, model_.blocks.material[model_.zones.block[row]], name);
+    if (kind == ObjectKind::zone)
+        return material_value(model_, joints_, model_.blocks.material[model_.zones.block[row]], name);
     if (kind == ObjectKind::sub_contact)
         if (const auto own = own_value(row, name)) return *own;
     const Row contact = kind == ObjectKind::contact ? row : model_.sub_contacts.contact[row];
@@ -147,12 +154,15 @@ script::Value ModelWorld::object_property(const script::Handle& object, const st
     const auto found = joint.find_property(name);
     if (!found) fail_property(joint, name);
     if (joint.keeps_objects())
-        host_.note(kind == ObjectKind::sub_contact
-                 ? fmt::format("'{}' of joint model '{}' is what the deck gave: the model keeps its own for each sub-contact, and does "
-                               "not show it",
-                               name, joint.name)
-                 : fmt::format("'{}' of a contact is what the deck gave; joint model '{}' keeps its own for each sub-contact", name,
-                               joint.name));
+        host_.note(
+            kind == ObjectKind::sub_contact
+                ? fmt::format(
+                      "'{}' of joint model '{}' is what the deck gave: the model keeps its own for each sub-contact, and does "
+                      "not show it",
+                      name, joint.name)
+                : fmt::format(
+                      "'{}' of a contact is what the deck gave; joint model '{}' keeps its own for each sub-contact",
+                      name, joint.name));
     const double value = set.values[*found];
     return std::isnan(value) ? 0.0 : value;
 }

@@ -36,7 +36,8 @@ MovieLine read_movie_line(const std::vector<lang::Plot::Item>& words) {
             std::int64_t number = 0;
             const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
             if (error != std::errc() || end != text.data() + text.size() || number < 1)
-                throw Diagnostic(fmt::format("'{}' is no number of cycles", text), "write for example: movie on interval 200");
+                throw Diagnostic(fmt::format("'{}' is no number of cycles", text),
+                                 "write for example: movie on interval 200");
             line.interval = number;
         } else line.unknown.push_back(words[i].text);
     }
@@ -59,7 +60,9 @@ void shoot_movies(Session& session) {
             continue;
         }
         if (movie.pictures == 1)
-            session.output.say(fmt::format("movie: {} and so on, one each {} cycles; a clip: ffmpeg -framerate 20 -i {}-%04d.png {}.mp4", file, movie.interval, movie.stem, movie.stem));
+            session.output.say(fmt::format(
+                "movie: {} and so on, one each {} cycles; a clip: ffmpeg -framerate 20 -i {}-%04d.png {}.mp4", file,
+                movie.interval, movie.stem, movie.stem));
     }
 }
 
@@ -67,14 +70,17 @@ void run(Session& session, const lang::Movie& command) {
     const auto words = with_script_values(session, command.words);
     try {
         const MovieLine line = read_movie_line(words);
-        if (!line.unknown.empty()) session.note_once(fmt::format("movie leaves '{}' out", fmt::join(line.unknown, " ")), "docs/commands/movie.md lists what it reads");
+        if (!line.unknown.empty())
+            session.note_once(fmt::format("movie leaves '{}' out", fmt::join(line.unknown, " ")),
+                              "docs/commands/movie.md lists what it reads");
         auto& plots = session.plots;
         if (!line.on) return plots.movies.clear();
         Movie movie;
         movie.view = plots.views[plots.current];
         if (movie.view.items.empty()) movie.view.items.emplace_back().field = "disp";
         const std::string stem = fs::path(session.deck).stem().string();
-        movie.stem = line.file.empty() ? fmt::format("{}-movie", stem.empty() ? "kaya" : stem) : fs::path(line.file).replace_extension().string();
+        movie.stem = line.file.empty() ? fmt::format("{}-movie", stem.empty() ? "kaya" : stem)
+                                       : fs::path(line.file).replace_extension().string();
         movie.interval = line.interval;
         movie.last = session.model.clock.cycle;
         plots.movies.push_back(std::move(movie));

@@ -34,7 +34,8 @@ template <class Visit> bool for_cells(const Box& box, int exponent, double most,
             for (double z = low.z(); z <= high.z(); ++z) {
                 // Cells of one key are told apart by the boxes in them.
                 const auto part = [](double v) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(v)); };
-                visit(part(x) * 0x9e3779b97f4a7c15ull ^ part(y) * 0xc2b2ae3d27d4eb4full ^ part(z) * 0x165667b19e3779f9ull);
+                visit(part(x) * 0x9e3779b97f4a7c15ull ^ part(y) * 0xc2b2ae3d27d4eb4full ^
+                      part(z) * 0x165667b19e3779f9ull);
             }
     return true;
 }
@@ -74,7 +75,8 @@ Row Occupied::overlapped_by(const Model& model, Row row) {
     const double thin = 1e-6 * (box.high - box.low).maxCoeff();
     for (const Row other : near) {
         const Box& b = boxes_[static_cast<std::size_t>(other)];
-        if ((box.low.array() > b.high.array() - thin).any() || (b.low.array() > box.high.array() - thin).any()) continue;
+        if ((box.low.array() > b.high.array() - thin).any() || (b.low.array() > box.high.array() - thin).any())
+            continue;
         if (joined(model, row, other)) continue;
         if (!overlapping_blocks({shape_of(model, other), shape_of(model, row)}).empty()) return other;
     }

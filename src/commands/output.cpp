@@ -33,7 +33,8 @@ Output::~Output() {
 namespace {
 
 [[noreturn]] void fail_to_write(const std::string& name) {
-    Diagnostic error(fmt::format("cannot write to {}: {}", name, std::strerror(errno)), "is the disk full?", Fault::run);
+    Diagnostic error(fmt::format("cannot write to {}: {}", name, std::strerror(errno)), "is the disk full?",
+                     Fault::run);
     if (errno == EPIPE) error.code = broken_pipe;
     throw error;
 }
@@ -108,8 +109,7 @@ void Output::start_log(const std::string& file) {
     stop_log();
     log_ = std::fopen(file.c_str(), "a");
     if (log_ == nullptr)
-        throw Diagnostic(fmt::format("cannot open the log file '{}': {}", file, std::strerror(errno)), {},
-                         Fault::run);
+        throw Diagnostic(fmt::format("cannot open the log file '{}': {}", file, std::strerror(errno)), {}, Fault::run);
     log_name_ = file;
 }
 
@@ -120,16 +120,14 @@ void Output::stop_log() {
     const bool closed = std::fclose(log_) == 0;
     log_ = nullptr;
     if (failed || !closed)
-        throw Diagnostic(
-            fmt::format("the log file '{}' is not complete: {}", log_name_, std::strerror(errno)),
-            "is the disk full?", Fault::run);
+        throw Diagnostic(fmt::format("the log file '{}' is not complete: {}", log_name_, std::strerror(errno)),
+                         "is the disk full?", Fault::run);
 }
 
 void Output::flush() {
     std::fflush(messages_);
     errno = 0;
-    if (std::fflush(results_) != 0 || std::ferror(results_) != 0)
-        fail_to_write("the standard output");
+    if (std::fflush(results_) != 0 || std::ferror(results_) != 0) fail_to_write("the standard output");
     if (log_ != nullptr && std::fflush(log_) != 0)
         throw Diagnostic(fmt::format("cannot write to the log file {}: {}", log_name_, std::strerror(errno)),
                          "is the disk full?", Fault::run);

@@ -77,7 +77,7 @@ private:
     bool terminal_ = false;
     bool colour_ = false;
     std::string* caught_ = nullptr; ///< what takes results now; null: the stream
-    std::size_t refreshed_ = 0; ///< width of the progress line that stands there
+    std::size_t refreshed_ = 0;     ///< width of the progress line that stands there
 };
 
 } // namespace kaya

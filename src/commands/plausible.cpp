@@ -36,11 +36,13 @@ Diagnostic doubt(std::string message, std::string hint) {
 
 void doubt_angles(Session& session, const std::vector<lang::Property::Item>& items) {
     for (const auto& item : items) {
-        if (!(item.value > 0 && item.value < std::numbers::pi / 2) || !is_friction_angle(session.joints, item.word)) continue;
+        if (!(item.value > 0 && item.value < std::numbers::pi / 2) || !is_friction_angle(session.joints, item.word))
+            continue;
         const double degrees = item.value * 180 / std::numbers::pi;
         session.warn(doubt(fmt::format("{} {}: angles are in degrees, and this one is next to nothing", item.word,
                                        number_text(item.value)),
-                           fmt::format("as radians it would be {} degrees, as a coefficient {}", number_text(std::round(degrees * 10) / 10),
+                           fmt::format("as radians it would be {} degrees, as a coefficient {}",
+                                       number_text(std::round(degrees * 10) / 10),
                                        number_text(std::round(std::atan(item.value) * 1800 / std::numbers::pi) / 10)))
                          .at(item.place));
     }
@@ -55,8 +57,8 @@ void doubt_elasticity(Session& session) {
         const double bulk = found->second.bulk, shear = found->second.shear;
         const double poisson = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
         if (!(poisson < 0)) continue; // also when a modulus is not given
-        const std::string message = fmt::format("material {} has a Poisson's ratio of {:.3g}: bulk {}, shear {}", number, poisson,
-                                                number_text(bulk), number_text(shear));
+        const std::string message = fmt::format("material {} has a Poisson's ratio of {:.3g}: bulk {}, shear {}",
+                                                number, poisson, number_text(bulk), number_text(shear));
         if (session.said_once.insert(message).second)
             session.warn(doubt(message, "rock has 0.1 to 0.4: a bulk modulus of 0.9 to 4.7 times the shear modulus"));
     }
@@ -65,12 +67,14 @@ void doubt_elasticity(Session& session) {
 void doubt_damping(Session& session, const lang::Damp& command) {
     using enum lang::Damp::Kind;
     if ((command.kind == local || command.kind == combined) && command.value.value_or(0) >= 1)
-        session.warn(doubt(fmt::format("a damping factor of {} takes all force away from what moves", number_text(*command.value)),
-                           "0.8 is usual"));
+        session.warn(doubt(
+            fmt::format("a damping factor of {} takes all force away from what moves", number_text(*command.value)),
+            "0.8 is usual"));
 }
 
 void doubt_empty_model(Session& session, const Place& place) {
-    if (session.model.blocks.empty()) session.warn(doubt("there are no blocks: nothing moves", "make them first: poly brick ...").at(place));
+    if (session.model.blocks.empty())
+        session.warn(doubt("there are no blocks: nothing moves", "make them first: poly brick ...").at(place));
 }
 
 } // namespace kaya

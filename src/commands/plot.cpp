@@ -37,14 +37,17 @@ Shown shown_by(Session& session, const PlotItem& item) {
 /// "slip-now slip-past" of a sub-contact, by the words of its joint model.
 std::string state_words(const Session& session, const Model& model, Row row) {
     const Row properties = model.contacts.properties[model.sub_contacts.contact[row]];
-    const JointModel* joint = properties == no_row ? nullptr : session.joints.find(model.joint_properties[static_cast<std::size_t>(properties)].model);
+    const JointModel* joint =
+        properties == no_row ? nullptr
+                             : session.joints.find(model.joint_properties[static_cast<std::size_t>(properties)].model);
     std::vector<std::string> words;
     if (joint != nullptr)
         for (std::size_t i = 0; i < joint->states.size(); ++i)
             if ((model.sub_contacts.state[row] & (1U << i)) != 0) words.push_back(joint->states[i]);
     // What slips now has slipped, and that needs no word.
     std::erase_if(words, [&](const std::string& word) {
-        return word.ends_with("-past") && std::ranges::find(words, word.substr(0, word.size() - 4) + "now") != words.end();
+        return word.ends_with("-past") &&
+               std::ranges::find(words, word.substr(0, word.size() - 4) + "now") != words.end();
     });
     return words.empty() ? "elastic" : fmt::format("{}", fmt::join(words, ", "));
 }
@@ -62,18 +65,24 @@ ColourField joint_field(const Session& session, const std::string& word) {
 void add_item(Session& session, Scene& scene, const PlotItem& item, bool edges_only) {
     const Model& model = session.model;
     const Shown shown = shown_by(session, item);
-    if (shown.blocks.empty()) throw Diagnostic("there are no blocks to draw", "make blocks, show them with 'seek', or use another range");
+    if (shown.blocks.empty())
+        throw Diagnostic("there are no blocks to draw", "make blocks, show them with 'seek', or use another range");
     if (item.kind != PlotItem::Kind::blocks) {
         const bool of_zones = item.kind == PlotItem::Kind::crosses || item.kind == PlotItem::Kind::iso_surfaces;
         if (of_zones && std::ranges::none_of(shown.blocks, [&](Row b) { return model.blocks.zones[b].count > 0; }))
             throw Diagnostic("stress is in zones, and no block has any", "'gen edge' makes zones");
         if (item.kind == PlotItem::Kind::crosses) add_crosses(scene, model, shown, item.scale);
-        else if (item.kind == PlotItem::Kind::iso_surfaces) add_iso_surfaces(scene, model, shown, *find_colour_field(item.field.empty() ? "disp" : item.field), item.levels);
+        else if (item.kind == PlotItem::Kind::iso_surfaces)
+            add_iso_surfaces(scene, model, shown, *find_colour_field(item.field.empty() ? "disp" : item.field),
+                             item.levels);
         else if (item.kind == PlotItem::Kind::cables) {
-            if (model.structures.cables.empty()) throw Diagnostic("there are no cables to draw", "'structure cable' makes them");
+            if (model.structures.cables.empty())
+                throw Diagnostic("there are no cables to draw", "'structure cable' makes them");
             add_cables(scene, model, shown, item.field);
-        } else if (item.kind == PlotItem::Kind::arrows) add_arrows(scene, model, shown, item.field == "velocity", item.scale);
-        else if (model.contacts.size() == 0) throw Diagnostic("there are no joints to draw yet", "contacts are found by 'cycle 0'");
+        } else if (item.kind == PlotItem::Kind::arrows)
+            add_arrows(scene, model, shown, item.field == "velocity", item.scale);
+        else if (model.contacts.size() == 0)
+            throw Diagnostic("there are no joints to draw yet", "contacts are found by 'cycle 0'");
         else add_joints(scene, model, shown, joint_field(session, item.field));
         if (edges_only) return; // an item of its own shows the blocks
         PlotItem outline = item;
@@ -90,11 +99,15 @@ void add_item(Session& session, Scene& scene, const PlotItem& item, bool edges_o
 
 Scene scene_of(Session& session, const PlotView& view) {
     Scene scene = view.settings;
-    if (scene.title.empty()) scene.title = !session.title.empty() ? session.title : fs::path(session.deck).stem().string();
+    if (scene.title.empty())
+        scene.title = !session.title.empty() ? session.title : fs::path(session.deck).stem().string();
     scene.note = fmt::format("cycle {}, time {:.4g}", session.model.clock.cycle, session.model.clock.time);
-    const auto has = [&](PlotItem::Kind kind) { return std::ranges::find(view.items, kind, &PlotItem::kind) != view.items.end(); };
+    const auto has = [&](PlotItem::Kind kind) {
+        return std::ranges::find(view.items, kind, &PlotItem::kind) != view.items.end();
+    };
     using enum PlotItem::Kind;
-    const bool outside = has(blocks), inside = has(joints) || has(arrows) || has(crosses) || has(iso_surfaces) || has(cables);
+    const bool outside = has(blocks),
+               inside = has(joints) || has(arrows) || has(crosses) || has(iso_surfaces) || has(cables);
     for (const PlotItem& item : view.items) {
         if (item.deformed != 1) scene.note += fmt::format(", displacements {:g} times as large", item.deformed);
         add_item(session, scene, item, inside && outside);
@@ -104,7 +117,8 @@ Scene scene_of(Session& session, const PlotView& view) {
 
 const History& history_of(const Histories& histories, std::int64_t number) {
     const auto found = std::ranges::find(histories.all, number, &History::number);
-    if (found == histories.all.end()) throw Diagnostic(fmt::format("there is no history {}", number), "'list hist' shows those that are there");
+    if (found == histories.all.end())
+        throw Diagnostic(fmt::format("there is no history {}", number), "'list hist' shows those that are there");
     return *found;
 }
 
@@ -123,7 +137,8 @@ void add_histories(const Histories& histories, const PlotItem& item, Chart& char
     const std::size_t samples = histories.time.size();
     const auto value = [](const History& history, std::size_t sample, double sign) {
         const std::size_t place = sample - history.first_sample;
-        return sample < history.first_sample || place >= history.values.size() ? std::nan("") : sign * history.values[place];
+        return sample < history.first_sample || place >= history.values.size() ? std::nan("")
+                                                                               : sign * history.values[place];
     };
     for (const std::int64_t number : item.numbers) {
         const History& history = history_of(histories, std::abs(number));
@@ -140,7 +155,8 @@ void add_histories(const Histories& histories, const PlotItem& item, Chart& char
 Chart net_of(Session& session, const PlotView& view, const PlotItem& item) {
     Chart chart = joint_net(session.model, shown_by(session, item), item.field == "slip");
     if (chart.curves.empty())
-        throw Diagnostic(item.field == "slip" ? "no joint has slipped" : "there are no joints to draw yet", item.field == "slip" ? "" : "contacts are found by 'cycle 0'");
+        throw Diagnostic(item.field == "slip" ? "no joint has slipped" : "there are no joints to draw yet",
+                         item.field == "slip" ? "" : "contacts are found by 'cycle 0'");
     chart.width = view.settings.width, chart.height = view.settings.height;
     if (!view.settings.title.empty()) chart.title = view.settings.title;
     return chart;
@@ -148,7 +164,8 @@ Chart net_of(Session& session, const PlotView& view, const PlotItem& item) {
 
 Chart chart_of(Session& session, const PlotView& view) {
     if (const auto net = std::ranges::find(view.items, PlotItem::Kind::net, &PlotItem::kind); net != view.items.end()) {
-        if (view.items.size() > 1) throw Diagnostic("a net is a picture of its own", "write a second plot line for the rest");
+        if (view.items.size() > 1)
+            throw Diagnostic("a net is a picture of its own", "write a second plot line for the rest");
         return net_of(session, view, *net);
     }
     Chart chart;
@@ -169,7 +186,8 @@ Chart chart_of(Session& session, const PlotView& view) {
         if (!item.y_label.empty()) chart.y_label = item.y_label;
     }
     const bool drawn = std::ranges::any_of(chart.curves, [](const Curve& curve) { return !curve.x.empty(); });
-    if (!drawn) throw Diagnostic("there are no samples to draw", "name histories or tables that hold values: plot hist 1 vs 2");
+    if (!drawn)
+        throw Diagnostic("there are no samples to draw", "name histories or tables that hold values: plot hist 1 vs 2");
     if (chart.y_label.empty() && chart.curves.size() == 1) chart.y_label = chart.curves.front().name;
     if (chart.title.empty()) chart.title = chart.curves.front().name;
     return chart;
@@ -179,7 +197,8 @@ Chart chart_of(Session& session, const PlotView& view) {
 std::string png_of(Session& session, const Drawing& drawing) {
     if (!session.painter) {
         std::error_code ignored;
-        session.painter = std::make_shared<Painter>(fs::read_symlink("/proc/self/exe", ignored).parent_path() / "kaya-painter");
+        session.painter =
+            std::make_shared<Painter>(fs::read_symlink("/proc/self/exe", ignored).parent_path() / "kaya-painter");
     }
     return session.painter->png(drawing);
 }
@@ -195,7 +214,9 @@ std::string picture_of(Session& session, const PlotView& view, const std::string
     return png_of(session, chart ? Drawing(chart_of(session, view)) : Drawing(scene_of(session, view)));
 }
 
-bool has_curves(const PlotView& view) { return !view.items.empty() && view.items.front().kind >= PlotItem::Kind::histories; }
+bool has_curves(const PlotView& view) {
+    return !view.items.empty() && view.items.front().kind >= PlotItem::Kind::histories;
+}
 
 /// Pictures are PNG files, curves also SVG: another suffix of an old deck becomes .png.
 std::string picture_name(Session& session, const std::string& given, bool curves) {
@@ -205,7 +226,8 @@ std::string picture_name(Session& session, const std::string& given, bool curves
         path = fmt::format("{}-plot-{}.png", stem.empty() ? "kaya" : stem, ++session.plots.pictures);
     }
     const std::string suffix = lower_case(path.extension().string());
-    static constexpr const char* pictures[] = {".bmp", ".jpg", ".jpeg", ".pcx", ".ps", ".pdf", ".dxf", ".wmf", ".tif", ".svg"};
+    static constexpr const char* pictures[] = {".bmp", ".jpg", ".jpeg", ".pcx", ".ps",
+                                               ".pdf", ".dxf", ".wmf",  ".tif", ".svg"};
     if (suffix == ".png" || (curves && suffix == ".svg")) return path.string();
     if (std::ranges::find(pictures, suffix) != std::end(pictures)) return path.replace_extension(".png").string();
     return path.string() + ".png";
@@ -218,7 +240,8 @@ void write_picture(Session& session, const PlotView& view, const PlotLine& line)
         if (write_view(session, view, file)) session.output.say(fmt::format("picture: {}", file));
         return;
     }
-    session.plots.movies.push_back({view, fs::path(file).replace_extension().string(), line.interval, session.model.clock.cycle, 0});
+    session.plots.movies.push_back(
+        {view, fs::path(file).replace_extension().string(), line.interval, session.model.clock.cycle, 0});
 }
 
 /// Writes what `bytes` gives. A picture is no reason to end a run: false, with a note, where there is none.
@@ -243,7 +266,9 @@ bool write_view(Session& session, const PlotView& view, const std::string& file)
 
 void write_chart(Session& session, const Chart& chart, const std::string& given) {
     const std::string file = picture_name(session, given, true);
-    if (write_bytes(session, file, [&] { return fs::path(file).extension() == ".svg" ? svg_of(chart) : png_of(session, Drawing(chart)); }))
+    if (write_bytes(session, file, [&] {
+            return fs::path(file).extension() == ".svg" ? svg_of(chart) : png_of(session, Drawing(chart));
+        }))
         session.output.say(fmt::format("picture: {}", file));
 }
 
@@ -261,7 +286,8 @@ void run(Session& session, const lang::Plot& command) {
     auto& plots = session.plots;
     PlotLine line = read_plot_line(words, command.range, plots.views[plots.current]);
     if (!line.unknown.empty())
-        session.note_once(fmt::format("plot leaves '{}' out", fmt::join(line.unknown, " ")), "docs/commands/plot.md lists what it draws");
+        session.note_once(fmt::format("plot leaves '{}' out", fmt::join(line.unknown, " ")),
+                          "docs/commands/plot.md lists what it draws");
     switch (line.task) {
     case PlotLine::Task::draw: {
         PlotView once = std::move(line.view);

@@ -81,7 +81,8 @@ private:
             line_.task = write;
             take({"bitmap", "png", "svg", "jpg", "bmp"});
         }
-        if (line_.task == write && at_ < words_.size() && !is({"file", "filename", "size", "plot", "view"})) line_.file = take_text();
+        if (line_.task == write && at_ < words_.size() && !is({"file", "filename", "size", "plot", "view"}))
+            line_.file = take_text();
     }
 
     /// What goes for the whole picture.
@@ -100,7 +101,8 @@ private:
         }
         if (take({"size"})) {
             if (take_number(value)) scene.width = static_cast<std::int32_t>(std::clamp(value, 64.0, 8192.0));
-            scene.height = take_number(value) ? static_cast<std::int32_t>(std::clamp(value, 64.0, 8192.0)) : scene.width * 3 / 4;
+            scene.height =
+                take_number(value) ? static_cast<std::int32_t>(std::clamp(value, 64.0, 8192.0)) : scene.width * 3 / 4;
             return true;
         }
         if (take({"axes", "axis"})) return scene.axes = !take({"off"}), take({"on"}), true;
@@ -116,7 +118,8 @@ private:
     bool read_item() {
         using enum PlotItem::Kind;
         if (take({"block", "blocks", "zone", "zones", "bl", "face", "faces"})) return begin(blocks);
-        if (take({"joint", "joints", "jplane", "jset", "contact", "contacts", "subcontact", "cx"})) return begin(joints);
+        if (take({"joint", "joints", "jplane", "jset", "contact", "contacts", "subcontact", "cx"}))
+            return begin(joints);
         if (take({"vector", "vectors"})) {
             begin(arrows);
             take({"of"});
@@ -167,11 +170,13 @@ private:
 
     /// What belongs to the item in front of it; a colour or a cut without one is of blocks.
     bool read_detail() {
-        const bool colours = take({"contour", "colorby", "colourby", "color-by", "colour-by", "color", "colour", "by", "field"});
+        const bool colours =
+            take({"contour", "colorby", "colourby", "color-by", "colour-by", "color", "colour", "by", "field"});
         if (colours || is({"cut", "xsection", "xsec", "section", "plane", "deformed"}) || is_field())
             if (line_.items.empty()) begin(PlotItem::Kind::blocks);
         // The screen that a deck was written for.
-        if (take({"hold", "on", "off", "fill", "lines", "line", "solid", "outline", "wireframe", "both", "surface"})) return true;
+        if (take({"hold", "on", "off", "fill", "lines", "line", "solid", "outline", "wireframe", "both", "surface"}))
+            return true;
         if (line_.items.empty()) return colours;
         if (is_field()) return item().field = words_[at_++].folded, true;
         if (colours) return true;
@@ -212,7 +217,9 @@ private:
             else if (!given && take({"dd", "dip-direction", "ddir"})) turned = take_number(direction);
             else if (!take({"on", "surface", "plane"})) more = false;
         }
-        if (turned) cut.normal = Vec3(std::sin(dip * degree) * std::sin(direction * degree), std::sin(dip * degree) * std::cos(direction * degree), std::cos(dip * degree));
+        if (turned)
+            cut.normal = Vec3(std::sin(dip * degree) * std::sin(direction * degree),
+                              std::sin(dip * degree) * std::cos(direction * degree), std::cos(dip * degree));
         if (cut.normal.norm() > 0) cut.normal.normalize();
         else cut.normal = Vec3::UnitX();
     }

@@ -15,13 +15,23 @@ namespace kaya {
 
 /// One thing that a picture shows.
 struct PlotItem {
-    enum class Kind { blocks, joints, arrows, crosses, iso_surfaces, cables, histories, tables, net }; ///< the model, then charts
+    enum class Kind {
+        blocks,
+        joints,
+        arrows,
+        crosses,
+        iso_surfaces,
+        cables,
+        histories,
+        tables,
+        net
+    }; ///< the model, then charts
     Kind kind = Kind::blocks;
-    std::string field;  ///< of the colours; of arrows: velocity or displacement; of cables: slip or cable_force
-    double scale = 0;   ///< of arrows and crosses
+    std::string field;          ///< of the colours; of arrows: velocity or displacement; of cables: slip or cable_force
+    double scale = 0;           ///< of arrows and crosses
     std::vector<double> levels; ///< of iso-surfaces; none: five
     std::optional<CutPlane> cut;
-    double deformed = 1; ///< displacements are drawn so many times as large
+    double deformed = 1;               ///< displacements are drawn so many times as large
     std::vector<std::int64_t> numbers; ///< of histories and tables; below 0: upside down
     std::optional<std::int64_t> versus;
     std::string x_label, y_label;
@@ -44,7 +54,7 @@ struct Movie {
 
 struct PlotViews {
     std::map<std::string, PlotView> views;
-    std::string current;     ///< "": the view without a name
+    std::string current;       ///< "": the view without a name
     std::int32_t pictures = 0; ///< that were named by their number
     std::vector<Movie> movies;
 };
@@ -56,7 +66,7 @@ struct PlotLine {
     std::string name;       ///< of a view
     std::string file;
     std::int64_t interval = 0; ///< cycles between the pictures of a movie; 0: one picture
-    PlotView view;          ///< the view that was current, with what the line changes
+    PlotView view;             ///< the view that was current, with what the line changes
     std::vector<PlotItem> items;
     std::vector<std::string> unknown; ///< words that say nothing to kaya
 };

@@ -7,7 +7,8 @@
 
 namespace kaya {
 
-Program::Program(const Options& given, std::FILE* results, std::FILE* messages) : options(given), output(results, messages) {
+Program::Program(const Options& given, std::FILE* results, std::FILE* messages)
+    : options(given), output(results, messages) {
     output.quiet = options.quiet;
     set_threads(options.threads > 0 ? options.threads
                                     : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));

@@ -21,12 +21,12 @@ namespace kaya {
 
 /// What the command line says.
 struct Options {
-    int threads = 0;     ///< 0: one for each core
-    bool strict = false; ///< warnings are errors
-    bool quiet = false;  ///< results and messages only
-    bool echo = false;   ///< each command is shown before it runs
-    bool trust = false;  ///< scripts may use the whole of Lua: files, other programs
-    std::size_t script_memory = 0; ///< megabytes that scripts may take; 0: as much as there is
+    int threads = 0;                                  ///< 0: one for each core
+    bool strict = false;                              ///< warnings are errors
+    bool quiet = false;                               ///< results and messages only
+    bool echo = false;                                ///< each command is shown before it runs
+    bool trust = false;                               ///< scripts may use the whole of Lua: files, other programs
+    std::size_t script_memory = 0;                    ///< megabytes that scripts may take; 0: as much as there is
     std::vector<std::filesystem::path> joint_folders; ///< in which joint models are looked for
 };
 
@@ -75,8 +75,8 @@ public:
     Options options;
     std::shared_ptr<Gate> gate = std::make_shared<Gate>(); ///< open until somebody shuts it
     Output output;
-    std::string log_file = "kaya.log"; ///< of the next `set log on`
-    bool report = false;               ///< the run ends with a page: set report on
+    std::string log_file = "kaya.log";      ///< of the next `set log on`
+    bool report = false;                    ///< the run ends with a page: set report on
     std::optional<std::int64_t> stop_after; ///< a cycle: a replay stops there as the user did
     std::size_t warnings = 0;               ///< shown so far
     std::vector<std::string> warning_texts; ///< the first hundred of them
@@ -88,9 +88,9 @@ protected:
 
     RunNames names_;
     std::atomic<bool> interrupted_ = false;
-    bool stopped_inside_ = false; ///< the command that runs was stopped where nobody can stop it again
+    bool stopped_inside_ = false;               ///< the command that runs was stopped where nobody can stop it again
     std::optional<std::int64_t> stopped_after_; ///< cycle of the stop that is on its way up
-    int commands_of_scripts_ = 0; ///< scripts that are giving commands at this moment, one in the other
+    int commands_of_scripts_ = 0;               ///< scripts that are giving commands at this moment, one in the other
 
 private:
     std::vector<Listener*> listeners_;

@@ -22,8 +22,9 @@ std::string scaling_text(const Model& model) {
     const ScaledMasses masses = scaled_masses(model);
     if (masses.scaled == 0) return {};
     const double added = masses.inertial - masses.real;
-    return fmt::format("density scaling: {} of {} bodies have another mass, {} is added to {} ({:.3g} %)", masses.scaled,
-                       masses.bodies, number_text(added), number_text(masses.real), 100 * added / masses.real);
+    return fmt::format("density scaling: {} of {} bodies have another mass, {} is added to {} ({:.3g} %)",
+                       masses.scaled, masses.bodies, number_text(added), number_text(masses.real),
+                       100 * added / masses.real);
 }
 
 std::string duration_text(double seconds) {
@@ -48,19 +49,15 @@ void Progress::update() {
     const double now = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     // About fifty looks a second, whatever a cycle costs.
     const double since = now - seconds_;
-    if (since < 0.01)
-        stride_ = std::min<std::int64_t>(2 * stride_, 1 << 20);
-    else if (since > 0.04)
-        stride_ = std::max<std::int64_t>(stride_ / 2, 1);
+    if (since < 0.01) stride_ = std::min<std::int64_t>(2 * stride_, 1 << 20);
+    else if (since > 0.04) stride_ = std::max<std::int64_t>(stride_ / 2, 1);
     seconds_ = now;
 
     const double pause = output_.on_terminal() ? 0.2 : 10.0;
     if (now - shown_ < pause) return;
     shown_ = now;
-    if (output_.on_terminal())
-        output_.refresh(line());
-    else
-        output_.say(line());
+    if (output_.on_terminal()) output_.refresh(line());
+    else output_.say(line());
 }
 
 void Progress::expect(std::string task, std::optional<double> seconds_left) {
@@ -88,8 +85,7 @@ std::string Progress::line() const {
     std::string text = target_.task.empty() ? "" : target_.task + "  ";
     text += fmt::format("cycle {}", clock.cycle);
     if (target_.cycle) text += fmt::format(" of {}", *target_.cycle);
-    text += fmt::format("  time {}  ratio {:.2e}  {:.0f} cycles/s", time_text(model_),
-                        clock.average_ratio, rate);
+    text += fmt::format("  time {}  ratio {:.2e}  {:.0f} cycles/s", time_text(model_), clock.average_ratio, rate);
     if (const double seconds = left(); seconds >= 0) text += fmt::format("  {} left", duration_text(seconds));
     return text;
 }
@@ -98,8 +94,8 @@ void Progress::finish() {
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     output_.end_refresh();
     const auto& clock = model_.clock;
-    output_.say(fmt::format("cycle {}  time {}  ratio {:.2e}  ({} in {:.2f} s, {:.0f} cycles/s)",
-                            clock.cycle, time_text(model_), clock.average_ratio, counted(done_, "cycle"), seconds_,
+    output_.say(fmt::format("cycle {}  time {}  ratio {:.2e}  ({} in {:.2f} s, {:.0f} cycles/s)", clock.cycle,
+                            time_text(model_), clock.average_ratio, counted(done_, "cycle"), seconds_,
                             static_cast<double>(done_) / std::max(seconds_, 1e-9)));
     if (const std::string scaling = scaling_text(model_); !scaling.empty()) output_.say(scaling);
 }

@@ -13,9 +13,9 @@ namespace kaya {
 
 /// At what a run is going to stop, as far as it can be told beforehand.
 struct Target {
-    std::optional<std::int64_t> cycle; ///< number of the last cycle
-    std::optional<double> time;        ///< model time
-    std::string task = {};             ///< what the run does, in front of the line
+    std::optional<std::int64_t> cycle;  ///< number of the last cycle
+    std::optional<double> time;         ///< model time
+    std::string task = {};              ///< what the run does, in front of the line
     std::optional<double> seconds = {}; ///< since the start of the run
 };
 

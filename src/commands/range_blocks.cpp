@@ -89,7 +89,8 @@ bool is_convex(const Model& model, std::span<const Row> members) {
 /// Whether just in front of the middle of a face there is another block of its body.
 bool leads_into(const Model& model, Row face, std::span<const Row> members) {
     const Row own = model.faces.block[face];
-    const Vec3 before = face_centroid(model, face) + model.blocks.margin[own] * face_area_vector(model, face).normalized();
+    const Vec3 before =
+        face_centroid(model, face) + model.blocks.margin[own] * face_area_vector(model, face).normalized();
     return std::ranges::any_of(members, [&](Row other) {
         if (other == own) return false;
         for (Row f = model.blocks.faces[other].first; f < model.blocks.faces[other].end(); ++f)
@@ -178,8 +179,7 @@ RangeTest by_joint_state(const RangeElement& e, RangeContext& context) {
             for (std::size_t i = 0; i < joint->states.size(); ++i) {
                 const std::string& state = joint->states[i];
                 known.insert(state);
-                if (lang::fold(state) == lang::fold(e.name) ||
-                    lang::fold(state).starts_with(lang::fold(e.name) + "-"))
+                if (lang::fold(state) == lang::fold(e.name) || lang::fold(state).starts_with(lang::fold(e.name) + "-"))
                     mask |= 1u << i;
             }
         found = found || mask != 0;

@@ -56,8 +56,7 @@ RangeTest in_sphere(const RangeElement& e, RangeContext& context) {
 RangeTest in_cylinder(const RangeElement& e, RangeContext& context) {
     const Vec3 end1 = e.centre;
     const double length = (e.end2 - e.centre).norm();
-    if (length <= context.tolerance)
-        throw Diagnostic("the two ends of the cylinder are the same point").at(e.place);
+    if (length <= context.tolerance) throw Diagnostic("the two ends of the cylinder are the same point").at(e.place);
     const Vec3 axis = (e.end2 - e.centre) / length;
     const double inner = e.radius1 - context.tolerance, outer = e.radius2 + context.tolerance,
                  slack = context.tolerance;
@@ -121,9 +120,8 @@ RangeTest in_ellipse(const RangeElement& e, RangeContext& context) {
     const Eigen::Matrix2d inverse = axes.inverse();
     const double slack = context.tolerance, far = e.distance + slack;
     const double edge = 1 + slack / std::min(one.norm(), two.norm());
-    return on_place(context, [=](const Vec3& p) {
-        return plane.height(p) <= far && (inverse * plane.flat(p)).norm() <= edge;
-    });
+    return on_place(context,
+                    [=](const Vec3& p) { return plane.height(p) <= far && (inverse * plane.flat(p)).norm() <= edge; });
 }
 
 RangeTest by_ground(const RangeElement& e, RangeContext& context) {
@@ -158,8 +156,7 @@ RangeTest by_orientation(const RangeElement& e, RangeContext& context) {
         return [passes](const Model& m, ObjectKind kind, Row row) {
             return passes(m.contacts.normal[contact_of(m, kind, row)]);
         };
-    default:
-        break;
+    default: break;
     }
     throw Diagnostic(fmt::format("'orientation' picks faces and contacts, but this command acts on {}",
                                  info_of(context.kind).plural))
@@ -168,10 +165,11 @@ RangeTest by_orientation(const RangeElement& e, RangeContext& context) {
 
 using Kind = RangeElement::Kind;
 constexpr std::array place_tests{
-    RangeEntry{Kind::x, along_axis<0>},        RangeEntry{Kind::y, along_axis<1>},     RangeEntry{Kind::z, along_axis<2>},
-    RangeEntry{Kind::box, in_box},             RangeEntry{Kind::plane, by_plane},      RangeEntry{Kind::sphere, in_sphere},
-    RangeEntry{Kind::cylinder, in_cylinder},   RangeEntry{Kind::polygon, in_polygon},  RangeEntry{Kind::ellipse, in_ellipse},
-    RangeEntry{Kind::ground, by_ground},
+    RangeEntry{Kind::x, along_axis<0>},      RangeEntry{Kind::y, along_axis<1>},
+    RangeEntry{Kind::z, along_axis<2>},      RangeEntry{Kind::box, in_box},
+    RangeEntry{Kind::plane, by_plane},       RangeEntry{Kind::sphere, in_sphere},
+    RangeEntry{Kind::cylinder, in_cylinder}, RangeEntry{Kind::polygon, in_polygon},
+    RangeEntry{Kind::ellipse, in_ellipse},   RangeEntry{Kind::ground, by_ground},
 };
 constexpr std::array face_tests{RangeEntry{Kind::orientation, by_orientation}};
 

@@ -52,10 +52,8 @@ template <class Passes> bool all_corners(const Model& model, ObjectKind kind, Ro
         const Span span = model.blocks.gridpoints[row];
         return std::all_of(&position[span.first], &position[span.first] + span.count, passes);
     }
-    case ObjectKind::zone:
-        return all(model.zones.gridpoints[row]);
-    case ObjectKind::triangle:
-        return all(model.triangles.gridpoints[row]);
+    case ObjectKind::zone: return all(model.zones.gridpoints[row]);
+    case ObjectKind::triangle: return all(model.triangles.gridpoints[row]);
     case ObjectKind::face: {
         const Span span = model.faces.triangles[row];
         for (Row t = span.first; t < span.end(); ++t)
@@ -68,8 +66,7 @@ template <class Passes> bool all_corners(const Model& model, ObjectKind kind, Ro
             if (!passes(model.sub_contacts.position[s])) return false;
         return true;
     }
-    default:
-        return passes(reference_point(model, kind, row));
+    default: return passes(reference_point(model, kind, row));
     }
 }
 
@@ -77,9 +74,7 @@ template <class Passes> bool all_corners(const Model& model, ObjectKind kind, Ro
 template <class Passes> RangeTest on_place(const RangeContext& context, Passes passes) {
     if (context.whole)
         return [passes](const Model& model, ObjectKind kind, Row row) { return all_corners(model, kind, row, passes); };
-    return [passes](const Model& model, ObjectKind kind, Row row) {
-        return passes(reference_point(model, kind, row));
-    };
+    return [passes](const Model& model, ObjectKind kind, Row row) { return passes(reference_point(model, kind, row)); };
 }
 
 /// Throws when the command does not act on contacts or sub-contacts.

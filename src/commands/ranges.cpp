@@ -17,8 +17,8 @@ using lang::RangeElement;
 
 void needs_contacts(const RangeElement& e, const RangeContext& context, const char* word, const char* hint) {
     if (is_contact(context.kind)) return;
-    throw Diagnostic(fmt::format("'{}' picks contacts, but this command acts on {}", word, info_of(context.kind).plural),
-                     hint)
+    throw Diagnostic(
+        fmt::format("'{}' picks contacts, but this command acts on {}", word, info_of(context.kind).plural), hint)
         .at(e.place);
 }
 
@@ -89,10 +89,9 @@ RangeTest by_joint_model(const RangeElement& e, RangeContext& context) {
     // `jcons n` gives a number, `jmodel NAME` a name.
     std::string name;
     try {
-        name = lower_case(JointRegistry::keyword_of(e.name.empty() ? joint_model_of_number(context.model, static_cast<std::int32_t>(e.low)) : e.name));
-    } catch (Diagnostic& mistake) {
-        throw mistake.at(e.place);
-    }
+        name = lower_case(JointRegistry::keyword_of(
+            e.name.empty() ? joint_model_of_number(context.model, static_cast<std::int32_t>(e.low)) : e.name));
+    } catch (Diagnostic& mistake) { throw mistake.at(e.place); }
     return [name](const Model& model, ObjectKind kind, Row row) {
         const Row set = model.contacts.properties[contact_of(model, kind, row)];
         return set != no_row && lower_case(model.joint_properties[set].model) == name;
@@ -116,14 +115,10 @@ RangeTest by_joint_set(const RangeElement& e, RangeContext& context) {
         return [=](const Model& m, ObjectKind kind, Row row) {
             return passes(m.contacts.joint_set[contact_of(m, kind, row)]);
         };
-    case ObjectKind::face:
-        return [=](const Model& m, ObjectKind, Row row) { return passes(m.faces.joint_set[row]); };
+    case ObjectKind::face: return [=](const Model& m, ObjectKind, Row row) { return passes(m.faces.joint_set[row]); };
     case ObjectKind::triangle:
-        return [=](const Model& m, ObjectKind, Row row) {
-            return passes(m.faces.joint_set[m.triangles.face[row]]);
-        };
-    default:
-        break;
+        return [=](const Model& m, ObjectKind, Row row) { return passes(m.faces.joint_set[m.triangles.face[row]]); };
+    default: break;
     }
     throw Diagnostic(
         fmt::format("'jset' picks contacts and faces, but this command acts on {}", info_of(context.kind).plural))
@@ -162,8 +157,7 @@ RangeTest by_name(const RangeElement& e, RangeContext& context) {
         for (const auto& [known_name, phrase] : context.named) known.push_back(known_name);
         const auto near = did_you_mean(name, known);
         throw Diagnostic(fmt::format("there is no named range '{}'", e.name),
-                         near.empty() ? "'range name NAME ...' makes one"
-                                      : fmt::format("did you mean '{}'?", near))
+                         near.empty() ? "'range name NAME ...' makes one" : fmt::format("did you mean '{}'?", near))
             .at(e.place);
     }
     if (std::ranges::find(context.open, name) != context.open.end())
@@ -207,18 +201,26 @@ constexpr std::array other_tests{
     RangeEntry{Kind::volume, by_volume},
     RangeEntry{Kind::named, by_name},
     RangeEntry{Kind::material_intersection,
-               [](const RangeElement& e, RangeContext& context) { return between(e, context, "mintersection", &Blocks::material, e.low, e.high); }},
+               [](const RangeElement& e, RangeContext& context) {
+                   return between(e, context, "mintersection", &Blocks::material, e.low, e.high);
+               }},
     RangeEntry{Kind::region_intersection,
-               [](const RangeElement& e, RangeContext& context) { return between(e, context, "rintersection", &Blocks::region, e.low, e.high); }},
+               [](const RangeElement& e, RangeContext& context) {
+                   return between(e, context, "rintersection", &Blocks::region, e.low, e.high);
+               }},
     RangeEntry{Kind::group_intersection,
                [](const RangeElement& e, RangeContext& context) {
                    return between(e, context, "gintersection", &Blocks::group, group_number(e, e.name, context),
                                   group_number(e, e.second_name, context));
                }},
     RangeEntry{Kind::deformable,
-               [](const RangeElement&, RangeContext&) { return on_blocks([](const Model& model, Row block) { return model.blocks.deformable[block] != 0; }); }},
+               [](const RangeElement&, RangeContext&) {
+                   return on_blocks([](const Model& model, Row block) { return model.blocks.deformable[block] != 0; });
+               }},
     RangeEntry{Kind::visible,
-               [](const RangeElement&, RangeContext&) { return on_blocks([](const Model& model, Row block) { return model.blocks.hidden[block] == 0; }); }},
+               [](const RangeElement&, RangeContext&) {
+                   return on_blocks([](const Model& model, Row block) { return model.blocks.hidden[block] == 0; });
+               }},
     RangeEntry{Kind::excavated,
                [](const RangeElement&, RangeContext& context) -> RangeTest {
                    return [excavated = context.extras.excavated](const Model&, ObjectKind, Row) { return excavated; };
@@ -227,7 +229,8 @@ constexpr std::array other_tests{
 
 RangeTest element_test(const RangeElement& e, RangeContext& context) {
     if (!e.numbers.empty() && e.kind != Kind::id_list) return by_any_number(e, context);
-    for (const auto entries : {tests_of_places(), tests_of_faces(), tests_of_blocks(), std::span<const RangeEntry>(other_tests)})
+    for (const auto entries :
+         {tests_of_places(), tests_of_faces(), tests_of_blocks(), std::span<const RangeEntry>(other_tests)})
         for (const RangeEntry& entry : entries)
             if (entry.kind == e.kind) return entry.test(e, context);
     throw std::logic_error("a range element of no known kind");
@@ -236,17 +239,14 @@ RangeTest element_test(const RangeElement& e, RangeContext& context) {
 RangeTest phrase_test(const lang::RangePhrase& phrase, RangeContext& context) {
     const bool whole_outside = std::exchange(context.whole, context.whole || phrase.whole);
     std::vector<std::pair<RangeTest, bool>> tests;
-    for (const auto& element : phrase.elements)
-        tests.emplace_back(element_test(element, context), element.negated);
+    for (const auto& element : phrase.elements) tests.emplace_back(element_test(element, context), element.negated);
     context.whole = whole_outside;
     if (phrase.any)
         return [tests](const Model& model, ObjectKind kind, Row row) {
-            return std::ranges::any_of(tests,
-                                       [&](const auto& t) { return t.first(model, kind, row) != t.second; });
+            return std::ranges::any_of(tests, [&](const auto& t) { return t.first(model, kind, row) != t.second; });
         };
     return [tests](const Model& model, ObjectKind kind, Row row) {
-        return std::ranges::all_of(tests,
-                                   [&](const auto& t) { return t.first(model, kind, row) != t.second; });
+        return std::ranges::all_of(tests, [&](const auto& t) { return t.first(model, kind, row) != t.second; });
     };
 }
 
@@ -255,8 +255,7 @@ RangeTest phrase_test(const lang::RangePhrase& phrase, RangeContext& context) {
 namespace {
 
 /// Whether an element of the phrase, or of a named range in it, passes.
-template <class Passes>
-bool any_element(const NamedRanges& named, const lang::RangePhrase& phrase, Passes passes) {
+template <class Passes> bool any_element(const NamedRanges& named, const lang::RangePhrase& phrase, Passes passes) {
     std::set<std::string> seen;
     const auto visit = [&](const auto& self, const lang::RangePhrase& in) -> bool {
         return std::ranges::any_of(in.elements, [&](const RangeElement& e) {
@@ -281,8 +280,8 @@ bool asks_for_objects(const NamedRanges& named, const lang::RangePhrase& phrase)
     });
 }
 
-RangeTest range_test(const Model& model, const NamedRanges& named, const lang::RangePhrase& phrase,
-                     ObjectKind kind, const RangeExtras& extras) {
+RangeTest range_test(const Model& model, const NamedRanges& named, const lang::RangePhrase& phrase, ObjectKind kind,
+                     const RangeExtras& extras) {
     if (phrase.elements.empty()) return {};
     RangeContext context{model, named, kind, 1e-6 * model_size(model), extras, false, {}};
     return phrase_test(phrase, context);

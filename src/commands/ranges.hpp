@@ -17,9 +17,9 @@ using NamedRanges = std::map<std::string, lang::RangePhrase>;
 
 /// What some elements need besides.
 struct RangeExtras {
-    const JointRegistry* joints = nullptr; ///< for states of joint models
+    const JointRegistry* joints = nullptr;                 ///< for states of joint models
     std::function<Ground(const std::string&)> ground = {}; ///< reads the file of a ground surface
-    bool excavated = false;                ///< the model is that of the blocks that fill can put back
+    bool excavated = false;                                ///< the model is that of the blocks that fill can put back
 };
 
 /// Whether a phrase, or a named range in it, has an element of that kind.
@@ -33,7 +33,7 @@ bool asks_for_objects(const NamedRanges& named, const lang::RangePhrase& phrase)
 /// match a contact when one of its two blocks has them. An empty phrase gives an empty test.
 /// Throws Diagnostic at the element: no such group or named range, an element that cannot pick objects
 /// of that kind.
-RangeTest range_test(const Model& model, const NamedRanges& named, const lang::RangePhrase& phrase,
-                     ObjectKind kind, const RangeExtras& extras = {});
+RangeTest range_test(const Model& model, const NamedRanges& named, const lang::RangePhrase& phrase, ObjectKind kind,
+                     const RangeExtras& extras = {});
 
 } // namespace kaya

@@ -20,10 +20,12 @@ Wording wording_of(Advice advice) {
     case Advice::change_material_value: return {"give another one with `prop mat {} {} value`"};
     case Advice::give_joint_property: return {"give it with `jmodel {} value` or `prop jmat {}`"};
     case Advice::name_joint_model:
-        return {"1 is mohr and 7 is elastic; others are assigned by name: jmodel model NAME", "no joint model has the number jcons {}"};
+        return {"1 is mohr and 7 is elastic; others are assigned by name: jmodel model NAME",
+                "no joint model has the number jcons {}"};
     case Advice::name_zone_model: return {"1 is elastic, 2 is mohr-coulomb; others have names: `zone model NAME`"};
     case Advice::give_gravity: return {"write before it, for example: gravity 0 0 -9.81"};
-    case Advice::give_shorter_step: return {"give a smaller one with `set dt`, or `set dt 0` for the one that is computed"};
+    case Advice::give_shorter_step:
+        return {"give a smaller one with `set dt`, or `set dt 0` for the one that is computed"};
     case Advice::check_time_function: return {"look at the function or table after `hist`"};
     case Advice::rotate_before_joining: return {"give it a rotation before `join`"};
     }

@@ -33,14 +33,12 @@ std::vector<double> acting_forces(const Model& model) {
     const auto& blocks = model.blocks;
     std::vector<double> acting(blocks.size());
     for (std::size_t b = 0; b < blocks.size(); ++b)
-        acting[b] =
-            block_load(model, static_cast<Row>(b)).norm() + blocks.mass[b] * model.settings.gravity.norm();
+        acting[b] = block_load(model, static_cast<Row>(b)).norm() + blocks.mass[b] * model.settings.gravity.norm();
     for (std::size_t c = 0; c < model.contacts.size(); ++c) {
         Vec3 sum = Vec3::Zero(); // normal and shear apart
         const Span span = model.contacts.sub_contacts[c];
         for (Row s = span.first; s < span.end(); ++s)
-            sum += Vec3(std::abs(model.sub_contacts.normal_force[s]),
-                        model.sub_contacts.shear_force[s].norm(), 0);
+            sum += Vec3(std::abs(model.sub_contacts.normal_force[s]), model.sub_contacts.shear_force[s].norm(), 0);
         acting[model.contacts.block1[c]] += sum.norm();
         acting[model.contacts.block2[c]] += sum.norm();
     }
@@ -92,7 +90,8 @@ std::optional<MovingBody> RestMonitor::moving() const {
     // Late marks only: what springs gave when the run began is no motion of now.
     constexpr std::size_t least_marks = 4;
     constexpr double least_time = 25; // in largest stable steps; before, springs are still taking up their forces
-    if (marks_.size() < least_marks || static_cast<double>(cycles_) * time_step_fraction(model_.settings) < least_time) return std::nullopt;
+    if (marks_.size() < least_marks || static_cast<double>(cycles_) * time_step_fraction(model_.settings) < least_time)
+        return std::nullopt;
     const Mark now = mark();
     const Mark &middle = marks_[marks_.size() - 2], &first = marks_[marks_.size() - 3], &begin = marks_.front();
     if (first.blocks != now.blocks || middle.blocks != now.blocks || begin.blocks != now.blocks) return std::nullopt;
@@ -106,8 +105,7 @@ std::optional<MovingBody> RestMonitor::moving() const {
         if (held(model_, b) || !(blocks.inertial_mass[b] > 0)) continue;
         const double quiet = quiet_part * acting[b] * step * step / blocks.inertial_mass[b];
         for (const auto column : {&Mark::centroid, &Mark::vertex}) {
-            const Vec3 then = (middle.*column)[b] - (first.*column)[b],
-                       lately = (now.*column)[b] - (middle.*column)[b];
+            const Vec3 then = (middle.*column)[b] - (first.*column)[b], lately = (now.*column)[b] - (middle.*column)[b];
             const double gained = lately.norm();
             const bool slows = lately.dot(then) / after < kept_velocity * then.squaredNorm() / before;
             const double whole = ((now.*column)[b] - (begin.*column)[b]).norm();

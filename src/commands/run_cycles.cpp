@@ -70,9 +70,10 @@ void refuse_half_zoned(const Model& model) {
         if (blocks.body[b] == 0) continue;
         const Row first = bodies.try_emplace(blocks.body[b], static_cast<Row>(b)).first->second;
         if (blocks.deformable[first] == blocks.deformable[b]) continue;
-        const auto [zoned, rigid] = blocks.deformable[b] ? std::pair(static_cast<Row>(b), first) : std::pair(first, static_cast<Row>(b));
-        throw Diagnostic(fmt::format("block {} has zones, and block {}, to which it is joined, has none", blocks.number[zoned],
-                                     blocks.number[rigid]),
+        const auto [zoned, rigid] =
+            blocks.deformable[b] ? std::pair(static_cast<Row>(b), first) : std::pair(first, static_cast<Row>(b));
+        throw Diagnostic(fmt::format("block {} has zones, and block {}, to which it is joined, has none",
+                                     blocks.number[zoned], blocks.number[rigid]),
                          "give zones to both (gen edge ...), or `join off` first");
     }
 }
@@ -91,9 +92,10 @@ void make_ready(Session& session) {
 void refuse_standing_still(const Limits& limits, const Clock& start, const Clock& now) {
     const double time = limits.time ? start.time + *limits.time : now.time;
     if (now.time_step == 0 || time + now.time_step != time) return;
-    throw Diagnostic(fmt::format("steps of {} are too short to reach time {}: time would stand still", number_text(now.time_step),
-                                 number_text(time)),
-                     "something is far too stiff, light or fast: look at stiffnesses, densities, gravity and loads", Fault::run);
+    throw Diagnostic(fmt::format("steps of {} are too short to reach time {}: time would stand still",
+                                 number_text(now.time_step), number_text(time)),
+                     "something is far too stiff, light or fast: look at stiffnesses, densities, gravity and loads",
+                     Fault::run);
 }
 
 /// Whether a model at the ratio that was asked for is at rest: it is watched for a while after, and longer where
@@ -152,13 +154,11 @@ std::string equilibrium(const Limits& limits, const Clock& start, const Clock& n
 /// Why the run stops here; empty when it goes on.
 std::string reached(const Limits& limits, const Clock& start, const Model& model, double seconds) {
     const Clock& now = model.clock;
-    if (limits.cycles && now.cycle - start.cycle >= *limits.cycles)
-        return counted(*limits.cycles, "cycle");
+    if (limits.cycles && now.cycle - start.cycle >= *limits.cycles) return counted(*limits.cycles, "cycle");
     // Half a step of slack: a sum of steps misses the limit by rounding.
     if (limits.time && now.time - start.time >= *limits.time - 0.5 * now.time_step && now.cycle > start.cycle)
         return fmt::format("time {}", time_text(model));
-    if (limits.clock && seconds >= *limits.clock)
-        return fmt::format("{} minutes", number_text(*limits.clock / 60));
+    if (limits.clock && seconds >= *limits.clock) return fmt::format("{} minutes", number_text(*limits.clock / 60));
     return {};
 }
 
@@ -174,7 +174,8 @@ bool settle_forces(Session& session) {
     return model.stale.properties();
 }
 
-RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, FailureMonitor* monitor, Progress* progress) {
+RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, FailureMonitor* monitor,
+                      Progress* progress) {
     make_ready(session);
     session.autosave.begins();
     RestSpan span;
@@ -217,7 +218,8 @@ std::string advance_until(Session& session, const Limits& limits, RestMonitor* m
     const auto stops = [&](double seconds) {
         std::string at_rest = equilibrium(limits, start, session.model.clock);
         if (limits.still) {
-            const auto answer = confirmation.check(session.model, session.model.clock.cycle - start.cycle, !at_rest.empty());
+            const auto answer =
+                confirmation.check(session.model, session.model.clock.cycle - start.cycle, !at_rest.empty());
             if (answer == Confirmation::Answer::wait) at_rest.clear();
             if (answer == Confirmation::Answer::rest) at_rest += ", and nothing moves";
             if (answer == Confirmation::Answer::motion)
@@ -259,8 +261,7 @@ ElasticJoints::ElasticJoints(Session& session) : session_(session) {
 }
 
 ElasticJoints::~ElasticJoints() {
-    for (std::size_t i = 0; i < true_values_.size(); ++i)
-        session_.model.joint_properties[i].values = true_values_[i];
+    for (std::size_t i = 0; i < true_values_.size(); ++i) session_.model.joint_properties[i].values = true_values_[i];
     session_.autosave.hold(false);
 }
 

@@ -20,7 +20,7 @@ struct Limits {
     std::optional<double> time;         ///< from now on
     std::optional<double> ratio, maximum_ratio, local_ratio, force;
     std::optional<double> clock; ///< seconds
-    bool still = false; ///< ratios and force count only when no body gains displacement any more
+    bool still = false;          ///< ratios and force count only when no body gains displacement any more
 };
 
 /// Lets joint models take up forces that scripts and commands have set, and warns of what they cannot carry. Whether forces
@@ -32,9 +32,9 @@ std::string advance_until(Session& session, const Limits& limits, RestMonitor* m
 
 /// What a number of cycles has shown.
 struct RestSpan {
-    bool at_rest = false;    ///< the ratio was reached, and nothing moved on for a while; the span ended there
-    double mean_ratio = 0;   ///< average ratio of unbalanced force, over the cycles
-    std::int64_t cycles = 0; ///< that were run
+    bool at_rest = false;             ///< the ratio was reached, and nothing moved on for a while; the span ended there
+    double mean_ratio = 0;            ///< average ratio of unbalanced force, over the cycles
+    std::int64_t cycles = 0;          ///< that were run
     std::optional<MovingBody> moving; ///< the ratio was reached, but this body moves on
     bool fails = false;               ///< the watch for failure says so; the span ended there
 };

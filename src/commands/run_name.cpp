@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int most_runs = 1000;             ///< of one name in one folder
+constexpr int most_runs = 1000;           ///< of one name in one folder
 constexpr std::size_t longest_stem = 200; ///< bytes: file systems take 255, and endings follow
 
 /// The descriptor of a file that is locked for this run; -1: another run has it, -2: none can be made here.
@@ -27,8 +27,10 @@ int locked(const fs::path& file) {
             ::close(descriptor);
             return busy ? -1 : -2;
         }
-        struct stat mine {}, there {};
-        const bool same = ::fstat(descriptor, &mine) == 0 && ::stat(file.c_str(), &there) == 0 && mine.st_ino == there.st_ino;
+        struct stat mine {
+        }, there{};
+        const bool same =
+            ::fstat(descriptor, &mine) == 0 && ::stat(file.c_str(), &there) == 0 && mine.st_ino == there.st_ino;
         if (same) return descriptor;
         ::close(descriptor); // the run before has taken it away in this moment
     }
@@ -61,9 +63,11 @@ RunNames::Taken RunNames::take(const std::string& stem) {
 
 std::string stem_of_deck(const std::string& deck) {
     std::string stem = deck.empty() ? "prompt" : fs::path(deck).stem().string();
-    std::replace_if(stem.begin(), stem.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, '_');
+    std::replace_if(
+        stem.begin(), stem.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, '_');
     std::size_t end = std::min(stem.size(), longest_stem);
-    while (end > 0 && end < stem.size() && (static_cast<unsigned char>(stem[end]) & 0xc0) == 0x80) --end; // whole characters
+    while (end > 0 && end < stem.size() && (static_cast<unsigned char>(stem[end]) & 0xc0) == 0x80)
+        --end; // whole characters
     return stem.substr(0, end);
 }
 

@@ -32,9 +32,7 @@ std::string element_text(const RangeElement& e) {
     return text + fmt::format(" {} {} {} {}\n", e.name.size(), e.name, e.second_name.size(), e.second_name);
 }
 
-[[noreturn]] void refuse() {
-    throw Diagnostic("the named ranges of the save file cannot be read", {}, Fault::run);
-}
+[[noreturn]] void refuse() { throw Diagnostic("the named ranges of the save file cannot be read", {}, Fault::run); }
 
 /// strtod reads what {:a} writes; streams do not.
 double read_number(std::istream& stream) {
@@ -86,7 +84,8 @@ RangeElement read_element(std::istream& stream) {
 std::string ranges_text(const NamedRanges& ranges) {
     std::string text = fmt::format("{}\n", ranges.size());
     for (const auto& [name, phrase] : ranges) {
-        text += fmt::format("{} {} {} {} {}\n", phrase.elements.size(), phrase.any ? 1 : 0, phrase.whole ? 1 : 0, name.size(), name);
+        text += fmt::format("{} {} {} {} {}\n", phrase.elements.size(), phrase.any ? 1 : 0, phrase.whole ? 1 : 0,
+                            name.size(), name);
         for (const auto& element : phrase.elements) text += element_text(element);
     }
     return text;

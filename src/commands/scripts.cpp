@@ -18,8 +18,10 @@ void run(Session& session, const lang::Parameter& command) {
     if (command.name.find(' ') != std::string::npos) {
         const auto* whole = std::get_if<std::int64_t>(&command.value);
         const auto* number = std::get_if<double>(&command.value);
-        if (whole == nullptr && number == nullptr) throw Diagnostic(fmt::format("'{}' takes a number", command.name)).at(command.place);
-        session.given_properties.give(command.name, whole != nullptr ? static_cast<double>(*whole) : *number, command.place);
+        if (whole == nullptr && number == nullptr)
+            throw Diagnostic(fmt::format("'{}' takes a number", command.name)).at(command.place);
+        session.given_properties.give(command.name, whole != nullptr ? static_cast<double>(*whole) : *number,
+                                      command.place);
         return;
     }
     const auto value = std::visit([](const auto& v) { return script::Value(v); }, command.value);
@@ -30,9 +32,7 @@ void run(Session& session, const lang::Parameter& command) {
     session.scripts->set(command.name, known->second, command.place);
 }
 
-void run(Session& session, const lang::FishCall& command) {
-    session.scripts->call(command.expression, command.place);
-}
+void run(Session& session, const lang::FishCall& command) { session.scripts->call(command.expression, command.place); }
 
 void run(Session& session, const lang::FishCallback& command) {
     if (command.remove) return session.scripts->remove_fish_hook(command.function, command.place);
@@ -44,9 +44,7 @@ void run(Session& session, const lang::FishCallback& command) {
     session.scripts->add_fish_hook(command.function, moment, command.interval, command.place);
 }
 
-void run(Session& session, const lang::LuaChunk& command) {
-    session.scripts->run_lua(command.text, command.place);
-}
+void run(Session& session, const lang::LuaChunk& command) { session.scripts->run_lua(command.text, command.place); }
 
 void run(Session& session, const lang::LuaFile& command) {
     session.scripts->run_lua_file(session.input_file(command.file), command.place);

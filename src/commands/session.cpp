@@ -29,12 +29,15 @@ lang::Value command_value(const script::Value& value, const std::string& express
         .at(place);
 }
 
-bool calls_file(const lang::BoundCommand& command) { return command.spec->flow == lang::Flow::call; } // its commands stand for it
+bool calls_file(const lang::BoundCommand& command) {
+    return command.spec->flow == lang::Flow::call;
+} // its commands stand for it
 
 } // namespace
 
 Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
-    : Program(given, results, messages), Deck(static_cast<lang::InterpreterHost&>(*this)), Engine(static_cast<WorldHost&>(*this)) {
+    : Program(given, results, messages), Deck(static_cast<lang::InterpreterHost&>(*this)),
+      Engine(static_cast<WorldHost&>(*this)) {
     begin(gate, options.joint_folders, options.trust, options.script_memory);
     scripts->on_print([this](const std::string& line) { output.print(line); });
     scripts->on_require([this] { return interpreter.searched(); });
@@ -78,10 +81,8 @@ void Session::before(const lang::BoundCommand& command) {
     if (!options.echo && !output.logging()) return;
     const std::string text = command.text();
     const std::string line = fmt::format("{}> {}", here(), text.substr(0, text.find('\n')));
-    if (options.echo && !output.is_caught())
-        output.print(line);
-    else
-        output.log_only(line);
+    if (options.echo && !output.is_caught()) output.print(line);
+    else output.log_only(line);
 }
 
 void Session::after(const lang::BoundCommand& command) {
@@ -154,10 +155,11 @@ void Session::warn(Diagnostic warning) { show_warning(warning.at(interpreter.cur
 void Session::tell_of_arithmetic() {
     const auto tell = [this](const LawTable& law, const char* noun) {
         if (law.arithmetic() == 0 || !said_once.insert("arithmetic:" + law.file.string()).second) return;
-        Diagnostic warning(fmt::format("{} '{}' changes {}; the program puts it back after each call", noun, law.name,
-                                       text_of_changes(law.arithmetic())),
-                           fmt::format("build it without -ffast-math and -Ofast, and without calls that change the rounding: {}",
-                                       law.file.string()));
+        Diagnostic warning(
+            fmt::format("{} '{}' changes {}; the program puts it back after each call", noun, law.name,
+                        text_of_changes(law.arithmetic())),
+            fmt::format("build it without -ffast-math and -Ofast, and without calls that change the rounding: {}",
+                        law.file.string()));
         warning.code = "joint-model-arithmetic";
         warn(std::move(warning));
     };
@@ -186,7 +188,9 @@ std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& ra
 }
 
 RangeExtras Session::range_extras(bool excavated) {
-    return {.joints = &joints, .ground = [this](const std::string& file) { return read_ground(input_file(file).string()); }, .excavated = excavated};
+    return {.joints = &joints,
+            .ground = [this](const std::string& file) { return read_ground(input_file(file).string()); },
+            .excavated = excavated};
 }
 
 RangeTest Session::test_of(ObjectKind kind, const lang::RangePhrase& range) {

@@ -18,10 +18,11 @@ void warn_of_overlaps(Session& session, Row first, const Place& place) {
         const Row other = session.occupied.overlapped_by(model, row);
         if (other == no_row) continue;
         session.said_once.insert(once);
-        return session.warn(Diagnostic(fmt::format("block {} stands where block {} is already",
-                                                   model.blocks.number[row], model.blocks.number[other]),
-                                       "what overlaps now carries no force; said once, `list blocks quality` shows all such pairs")
-                                .at(place));
+        return session.warn(
+            Diagnostic(fmt::format("block {} stands where block {} is already", model.blocks.number[row],
+                                   model.blocks.number[other]),
+                       "what overlaps now carries no force; said once, `list blocks quality` shows all such pairs")
+                .at(place));
     }
 }
 
@@ -57,8 +58,7 @@ template <class Command, class Make> void make(Session& session, const Command& 
 
 void run(Session& session, const lang::PolyBrick& command) {
     make(session, command, [&] {
-        const Vec3 low(command.x[0], command.y[0], command.z[0]),
-            high(command.x[1], command.y[1], command.z[1]);
+        const Vec3 low(command.x[0], command.y[0], command.z[0]), high(command.x[1], command.y[1], command.z[1]);
         return std::array{make_brick(low, high)};
     });
 }
@@ -79,17 +79,21 @@ void run(Session& session, const lang::PolyFace& command) {
         constexpr Flatness of_decks{1e-3, false, 1e-2};
         Solid solid = make_from_faces(loops, joint_sets, of_decks);
         if (!solid.triangulated.empty())
-            session.note_once("faces that lie a thousandth of the block's size or more off their plane become triangles",
-                              fmt::format("here {}{}; give corners with more digits, or triangles instead", fmt::join(solid.triangulated, ", "),
-                                          solid.parts.size() == 1 ? "" : fmt::format(", and the block is {} convex parts that are joined", solid.parts.size())));
+            session.note_once(
+                "faces that lie a thousandth of the block's size or more off their plane become triangles",
+                fmt::format("here {}{}; give corners with more digits, or triangles instead",
+                            fmt::join(solid.triangulated, ", "),
+                            solid.parts.size() == 1 ? ""
+                                                    : fmt::format(", and the block is {} convex parts that are joined",
+                                                                  solid.parts.size())));
         constexpr const char* clockwise = "give the corners of all faces clockwise seen from outside";
         if (solid.turned_faces > 0)
-            session.warn(Diagnostic(fmt::format("{} of the {} faces {} the other way round than the first, and {} turned",
-                                                solid.turned_faces, loops.size(),
-                                                solid.turned_faces == 1 ? "runs" : "run",
-                                                solid.turned_faces == 1 ? "was" : "were"),
-                                    clockwise)
-                             .at(command.place));
+            session.warn(
+                Diagnostic(fmt::format("{} of the {} faces {} the other way round than the first, and {} turned",
+                                       solid.turned_faces, loops.size(), solid.turned_faces == 1 ? "runs" : "run",
+                                       solid.turned_faces == 1 ? "was" : "were"),
+                           clockwise)
+                    .at(command.place));
         if (solid.anticlockwise)
             session.note_once("the polyhedron is inside out, and was turned: its faces run anticlockwise seen from "
                               "outside",
@@ -112,8 +116,8 @@ void run(Session& session, const lang::PolyCube& command) {
 
 void run(Session& session, const lang::PolyDrum& command) {
     make(session, command, [&] {
-        return std::array{make_drum({*command.end1, *command.end2, *command.radius1, *command.radius2,
-                                     static_cast<int>(command.sides)})};
+        return std::array{make_drum(
+            {*command.end1, *command.end2, *command.radius1, *command.radius2, static_cast<int>(command.sides)})};
     });
 }
 

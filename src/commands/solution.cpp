@@ -23,20 +23,18 @@ namespace {
 /// How near to rest a run has come, and who does not come to rest at all.
 void tell_rest(Session& session, const RestMonitor& monitor, const Place& place) {
     const Clock& clock = session.model.clock;
-    std::string text =
-        fmt::format("average ratio {:.3e}  local ratio {:.3e}", clock.average_ratio, clock.local_ratio);
+    std::string text = fmt::format("average ratio {:.3e}  local ratio {:.3e}", clock.average_ratio, clock.local_ratio);
     if (const auto fastest = fastest_body(session.model))
-        text += fmt::format("  largest velocity {} {}", number_text(fastest->speed),
-                            body_text(session.model, *fastest));
+        text +=
+            fmt::format("  largest velocity {} {}", number_text(fastest->speed), body_text(session.model, *fastest));
     session.output.say(text);
     const auto moving = monitor.moving();
     if (!moving) return;
     session.warn(
-        Diagnostic(
-            fmt::format("{} does not come to rest: its velocity is {}, and it has gone {} lately",
-                        body_text(session.model, *moving), number_text(moving->speed),
-                        number_text(moving->gained)),
-            "a ratio does not see one body among many: with `still` the run goes on until nothing moves")
+        Diagnostic(fmt::format("{} does not come to rest: its velocity is {}, and it has gone {} lately",
+                               body_text(session.model, *moving), number_text(moving->speed),
+                               number_text(moving->gained)),
+                   "a ratio does not see one body among many: with `still` the run goes on until nothing moves")
             .at(place));
 }
 
@@ -90,9 +88,8 @@ void run(Session& session, const lang::Solve& command) {
         session.cycle->prepare(); // contacts must have their properties before these can be made strong
         const ElasticJoints strong(session);
         if (!strong.strengthened())
-            session.warn(
-                Diagnostic("no joint in use has a cohesion or a tensile strength that could be raised",
-                           "'elastic' has no effect"));
+            session.warn(Diagnostic("no joint in use has a cohesion or a tensile strength that could be raised",
+                                    "'elastic' has no effect"));
         session.output.say("solve elastic: stopped by " + advance_until(session, limits));
     }
     RestMonitor monitor(session.model);
@@ -111,10 +108,8 @@ void run(Session& session, const lang::Damp& command) {
     const auto before = stiff_part();
     // A line says all of the damping; only dashpots that are taken away leave the rest as it is.
     settings.contact_damping = command.contact.value_or(0);
-    if (command.kind)
-        set_damping(settings, *command.kind, command);
-    else if (settings.contact_damping > 0)
-        settings.damping = Damping::none;
+    if (command.kind) set_damping(settings, *command.kind, command);
+    else if (settings.contact_damping > 0) settings.damping = Damping::none;
     if (stiff_part() == before) return;
     ModelEdit(model, Change::properties); // the stable step is another
     if (joints_are_damped(settings)) return;
@@ -128,12 +123,9 @@ void run(Session& session, const lang::MassScale& command) {
     auto& model = session.model;
     auto& settings = model.settings;
     if (command.on && settings.dynamic)
-        throw Diagnostic(
-            "full density scaling changes the motion, and the model is dynamic",
-            "write 'mscale part dt' for the few bodies with a short time step, or 'set dyn off' before");
-    settings.mass_scaling = command.on     ? MassScaling::full
-                            : command.step ? MassScaling::partial
-                                           : MassScaling::none;
+        throw Diagnostic("full density scaling changes the motion, and the model is dynamic",
+                         "write 'mscale part dt' for the few bodies with a short time step, or 'set dyn off' before");
+    settings.mass_scaling = command.on ? MassScaling::full : command.step ? MassScaling::partial : MassScaling::none;
     settings.scaled_time_step = command.step.value_or(0);
     if (command.off) restore_masses(model);
     ModelEdit(model, Change::properties);

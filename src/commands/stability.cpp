@@ -26,7 +26,8 @@ namespace kaya {
 
 namespace {
 
-constexpr std::array<const char*, 5> mode_names{"held", "at rest", "falls", "slides on one plane", "slides on two planes"};
+constexpr std::array<const char*, 5> mode_names{"held", "at rest", "falls", "slides on one plane",
+                                                "slides on two planes"};
 
 /// Trend and plunge of a direction in degrees: "150/37".
 std::string line_text(const Vec3& direction, const Vec3& up) {
@@ -54,7 +55,8 @@ public:
         find_contacts(model, laws);
         gather();
         const WaterPressure water(model);
-        for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact) add_contact(contact, laws, water);
+        for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact)
+            add_contact(contact, laws, water);
         assess();
     }
 
@@ -81,8 +83,10 @@ private:
             at.volume += model_.blocks.volume[block];
             const auto material = model_.materials.find(model_.blocks.material[block]);
             if (material == model_.materials.end() || std::isnan(material->second.density))
-                throw Diagnostic(fmt::format("block {} has no density", model_.blocks.number[block]), "give it with `prop mat`; block theory needs weights");
-            held.force += material->second.density * model_.blocks.volume[block] * model_.settings.gravity + block_load(model_, block);
+                throw Diagnostic(fmt::format("block {} has no density", model_.blocks.number[block]),
+                                 "give it with `prop mat`; block theory needs weights");
+            held.force += material->second.density * model_.blocks.volume[block] * model_.settings.gravity +
+                          block_load(model_, block);
         }
         add_cables();
     }
@@ -102,7 +106,9 @@ private:
 
     /// Whether a velocity is prescribed anywhere on it.
     bool is_held(Row block) const {
-        if (!model_.blocks.deformable[block]) return (model_.blocks.fixed[block] & (fix_x | fix_y | fix_z)) != 0 || model_.gridpoints.roller[model_.blocks.gridpoints[block].first] != 0;
+        if (!model_.blocks.deformable[block])
+            return (model_.blocks.fixed[block] & (fix_x | fix_y | fix_z)) != 0 ||
+                   model_.gridpoints.roller[model_.blocks.gridpoints[block].first] != 0;
         const Span points = model_.blocks.gridpoints[block];
         for (Row g = points.first; g < points.end(); ++g)
             if (model_.gridpoints.fixed[g] != 0 || model_.gridpoints.roller[g] != 0) return true;
@@ -112,10 +118,13 @@ private:
     void add_contact(Row contact, JointRegistry& laws, const WaterPressure& water) {
         const auto& contacts = model_.contacts;
         // Blocks that meet in an edge or a corner hold each other by no plane.
-        if (contacts.face1[contact] == no_row || contacts.face2[contact] == no_row || !(contacts.area[contact] > 0)) return;
-        const std::size_t a = body_of_[static_cast<std::size_t>(contacts.block1[contact])], b = body_of_[static_cast<std::size_t>(contacts.block2[contact])];
+        if (contacts.face1[contact] == no_row || contacts.face2[contact] == no_row || !(contacts.area[contact] > 0))
+            return;
+        const std::size_t a = body_of_[static_cast<std::size_t>(contacts.block1[contact])],
+                          b = body_of_[static_cast<std::size_t>(contacts.block2[contact])];
         if (a == b) return;
-        auto& strength = strengths_.try_emplace(contacts.properties[contact], joint_strength(model_, laws, contact)).first->second;
+        auto& strength =
+            strengths_.try_emplace(contacts.properties[contact], joint_strength(model_, laws, contact)).first->second;
         const double area = contacts.area[contact];
         const Vec3 normal = contacts.normal[contact];
         const Vec3 push = water_force(contact, water) * normal;
@@ -130,8 +139,9 @@ private:
         double force = 0;
         if (model_.settings.water == Water::none) return force;
         for (const auto& polygon : joint_polygons(model_, contact)) {
-            const auto wet = kept_part(polygon, [&](const Vec3& corner) { return -water.unlimited_at(corner); },
-                                       [](const Vec3& a, const Vec3& b, double part) -> Vec3 { return a + part * (b - a); });
+            const auto wet = kept_part(
+                polygon, [&](const Vec3& corner) { return -water.unlimited_at(corner); },
+                [](const Vec3& a, const Vec3& b, double part) -> Vec3 { return a + part * (b - a); });
             for (std::size_t i = 1; i + 1 < wet.size(); ++i) {
                 const double area = 0.5 * (wet[i] - wet[0]).cross(wet[i + 1] - wet[0]).norm();
                 force += area * water.unlimited_at((wet[0] + wet[i] + wet[i + 1]) / 3);
@@ -190,14 +200,19 @@ std::string list_stability(Session& session, const lang::List& command) {
         if (answer.factor && *answer.factor < 1) ++leaving;
         if (answer.factor) least = std::min(least.value_or(INFINITY), *answer.factor);
         if (table.size() < longest_table)
-            table.add({std::to_string(model.blocks.number[first]), std::to_string(body.stage), mode_names[static_cast<std::size_t>(answer.mode)],
-                       line_text(answer.direction, up), answer.factor ? fmt::format("{:.4f}", *answer.factor) : "-", number_text(body.volume),
+            table.add({std::to_string(model.blocks.number[first]), std::to_string(body.stage),
+                       mode_names[static_cast<std::size_t>(answer.mode)], line_text(answer.direction, up),
+                       answer.factor ? fmt::format("{:.4f}", *answer.factor) : "-", number_text(body.volume),
                        std::to_string(answer.faces.size())});
     }
     if (least) model.clock.factor_of_safety = *least;
     std::string text = free > 0 ? table.text() + "\n" : "";
-    if (free > longest_table) text += fmt::format("... and {} more; a range picks which are shown\n", free - longest_table);
-    return text + fmt::format("{} of {} free bodies can leave their place, {} of them do (factor below 1); the others are held by their neighbours", free, count, leaving);
+    if (free > longest_table)
+        text += fmt::format("... and {} more; a range picks which are shown\n", free - longest_table);
+    return text +
+           fmt::format(
+               "{} of {} free bodies can leave their place, {} of them do (factor below 1); the others are held by their neighbours",
+               free, count, leaving);
 }
 
 } // namespace kaya

@@ -34,25 +34,32 @@ constexpr std::string_view own_factor = "strength-factor";
 } // namespace
 
 Asked::Asked(const lang::Solve& command) {
-    const auto names = [](const std::vector<Reduced>& words, Reduced word) { return std::ranges::find(words, word) != words.end(); };
+    const auto names = [](const std::vector<Reduced>& words, Reduced word) {
+        return std::ranges::find(words, word) != words.end();
+    };
     const auto& in = command.included;
     const auto choose = [&](std::initializer_list<Reduced> group) {
         const bool any = std::ranges::any_of(group, [&](Reduced word) { return names(in, word); });
-        for (const Reduced word : group) asked_[static_cast<std::size_t>(word)] = (!any || names(in, word)) && !names(command.excluded, word);
+        for (const Reduced word : group)
+            asked_[static_cast<std::size_t>(word)] = (!any || names(in, word)) && !names(command.excluded, word);
     };
     choose({Reduced::joints, Reduced::zones});
     choose({Reduced::friction, Reduced::cohesion, Reduced::tension});
 }
 
-std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<double> values, double factor, const Asked& asked) {
-    if (const auto own = std::ranges::find(joint.properties, own_factor, &LawTable::Property::name); own != joint.properties.end()) {
+std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<double> values, double factor,
+                                           const Asked& asked) {
+    if (const auto own = std::ranges::find(joint.properties, own_factor, &LawTable::Property::name);
+        own != joint.properties.end()) {
         values[static_cast<std::size_t>(own - joint.properties.begin())] *= factor;
         return values;
     }
     bool any = false;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto& property = joint.properties[i];
-        const auto found = std::ranges::find_if(strengths, [&](const Strength& strength) { return property.name.starts_with(strength.name) && property.unit == strength.unit; });
+        const auto found = std::ranges::find_if(strengths, [&](const Strength& strength) {
+            return property.name.starts_with(strength.name) && property.unit == strength.unit;
+        });
         if (found == strengths.end() || !asked(found->kind)) continue;
         values[i] = found->divided(values[i], factor);
         any = true;

@@ -23,6 +23,7 @@ private:
 };
 
 /// Values of a joint model with the strength divided; none when it has no strength.
-std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<double> values, double factor, const Asked& asked);
+std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<double> values, double factor,
+                                           const Asked& asked);
 
 } // namespace kaya

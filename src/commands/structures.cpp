@@ -44,10 +44,13 @@ std::string nodes_text(const Model& model, Row cable) {
         const Row block = block_of_node(model, node);
         const Vec3& at = nodes.position[node];
         const bool bar = has_bar(nodes, node);
-        table.add({std::to_string(node - span.first + 1), block == no_row ? "-" : std::to_string(model.blocks.number[block]),
-                   number_text(at[0]), number_text(at[1]), number_text(at[2]), number_text(nodes.slip[node]), number_text(nodes.grout[node]),
+        table.add({std::to_string(node - span.first + 1),
+                   block == no_row ? "-" : std::to_string(model.blocks.number[block]), number_text(at[0]),
+                   number_text(at[1]), number_text(at[2]), number_text(nodes.slip[node]),
+                   number_text(nodes.grout[node]),
                    nodes.anchored[node] ? "anchored" : state_text(nodes.grout_state[node], "slips", "slipped"),
-                   bar ? number_text(nodes.bar_force[node]) : "-", bar ? state_text(nodes.bar_state[node], "yields", "yielded") : "-"});
+                   bar ? number_text(nodes.bar_force[node]) : "-",
+                   bar ? state_text(nodes.bar_state[node], "yields", "yielded") : "-"});
     }
     return table.text();
 }
@@ -55,18 +58,26 @@ std::string nodes_text(const Model& model, Row cable) {
 } // namespace
 
 void run(Session& session, const lang::StructureCable& command) {
-    NewCable wanted{.first = command.first, .last = command.last, .segments = static_cast<std::int32_t>(command.segments),
-                    .property = static_cast<std::int32_t>(command.property), .tension = command.tension,
-                    .anchor_first = command.anchor_first, .anchor_last = command.anchor_last};
+    NewCable wanted{.first = command.first,
+                    .last = command.last,
+                    .segments = static_cast<std::int32_t>(command.segments),
+                    .property = static_cast<std::int32_t>(command.property),
+                    .tension = command.tension,
+                    .anchor_first = command.anchor_first,
+                    .anchor_last = command.anchor_last};
     auto& model = session.model;
     const Row cable = make_cable(model, wanted);
     const std::int32_t number = model.structures.cables.number[cable];
     const std::int32_t all = wanted.segments + 1, inside = nodes_in_rock(model, model.structures.cables.nodes[cable]);
-    session.output.say(fmt::format("cable {}: {} bars, {:.6g} long", number, wanted.segments, (wanted.last - wanted.first).norm()));
+    session.output.say(
+        fmt::format("cable {}: {} bars, {:.6g} long", number, wanted.segments, (wanted.last - wanted.first).norm()));
     if (inside < all)
-        session.warn(Diagnostic(fmt::format("{} of the {} nodes of cable {} lie outside of all blocks; nothing holds them there", all - inside, all, number),
-                                          inside == 0 ? "make the blocks before their cables, and look at its ends" : "shorten the cable, or make more segments")
-                                   .at(command.place));
+        session.warn(
+            Diagnostic(fmt::format("{} of the {} nodes of cable {} lie outside of all blocks; nothing holds them there",
+                                   all - inside, all, number),
+                       inside == 0 ? "make the blocks before their cables, and look at its ends"
+                                   : "shorten the cable, or make more segments")
+                .at(command.place));
 }
 
 void run(Session& session, const lang::StructureProperty& command) {
@@ -90,7 +101,8 @@ void run(Session& session, const lang::StructureDelete& command) {
     if (command.number) {
         const auto found = std::ranges::find(cables.number, static_cast<std::int32_t>(*command.number));
         if (found == cables.number.end())
-            throw Diagnostic(fmt::format("there is no cable {}", *command.number), cables.empty() ? "there are no cables" : "list structures shows them");
+            throw Diagnostic(fmt::format("there is no cable {}", *command.number),
+                             cables.empty() ? "there are no cables" : "list structures shows them");
         gone.push_back(static_cast<Row>(found - cables.number.begin()));
     } else {
         for (const Row node : session.pick(ObjectKind::cable_node, command.range)) {
@@ -112,7 +124,8 @@ std::string list_structures(Session& session, const lang::List& command) {
         return found == cables.number.end() ? fmt::format("no cable {}", *command.number)
                                             : nodes_text(model, static_cast<Row>(found - cables.number.begin()));
     }
-    TextTable table({"cable", "property", "nodes", "in rock", "length", "largest tension", "largest slip", "grout", "bars"});
+    TextTable table(
+        {"cable", "property", "nodes", "in rock", "length", "largest tension", "largest slip", "grout", "bars"});
     for (Row cable = 0; cable < static_cast<Row>(cables.size()) && table.size() < longest_table; ++cable) {
         const Span span = cables.nodes[cable];
         double length = 0, tension = 0, slip = 0;
@@ -126,9 +139,10 @@ std::string list_structures(Session& session, const lang::List& command) {
             if (std::abs(nodes.slip[node]) > std::abs(slip)) slip = nodes.slip[node];
             grout |= nodes.grout_state[node];
         }
-        table.add({std::to_string(cables.number[cable]), std::to_string(cables.property[cable]), std::to_string(span.count),
-                   std::to_string(nodes_in_rock(model, span)), number_text(length), number_text(tension), number_text(slip),
-                   state_text(grout, "slips", "slipped"), state_text(bars, "yields", "yielded")});
+        table.add({std::to_string(cables.number[cable]), std::to_string(cables.property[cable]),
+                   std::to_string(span.count), std::to_string(nodes_in_rock(model, span)), number_text(length),
+                   number_text(tension), number_text(slip), state_text(grout, "slips", "slipped"),
+                   state_text(bars, "yields", "yielded")});
     }
     std::string text = table.size() > 0 ? table.text() + "\n" : std::string("no cables\n");
     if (cables.size() > longest_table) text += fmt::format("... and {} more cables\n", cables.size() - longest_table);

@@ -141,7 +141,8 @@ void check_symbol(Session& session, const std::string& name) {
 }
 
 void check_time_functions(Session& session) {
-    const std::set<std::int32_t> used(session.model.boundary_histories.function.begin(), session.model.boundary_histories.function.end());
+    const std::set<std::int32_t> used(session.model.boundary_histories.function.begin(),
+                                      session.model.boundary_histories.function.end());
     for (const auto row : used) {
         const TimeFunction& function = session.model.time_functions[static_cast<std::size_t>(row)];
         try {

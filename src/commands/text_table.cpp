@@ -31,8 +31,7 @@ std::string TextTable::text() const {
         std::string line;
         for (std::size_t k = 0; k < columns; ++k) {
             if (k > 0) line += "  ";
-            line += numeric[k] ? fmt::format("{:>{}}", row[k], width[k])
-                               : fmt::format("{:<{}}", row[k], width[k]);
+            line += numeric[k] ? fmt::format("{:>{}}", row[k], width[k]) : fmt::format("{:<{}}", row[k], width[k]);
         }
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + '\n';

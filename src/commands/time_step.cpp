@@ -19,9 +19,12 @@ bool has_velocity_history(const Model& model) {
         return !model.rollers[static_cast<std::size_t>(roller)].speed.isZero(0);
     };
     for (std::size_t b = 0; b < blocks.size(); ++b)
-        if (!blocks.deformable[b] && moves(blocks.fixed[b], points.roller[blocks.gridpoints[b].first], blocks.velocity[b])) return true;
+        if (!blocks.deformable[b] &&
+            moves(blocks.fixed[b], points.roller[blocks.gridpoints[b].first], blocks.velocity[b]))
+            return true;
     for (std::size_t g = 0; g < points.size(); ++g)
-        if (blocks.deformable[points.block[g]] && moves(points.fixed[g], points.roller[g], points.velocity[g])) return true;
+        if (blocks.deformable[points.block[g]] && moves(points.fixed[g], points.roller[g], points.velocity[g]))
+            return true;
     return false;
 }
 
@@ -37,17 +40,19 @@ void warn_of_long_step(Session& session) {
     const double stable = bounds.limit(model, adjacency).stable;
     if (given <= stable) return;
     session.said_once.insert("long step");
-    Diagnostic d(fmt::format("the time step {:.6g} is longer than {:.6g}, up to which it is surely stable", given, stable),
-                 "it is taken, since the highest frequency is estimated to be low enough; the run stops when the account of energy "
-                 "shows that it is not");
+    Diagnostic d(
+        fmt::format("the time step {:.6g} is longer than {:.6g}, up to which it is surely stable", given, stable),
+        "it is taken, since the highest frequency is estimated to be low enough; the run stops when the account of energy "
+        "shows that it is not");
     d.add(session.cycle->time_step_report());
     session.warn(d);
 }
 
 void note_counted_cycles(Session& session) {
     if (session.model.settings.given_time_step > 0 || !has_velocity_history(session.model)) return;
-    session.note_once("cycles are counted while a boundary moves at a given velocity: how far it comes depends on the time step",
-                      "that of 3DEC for this model is not known, and may be another; `cycle time T` does not depend on it");
+    session.note_once(
+        "cycles are counted while a boundary moves at a given velocity: how far it comes depends on the time step",
+        "that of 3DEC for this model is not known, and may be another; `cycle time T` does not depend on it");
 }
 
 } // namespace kaya

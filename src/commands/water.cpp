@@ -24,7 +24,9 @@ void run(Session& session, const lang::WaterCommand& command) {
     if (command.kind == Kind::ground) {
         const Vec3& down = settings.gravity;
         if (down.x() != 0 || down.y() != 0 || down.z() > 0)
-            throw Diagnostic("below a ground surface water needs gravity along -z", "write for example: gravity 0 0 -9.81").at(command.place);
+            throw Diagnostic("below a ground surface water needs gravity along -z",
+                             "write for example: gravity 0 0 -9.81")
+                .at(command.place);
         session.model.water_ground = ground_of(session, command.file, command.origin, command.place);
         settings.water = Water::ground;
         settings.water_value = command.density;

@@ -84,8 +84,10 @@ void run(Session& session, const lang::ZoneModelCommand& command) {
     for (const Row block : blocks) {
         const auto& before = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])];
         const bool assign = command.action == Action::assign;
-        const ZoneModel& zone_model = assign ? model_named(session, command) : session.joints.zones.get(zone_model_of(model, block));
-        ZoneProperties properties{zone_model.name, assign ? std::map<std::string, double>{} : before.values, session.here()};
+        const ZoneModel& zone_model =
+            assign ? model_named(session, command) : session.joints.zones.get(zone_model_of(model, block));
+        ZoneProperties properties{zone_model.name, assign ? std::map<std::string, double>{} : before.values,
+                                  session.here()};
         for (const auto& [name, value] : values_of(zone_model, command.items)) properties.values[name] = value;
         wanted.push_back(std::move(properties));
     }

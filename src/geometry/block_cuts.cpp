@@ -62,8 +62,8 @@ std::vector<Piece> carve(const Polyhedron& rock, const std::vector<Plane>& plane
 }
 
 /// Cuts the pieces outside by the planes; those inside stay. `progress` gets the fraction of the planes.
-void cut_outside(std::vector<Piece>& pieces, const std::vector<Plane>& planes, int id, double thinnest,
-                 int& slivers, const ProgressCallback& progress) {
+void cut_outside(std::vector<Piece>& pieces, const std::vector<Plane>& planes, int id, double thinnest, int& slivers,
+                 const ProgressCallback& progress) {
     for (std::size_t k = 0; k < planes.size(); ++k) {
         const Plane& plane = planes[k];
         report_progress(progress, k, planes.size());
@@ -81,7 +81,8 @@ void cut_outside(std::vector<Piece>& pieces, const std::vector<Plane>& planes, i
 
 } // namespace
 
-TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest, const ProgressCallback& progress) {
+TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest,
+                     const ProgressCallback& progress) {
     const Solid tunnel = make_prism(outline.first, outline.second);
     std::vector<std::vector<Plane>> parts;
     for (const Polyhedron& part : tunnel.parts) parts.push_back(outer_planes(part));
@@ -98,8 +99,7 @@ TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline&
                     next.push_back(std::move(piece));
                     continue;
                 }
-                for (Piece& part :
-                     carve(piece.polyhedron, planes, outline.id, thinnest, result.blocks.slivers))
+                for (Piece& part : carve(piece.polyhedron, planes, outline.id, thinnest, result.blocks.slivers))
                     next.push_back(std::move(part));
             }
             pieces = std::move(next);
@@ -121,7 +121,8 @@ TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline&
     return result;
 }
 
-CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3>& parts, int id, const ProgressCallback& progress) {
+CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3>& parts, int id,
+                  const ProgressCallback& progress) {
     for (const int n : parts)
         if (n < 1) throw Diagnostic(fmt::format("a block cannot be cut into {} parts", n), "give 1 or more");
     CutBlocks result;
@@ -143,8 +144,7 @@ CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3
         cut_outside(pieces, planes, id, 0, result.slivers, of_block);
         if (pieces.size() == 1) continue;
         result.parents.push_back(static_cast<int>(block));
-        for (Piece& piece : pieces)
-            result.pieces.push_back({std::move(piece.polyhedron), static_cast<int>(block)});
+        for (Piece& piece : pieces) result.pieces.push_back({std::move(piece.polyhedron), static_cast<int>(block)});
     }
     return result;
 }

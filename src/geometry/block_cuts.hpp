@@ -24,8 +24,8 @@ struct TunnelCut {
 /// Cuts the outline out of the blocks. Blocks are cut no farther than needed: a piece of rock is
 /// cut by a side of the tunnel only where that side parts it from the inside.
 /// Throws Diagnostic when the outline is no solid (see make_prism).
-TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline,
-                     double thinnest = 0, const ProgressCallback& progress = {});
+TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest = 0,
+                     const ProgressCallback& progress = {});
 
 /// Cuts each block into n[0] x n[1] x n[2] parts of equal width along x, y and z of its own box.
 /// Throws Diagnostic when a number is below 1.

@@ -19,11 +19,10 @@ std::vector<std::array<int, 2>> overlapping_boxes(const std::vector<Box>& boxes)
     }
     std::vector<std::array<int, 2>> pairs;
     StopPoints stops;
-    CGAL::box_self_intersection_d(
-        numbered.begin(), numbered.end(), [&](const Numbered& a, const Numbered& b) {
-            stops.pass();
-            pairs.push_back({std::max(a.info(), b.info()), std::min(a.info(), b.info())});
-        });
+    CGAL::box_self_intersection_d(numbered.begin(), numbered.end(), [&](const Numbered& a, const Numbered& b) {
+        stops.pass();
+        pairs.push_back({std::max(a.info(), b.info()), std::min(a.info(), b.info())});
+    });
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }

@@ -57,7 +57,8 @@ void ConvexClip::clip_faces() {
         for (int i = first; i < last; ++i) {
             const int a = old_corners_[static_cast<std::size_t>(i)];
             const int b = old_corners_[static_cast<std::size_t>(i + 1 < last ? i + 1 : first)];
-            const bool a_below = renamed_[static_cast<std::size_t>(a)] >= 0, b_below = renamed_[static_cast<std::size_t>(b)] >= 0;
+            const bool a_below = renamed_[static_cast<std::size_t>(a)] >= 0,
+                       b_below = renamed_[static_cast<std::size_t>(b)] >= 0;
             if (a_below) corners_.push_back(renamed_[static_cast<std::size_t>(a)]);
             if (a_below == b_below) continue;
             const int cut = a_below ? cut_at(a, b) : cut_at(b, a);
@@ -97,7 +98,8 @@ void ConvexClip::close(FaceOrigin origin) {
 Vec3 ConvexClip::area_vector(std::size_t face) const {
     Vec3 sum = Vec3::Zero();
     const Vec3& origin = corner(face, 0);
-    for (int i = 1; i + 1 < corner_count(face); ++i) sum += (corner(face, i) - origin).cross(corner(face, i + 1) - origin);
+    for (int i = 1; i + 1 < corner_count(face); ++i)
+        sum += (corner(face, i) - origin).cross(corner(face, i + 1) - origin);
     return 0.5 * sum;
 }
 
@@ -116,7 +118,8 @@ OverlapMoments moments_of(const ConvexClip& part) {
             const double volume = a.dot(b.cross(c)) / 6;
             m.volume += volume;
             first += 0.25 * volume * sum;
-            second += 0.05 * volume * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+            second +=
+                0.05 * volume * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
         }
     }
     if (!(m.volume > 0)) return {};
@@ -155,12 +158,14 @@ OverlapGradient volume_gradient(const ConvexClip& part, double volume, bool seco
     gradient.value = volume;
     // The subject's own surface moves with it; the second body is pushed by its own, or against that of the first.
     for (std::size_t f = 0; f < part.face_count(); ++f)
-        if (part.origin(f) == FaceOrigin::subject) push(part, f, second ? 1 : -1, [](const Vec3&) { return 1.0; }, gradient);
+        if (part.origin(f) == FaceOrigin::subject)
+            push(
+                part, f, second ? 1 : -1, [](const Vec3&) { return 1.0; }, gradient);
     return gradient;
 }
 
-OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpace>& faces, bool of_subject, bool second,
-                               ConvexClip& piece) {
+OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpace>& faces, bool of_subject,
+                               bool second, ConvexClip& piece) {
     // The faces that may be the nearest somewhere. No place is deeper than the deepest corner below any one face.
     static thread_local std::vector<double> least;
     least.clear();
@@ -176,7 +181,8 @@ OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpa
         deepest = std::min(deepest, high);
     }
     const FaceOrigin pushed = of_subject ? FaceOrigin::clipper : FaceOrigin::subject;
-    const double sense = of_subject == second ? -1 : 1; // the surface of the second body is pushed, or that of the first pushes it
+    const double sense =
+        of_subject == second ? -1 : 1; // the surface of the second body is pushed, or that of the first pushes it
     OverlapGradient gradient;
     const auto near = [&](std::size_t i) { return least[i] <= deepest; };
     const auto add = [&](const ConvexClip& region, const HalfSpace& face) {
@@ -201,7 +207,8 @@ OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpa
         if (!near(i)) continue;
         piece = part;
         for (std::size_t j = 0; j < faces.size() && !piece.empty(); ++j)
-            if (j != i && near(j)) piece.clip({faces[j].normal - faces[i].normal, faces[j].reach - faces[i].reach}, FaceOrigin::inner);
+            if (j != i && near(j))
+                piece.clip({faces[j].normal - faces[i].normal, faces[j].reach - faces[i].reach}, FaceOrigin::inner);
         if (!piece.empty()) add(piece, faces[i]);
     }
     return gradient;

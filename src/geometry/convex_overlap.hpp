@@ -43,7 +43,9 @@ public:
     std::size_t face_count() const { return faces_.size(); }
     FaceOrigin origin(std::size_t face) const { return faces_[face].origin; }
     int corner_count(std::size_t face) const { return end(face) - faces_[face].first; }
-    const Vec3& corner(std::size_t face, int i) const { return vertices_[static_cast<std::size_t>(corners_[static_cast<std::size_t>(faces_[face].first + i)])]; }
+    const Vec3& corner(std::size_t face, int i) const {
+        return vertices_[static_cast<std::size_t>(corners_[static_cast<std::size_t>(faces_[face].first + i)])];
+    }
     /// Area times outward normal, from the corners.
     Vec3 area_vector(std::size_t face) const;
 
@@ -99,7 +101,7 @@ OverlapGradient volume_gradient(const ConvexClip& part, double volume, bool seco
 /// The integral of the depth below the surface of one body, the distance to the nearest of its faces. `of_subject`: that
 /// of the body that was clipped; `second` says whether this is the second one. `faces` are those of the body whose depth
 /// counts. `piece` is memory.
-OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpace>& faces, bool of_subject, bool second,
-                               ConvexClip& piece);
+OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpace>& faces, bool of_subject,
+                               bool second, ConvexClip& piece);
 
 } // namespace kaya

@@ -110,13 +110,10 @@ std::vector<Polyhedron> inside_cells(Cell&& whole, double near) {
         const bool has_front = halves.outcome == CutOutcome::cut || halves.outcome == CutOutcome::above;
         const bool has_back = halves.outcome != CutOutcome::above;
         if (halves.outcome == CutOutcome::above) halves.above = cell.space;
-        if (halves.outcome == CutOutcome::below || halves.outcome == CutOutcome::sliver)
-            halves.below = cell.space;
+        if (halves.outcome == CutOutcome::below || halves.outcome == CutOutcome::sliver) halves.below = cell.space;
         if (has_back && sides.back.empty()) inside.push_back(halves.below);
-        if (has_back && !sides.back.empty())
-            waiting.push_back({std::move(halves.below), std::move(sides.back)});
-        if (has_front && !sides.front.empty())
-            waiting.push_back({std::move(halves.above), std::move(sides.front)});
+        if (has_back && !sides.back.empty()) waiting.push_back({std::move(halves.below), std::move(sides.back)});
+        if (has_front && !sides.front.empty()) waiting.push_back({std::move(halves.above), std::move(sides.front)});
     }
     return inside;
 }
@@ -126,8 +123,7 @@ std::vector<Fragment> fragments_of(const Surface& surface) {
     for (const auto& face : surface.faces) {
         const Plane plane{mean_normal(surface, face), mean_point(surface, face)};
         for (const auto& t : triangles_of(surface.vertices, face))
-            fragments.push_back(
-                {{surface.vertices[t[0]], surface.vertices[t[1]], surface.vertices[t[2]]}, plane});
+            fragments.push_back({{surface.vertices[t[0]], surface.vertices[t[1]], surface.vertices[t[2]]}, plane});
     }
     return fragments;
 }
@@ -177,9 +173,9 @@ void restore_joint_sets(std::vector<Polyhedron>& parts, const Surface& surface, 
 std::vector<Polyhedron> convex_parts(const Surface& surface) {
     constexpr std::size_t most_faces = 5000;
     if (surface.faces.size() > most_faces)
-        throw Diagnostic(fmt::format("the concave surface has {} faces, too many to split in convex parts",
-                                     surface.faces.size()),
-                         fmt::format("simplify it to at most {} faces", most_faces));
+        throw Diagnostic(
+            fmt::format("the concave surface has {} faces, too many to split in convex parts", surface.faces.size()),
+            fmt::format("simplify it to at most {} faces", most_faces));
     const double size = size_of(surface.vertices), near = 1e-8 * size;
     Vec3 low = surface.vertices.front(), high = low;
     for (const Vec3& v : surface.vertices) {
@@ -198,8 +194,7 @@ std::vector<Polyhedron> convex_parts(const Surface& surface) {
     Polyhedron whole;
     whole.vertices = surface.vertices;
     for (const auto& face : surface.faces)
-        for (const auto& t : triangles_of(surface.vertices, face))
-            whole.faces.push_back({{t[0], t[1], t[2]}, 0});
+        for (const auto& t : triangles_of(surface.vertices, face)) whole.faces.push_back({{t[0], t[1], t[2]}, 0});
     const double wanted = mass_properties(whole).volume;
     if (parts.empty() || std::abs(volume - wanted) > 1e-6 * wanted)
         throw Diagnostic("the concave surface could not be split in convex parts",

@@ -119,8 +119,7 @@ std::vector<int> closing_loop(const Piece& piece, const CutVertices& vertices) {
     loop.push_back(open.front()[0]);
     int next = open.front()[1];
     while (next != loop.front()) {
-        const auto edge =
-            std::find_if(open.begin(), open.end(), [&](const HalfEdge& e) { return e[0] == next; });
+        const auto edge = std::find_if(open.begin(), open.end(), [&](const HalfEdge& e) { return e[0] == next; });
         if (edge == open.end() || loop.size() == open.size()) return {};
         loop.push_back(next);
         next = (*edge)[1];
@@ -151,8 +150,7 @@ Vec3 twice_area(const Polyhedron& polyhedron, const Polyhedron::Face& face) {
     const Vec3& base = polyhedron.vertices[face.vertices[0]];
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 1; i + 1 < face.vertices.size(); ++i)
-        sum += (polyhedron.vertices[face.vertices[i]] - base)
-                   .cross(polyhedron.vertices[face.vertices[i + 1]] - base);
+        sum += (polyhedron.vertices[face.vertices[i]] - base).cross(polyhedron.vertices[face.vertices[i + 1]] - base);
     return sum;
 }
 

@@ -17,8 +17,7 @@ namespace kaya {
 std::vector<std::array<int, 4>> delaunay(const std::vector<Vec3>& points) {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     using Vertex = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>;
-    using Storage =
-        CGAL::Triangulation_data_structure_3<Vertex, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+    using Storage = CGAL::Triangulation_data_structure_3<Vertex, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
     using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Storage>;
 
     std::vector<Kernel::Point_3> places;

@@ -46,9 +46,8 @@ bool faces_in_contact(const Polyhedron& a, const Polyhedron& b, double near) {
         const Vec3& base = a.vertices[face_a.vertices[0]];
         for (const auto& face_b : b.faces) {
             if (face_normal(b, face_b).dot(normal) > opposite) continue;
-            const bool far = std::any_of(face_b.vertices.begin(), face_b.vertices.end(), [&](int v) {
-                return std::abs(normal.dot(b.vertices[v] - base)) > near;
-            });
+            const bool far = std::any_of(face_b.vertices.begin(), face_b.vertices.end(),
+                                         [&](int v) { return std::abs(normal.dot(b.vertices[v] - base)) > near; });
             if (far) continue;
             const auto outline = corners_of(a, face_a), other = corners_of(b, face_b);
             const double common = area_vector(common_part(other, outline, normal)).norm();

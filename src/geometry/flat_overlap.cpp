@@ -15,9 +15,11 @@ struct Heights {
     double at(double u, double v) const { return at_origin + u * along_u + v * along_v; }
 };
 
-Heights heights_of(const ConvexFace& face, const Vec3& origin, const Vec3& normal, const Vec3& axis_u, const Vec3& axis_v) {
+Heights heights_of(const ConvexFace& face, const Vec3& origin, const Vec3& normal, const Vec3& axis_u,
+                   const Vec3& axis_v) {
     const double steep = face.outward.dot(normal);
-    return {face.outward.dot(face.corners[0] - origin) / steep, -face.outward.dot(axis_u) / steep, -face.outward.dot(axis_v) / steep};
+    return {face.outward.dot(face.corners[0] - origin) / steep, -face.outward.dot(axis_u) / steep,
+            -face.outward.dot(axis_v) / steep};
 }
 
 } // namespace
@@ -46,7 +48,8 @@ void FlatOverlap::project(const ConvexFace& face1, const ConvexFace& face2) {
     normal_.cwiseAbs().minCoeff(&least);
     axis_u_ = normal_.cross(Vec3::Unit(least)).normalized();
     axis_v_ = normal_.cross(axis_u_);
-    const Heights one = heights_of(face1, origin_, normal_, axis_u_, axis_v_), two = heights_of(face2, origin_, normal_, axis_u_, axis_v_);
+    const Heights one = heights_of(face1, origin_, normal_, axis_u_, axis_v_),
+                  two = heights_of(face2, origin_, normal_, axis_u_, axis_v_);
     height_ = 0.5 * (one.at_origin + two.at_origin);
     slope_u_ = 0.5 * (one.along_u + two.along_u);
     slope_v_ = 0.5 * (one.along_v + two.along_v);
@@ -73,8 +76,8 @@ void FlatOverlap::cut(bool of_second) {
         if (!(hp > 0)) polygon_.push_back(p);
         if ((hp > 0) == (hq > 0)) continue;
         const double part = hp / (hp - hq);
-        polygon_.push_back({p.u + part * (q.u - p.u), p.v + part * (q.v - p.v), p.closure + part * (q.closure - p.closure),
-                            hp > 0 ? p.of_second : of_second});
+        polygon_.push_back({p.u + part * (q.u - p.u), p.v + part * (q.v - p.v),
+                            p.closure + part * (q.closure - p.closure), hp > 0 ? p.of_second : of_second});
     }
 }
 
@@ -110,10 +113,12 @@ void FlatOverlap::integrate() {
         of_area += area / 3 * sum;
         volume += area / 3 * closure;
         first += area / 12 * (weighted + closure * sum);
-        energy += area / 24 * (a.closure * a.closure + b.closure * b.closure + c.closure * c.closure + closure * closure);
+        energy +=
+            area / 24 * (a.closure * a.closure + b.closure * b.closure + c.closure * c.closure + closure * closure);
         second += area / 60 *
-                  (closure * (sum * sum.transpose() + xb * xb.transpose() + xc * xc.transpose()) + weighted * sum.transpose() +
-                   sum * weighted.transpose() + 2 * b.closure * xb * xb.transpose() + 2 * c.closure * xc * xc.transpose());
+                  (closure * (sum * sum.transpose() + xb * xb.transpose() + xc * xc.transpose()) +
+                   weighted * sum.transpose() + sum * weighted.transpose() + 2 * b.closure * xb * xb.transpose() +
+                   2 * c.closure * xc * xc.transpose());
     }
     moments_ = {};
     if (!(volume > 0)) return;
@@ -142,7 +147,9 @@ void FlatOverlap::push_edges() {
         volume_.force -= (cp + cq) / 2 * outward;
         volume_.moment -= ((cp / 3 + cq / 6) * xp + (cp / 6 + cq / 3) * xq).cross(outward);
         depth_.force -= (cp * cp + cp * cq + cq * cq) / 6 * outward;
-        depth_.moment -= ((cp * cp / 8 + cp * cq / 12 + cq * cq / 24) * xp + (cp * cp / 24 + cp * cq / 12 + cq * cq / 8) * xq).cross(outward);
+        depth_.moment -=
+            ((cp * cp / 8 + cp * cq / 12 + cq * cq / 24) * xp + (cp * cp / 24 + cp * cq / 12 + cq * cq / 8) * xq)
+                .cross(outward);
     }
 }
 

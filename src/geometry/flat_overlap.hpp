@@ -47,11 +47,13 @@ private:
     void cut(bool of_second);
     void integrate();
     void push_edges();
-    Vec3 place(double u, double v) const { return origin_ + u * axis_u_ + v * axis_v_ + (height_ + u * slope_u_ + v * slope_v_) * normal_; }
+    Vec3 place(double u, double v) const {
+        return origin_ + u * axis_u_ + v * axis_v_ + (height_ + u * slope_u_ + v * slope_v_) * normal_;
+    }
 
     Vec3 origin_, normal_, axis_u_, axis_v_;
     double height_ = 0, slope_u_ = 0, slope_v_ = 0; ///< of the plane midway between the faces
-    Vec3 push_;                                    ///< minus the derivative of the closure as the second body moves
+    Vec3 push_;                                     ///< minus the derivative of the closure as the second body moves
     std::vector<Corner> polygon_, old_;
     std::vector<std::array<double, 2>> second_; ///< polygon of the second face, anticlockwise along the normal
     std::vector<double> above_;

@@ -21,9 +21,8 @@ std::vector<Triangle> outer_triangles(const Grid3d& grid, const Grid3d::Block& b
     for (const int zone : block.zones) {
         const auto& t = grid.zones.at(zone);
         const Vec3& a = grid.gridpoints.at(t[0]);
-        const double volume = (grid.gridpoints.at(t[1]) - a)
-                                  .cross(grid.gridpoints.at(t[2]) - a)
-                                  .dot(grid.gridpoints.at(t[3]) - a);
+        const double volume =
+            (grid.gridpoints.at(t[1]) - a).cross(grid.gridpoints.at(t[2]) - a).dot(grid.gridpoints.at(t[3]) - a);
         for (const auto& [i, j, k] : corners) {
             Triangle triangle{t[i], t[j], t[k]};
             if (volume < 0) std::swap(triangle[1], triangle[2]);
@@ -53,8 +52,7 @@ std::map<int, int> joint_sets_of_faces(const Grid3d& grid, const Grid3d::Block& 
     const auto sets = sets_between(grid);
     const std::set<int> own(block.faces.begin(), block.faces.end());
     for (const auto& other : grid.blocks) {
-        const auto set =
-            sets.find({std::min(block.number, other.number), std::max(block.number, other.number)});
+        const auto set = sets.find({std::min(block.number, other.number), std::max(block.number, other.number)});
         if (set == sets.end()) continue;
         for (const int face : other.faces)
             if (own.contains(face)) result[face] = set->second;
@@ -125,8 +123,8 @@ TetMesh zones_of(const Grid3d& grid, const Grid3d::Block& block, const Polyhedro
     }
     for (const auto& [a, b, c] : outer_triangles(grid, block)) {
         const std::array<int, 3> points{number.at(a), number.at(b), number.at(c)};
-        mesh.boundary.push_back({points, face_of(polyhedron, {mesh.points[points[0]], mesh.points[points[1]],
-                                                              mesh.points[points[2]]})});
+        mesh.boundary.push_back(
+            {points, face_of(polyhedron, {mesh.points[points[0]], mesh.points[points[1]], mesh.points[points[2]]})});
     }
     return mesh;
 }
@@ -146,8 +144,8 @@ Grid3d grid_of(const std::vector<GridShape>& blocks) {
             for (const int v : face.vertices) {
                 // Adding zero makes one number of 0 and -0.
                 const Vec3 p = block.shape->vertices[v] + Vec3::Zero();
-                const auto [place, fresh] = gridpoints.emplace(std::array{p.x(), p.y(), p.z()},
-                                                               static_cast<int>(gridpoints.size()) + 1);
+                const auto [place, fresh] =
+                    gridpoints.emplace(std::array{p.x(), p.y(), p.z()}, static_cast<int>(gridpoints.size()) + 1);
                 if (fresh) grid.gridpoints[place->second] = p;
                 loop.push_back(place->second);
             }
@@ -155,8 +153,7 @@ Grid3d grid_of(const std::vector<GridShape>& blocks) {
             std::sort(key.begin(), key.end());
             const auto [place, fresh] =
                 faces.emplace(std::move(key), Shared{static_cast<int>(faces.size()) + 1, block.number});
-            if (fresh)
-                grid.faces[place->second.number] = loop;
+            if (fresh) grid.faces[place->second.number] = loop;
             else if (face.joint_set != 0 && place->second.block != block.number)
                 pairs[face.joint_set].push_back({place->second.block, block.number});
             result.faces.push_back(place->second.number);

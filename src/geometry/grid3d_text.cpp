@@ -22,8 +22,7 @@ int identity(Words& words, std::string_view what) {
 }
 
 /// The numbers up to the end of the line; each must be known.
-template <class Known>
-std::vector<int> known_numbers(Words& words, std::string_view what, const Known& known) {
+template <class Known> std::vector<int> known_numbers(Words& words, std::string_view what, const Known& known) {
     std::vector<int> numbers;
     for (std::string_view word = words.next_in_line(); !word.empty(); word = words.next_in_line()) {
         Words one(word, "", "", "");
@@ -33,8 +32,7 @@ std::vector<int> known_numbers(Words& words, std::string_view what, const Known&
         } catch (const Diagnostic&) {
             words.fail(fmt::format("'{}' is not the number of a {}", word.substr(0, 30), what));
         }
-        if (!known.contains(number))
-            words.fail(fmt::format("{} {} has not been defined above", what, number));
+        if (!known.contains(number)) words.fail(fmt::format("{} {} has not been defined above", what, number));
         numbers.push_back(number);
     }
     return numbers;
@@ -62,8 +60,7 @@ struct Reader {
     void face() {
         const int number = identity(words, "face");
         const std::vector<int> loop = known_numbers(words, "gridpoint", grid.gridpoints);
-        if (loop.size() < 3)
-            words.fail(fmt::format("face {} has {} gridpoints", number, loop.size()), "at least 3");
+        if (loop.size() < 3) words.fail(fmt::format("face {} has {} gridpoints", number, loop.size()), "at least 3");
         refuse_repetition(words, grid.faces.emplace(number, loop).second, "face", number);
     }
 
@@ -86,12 +83,9 @@ struct Reader {
             words.fail(fmt::format("the region is {}, and must not be below 0", region));
         result.region = static_cast<int>(region);
         const std::string_view kind = words.next_in_line();
-        if (same_word(kind, "F"))
-            result.faces = known_numbers(words, "face", grid.faces);
-        else if (same_word(kind, "Z"))
-            result.zones = known_numbers(words, "zone", grid.zones);
-        else
-            words.fail("after the region of a block stands F with face numbers or Z with zone numbers");
+        if (same_word(kind, "F")) result.faces = known_numbers(words, "face", grid.faces);
+        else if (same_word(kind, "Z")) result.zones = known_numbers(words, "zone", grid.zones);
+        else words.fail("after the region of a block stands F with face numbers or Z with zone numbers");
         if (result.faces.empty() && result.zones.empty())
             words.fail(fmt::format("block {} has neither faces nor zones", result.number));
         grid.blocks.push_back(std::move(result));
@@ -147,9 +141,8 @@ struct LineKind {
     void (Reader::*read)();
 };
 constexpr std::array line_kinds{
-    LineKind{"TOL", &Reader::tolerance}, LineKind{"G", &Reader::gridpoint},
-    LineKind{"F", &Reader::face},        LineKind{"Z", &Reader::zone},
-    LineKind{"B", &Reader::block},       LineKind{"JS", &Reader::joint_set},
+    LineKind{"TOL", &Reader::tolerance}, LineKind{"G", &Reader::gridpoint}, LineKind{"F", &Reader::face},
+    LineKind{"Z", &Reader::zone},        LineKind{"B", &Reader::block},     LineKind{"JS", &Reader::joint_set},
     LineKind{"BGROUP", &Reader::group},
 };
 
@@ -183,15 +176,15 @@ Grid3d read_grid3d_file(const std::string& path) {
     return is_msh(path) ? read_msh(text, path) : read_grid3d(text, path);
 }
 
-bool is_msh(const std::string& path) { return path.size() > 4 && same_word(std::string_view(path).substr(path.size() - 4), ".msh"); }
+bool is_msh(const std::string& path) {
+    return path.size() > 4 && same_word(std::string_view(path).substr(path.size() - 4), ".msh");
+}
 
 std::string write_grid3d(const Grid3d& grid) {
     std::string text = "* written by kaya\n";
     if (grid.tolerance > 0) text += fmt::format("TOL {}\n", grid.tolerance);
-    for (const auto& [number, p] : grid.gridpoints)
-        text += fmt::format("G {} {} {} {}\n", number, p.x(), p.y(), p.z());
-    for (const auto& [number, loop] : grid.faces)
-        text += fmt::format("F {} {}\n", number, fmt::join(loop, " "));
+    for (const auto& [number, p] : grid.gridpoints) text += fmt::format("G {} {} {} {}\n", number, p.x(), p.y(), p.z());
+    for (const auto& [number, loop] : grid.faces) text += fmt::format("F {} {}\n", number, fmt::join(loop, " "));
     for (const auto& [number, t] : grid.zones) text += fmt::format("Z {} {}\n", number, fmt::join(t, " "));
     std::map<std::string, std::vector<int>> groups;
     for (const auto& block : grid.blocks) {

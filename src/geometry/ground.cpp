@@ -32,7 +32,8 @@ double area(const Vec3& a, const Vec3& b, const Vec3& c) {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertices = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using Parts = CGAL::Triangulation_data_structure_2<Vertices, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Plan = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Parts, CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using Plan = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Parts,
+                                                        CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 } // namespace
 
@@ -40,13 +41,16 @@ Ground::Ground(std::vector<Vec3> corners, std::vector<std::array<int, 3>> triang
     for (const Vec3& corner : corners_)
         if (!corner.allFinite()) throw Diagnostic("a corner of the surface is not a number");
     for (auto& t : triangles) {
-        const Vec3 &a = corners_[static_cast<std::size_t>(t[0])], &b = corners_[static_cast<std::size_t>(t[1])], &c = corners_[static_cast<std::size_t>(t[2])];
+        const Vec3 &a = corners_[static_cast<std::size_t>(t[0])], &b = corners_[static_cast<std::size_t>(t[1])],
+                   &c = corners_[static_cast<std::size_t>(t[2])];
         const double plan = plan_area(a, b, c);
         if (!(std::abs(plan) > upright * area(a, b, c))) continue;
         if (plan < 0) std::swap(t[1], t[2]);
         triangles_.push_back(t);
     }
-    if (triangles_.empty()) throw Diagnostic("the surface has no triangle that is not upright", "a ground surface has one height at each place");
+    if (triangles_.empty())
+        throw Diagnostic("the surface has no triangle that is not upright",
+                         "a ground surface has one height at each place");
     sort_in();
 }
 
@@ -55,9 +59,7 @@ Ground Ground::restored(std::vector<Vec3> corners, std::vector<std::array<int, 3
     if (!std::ranges::all_of(triangles, [&](const auto& t) { return std::ranges::all_of(t, there); })) return {};
     try {
         return {std::move(corners), std::move(triangles)};
-    } catch (const Diagnostic&) {
-        return {};
-    }
+    } catch (const Diagnostic&) { return {}; }
 }
 
 Ground Ground::of_points(const std::vector<std::vector<Vec3>>& lines) {
@@ -70,7 +72,9 @@ Ground Ground::of_points(const std::vector<std::vector<Vec3>>& lines) {
             if (!point.allFinite()) throw Diagnostic("a point of the surface is not a number");
             const auto [at, fresh] = known.try_emplace({point.x(), point.y()}, static_cast<int>(corners.size()));
             if (fresh) corners.push_back(point);
-            else corners[static_cast<std::size_t>(at->second)].z() = std::max(corners[static_cast<std::size_t>(at->second)].z(), point.z());
+            else
+                corners[static_cast<std::size_t>(at->second)].z() =
+                    std::max(corners[static_cast<std::size_t>(at->second)].z(), point.z());
             row.push_back(at->second);
         }
     }
@@ -80,13 +84,19 @@ Ground Ground::of_points(const std::vector<std::vector<Vec3>>& lines) {
         vertices.push_back(plan.insert({corners[i].x(), corners[i].y()}));
         vertices.back()->info() = static_cast<int>(i);
     }
-    if (plan.dimension() < 2) throw Diagnostic("the points of the surface lie on one line in the plan", "a surface needs three or more that do not");
+    if (plan.dimension() < 2)
+        throw Diagnostic("the points of the surface lie on one line in the plan",
+                         "a surface needs three or more that do not");
     try {
         for (const auto& row : rows)
             for (std::size_t i = 1; i < row.size(); ++i)
-                if (row[i] != row[i - 1]) plan.insert_constraint(vertices[static_cast<std::size_t>(row[i - 1])], vertices[static_cast<std::size_t>(row[i])]);
+                if (row[i] != row[i - 1])
+                    plan.insert_constraint(vertices[static_cast<std::size_t>(row[i - 1])],
+                                           vertices[static_cast<std::size_t>(row[i])]);
     } catch (const Plan::Intersection_of_constraints_exception&) {
-        throw Diagnostic("two lines of the surface cross each other in the plan", "contour lines never do; write points that belong to no line apart, with blank lines between them");
+        throw Diagnostic(
+            "two lines of the surface cross each other in the plan",
+            "contour lines never do; write points that belong to no line apart, with blank lines between them");
     }
     std::vector<std::array<int, 3>> triangles;
     for (const auto face : plan.finite_face_handles())
@@ -130,7 +140,8 @@ void Ground::sort_in() {
             ++edges[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}];
         }
         for (std::size_t x = cell(least[0], 0); x <= cell(most[0], 0); ++x)
-            for (std::size_t y = cell(least[1], 1); y <= cell(most[1], 1); ++y) in_cell_[x * cells_[1] + y].push_back(static_cast<int>(i));
+            for (std::size_t y = cell(least[1], 1); y <= cell(most[1], 1); ++y)
+                in_cell_[x * cells_[1] + y].push_back(static_cast<int>(i));
     }
     rim_.clear();
     for (const auto& [edge, count] : edges)
@@ -142,7 +153,8 @@ std::optional<double> Ground::height(double x, double y) const {
     std::optional<double> highest;
     for (const int i : in_cell_[cell(x, 0) * cells_[1] + cell(y, 1)]) {
         const auto& t = triangles_[static_cast<std::size_t>(i)];
-        const Vec3 &a = corners_[static_cast<std::size_t>(t[0])], &b = corners_[static_cast<std::size_t>(t[1])], &c = corners_[static_cast<std::size_t>(t[2])];
+        const Vec3 &a = corners_[static_cast<std::size_t>(t[0])], &b = corners_[static_cast<std::size_t>(t[1])],
+                   &c = corners_[static_cast<std::size_t>(t[2])];
         const Vec3 place(x, y, 0);
         const double whole = plan_area(a, b, c), edge = 1e-12 * whole;
         const double u = plan_area(place, b, c), v = plan_area(a, place, c), w = plan_area(a, b, place);

@@ -18,12 +18,15 @@ constexpr double worth_a_level = 0.5;
 
 using Polygon = std::vector<Vec3>;
 
-double cross(const Vec3& o, const Vec3& a, const Vec3& b) { return (a.x() - o.x()) * (b.y() - o.y()) - (b.x() - o.x()) * (a.y() - o.y()); }
+double cross(const Vec3& o, const Vec3& a, const Vec3& b) {
+    return (a.x() - o.x()) * (b.y() - o.y()) - (b.x() - o.x()) * (a.y() - o.y());
+}
 
 /// Convex outline in the plan, anticlockwise (Andrew's chain).
 Polygon outline_of(const Polyhedron& body) {
     Polygon points = body.vertices, hull;
-    std::ranges::sort(points, [](const Vec3& a, const Vec3& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+    std::ranges::sort(points,
+                      [](const Vec3& a, const Vec3& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
     const auto chain = [&](auto first, auto last) {
         const std::size_t kept = hull.size();
         for (auto p = first; p != last; ++p) {
@@ -78,7 +81,8 @@ struct Span {
 
 class Cutter {
 public:
-    Cutter(const Ground& ground, int id, double thinnest, GroundCut& result) : ground_(ground), id_(id), thinnest_(thinnest), result_(result) {}
+    Cutter(const Ground& ground, int id, double thinnest, GroundCut& result)
+        : ground_(ground), id_(id), thinnest_(thinnest), result_(result) {}
 
     struct Piece {
         Polyhedron body;
@@ -100,7 +104,8 @@ private:
         const double smallest = 1e-9 * plan_area(outline);
         for (const int i : ground_.near(x.low, x.high, y.low, y.high)) {
             Polygon triangle;
-            for (const int corner : ground_.triangles()[static_cast<std::size_t>(i)]) triangle.push_back(ground_.corners()[static_cast<std::size_t>(corner)]);
+            for (const int corner : ground_.triangles()[static_cast<std::size_t>(i)])
+                triangle.push_back(ground_.corners()[static_cast<std::size_t>(corner)]);
             const Plane plane{(triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized(), triangle[0]};
             Polygon part = clipped(std::move(triangle), outline);
             if (part.size() >= 3 && plan_area(part) > smallest) patches.push_back({plane, std::move(part), i});
@@ -111,7 +116,8 @@ private:
     /// A piece that no cut reaches any more lies where most of its middle does.
     void keep(Polyhedron body, bool above) {
         if (pieces_.size() >= most_pieces)
-            throw Diagnostic(fmt::format("the surface would cut a block into more than {} pieces", most_pieces), "use a surface with fewer triangles, or larger ones");
+            throw Diagnostic(fmt::format("the surface would cut a block into more than {} pieces", most_pieces),
+                             "use a surface with fewer triangles, or larger ones");
         pieces_.push_back({std::move(body), above});
     }
     void keep_by_middle(Polyhedron body) {
@@ -131,11 +137,13 @@ private:
 
     /// Whether all patches are the lower envelope of their planes (a ridge; `sign` 1) or the upper one (a valley; -1) within the body. At its
     /// top or bottom the surface is only known to lie beyond.
-    bool is_envelope(const std::vector<Patch>& all, const std::vector<const Patch*>& planes, const Span& z, int sign) const {
+    bool is_envelope(const std::vector<Patch>& all, const std::vector<const Patch*>& planes, const Span& z,
+                     int sign) const {
         for (const Patch& patch : all)
             for (const Vec3& corner : patch.outline) {
                 double height = sign * std::numeric_limits<double>::infinity();
-                for (const Patch* p : planes) height = sign > 0 ? std::min(height, p->height(corner)) : std::max(height, p->height(corner));
+                for (const Patch* p : planes)
+                    height = sign > 0 ? std::min(height, p->height(corner)) : std::max(height, p->height(corner));
                 const double here = std::clamp(corner.z(), z.low, z.high);
                 if (std::abs(std::clamp(height, z.low, z.high) - here) > thinnest_) return false;
             }
@@ -147,7 +155,8 @@ private:
             Cut parts = cut(body, patch->plane, id_, thinnest_);
             if (parts.outcome == CutOutcome::sliver) {
                 ++result_.blocks.slivers;
-                parts.outcome = patch->plane.distance(mass_properties(body).centroid) > 0 ? CutOutcome::above : CutOutcome::below;
+                parts.outcome =
+                    patch->plane.distance(mass_properties(body).centroid) > 0 ? CutOutcome::above : CutOutcome::below;
             }
             // Above one plane of a ridge is above the ground, below one of a valley is below it.
             if (parts.outcome == (ridge ? CutOutcome::above : CutOutcome::below)) return keep(std::move(body), ridge);
@@ -176,7 +185,9 @@ private:
             for (const Vec3& corner : patch.outline) own.add(corner.z());
             if (own.low >= z.high - thinnest_ || own.high <= z.low + thinnest_) continue;
             const bool known = std::ranges::any_of(planes, [&](const Patch* other) {
-                return std::ranges::all_of(patch.outline, [&](const Vec3& corner) { return std::abs(other->height(corner) - corner.z()) <= thinnest_; });
+                return std::ranges::all_of(patch.outline, [&](const Vec3& corner) {
+                    return std::abs(other->height(corner) - corner.z()) <= thinnest_;
+                });
             });
             if (!known) planes.push_back(&patch);
         }
@@ -205,18 +216,23 @@ private:
         for (const Patch& patch : patches) {
             const auto& corners = ground_.triangles()[static_cast<std::size_t>(patch.triangle)];
             for (std::size_t k = 0; k < 3; ++k) {
-                const Vec3 &a = ground_.corners()[static_cast<std::size_t>(corners[k])], &b = ground_.corners()[static_cast<std::size_t>(corners[(k + 1) % 3])];
+                const Vec3 &a = ground_.corners()[static_cast<std::size_t>(corners[k])],
+                           &b = ground_.corners()[static_cast<std::size_t>(corners[(k + 1) % 3])];
                 // A fold between planes, seen once.
                 const auto across = std::ranges::find_if(patches, [&](const Patch& other) {
                     const auto& t = ground_.triangles()[static_cast<std::size_t>(other.triangle)];
-                    return other.triangle > patch.triangle && std::ranges::find(t, corners[k]) != t.end() && std::ranges::find(t, corners[(k + 1) % 3]) != t.end();
+                    return other.triangle > patch.triangle && std::ranges::find(t, corners[k]) != t.end() &&
+                           std::ranges::find(t, corners[(k + 1) % 3]) != t.end();
                 });
                 if (across == patches.end()) continue;
-                const bool flat = std::ranges::all_of(across->outline, [&](const Vec3& corner) { return std::abs(patch.height(corner) - corner.z()) <= thinnest_; });
+                const bool flat = std::ranges::all_of(across->outline, [&](const Vec3& corner) {
+                    return std::abs(patch.height(corner) - corner.z()) <= thinnest_;
+                });
                 if (flat) continue;
                 double low = 0, high = 1; // of the edge over the outline
                 for (std::size_t i = 0; i < outline.size(); ++i) {
-                    const double at = cross(outline[i], outline[(i + 1) % outline.size()], a), end = cross(outline[i], outline[(i + 1) % outline.size()], b);
+                    const double at = cross(outline[i], outline[(i + 1) % outline.size()], a),
+                                 end = cross(outline[i], outline[(i + 1) % outline.size()], b);
                     if (at < 0 && end < 0) high = -1;
                     else if (at < 0) low = std::max(low, at / (at - end));
                     else if (end < 0) high = std::min(high, at / (at - end));
@@ -229,7 +245,8 @@ private:
         for (const Edge& edge : edges)
             if (halve(body, {Vec3(-edge.along.y(), edge.along.x(), 0).normalized(), edge.from}, depth)) return;
         // What is left is thinner than any fold: its middle decides, or the plane of the largest patch.
-        const Patch& largest = *std::ranges::max_element(patches, {}, [](const Patch& p) { return plan_area(p.outline); });
+        const Patch& largest =
+            *std::ranges::max_element(patches, {}, [](const Patch& p) { return plan_area(p.outline); });
         Cut parts = cut(body, largest.plane, id_, thinnest_);
         if (parts.outcome != CutOutcome::cut) return keep_by_middle(body);
         keep(std::move(parts.above), true);
@@ -245,7 +262,8 @@ private:
 
 } // namespace
 
-GroundCut cut_by_ground(const std::vector<Polyhedron>& blocks, const Ground& ground, int id, double thinnest, const ProgressCallback& progress) {
+GroundCut cut_by_ground(const std::vector<Polyhedron>& blocks, const Ground& ground, int id, double thinnest,
+                        const ProgressCallback& progress) {
     GroundCut result;
     Cutter cutter(ground, id, thinnest, result);
     for (std::size_t block = 0; block < blocks.size(); ++block) {

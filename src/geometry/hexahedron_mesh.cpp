@@ -90,7 +90,8 @@ std::vector<double> graded(int n, double ratio) {
 TetMesh grid_mesh(const Polyhedron& polyhedron, const std::array<int, 8>& corner, const std::array<int, 3>& n,
                   const std::array<double, 3>& ratio) {
     const auto at = [&](int c) -> const Vec3& { return polyhedron.vertices[corner[c]]; };
-    const std::array<std::vector<double>, 3> places{graded(n[0], ratio[0]), graded(n[1], ratio[1]), graded(n[2], ratio[2])};
+    const std::array<std::vector<double>, 3> places{graded(n[0], ratio[0]), graded(n[1], ratio[1]),
+                                                    graded(n[2], ratio[2])};
     TetMesh mesh;
     const auto index = [&](int i, int j, int k) { return (k * (n[1] + 1) + j) * (n[0] + 1) + i; };
     for (int k = 0; k <= n[2]; ++k)
@@ -197,7 +198,8 @@ std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, const std::
     TetMesh mesh = grid_mesh(polyhedron, *corner, n, growth);
     for (const auto& t : mesh.tetrahedra) {
         const Vec3& x = mesh.points[t[0]];
-        if (!((mesh.points[t[1]] - x).dot((mesh.points[t[2]] - x).cross(mesh.points[t[3]] - x)) > 0)) return std::nullopt;
+        if (!((mesh.points[t[1]] - x).dot((mesh.points[t[2]] - x).cross(mesh.points[t[3]] - x)) > 0))
+            return std::nullopt;
     }
     return mesh;
 }

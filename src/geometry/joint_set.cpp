@@ -45,8 +45,8 @@ void check(const JointSet& set) {
 
 /// Cuts the one block in `pieces` by all planes; returns how many cuts were refused. `progress` gets the fraction of this
 /// block.
-int cut_block(std::vector<Polyhedron>& pieces, const std::vector<Plane>& planes, const JointSet& set,
-              double thinnest, Random random, const ProgressCallback& progress) {
+int cut_block(std::vector<Polyhedron>& pieces, const std::vector<Plane>& planes, const JointSet& set, double thinnest,
+              Random random, const ProgressCallback& progress) {
     int slivers = 0;
     for (std::size_t k = 0; k < planes.size(); ++k) {
         const Plane& plane = planes[k];
@@ -105,7 +105,8 @@ std::vector<Plane> joint_planes(const JointSet& set) {
     return planes;
 }
 
-CutBlocks cut_blocks(const std::vector<Polyhedron>& blocks, const JointSet& set, double thinnest, const ProgressCallback& progress) {
+CutBlocks cut_blocks(const std::vector<Polyhedron>& blocks, const JointSet& set, double thinnest,
+                     const ProgressCallback& progress) {
     // Far more than any model of today can be run with; what is beyond is a slip of the pen and would fill the memory.
     constexpr std::size_t most_planes = 20000, most_pieces = 5000000;
     const std::vector<Plane> planes = planes_through(blocks, joint_planes(set));
@@ -116,8 +117,7 @@ CutBlocks cut_blocks(const std::vector<Polyhedron>& blocks, const JointSet& set,
     for (std::size_t block = 0; block < blocks.size(); ++block) {
         std::vector<Polyhedron> pieces{blocks[block]};
         // Streams of blocks lie above the one that scatters the planes.
-        const std::uint64_t stream =
-            (static_cast<std::uint64_t>(block + 1) << 32) + static_cast<std::uint64_t>(set.id);
+        const std::uint64_t stream = (static_cast<std::uint64_t>(block + 1) << 32) + static_cast<std::uint64_t>(set.id);
         result.slivers += cut_block(pieces, planes, set, thinnest, Random(set.seed, stream),
                                     [&](double done) { report_progress(progress, block, blocks.size(), done); });
         if (pieces.size() == 1) continue;

@@ -16,7 +16,8 @@ std::vector<Corner> kept_part(const std::vector<Corner>& polygon, Height&& heigh
         const Corner& b = polygon[(i + 1) % polygon.size()];
         const double height_a = height(a), height_b = height(b);
         if (height_a <= 0) kept.push_back(a);
-        if ((height_a < 0 && height_b > 0) || (height_a > 0 && height_b < 0)) kept.push_back(between(a, b, height_a / (height_a - height_b)));
+        if ((height_a < 0 && height_b > 0) || (height_a > 0 && height_b < 0))
+            kept.push_back(between(a, b, height_a / (height_a - height_b)));
     }
     if (kept.size() < 3) kept.clear();
     return kept;

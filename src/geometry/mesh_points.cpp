@@ -62,8 +62,7 @@ void add_face_points(const Polyhedron& polyhedron, int number, double edge, doub
 }
 
 /// A body-centred cubic lattice around the centroid.
-void add_inner_points(const Polyhedron& polyhedron, const Vec3& centroid, double edge, double gap,
-                      MeshPoints& result) {
+void add_inner_points(const Polyhedron& polyhedron, const Vec3& centroid, double edge, double gap, MeshPoints& result) {
     // Edges of the lattice's tetrahedra are 1 and sqrt(3)/2 cells long, in the ratio 3 to 4.
     const double cell = edge / ((3 + 4 * std::sqrt(0.75)) / 7);
     std::vector<Plane> walls;
@@ -80,9 +79,8 @@ void add_inner_points(const Polyhedron& polyhedron, const Vec3& centroid, double
             for (int i = low[0]; i <= high[0]; ++i)
                 for (const double half : {0.0, 0.5}) {
                     const Vec3 point = centroid + cell * Vec3(i + half, j + half, k + half);
-                    const bool fits = std::all_of(walls.begin(), walls.end(), [&](const Plane& wall) {
-                        return wall.distance(point) <= -gap;
-                    });
+                    const bool fits = std::all_of(walls.begin(), walls.end(),
+                                                  [&](const Plane& wall) { return wall.distance(point) <= -gap; });
                     if (fits) result.add(point, {});
                 }
 }

@@ -184,7 +184,8 @@ template <class Call> void for_parts(const std::array<Vec2, 3>& c, double edge, 
 
 /// For each triangle of side 1 the one of side 2 that lies on it, as on both sides of a cut: such faces are their own
 /// overlay. False where there is one without.
-bool lie_on_each_other(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, std::vector<int>& opposite_triangles) {
+bool lie_on_each_other(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance,
+                       std::vector<int>& opposite_triangles) {
     const std::size_t few = 16; // of more the sweep is as quick
     if (side1.points.size() > few || side1.points.size() != side2.points.size() ||
         side1.triangles.size() != side2.triangles.size())
@@ -266,8 +267,7 @@ void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, d
                           [&](const std::array<Vec2, 3>& part) {
                               add({point_at(part[0]), point_at(part[1]), point_at(part[2])});
                           });
-            else
-                add({ring[0], ring[i], ring[i + 1]});
+            else add({ring[0], ring[i], ring[i + 1]});
         }
     };
 
@@ -283,11 +283,11 @@ void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, d
         for (const auto& item : sweep2) widest = std::max(widest, item.high.x() - item.low.x());
 
         for (const auto& one : sweep1) {
-            const auto first =
-                std::lower_bound(sweep2.begin(), sweep2.end(), one.low.x() - widest - tolerance,
-                                 [](const SweepItem& item, double x) { return item.low.x() < x; });
+            const auto first = std::lower_bound(sweep2.begin(), sweep2.end(), one.low.x() - widest - tolerance,
+                                                [](const SweepItem& item, double x) { return item.low.x() < x; });
             for (auto two = first; two != sweep2.end() && two->low.x() < one.high.x(); ++two) {
-                if (two->high.x() <= one.low.x() || two->high.y() <= one.low.y() || two->low.y() >= one.high.y()) continue;
+                if (two->high.x() <= one.low.x() || two->high.y() <= one.low.y() || two->low.y() >= one.high.y())
+                    continue;
                 // Most pairs of triangles of two faces have an edge in common at most.
                 if (std::any_of(two->sides.begin(), two->sides.end(),
                                 [&](const Line& side) { return on_the_right(one.corners, side, tolerance); }))
@@ -456,7 +456,8 @@ void balance_areas(Overlay& overlay) {
         }
     }
     for (std::size_t i = 0; i < points.size(); ++i)
-        points[i].area *= 1 + part * samples[i / SampleGroup::size].change[static_cast<Eigen::Index>(i % SampleGroup::size)];
+        points[i].area *=
+            1 + part * samples[i / SampleGroup::size].change[static_cast<Eigen::Index>(i % SampleGroup::size)];
 }
 
 PlaneMesh radial_mesh(const PlaneMesh& mesh, FaceTriangles triangles) {

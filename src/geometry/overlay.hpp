@@ -23,7 +23,8 @@ struct PlaneMesh {
 struct OverlayPoint {
     Vec2 place;
     double area = 0;
-    Vec2 centre = Vec2::Zero(); ///< of that area, weighted with the linear function that is 1 here and 0 at all other points
+    Vec2 centre =
+        Vec2::Zero(); ///< of that area, weighted with the linear function that is 1 here and 0 at all other points
     int vertex1 = -1; ///< the point of side 1 that lies here, or -1
     int vertex2 = -1;
     int triangle1 = 0; ///< triangles that hold the point, with its barycentric weights where it is no vertex

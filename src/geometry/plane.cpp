@@ -26,8 +26,7 @@ double sin_degrees(double degrees) {
 
 Vec3 normal_from_dip(double dip, double dip_direction) {
     const double sin_dip = sin_degrees(dip);
-    return {sin_dip * sin_degrees(dip_direction), sin_dip * sin_degrees(dip_direction + 90),
-            sin_degrees(dip + 90)};
+    return {sin_dip * sin_degrees(dip_direction), sin_dip * sin_degrees(dip_direction + 90), sin_degrees(dip + 90)};
 }
 
 } // namespace kaya

@@ -18,8 +18,7 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
 }
 
 /// The outline seen against its normal: anticlockwise, as in a drawing.
-std::vector<Vec2> drawing_of(const std::vector<Vec3>& vertices, const std::vector<int>& loop,
-                             const Vec3& normal) {
+std::vector<Vec2> drawing_of(const std::vector<Vec3>& vertices, const std::vector<int>& loop, const Vec3& normal) {
     const Vec3 across = normal.unitOrthogonal(), up = normal.cross(across);
     std::vector<Vec2> drawing;
     const Vec3& base = vertices[loop.front()];
@@ -43,8 +42,7 @@ bool crosses_itself(const std::vector<Vec2>& outline) {
 /// lies in the triangle.
 bool is_ear(const std::vector<Vec2>& drawing, const std::vector<int>& left, std::size_t i) {
     const std::size_t count = left.size();
-    const Vec2 &a = drawing[left[(i + count - 1) % count]], &b = drawing[left[i]],
-               &c = drawing[left[(i + 1) % count]];
+    const Vec2 &a = drawing[left[(i + count - 1) % count]], &b = drawing[left[i]], &c = drawing[left[(i + 1) % count]];
     if (turn(a, b, c) <= 0) return false;
     for (const int other : left) {
         const Vec2& p = drawing[other];
@@ -67,8 +65,7 @@ void check_outlines(const Surface& surface) {
 }
 
 std::vector<std::array<int, 3>> triangles_of(const std::vector<Vec3>& vertices, const Surface::Face& face) {
-    const std::vector<Vec2> drawing =
-        drawing_of(vertices, face.vertices, mean_normal(vertices, face.vertices));
+    const std::vector<Vec2> drawing = drawing_of(vertices, face.vertices, mean_normal(vertices, face.vertices));
     std::vector<int> left(face.vertices.size());
     for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<int>(i);
     std::vector<std::array<int, 3>> triangles;

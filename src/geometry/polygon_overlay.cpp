@@ -12,7 +12,8 @@ double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(
 
 double signed_area(const std::vector<Vec2>& polygon) {
     double twice = 0;
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) twice += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+        twice += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
     return 0.5 * twice;
 }
 
@@ -36,7 +37,8 @@ void clip(std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b, double toler
         const std::size_t next = i + 1 == polygon.size() ? 0 : i + 1;
         const double hp = heights[i], hq = heights[next];
         if (hp >= 0) left.push_back(polygon[i]);
-        if ((hp > 0 && hq < 0) || (hp < 0 && hq > 0)) left.push_back(polygon[i] + (polygon[next] - polygon[i]) * (hp / (hp - hq)));
+        if ((hp > 0 && hq < 0) || (hp < 0 && hq > 0))
+            left.push_back(polygon[i] + (polygon[next] - polygon[i]) * (hp / (hp - hq)));
     }
     polygon = left;
 }
@@ -45,7 +47,8 @@ void drop_doubles(std::vector<Vec2>& polygon, double tolerance) {
     std::vector<Vec2>& p = polygon;
     for (std::size_t i = 0; i < p.size() && p.size() > 1;) {
         const std::size_t next = i + 1 == p.size() ? 0 : i + 1;
-        if ((p[next] - p[i]).squaredNorm() <= 4 * tolerance * tolerance) p.erase(p.begin() + static_cast<std::ptrdiff_t>(next == 0 ? i : next));
+        if ((p[next] - p[i]).squaredNorm() <= 4 * tolerance * tolerance)
+            p.erase(p.begin() + static_cast<std::ptrdiff_t>(next == 0 ? i : next));
         else ++i;
     }
 }
@@ -53,9 +56,11 @@ void drop_doubles(std::vector<Vec2>& polygon, double tolerance) {
 /// Corners between edges of one direction are none.
 void drop_straight(std::vector<Vec2>& polygon, double tolerance) {
     for (std::size_t i = 0; i < polygon.size() && polygon.size() > 3;) {
-        const Vec2 &before = polygon[(i + polygon.size() - 1) % polygon.size()], &after = polygon[(i + 1) % polygon.size()];
+        const Vec2 &before = polygon[(i + polygon.size() - 1) % polygon.size()],
+                   &after = polygon[(i + 1) % polygon.size()];
         const Vec2 along = after - before;
-        if (std::abs(cross(along, polygon[i] - before)) <= tolerance * along.norm()) polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i));
+        if (std::abs(cross(along, polygon[i] - before)) <= tolerance * along.norm())
+            polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i));
         else ++i;
     }
 }
@@ -94,7 +99,8 @@ bool is_parallelogram(const std::vector<Vec2>& p, double tolerance) {
 /// How far the points' second moments are from the exact ones, in parts of these.
 double error_of(const Overlay& result, const Moments& exact) {
     Eigen::Matrix2d second = -exact.second;
-    for (const auto& p : result.points) second += p.area * (p.place - exact.centre) * (p.place - exact.centre).transpose();
+    for (const auto& p : result.points)
+        second += p.area * (p.place - exact.centre) * (p.place - exact.centre).transpose();
     return second.norm() / exact.second.norm();
 }
 
@@ -129,7 +135,8 @@ void add_fine(const std::vector<Vec2>& polygon, const Moments& exact, double edg
 
 } // namespace
 
-void common_polygon(const std::vector<Vec2>& one, const std::vector<Vec2>& two, double tolerance, std::vector<Vec2>& common) {
+void common_polygon(const std::vector<Vec2>& one, const std::vector<Vec2>& two, double tolerance,
+                    std::vector<Vec2>& common) {
     common = one;
     if (one.size() < 3 || two.size() < 3) return common.clear();
     if (signed_area(common) < 0) std::reverse(common.begin(), common.end());
@@ -177,7 +184,8 @@ void corners_of_polygon(const std::vector<Vec2>& polygon, Overlay& result) {
         for (std::size_t i = 1; i + 1 < n; ++i) {
             const std::size_t b = (apex + i) % n, c = (apex + i + 1) % n;
             const double triangle = 0.5 * cross(polygon[b] - polygon[apex], polygon[c] - polygon[apex]);
-            for (const std::size_t corner : {apex, b, c}) result.points[corner].area += triangle / (3 * static_cast<double>(n));
+            for (const std::size_t corner : {apex, b, c})
+                result.points[corner].area += triangle / (3 * static_cast<double>(n));
         }
 }
 

@@ -9,7 +9,8 @@ namespace kaya {
 
 /// The convex polygon that two have in common, anticlockwise; both are given in any sense. Points nearer than
 /// `tolerance` are one; nothing is left of a part that is thinner.
-void common_polygon(const std::vector<Vec2>& one, const std::vector<Vec2>& two, double tolerance, std::vector<Vec2>& common);
+void common_polygon(const std::vector<Vec2>& one, const std::vector<Vec2>& two, double tolerance,
+                    std::vector<Vec2>& common);
 
 /// Places and areas of a polygon: its corners, and the centre or more places inside. Sums of area, area x and
 /// area x x' are the integrals over the polygon to rounding, so that linear springs on the areas resist closing and

@@ -28,8 +28,7 @@ MassProperties mass_properties(const Polyhedron& polyhedron) {
             const Vec3 sum = a + b + c;
             volume += v;
             first += v / 4.0 * sum;
-            second += v / 20.0 *
-                      (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
+            second += v / 20.0 * (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
         }
     }
     MassProperties result;

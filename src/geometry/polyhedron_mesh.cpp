@@ -52,9 +52,7 @@ std::optional<std::vector<TetMesh::BoundaryTriangle>> boundary_of(const MeshPoin
 std::optional<TetMesh> try_points(const Polyhedron& polyhedron, MeshPoints points, const ProgressCallback& progress) {
     std::vector<Tet> tetrahedra = delaunay(points.points);
     // Four points of one face make a flat tetrahedron by rounding alone.
-    std::erase_if(tetrahedra, [&](const Tet& t) {
-        return !common_faces(points, {t.begin(), t.end()}).empty();
-    });
+    std::erase_if(tetrahedra, [&](const Tet& t) { return !common_faces(points, {t.begin(), t.end()}).empty(); });
     improve(polyhedron, points, tetrahedra, progress);
     auto boundary = boundary_of(points, tetrahedra);
     if (!boundary) return std::nullopt;
@@ -62,8 +60,7 @@ std::optional<TetMesh> try_points(const Polyhedron& polyhedron, MeshPoints point
     double volume = 0, wanted = mass_properties(polyhedron).volume;
     for (const Tet& t : mesh.tetrahedra) {
         const Vec3& a = mesh.points[t[0]];
-        const double part =
-            (mesh.points[t[1]] - a).dot((mesh.points[t[2]] - a).cross(mesh.points[t[3]] - a)) / 6;
+        const double part = (mesh.points[t[1]] - a).dot((mesh.points[t[2]] - a).cross(mesh.points[t[3]] - a)) / 6;
         if (part <= 0) return std::nullopt;
         volume += part;
     }
@@ -78,9 +75,8 @@ void check_request(const Polyhedron& polyhedron, double edge) {
     constexpr double most_tetrahedra = 2e8;
     const double expected = mass_properties(polyhedron).volume / (0.1 * edge * edge * edge);
     if (expected > most_tetrahedra)
-        throw Diagnostic(
-            fmt::format("an edge length of {} makes some {:.2g} zones in one block", edge, expected),
-            "use longer edges");
+        throw Diagnostic(fmt::format("an edge length of {} makes some {:.2g} zones in one block", edge, expected),
+                         "use longer edges");
 }
 
 } // namespace
@@ -95,9 +91,8 @@ DihedralAngles dihedral_angles(const TetMesh& mesh) {
         }
         for (int i = 0; i < 4; ++i)
             for (int j = i + 1; j < 4; ++j) {
-                const double angle =
-                    180 - std::atan2(normals[i].cross(normals[j]).norm(), normals[i].dot(normals[j])) * 180 /
-                              std::numbers::pi;
+                const double angle = 180 - std::atan2(normals[i].cross(normals[j]).norm(), normals[i].dot(normals[j])) *
+                                               180 / std::numbers::pi;
                 angles.smallest = std::min(angles.smallest, angle);
                 angles.largest = std::max(angles.largest, angle);
             }
@@ -130,9 +125,8 @@ TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const ProgressCallb
         if (best_angle < good_angle)
             consider(try_points(polyhedron, place_points(polyhedron, edge, trial.clearance, trial.centre), progress));
     if (!best)
-        throw Diagnostic(
-            "the block could not be filled with zones",
-            "its faces are not flat or its shape is too thin; look at it with 'list blocks quality'");
+        throw Diagnostic("the block could not be filled with zones",
+                         "its faces are not flat or its shape is too thin; look at it with 'list blocks quality'");
     return std::move(*best);
 }
 

@@ -20,11 +20,9 @@ struct Description {
     std::string_view name, remedy;
 };
 constexpr std::array descriptions{
-    Description{Ailment::open, "open",
-                "its faces do not close: delete it and make it again from whole faces"},
+    Description{Ailment::open, "open", "its faces do not close: delete it and make it again from whole faces"},
     Description{Ailment::inverted, "inverted", "its faces look inward: delete it and make it again"},
-    Description{Ailment::concave, "concave",
-                "contacts need convex blocks: make it of convex parts and join them"},
+    Description{Ailment::concave, "concave", "contacts need convex blocks: make it of convex parts and join them"},
     Description{Ailment::warped, "warped", "a face is not flat: correct its corners or make triangles of it"},
     Description{Ailment::tiny, "tiny",
                 "its small mass shortens the time step: delete it or leave out the joint "
@@ -77,8 +75,7 @@ void measure_faces(const Polyhedron& polyhedron, BlockQuality& quality) {
     quality.shortest_edge = quality.smallest_face = std::numeric_limits<double>::infinity();
     for (const auto& face : polyhedron.faces) {
         Vec3 centre = Vec3::Zero(), twice_area = Vec3::Zero();
-        for (const int v : face.vertices)
-            centre += polyhedron.vertices[v] / static_cast<double>(face.vertices.size());
+        for (const int v : face.vertices) centre += polyhedron.vertices[v] / static_cast<double>(face.vertices.size());
         for (std::size_t i = 0; i < face.vertices.size(); ++i) {
             const Vec3 &a = polyhedron.vertices[face.vertices[i]],
                        &b = polyhedron.vertices[face.vertices[(i + 1) % face.vertices.size()]];
@@ -88,8 +85,7 @@ void measure_faces(const Polyhedron& polyhedron, BlockQuality& quality) {
         quality.smallest_face = std::min(quality.smallest_face, twice_area.norm() / 2);
         const Vec3 normal = face_normal(polyhedron, face);
         for (const int v : face.vertices)
-            quality.worst_warp =
-                std::max(quality.worst_warp, std::abs(normal.dot(polyhedron.vertices[v] - centre)));
+            quality.worst_warp = std::max(quality.worst_warp, std::abs(normal.dot(polyhedron.vertices[v] - centre)));
         for (const Vec3& v : polyhedron.vertices)
             quality.worst_bulge = std::max(quality.worst_bulge, normal.dot(v - centre));
     }
@@ -192,8 +188,7 @@ std::string_view name_of(Ailment ailment) { return description_of(ailment).name;
 
 std::string_view remedy_for(Ailment ailment) { return description_of(ailment).remedy; }
 
-std::vector<Ailment> ailments_of(const BlockQuality& quality, double mean_volume,
-                                 const QualityLimits& limits) {
+std::vector<Ailment> ailments_of(const BlockQuality& quality, double mean_volume, const QualityLimits& limits) {
     // The other numbers of a surface without an inside mean nothing.
     if (quality.open_edges > 0) return {Ailment::open};
     if (quality.volume <= 0) return {Ailment::inverted};

@@ -40,8 +40,7 @@ std::string_view name_of(Ailment ailment);    ///< one word for a table
 std::string_view remedy_for(Ailment ailment); ///< one sentence: what it does and what helps
 
 /// What ails a block, the gravest first; nothing for a healthy one.
-std::vector<Ailment> ailments_of(const BlockQuality& quality, double mean_volume,
-                                 const QualityLimits& limits = {});
+std::vector<Ailment> ailments_of(const BlockQuality& quality, double mean_volume, const QualityLimits& limits = {});
 
 /// Pairs of blocks that lie in one another: boxes overlap and more than `share` of the smaller volume is
 /// common. Equal blocks have a share of 1.

@@ -70,9 +70,13 @@ Ground ground_from_points(std::string_view text, const std::string& file) {
         std::array<std::optional<double>, 3> values;
         for (std::size_t k = 0; k < 3 && k < words.size(); ++k) values[k] = number(words[k]);
         const bool right = words.size() >= 3 && values[0] && values[1] && values[2];
-        if (!right && points == 0 && std::isalpha(static_cast<unsigned char>(words.front().front()))) return; // headings
-        if (!right) throw Diagnostic(fmt::format("{}:{}: a point of a surface is three numbers: x y z", file, line), "lines of words may stand at the top, and lines that begin with #");
-        if (++points > most_points) throw Diagnostic(fmt::format("{} has more than {} points", file, most_points), "thin it out");
+        if (!right && points == 0 && std::isalpha(static_cast<unsigned char>(words.front().front())))
+            return; // headings
+        if (!right)
+            throw Diagnostic(fmt::format("{}:{}: a point of a surface is three numbers: x y z", file, line),
+                             "lines of words may stand at the top, and lines that begin with #");
+        if (++points > most_points)
+            throw Diagnostic(fmt::format("{} has more than {} points", file, most_points), "thin it out");
         lines.back().emplace_back(*values[0], *values[1], *values[2]);
     });
     if (points < 3) throw Diagnostic(fmt::format("{} has {} points, and a surface needs three or more", file, points));
@@ -111,14 +115,19 @@ Ground ground_from_grid(std::string_view text, const std::string& file) {
     });
     const auto need = [&](const char* name) {
         const auto found = header.find(name);
-        if (found == header.end()) throw Diagnostic(fmt::format("{}: the header has no {}", file, name), "a grid begins with ncols, nrows, xllcorner, yllcorner and cellsize");
+        if (found == header.end())
+            throw Diagnostic(fmt::format("{}: the header has no {}", file, name),
+                             "a grid begins with ncols, nrows, xllcorner, yllcorner and cellsize");
         return found->second;
     };
     const double columns = need("ncols"), rows = need("nrows"), size = need("cellsize");
-    if (!(columns >= 2 && rows >= 2 && columns * rows <= static_cast<double>(most_points)) || !(size > 0) || columns != std::floor(columns) || rows != std::floor(rows))
-        throw Diagnostic(fmt::format("{}: {:g} columns, {:g} rows and cells of {:g} make no grid", file, columns, rows, size));
+    if (!(columns >= 2 && rows >= 2 && columns * rows <= static_cast<double>(most_points)) || !(size > 0) ||
+        columns != std::floor(columns) || rows != std::floor(rows))
+        throw Diagnostic(
+            fmt::format("{}: {:g} columns, {:g} rows and cells of {:g} make no grid", file, columns, rows, size));
     const auto n = static_cast<std::size_t>(columns), m = static_cast<std::size_t>(rows);
-    if (heights.size() != n * m) throw Diagnostic(fmt::format("{} has {} heights, and its header says {}", file, heights.size(), n * m));
+    if (heights.size() != n * m)
+        throw Diagnostic(fmt::format("{} has {} heights, and its header says {}", file, heights.size(), n * m));
     // Heights are those of the middles of cells.
     const double x0 = header.contains("xllcenter") ? header["xllcenter"] : need("xllcorner") + 0.5 * size;
     const double y0 = header.contains("yllcenter") ? header["yllcenter"] : need("yllcorner") + 0.5 * size;
@@ -127,7 +136,8 @@ Ground ground_from_grid(std::string_view text, const std::string& file) {
     std::vector<std::array<int, 3>> triangles;
     for (std::size_t row = 0; row < m; ++row)
         for (std::size_t column = 0; column < n; ++column)
-            corners.emplace_back(x0 + size * static_cast<double>(column), y0 + size * static_cast<double>(m - 1 - row), heights[row * n + column]);
+            corners.emplace_back(x0 + size * static_cast<double>(column), y0 + size * static_cast<double>(m - 1 - row),
+                                 heights[row * n + column]);
     for (std::size_t row = 0; row + 1 < m; ++row)
         for (std::size_t column = 0; column + 1 < n; ++column) {
             const std::size_t a = row * n + column;
@@ -155,7 +165,8 @@ Ground read_ground(const std::string& path) {
             corners.insert(corners.end(), surface.vertices.begin(), surface.vertices.end());
             for (const auto& face : surface.faces)
                 for (std::size_t k = 2; k < face.vertices.size(); ++k)
-                    triangles.push_back({first + face.vertices[0], first + face.vertices[k - 1], first + face.vertices[k]});
+                    triangles.push_back(
+                        {first + face.vertices[0], first + face.vertices[k - 1], first + face.vertices[k]});
         }
         return {std::move(corners), std::move(triangles)};
     }

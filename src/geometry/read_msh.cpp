@@ -17,8 +17,9 @@ constexpr long long tetrahedron = 4, hexahedron = 5; // types of elements
 constexpr int solid = 3;                             // dimensions of a volume
 
 /// Types that fill space and are not read.
-constexpr std::array other_solids{std::pair{6LL, "prism"}, std::pair{7LL, "pyramid"}, std::pair{11LL, "second-order tetrahedron"},
-                                  std::pair{12LL, "second-order hexahedron"}, std::pair{17LL, "second-order hexahedron"}};
+constexpr std::array other_solids{
+    std::pair{6LL, "prism"}, std::pair{7LL, "pyramid"}, std::pair{11LL, "second-order tetrahedron"},
+    std::pair{12LL, "second-order hexahedron"}, std::pair{17LL, "second-order hexahedron"}};
 
 double six_volumes(const Grid3d& grid, const std::array<int, 4>& t) {
     const Vec3& a = grid.gridpoints.at(t[0]);
@@ -39,7 +40,9 @@ public:
         words_.expect("$MeshFormat");
         format();
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
-            if (!word.starts_with('$')) words_.fail(fmt::format("'{}' stands where a section must begin", word.substr(0, 30)), "sections begin with $ and their name");
+            if (!word.starts_with('$'))
+                words_.fail(fmt::format("'{}' stands where a section must begin", word.substr(0, 30)),
+                            "sections begin with $ and their name");
             const auto known = std::ranges::find(sections_, word.substr(1), &Section::name);
             if (known == sections_.end()) {
                 skip(word);
@@ -48,7 +51,9 @@ public:
             (this->*(is_new_ ? known->read_new : known->read_old))();
             words_.expect(fmt::format("$End{}", known->name));
         }
-        if (of_volume_.empty()) words_.fail("there is no tetrahedron and no hexahedron in it", "mesh volumes (gmsh -3), and save them: with physical groups gmsh saves those only");
+        if (of_volume_.empty())
+            words_.fail("there is no tetrahedron and no hexahedron in it",
+                        "mesh volumes (gmsh -3), and save them: with physical groups gmsh saves those only");
         make_blocks();
         return std::move(grid_);
     }
@@ -63,9 +68,12 @@ private:
     void format() {
         const std::string_view version = words_.next();
         if (version != "2.2" && version != "4.1")
-            words_.fail(fmt::format("the version is '{}'; 2.2 and 4.1 are read", version.substr(0, 30)), "save it as one of these: gmsh -format msh41");
+            words_.fail(fmt::format("the version is '{}'; 2.2 and 4.1 are read", version.substr(0, 30)),
+                        "save it as one of these: gmsh -format msh41");
         is_new_ = version == "4.1";
-        if (words_.integer("the type of the file") != 0) words_.fail("the file is binary, and is read as text only", "save it as ASCII: gmsh without -bin, Mesh.Binary = 0");
+        if (words_.integer("the type of the file") != 0)
+            words_.fail("the file is binary, and is read as text only",
+                        "save it as ASCII: gmsh without -bin, Mesh.Binary = 0");
         words_.integer("the size of numbers");
         words_.expect("$EndMeshFormat");
     }
@@ -90,7 +98,8 @@ private:
     int tag(std::string_view what) {
         const long long number = words_.integer(what);
         if (number < 1 || number > std::numeric_limits<int>::max())
-            words_.fail(fmt::format("{} is {}, and must be from 1 to {}", what, number, std::numeric_limits<int>::max()));
+            words_.fail(
+                fmt::format("{} is {}, and must be from 1 to {}", what, number, std::numeric_limits<int>::max()));
         return static_cast<int>(number);
     }
 
@@ -119,12 +128,14 @@ private:
                 }
                 if (dimension == solid) physical_of_[entity] = first;
                 if (dimension == 0) continue;
-                for (long long bounds = count("the number of boundaries"); bounds > 0; --bounds) words_.integer("a boundary");
+                for (long long bounds = count("the number of boundaries"); bounds > 0; --bounds)
+                    words_.integer("a boundary");
             }
     }
 
     void add_node(int number, const Vec3& place) {
-        if (!grid_.gridpoints.emplace(number, place).second) words_.fail(fmt::format("node {} is defined twice", number));
+        if (!grid_.gridpoints.emplace(number, place).second)
+            words_.fail(fmt::format("node {} is defined twice", number));
     }
 
     void old_nodes() {
@@ -153,7 +164,8 @@ private:
 
     void old_elements() {
         for (long long left = count("the number of elements"); left > 0; --left) {
-            const long long number = words_.integer("the number of an element"), type = words_.integer_in_line("the type of an element");
+            const long long number = words_.integer("the number of an element"),
+                            type = words_.integer_in_line("the type of an element");
             const long long tags = words_.integer_in_line("the number of tags");
             Volume volume;
             for (long long k = 0; k < tags; ++k) {
@@ -169,11 +181,13 @@ private:
         const long long blocks = count("the number of entities with elements");
         for (int k = 0; k < 3; ++k) words_.integer("a number of elements");
         for (long long block = 0; block < blocks; ++block) {
-            const long long dimension = words_.integer("a dimension"), entity = words_.integer("the number of an entity");
+            const long long dimension = words_.integer("a dimension"),
+                            entity = words_.integer("the number of an entity");
             const long long type = words_.integer("the type of elements");
             const auto group = physical_of_.find(entity);
             const Volume volume{entity, dimension == solid && group != physical_of_.end() ? group->second : 0};
-            for (long long left = count("the number of elements"); left > 0; --left) element(words_.integer("the number of an element"), type, volume);
+            for (long long left = count("the number of elements"); left > 0; --left)
+                element(words_.integer("the number of an element"), type, volume);
         }
     }
 
@@ -182,7 +196,8 @@ private:
         std::array<int, N> result{};
         for (int& node : result) {
             const long long found = words_.integer_in_line("the number of a node");
-            if (found < 1 || found > std::numeric_limits<int>::max() || !grid_.gridpoints.contains(static_cast<int>(found)))
+            if (found < 1 || found > std::numeric_limits<int>::max() ||
+                !grid_.gridpoints.contains(static_cast<int>(found)))
                 words_.fail(fmt::format("element {} has node {}, which is not there", number, found));
             node = static_cast<int>(found);
         }
@@ -192,20 +207,20 @@ private:
     }
 
     void element(long long number, long long type, const Volume& volume) {
-        if (type == tetrahedron)
-            add(number, "tetrahedron", volume, {nodes<4>(number)});
-        else if (type == hexahedron)
-            add(number, "hexahedron", volume, cut(nodes<8>(number)));
-        else if (const auto other = std::ranges::find(other_solids, type, &std::pair<long long, const char*>::first); other != other_solids.end())
-            words_.fail(fmt::format("element {} is a {}", number, other->second), "tetrahedra and hexahedra of first order are read: Mesh.ElementOrder = 1");
-        else
-            words_.skip_line(); // points, lines and surfaces
+        if (type == tetrahedron) add(number, "tetrahedron", volume, {nodes<4>(number)});
+        else if (type == hexahedron) add(number, "hexahedron", volume, cut(nodes<8>(number)));
+        else if (const auto other = std::ranges::find(other_solids, type, &std::pair<long long, const char*>::first);
+                 other != other_solids.end())
+            words_.fail(fmt::format("element {} is a {}", number, other->second),
+                        "tetrahedra and hexahedra of first order are read: Mesh.ElementOrder = 1");
+        else words_.skip_line(); // points, lines and surfaces
     }
 
     /// Six tetrahedra around the corner with the lowest number. All faces are cut through their lowest corner, and so from both
     /// sides in the same way (Dompierre et al. 1999, How to subdivide pyramids, prisms and hexahedra into tetrahedra).
     static std::vector<std::array<int, 4>> cut(const std::array<int, 8>& corner) {
-        static constexpr std::array<std::array<std::size_t, 4>, 6> faces{{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+        static constexpr std::array<std::array<std::size_t, 4>, 6> faces{
+            {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
         const int lowest = *std::ranges::min_element(corner);
         std::vector<std::array<int, 4>> parts;
         for (const auto& face : faces) {
@@ -219,17 +234,22 @@ private:
         return parts;
     }
 
-    void add(long long number, std::string_view what, const Volume& volume, const std::vector<std::array<int, 4>>& parts) {
+    void add(long long number, std::string_view what, const Volume& volume,
+             const std::vector<std::array<int, 4>>& parts) {
         constexpr double flat = 1e-12; // of the cube of its size
         int right = 0, wrong = 0;
         for (const auto& part : parts) {
             double size = 0;
-            for (const int node : part) size = std::max(size, (grid_.gridpoints.at(node) - grid_.gridpoints.at(part[0])).norm());
+            for (const int node : part)
+                size = std::max(size, (grid_.gridpoints.at(node) - grid_.gridpoints.at(part[0])).norm());
             const double volumes = six_volumes(grid_, part);
-            if (!(std::abs(volumes) > flat * size * size * size)) words_.fail(fmt::format("{} {} has no volume", what, number));
+            if (!(std::abs(volumes) > flat * size * size * size))
+                words_.fail(fmt::format("{} {} has no volume", what, number));
             (volumes > 0 ? right : wrong) += 1;
         }
-        if (right > 0 && wrong > 0) words_.fail(fmt::format("{} {} is turned inside out in part", what, number), "its nodes stand in a wrong order, or it is warped too much");
+        if (right > 0 && wrong > 0)
+            words_.fail(fmt::format("{} {} is turned inside out in part", what, number),
+                        "its nodes stand in a wrong order, or it is warped too much");
         for (const auto& part : parts) {
             const int zone = static_cast<int>(grid_.zones.size()) + 1;
             grid_.zones.emplace(zone, part);
@@ -279,15 +299,16 @@ private:
         return block;
     }
 
-    static constexpr std::array<Section, 4> sections_{{{"PhysicalNames", &Reader::physical_names, &Reader::physical_names},
-                                                       {"Entities", &Reader::entities, &Reader::entities},
-                                                       {"Nodes", &Reader::old_nodes, &Reader::new_nodes},
-                                                       {"Elements", &Reader::old_elements, &Reader::new_elements}}};
+    static constexpr std::array<Section, 4> sections_{
+        {{"PhysicalNames", &Reader::physical_names, &Reader::physical_names},
+         {"Entities", &Reader::entities, &Reader::entities},
+         {"Nodes", &Reader::old_nodes, &Reader::new_nodes},
+         {"Elements", &Reader::old_elements, &Reader::new_elements}}};
     Words words_;
     Grid3d grid_;
     bool is_new_ = false;
-    std::map<int, std::string> names_;            ///< of physical groups of volumes
-    std::map<long long, long long> physical_of_;  ///< volume of the geometry: its first physical group
+    std::map<int, std::string> names_;           ///< of physical groups of volumes
+    std::map<long long, long long> physical_of_; ///< volume of the geometry: its first physical group
     std::map<Volume, std::vector<int>> of_volume_;
 };
 

@@ -21,14 +21,10 @@ struct NumberType {
     std::size_t bytes;
 };
 constexpr std::array number_types{
-    NumberType{"char", "int8", Kind::signed_whole, 1},
-    NumberType{"uchar", "uint8", Kind::unsigned_whole, 1},
-    NumberType{"short", "int16", Kind::signed_whole, 2},
-    NumberType{"ushort", "uint16", Kind::unsigned_whole, 2},
-    NumberType{"int", "int32", Kind::signed_whole, 4},
-    NumberType{"uint", "uint32", Kind::unsigned_whole, 4},
-    NumberType{"float", "float32", Kind::real, 4},
-    NumberType{"double", "float64", Kind::real, 8},
+    NumberType{"char", "int8", Kind::signed_whole, 1},   NumberType{"uchar", "uint8", Kind::unsigned_whole, 1},
+    NumberType{"short", "int16", Kind::signed_whole, 2}, NumberType{"ushort", "uint16", Kind::unsigned_whole, 2},
+    NumberType{"int", "int32", Kind::signed_whole, 4},   NumberType{"uint", "uint32", Kind::unsigned_whole, 4},
+    NumberType{"float", "float32", Kind::real, 4},       NumberType{"double", "float64", Kind::real, 8},
 };
 
 struct Property {
@@ -62,8 +58,7 @@ Header read_header(std::string_view bytes, const std::string& file) {
     static constexpr std::string_view end_mark = "end_header";
     const std::size_t end = bytes.find(end_mark);
     if (bytes.substr(0, 3) != "ply" || end == std::string_view::npos)
-        throw Diagnostic(
-            fmt::format("{} is not a PLY file: it has no header from 'ply' to 'end_header'", file));
+        throw Diagnostic(fmt::format("{} is not a PLY file: it has no header from 'ply' to 'end_header'", file));
     Header header;
     const std::size_t line_end = bytes.find('\n', end);
     header.bytes = line_end == std::string_view::npos ? bytes.size() : line_end + 1;
@@ -72,22 +67,18 @@ Header read_header(std::string_view bytes, const std::string& file) {
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
         if (word == "format") {
             const std::string_view storage = words.next_in_line();
-            if (storage == "ascii")
-                header.storage = Storage::text;
-            else if (storage == "binary_little_endian")
-                header.storage = Storage::little;
-            else if (storage == "binary_big_endian")
-                header.storage = Storage::big;
-            else
-                words.fail(fmt::format("the format '{}' is not known", storage.substr(0, 30)));
+            if (storage == "ascii") header.storage = Storage::text;
+            else if (storage == "binary_little_endian") header.storage = Storage::little;
+            else if (storage == "binary_big_endian") header.storage = Storage::big;
+            else words.fail(fmt::format("the format '{}' is not known", storage.substr(0, 30)));
         } else if (word == "element") {
             Element element;
             element.name = words.next_in_line();
             const long long count = words.integer_in_line("the number of elements");
             // Every element takes at least one byte, so a larger count is a lie and must not be believed.
             if (count < 0 || static_cast<unsigned long long>(count) > bytes.size())
-                words.fail(fmt::format("{} elements '{}' are more than the file can hold", count,
-                                       element.name.substr(0, 30)));
+                words.fail(
+                    fmt::format("{} elements '{}' are more than the file can hold", count, element.name.substr(0, 30)));
             element.count = static_cast<std::size_t>(count);
             header.elements.push_back(std::move(element));
         } else if (word == "property") {
@@ -110,26 +101,21 @@ Header read_header(std::string_view bytes, const std::string& file) {
 class Body {
 public:
     Body(std::string_view bytes, const Header& header, const std::string& file)
-        : bytes_(bytes.substr(header.bytes)), storage_(header.storage), file_(file),
-          words_(bytes_, file, "", "") {}
+        : bytes_(bytes.substr(header.bytes)), storage_(header.storage), file_(file), words_(bytes_, file, "", "") {}
 
     double number(const NumberType& type) {
         if (storage_ == Storage::text) return words_.number("a number");
         if (bytes_.size() - at_ < type.bytes)
-            throw Diagnostic(fmt::format("{} ends before all its elements are read", file_),
-                             "export it again");
+            throw Diagnostic(fmt::format("{} ends before all its elements are read", file_), "export it again");
         std::array<unsigned char, 8> raw{};
         for (std::size_t i = 0; i < type.bytes; ++i)
-            raw[storage_ == Storage::big ? type.bytes - 1 - i : i] =
-                static_cast<unsigned char>(bytes_[at_ + i]);
+            raw[storage_ == Storage::big ? type.bytes - 1 - i : i] = static_cast<unsigned char>(bytes_[at_ + i]);
         at_ += type.bytes;
         if (type.kind == Kind::real) {
             double wide = 0;
             float narrow = 0;
-            if (type.bytes == 8)
-                std::memcpy(&wide, raw.data(), 8);
-            else
-                std::memcpy(&narrow, raw.data(), 4);
+            if (type.bytes == 8) std::memcpy(&wide, raw.data(), 8);
+            else std::memcpy(&narrow, raw.data(), 4);
             const double value = type.bytes == 8 ? wide : narrow;
             if (!std::isfinite(value))
                 throw Diagnostic(fmt::format("{} has a coordinate that is not a finite number", file_));
@@ -176,8 +162,8 @@ std::vector<Vec3> loop_of(const std::vector<double>& numbers, const std::vector<
     std::vector<Vec3> loop;
     for (const double number : numbers) {
         if (!(number >= 0) || number >= static_cast<double>(vertices.size()) || number != std::floor(number))
-            throw Diagnostic(fmt::format("{} has a face with vertex {}, and the vertices are 0 to {}", file,
-                                         number, static_cast<long long>(vertices.size()) - 1));
+            throw Diagnostic(fmt::format("{} has a face with vertex {}, and the vertices are 0 to {}", file, number,
+                                         static_cast<long long>(vertices.size()) - 1));
         loop.push_back(vertices[static_cast<std::size_t>(number)]);
     }
     return loop;
@@ -194,9 +180,8 @@ std::vector<NamedSurface> read_ply(std::string_view bytes, const std::string& fi
         const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
         for (const Property& property : element.properties)
             if (is_vertex && property.count_type)
-                throw Diagnostic(
-                    fmt::format("{}: a vertex has the list '{}'", file, property.name.substr(0, 30)),
-                    "export vertices with coordinates only");
+                throw Diagnostic(fmt::format("{}: a vertex has the list '{}'", file, property.name.substr(0, 30)),
+                                 "export vertices with coordinates only");
         if (element.properties.empty()) continue;
         for (std::size_t i = 0; i < element.count; ++i) {
             if (is_vertex) {

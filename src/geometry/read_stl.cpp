@@ -84,11 +84,10 @@ std::vector<NamedSurface> read_text(std::string_view text, const std::string& fi
 std::vector<NamedSurface> read_stl(std::string_view bytes, const std::string& file) {
     const bool binary = is_binary(bytes);
     if (!binary && !same_word(bytes.substr(0, 5), "solid"))
-        throw Diagnostic(
-            fmt::format("{} is not a whole STL file: it does not begin with 'solid', and its length is "
-                        "not that of its number of triangles",
-                        file),
-            "export it again");
+        throw Diagnostic(fmt::format("{} is not a whole STL file: it does not begin with 'solid', and its length is "
+                                     "not that of its number of triangles",
+                                     file),
+                         "export it again");
     auto surfaces = binary ? read_binary(bytes, file) : read_text(bytes, file);
     need_surfaces(surfaces, file);
     return surfaces;

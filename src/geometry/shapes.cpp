@@ -21,8 +21,7 @@ void need_positive(double value, const char* what) {
 }
 
 void need_at_least(int value, int least, const char* what) {
-    if (value < least)
-        throw Diagnostic(fmt::format("the number of {} is {}, less than {}", what, value, least));
+    if (value < least) throw Diagnostic(fmt::format("the number of {} is {}, less than {}", what, value, least));
 }
 
 double size_of_loops(const std::vector<std::vector<Vec3>>& loops) {
@@ -32,9 +31,7 @@ double size_of_loops(const std::vector<std::vector<Vec3>>& loops) {
 }
 
 /// One convex polyhedron from faces that are known to be good.
-Polyhedron single(const std::vector<std::vector<Vec3>>& loops) {
-    return make_from_faces(loops).parts.front();
-}
+Polyhedron single(const std::vector<std::vector<Vec3>>& loops) { return make_from_faces(loops).parts.front(); }
 
 /// Place around a square of half width 1, from its right side anticlockwise; `step` counts `count` steps per
 /// eighth of a turn, equal lengths along the sides.
@@ -42,14 +39,10 @@ Eigen::Vector2d on_square(int step, int count) {
     const int side = ((step + count) / (2 * count)) % 4;
     const double along = static_cast<double>((step + count) % (2 * count)) / count - 1;
     switch (side) {
-    case 0:
-        return {1, along};
-    case 1:
-        return {-along, 1};
-    case 2:
-        return {-1, -along};
-    default:
-        return {along, -1};
+    case 0: return {1, along};
+    case 1: return {-along, 1};
+    case 2: return {-1, -along};
+    default: return {along, -1};
     }
 }
 
@@ -67,9 +60,9 @@ std::vector<double> ring_shares(int rings, double ratio) {
 
 Solid make_prism(const std::vector<Vec3>& first, const std::vector<Vec3>& second) {
     if (first.size() != second.size())
-        throw Diagnostic(fmt::format("the prism's first polygon has {} corners and the second {}",
-                                     first.size(), second.size()),
-                         "give the same number of corners, each opposite its partner");
+        throw Diagnostic(
+            fmt::format("the prism's first polygon has {} corners and the second {}", first.size(), second.size()),
+            "give the same number of corners, each opposite its partner");
     if (first.size() < 3)
         throw Diagnostic(fmt::format("the prism's polygons have {} corners", first.size()), "at least three");
     std::vector<std::vector<Vec3>> loops{first, second};
@@ -109,8 +102,7 @@ Solid make_from_faces(const std::vector<std::vector<Vec3>>& loops, const std::ve
 Polyhedron make_tetrahedron(const std::array<Vec3, 4>& corners) {
     const auto& [a, b, c, d] = corners;
     const double size = size_of({a, b, c, d});
-    if (!std::isfinite(size))
-        throw Diagnostic("the tetrahedron has a coordinate that is not a finite number");
+    if (!std::isfinite(size)) throw Diagnostic("the tetrahedron has a coordinate that is not a finite number");
     if (std::abs((b - a).cross(c - a).dot(d - a)) <= 1e-12 * size * size * size)
         throw Diagnostic("the four corners of the tetrahedron lie in one plane");
     return single({{a, b, c}, {a, b, d}, {b, c, d}, {c, a, d}});
@@ -124,8 +116,8 @@ Polyhedron make_cube(const Vec3& centre, double edge) {
 Polyhedron make_drum(const Drum& drum) {
     need_at_least(drum.sides, 3, "sides of the drum");
     if (!(drum.radius1 >= 0) || !(drum.radius2 >= 0) || !std::isfinite(drum.radius1 + drum.radius2))
-        throw Diagnostic(fmt::format("the drum's radii are {} and {}, and must not be below 0", drum.radius1,
-                                     drum.radius2));
+        throw Diagnostic(
+            fmt::format("the drum's radii are {} and {}, and must not be below 0", drum.radius1, drum.radius2));
     need_positive(std::max(drum.radius1, drum.radius2), "larger radius of the drum");
     const Vec3 axis = drum.end2 - drum.end1;
     need_positive(axis.norm(), "length of the drum");
@@ -146,12 +138,9 @@ Polyhedron make_drum(const Drum& drum) {
     if (drum.radius2 > 0) loops.push_back(ring2);
     for (int i = 0; i < drum.sides; ++i) {
         const int next = (i + 1) % drum.sides;
-        if (drum.radius1 == 0)
-            loops.push_back({drum.end1, ring2[next], ring2[i]});
-        else if (drum.radius2 == 0)
-            loops.push_back({ring1[i], ring1[next], drum.end2});
-        else
-            loops.push_back({ring1[i], ring1[next], ring2[next], ring2[i]});
+        if (drum.radius1 == 0) loops.push_back({drum.end1, ring2[next], ring2[i]});
+        else if (drum.radius2 == 0) loops.push_back({ring1[i], ring1[next], drum.end2});
+        else loops.push_back({ring1[i], ring1[next], ring2[next], ring2[i]});
     }
     return single(loops);
 }
@@ -216,7 +205,8 @@ std::vector<Polyhedron> make_tunnel(const TunnelBlocks& tunnel) {
                 std::array<std::vector<Vec3>, 2> ends;
                 for (int end = 0; end < 2; ++end)
                     ends[end] = {grid.corner(ring, step, slice + end), grid.corner(ring + 1, step, slice + end),
-                                 grid.corner(ring + 1, step + 1, slice + end), grid.corner(ring, step + 1, slice + end)};
+                                 grid.corner(ring + 1, step + 1, slice + end),
+                                 grid.corner(ring, step + 1, slice + end)};
                 append_prism(blocks, ends);
             }
     return blocks;

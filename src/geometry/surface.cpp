@@ -86,9 +86,10 @@ double volume_of(const Surface& surface) {
     for (const auto& face : surface.faces) {
         const Vec3 a = surface.vertices[face.vertices[0]] - base;
         for (std::size_t i = 1; i + 1 < face.vertices.size(); ++i)
-            volume += a.dot((surface.vertices[face.vertices[i]] - base)
-                                .cross(surface.vertices[face.vertices[i + 1]] - base)) /
-                      6;
+            volume +=
+                a.dot(
+                    (surface.vertices[face.vertices[i]] - base).cross(surface.vertices[face.vertices[i + 1]] - base)) /
+                6;
     }
     return volume;
 }
@@ -131,8 +132,7 @@ double warp(const Surface& surface, const Surface::Face& face) {
     if (face.vertices.size() < 4) return 0;
     const Vec3 centre = mean_point(surface, face), normal = mean_normal(surface, face);
     double worst = 0;
-    for (const int v : face.vertices)
-        worst = std::max(worst, std::abs(normal.dot(surface.vertices[v] - centre)));
+    for (const int v : face.vertices) worst = std::max(worst, std::abs(normal.dot(surface.vertices[v] - centre)));
     return worst;
 }
 
@@ -157,8 +157,8 @@ Surface surface_from_loops(const std::vector<std::vector<Vec3>>& loops, double n
         stops.pass();
         const Cell home = cell_of(corners[i]);
         for (int offset = 0; offset < 27; ++offset) {
-            const auto found = cells.find(
-                {home[0] + offset % 3 - 1, home[1] + offset / 3 % 3 - 1, home[2] + offset / 9 - 1});
+            const auto found =
+                cells.find({home[0] + offset % 3 - 1, home[1] + offset / 3 % 3 - 1, home[2] + offset / 9 - 1});
             if (found == cells.end()) continue;
             for (const int other : found->second) {
                 stops.pass();
@@ -217,16 +217,15 @@ void check_faces(Surface& surface) {
         loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
         while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
         if (loop.size() < 3)
-            throw Diagnostic(fmt::format("{} has only {} different corner{}", face.name, loop.size(),
-                                         loop.size() == 1 ? "" : "s"),
-                             "a face needs at least three");
+            throw Diagnostic(
+                fmt::format("{} has only {} different corner{}", face.name, loop.size(), loop.size() == 1 ? "" : "s"),
+                "a face needs at least three");
         std::vector<int> sorted = loop;
         std::sort(sorted.begin(), sorted.end());
         const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
         if (twice != sorted.end())
-            throw Diagnostic(
-                fmt::format("{} passes twice through {}", face.name, text_of(surface.vertices[*twice])),
-                "give its corners once each, in order around the face");
+            throw Diagnostic(fmt::format("{} passes twice through {}", face.name, text_of(surface.vertices[*twice])),
+                             "give its corners once each, in order around the face");
         const auto [other, fresh] = known.emplace(std::move(sorted), &face);
         if (!fresh)
             throw Diagnostic(fmt::format("{} has the same corners as {}", face.name, other->second->name),
@@ -326,7 +325,8 @@ bool is_convex(const Surface& surface, double tolerance) {
             angle[face.vertices[i]] += std::atan2(along.cross(back).norm(), along.dot(back));
         }
     }
-    if (std::any_of(angle.begin(), angle.end(), [](double sum) { return sum > 2 * std::numbers::pi + 1e-6; })) return false;
+    if (std::any_of(angle.begin(), angle.end(), [](double sum) { return sum > 2 * std::numbers::pi + 1e-6; }))
+        return false;
     for (const auto& [edge, uses] : edges_of(surface)) {
         for (const EdgeUse& use : uses) {
             const auto& face = surface.faces[use.face];

@@ -29,10 +29,10 @@ struct Flatness {
 /// A solid as convex parts: one for a convex body, several that belong together for a concave one.
 struct Solid {
     std::vector<Polyhedron> parts;
-    int turned_faces = 0; ///< faces that were given the other way round than the first
-    bool anticlockwise = false; ///< all faces were given anticlockwise seen from outside
+    int turned_faces = 0;                  ///< faces that were given the other way round than the first
+    bool anticlockwise = false;            ///< all faces were given anticlockwise seen from outside
     std::vector<std::string> triangulated; ///< faces that became triangles because they are warped
-    double mended_by = 0; ///< longest way that a vertex was moved to make faces flat, a length
+    double mended_by = 0;                  ///< longest way that a vertex was moved to make faces flat, a length
 };
 
 /// Joins corners nearer to each other than `near` (a length) and names the faces "face 1", ...

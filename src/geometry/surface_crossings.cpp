@@ -19,9 +19,9 @@ void check_crossings(const Surface& surface) {
     for (std::size_t f = 0; f < surface.faces.size(); ++f)
         for (const auto& t : triangles_of(surface.vertices, surface.faces[f])) {
             if (mesh.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]) == Mesh::null_face())
-                throw Diagnostic(fmt::format("{} touches the rest of the surface in more than its edges",
-                                             surface.faces[f].name),
-                                 "two parts of a block may not meet in a corner or an edge alone");
+                throw Diagnostic(
+                    fmt::format("{} touches the rest of the surface in more than its edges", surface.faces[f].name),
+                    "two parts of a block may not meet in a corner or an edge alone");
             face_of.push_back(static_cast<int>(f));
         }
     std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> crossings;
@@ -31,8 +31,8 @@ void check_crossings(const Surface& surface) {
         if (face_of[a] != face_of[b]) faces.emplace_back(std::minmax(face_of[a], face_of[b]));
     if (faces.empty()) return;
     const auto first = *std::min_element(faces.begin(), faces.end());
-    throw Diagnostic(fmt::format("the surface crosses itself: {} cuts through {}",
-                                 surface.faces[first.first].name, surface.faces[first.second].name));
+    throw Diagnostic(fmt::format("the surface crosses itself: {} cuts through {}", surface.faces[first.first].name,
+                                 surface.faces[first.second].name));
 }
 
 } // namespace kaya

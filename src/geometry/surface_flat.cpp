@@ -164,8 +164,7 @@ void merge_flat_neighbours(Surface& surface) {
     for (std::size_t seed = 0; seed < surface.faces.size(); ++seed) {
         stops.pass();
         if (grouped[seed]) continue;
-        const std::vector<int> group =
-            plane_mates(surface, half_edges, static_cast<int>(seed), grouped, near);
+        const std::vector<int> group = plane_mates(surface, half_edges, static_cast<int>(seed), grouped, near);
         std::vector<int> outline;
         if (group.size() > 1) outline = outline_of(surface, group);
         if (outline.empty()) {
@@ -197,9 +196,9 @@ double flatten(Surface& surface, const Flatness& flatness, std::vector<std::stri
             triangulated.push_back(face.name);
             for (auto& triangle : split(surface, face)) faces.push_back(std::move(triangle));
         } else {
-            throw Diagnostic(fmt::format("{} is not flat: its corners lie up to {:.3g} off its mean plane",
-                                         face.name, off),
-                             "correct the corners, or give triangles instead");
+            throw Diagnostic(
+                fmt::format("{} is not flat: its corners lie up to {:.3g} off its mean plane", face.name, off),
+                "correct the corners, or give triangles instead");
         }
     }
     surface.faces = std::move(faces);
@@ -216,9 +215,9 @@ double flatten(Surface& surface, const Flatness& flatness, std::vector<std::stri
             break;
         }
         if (sweep > most_sweeps) {
-            const auto worst = std::max_element(
-                surface.faces.begin(), surface.faces.end(),
-                [&](const auto& a, const auto& b) { return warp(surface, a) < warp(surface, b); });
+            const auto worst =
+                std::max_element(surface.faces.begin(), surface.faces.end(),
+                                 [&](const auto& a, const auto& b) { return warp(surface, a) < warp(surface, b); });
             throw Diagnostic(fmt::format("{} cannot be made flat together with its neighbours", worst->name),
                              "correct the corners, or give triangles instead");
         }

@@ -19,7 +19,7 @@ using Tet = std::array<int, 4>;
 constexpr double wanted_quality = 0.45;
 constexpr double least_gain = 1e-6;
 constexpr int most_rounds = 12;
-constexpr std::size_t most_tries = 100;       ///< in all rounds, for each tetrahedron; a dozen is much
+constexpr std::size_t most_tries = 100;     ///< in all rounds, for each tetrahedron; a dozen is much
 constexpr std::size_t tries_between = 1024; ///< two calls of a ProgressCallback
 /// Rings of more points are left alone: their edge is seldom the cause of a bad shape.
 constexpr std::size_t longest_ring = 9;
@@ -176,9 +176,8 @@ Filling best_filling(const Changeable& mesh, int a, int b, const std::vector<int
             const int j = i + span;
             best[i][j] = -std::numeric_limits<double>::infinity();
             for (int k = i + 1; k < j; ++k) {
-                const double quality =
-                    std::min({best[i][k], best[k][j], mesh.quality({ring[i], ring[k], ring[j], b}),
-                              mesh.quality({ring[i], ring[j], ring[k], a})});
+                const double quality = std::min({best[i][k], best[k][j], mesh.quality({ring[i], ring[k], ring[j], b}),
+                                                 mesh.quality({ring[i], ring[j], ring[k], a})});
                 if (quality <= best[i][j]) continue;
                 best[i][j] = quality;
                 middle[i][j] = k;
@@ -278,7 +277,8 @@ double shape_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
     return std::numbers::sqrt2 * six_volumes / (mean_square * std::sqrt(mean_square));
 }
 
-void improve(const Polyhedron& polyhedron, MeshPoints& points, std::vector<std::array<int, 4>>& tetrahedra, const ProgressCallback& progress) {
+void improve(const Polyhedron& polyhedron, MeshPoints& points, std::vector<std::array<int, 4>>& tetrahedra,
+             const ProgressCallback& progress) {
     Changeable mesh(points, tetrahedra);
     // What is exchanged is looked at again in the same round, and neighbourhoods can take turns at being the better one.
     const std::size_t most_tried = most_tries * (tetrahedra.size() + 1);

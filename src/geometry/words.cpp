@@ -50,8 +50,7 @@ std::string_view Words::next_in_line() {
     static constexpr std::string_view brackets = "[]{}";
     if (brackets.find(text_[at_]) != std::string_view::npos) return text_.substr(at_++, 1);
     while (at_ < text_.size() && text_[at_] != '\n' && !blank(text_[at_]) &&
-           brackets.find(text_[at_]) == std::string_view::npos &&
-           comments_.find(text_[at_]) == std::string_view::npos)
+           brackets.find(text_[at_]) == std::string_view::npos && comments_.find(text_[at_]) == std::string_view::npos)
         ++at_;
     return text_.substr(begin, at_ - begin);
 }

@@ -52,7 +52,8 @@ Inventory inventory_of(const std::string& file) {
     Inventory inventory;
     visit_state(inventory, model);
     for (auto* items : {&extras.scripts, &extras.decks})
-        for (const auto& item : *items) inventory.texts[(items == &extras.decks ? "deck " : "script state ") + item.name] = item.content;
+        for (const auto& item : *items)
+            inventory.texts[(items == &extras.decks ? "deck " : "script state ") + item.name] = item.content;
     inventory.texts["title"] = extras.title;
     return inventory;
 }
@@ -71,7 +72,8 @@ std::string about_numbers(const std::vector<double>& a, const std::vector<double
     }
     if (others == 0) return {};
     if (a.size() == 1) return fmt::format("{:g} and {:g}", a[0], b[0]);
-    return fmt::format("{} of {} numbers differ, most of all {:g} and {:g} (number {})", others, a.size(), a[worst], b[worst], worst);
+    return fmt::format("{} of {} numbers differ, most of all {:g} and {:g} (number {})", others, a.size(), a[worst],
+                       b[worst], worst);
 }
 
 /// Calls about(name, of a, of b) for each name of either map; what one of them does not have is null.
@@ -95,14 +97,16 @@ std::string save_file_difference(const std::string& first, const std::string& se
         if (!what.empty()) text += fmt::format("{}: {}\n", name, what);
     };
     const auto only = [&](const void* of_a) { return fmt::format("only in '{}'", of_a ? first : second); };
-    both(a.numbers, b.numbers, [&](const std::string& name, const std::vector<double>* one, const std::vector<double>* other) {
-        say(name, one && other ? about_numbers(*one, *other) : only(one));
-    });
+    both(a.numbers, b.numbers,
+         [&](const std::string& name, const std::vector<double>* one, const std::vector<double>* other) {
+             say(name, one && other ? about_numbers(*one, *other) : only(one));
+         });
     both(a.texts, b.texts, [&](const std::string& name, const std::string* one, const std::string* other) {
         constexpr std::size_t short_text = 60;
         if (!one || !other) say(name, only(one));
         else if (*one == *other) return;
-        else if (std::max(one->size(), other->size()) > short_text || one->find('\n') != one->npos) say(name, "differs");
+        else if (std::max(one->size(), other->size()) > short_text || one->find('\n') != one->npos)
+            say(name, "differs");
         else say(name, fmt::format("'{}' and '{}'", *one, *other));
     });
     return text;

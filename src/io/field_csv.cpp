@@ -53,7 +53,9 @@ std::string field_list_csv() {
     std::string text = "table,field,quantity,meaning\n";
     for (const ObjectKind kind : exported_kinds())
         for (const Field& field : fields())
-            if (field.kind == kind) text += fmt::format("{},{},{},{}\n", info_of(kind).file, csv_cell(field.name), csv_cell(field.unit), csv_cell(field.help));
+            if (field.kind == kind)
+                text += fmt::format("{},{},{},{}\n", info_of(kind).file, csv_cell(field.name), csv_cell(field.unit),
+                                    csv_cell(field.help));
     return text;
 }
 

@@ -166,8 +166,7 @@ void TreeWriter::write_data(const std::string& name, Scalar type, const void* nu
         H5Pset_deflate(how, 1);
     }
     const Handle data(
-        H5Dcreate2(files_->groups.top(), name.c_str(), type_of(type), space, H5P_DEFAULT, how, H5P_DEFAULT),
-        H5Dclose);
+        H5Dcreate2(files_->groups.top(), name.c_str(), type_of(type), space, H5P_DEFAULT, how, H5P_DEFAULT), H5Dclose);
     if (!data.ok() || (rows > 0 && H5Dwrite(data, type_of(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) < 0))
         throw TreeError("cannot write " + files_->groups.path_of(name));
 }
@@ -255,16 +254,15 @@ std::size_t TreeReader::find_rows(const std::string& name, Scalar type, std::siz
     // Deflate shrinks to a thousandth at best: what claims to be larger is not in the file, and asking
     // for that much memory could end the program.
     constexpr double most = 1100;
-    const double bytes = static_cast<double>(extent[0]) * static_cast<double>(per_row) *
-                         static_cast<double>(size_of(type));
+    const double bytes =
+        static_cast<double>(extent[0]) * static_cast<double>(per_row) * static_cast<double>(size_of(type));
     const auto stored = static_cast<double>(std::min<hsize_t>(H5Dget_storage_size(data), files_->size));
     if (extent[1] != per_row || bytes > most * stored + 1)
         throw TreeError(files_->groups.path_of(name) + " is of another size");
     return static_cast<std::size_t>(extent[0]);
 }
 
-void TreeReader::read_data(const std::string& name, Scalar type, void* numbers, std::size_t rows,
-                           std::size_t per_row) {
+void TreeReader::read_data(const std::string& name, Scalar type, void* numbers, std::size_t rows, std::size_t per_row) {
     std::array<hsize_t, 2> extent{};
     const Handle data = files_->open_data(name, type_of(type), extent);
     if (extent != std::array<hsize_t, 2>{rows, per_row})

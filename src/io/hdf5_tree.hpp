@@ -50,8 +50,7 @@ public:
 
 private:
     void write_attribute(const std::string& name, Scalar type, const void* numbers, std::size_t count);
-    void write_data(const std::string& name, Scalar type, const void* numbers, std::size_t rows,
-                    std::size_t per_row);
+    void write_data(const std::string& name, Scalar type, const void* numbers, std::size_t rows, std::size_t per_row);
 
     struct Files;
     std::unique_ptr<Files> files_;

@@ -25,7 +25,7 @@ const History& find_history(const Histories& histories, std::int64_t number) {
     for (const auto& history : histories.all) known += fmt::format("{}{}", known.empty() ? "" : ", ", history.number);
     const bool all_there = count > 0 && histories.all.back().number == static_cast<std::int32_t>(count);
     throw Diagnostic(fmt::format("there is no history {}", number),
-                     count == 0 ? std::string("no history is defined")
+                     count == 0  ? std::string("no history is defined")
                      : all_there ? fmt::format("histories 1 to {} are defined", count)
                                  : fmt::format("these histories are defined: {}", known));
 }
@@ -43,7 +43,8 @@ std::string column_title(const History& history) {
     const std::string head = fmt::format("{}:{}", history.number, history.label);
     if (source.kind == Kind::function) return fmt::format("{} [script {}]", head, source.quantity);
     const Field* field = sampled_field(source);
-    const std::string_view unit = field ? field->unit : "-"; // what a joint model keeps has the unit that its table says
+    const std::string_view unit =
+        field ? field->unit : "-"; // what a joint model keeps has the unit that its table says
     const std::string name = history.label == source.quantity ? "" : source.quantity + ", ";
     const char* rate = source.rate ? "/time" : "";
     if (source.kind == Kind::global) return fmt::format("{} [{}{}{}]", head, name, unit, rate);
@@ -78,8 +79,8 @@ std::string history_csv(const Histories& histories, const std::vector<std::int64
     return text;
 }
 
-void write_history_csv(const Histories& histories, const std::string& path,
-                       const std::vector<std::int64_t>& numbers, std::optional<std::int64_t> versus) {
+void write_history_csv(const Histories& histories, const std::string& path, const std::vector<std::int64_t>& numbers,
+                       std::optional<std::int64_t> versus) {
     write_whole_file(path, history_csv(histories, numbers, versus));
 }
 

@@ -21,7 +21,8 @@ void add_line(std::string& text, const char* name, const std::string& value) {
 /// Deformable and rigid blocks, and what they consist of.
 std::string describe_blocks(const Model& model) {
     const auto& deformable = model.blocks.deformable;
-    const auto zoned = deformable.size() - static_cast<std::size_t>(std::count(deformable.begin(), deformable.end(), 0));
+    const auto zoned =
+        deformable.size() - static_cast<std::size_t>(std::count(deformable.begin(), deformable.end(), 0));
     return fmt::format("{} ({} deformable), {} gridpoints, {} zones, {} faces", model.blocks.size(), zoned,
                        model.gridpoints.size(), model.zones.size(), model.faces.size());
 }
@@ -50,22 +51,25 @@ std::string describe_save_file(const std::string& path) {
     std::string text;
     add_line(text, "file", fmt::format("{} (format {})", path, extras.format));
     add_line(text, "written by", "kaya " + extras.program_version);
-    add_line(text, "read by", fmt::format("this program and later ones; none that is older than format {}", extras.format));
+    add_line(text, "read by",
+             fmt::format("this program and later ones; none that is older than format {}", extras.format));
     if (!extras.title.empty()) add_line(text, "title", extras.title);
     add_line(text, "cycle", std::to_string(model.clock.cycle));
-    add_line(text, "time", fmt::format("{:g}{}, step {:g}", model.clock.time,
-                                       model.settings.mass_scaling == MassScaling::none ? "" : " (density is scaled)",
-                                       model.clock.time_step));
-    add_line(text, "unbalanced", fmt::format("force {:g}, average ratio {:g}", model.clock.unbalanced_force,
-                                             model.clock.average_ratio));
+    add_line(text, "time",
+             fmt::format("{:g}{}, step {:g}", model.clock.time,
+                         model.settings.mass_scaling == MassScaling::none ? "" : " (density is scaled)",
+                         model.clock.time_step));
+    add_line(text, "unbalanced",
+             fmt::format("force {:g}, average ratio {:g}", model.clock.unbalanced_force, model.clock.average_ratio));
     add_line(text, "blocks", describe_blocks(model));
     add_line(text, "contacts", fmt::format("{}, {} sub-contacts", model.contacts.size(), model.sub_contacts.size()));
     add_line(text, "joint models", describe_joint_models(model));
-    add_line(text, "histories", fmt::format("{}, {}, every {}", model.histories.all.size(),
-                                            counted(model.histories.time.size(), "sample"),
-                                            model.histories.interval == 1 ? "cycle" : counted(model.histories.interval, "cycle")));
+    add_line(text, "histories",
+             fmt::format("{}, {}, every {}", model.histories.all.size(), counted(model.histories.time.size(), "sample"),
+                         model.histories.interval == 1 ? "cycle" : counted(model.histories.interval, "cycle")));
     for (const auto& history : model.histories.all) add_line(text, "", column_title(history));
-    for (const auto& deck : extras.decks) add_line(text, "deck", fmt::format("{}, {}", deck.name, counted(lines_in(deck.content), "line")));
+    for (const auto& deck : extras.decks)
+        add_line(text, "deck", fmt::format("{}, {}", deck.name, counted(lines_in(deck.content), "line")));
     for (const auto& script : extras.scripts)
         if (script.name == remark_item) add_line(text, "remark", script.content);
         else add_line(text, "script", fmt::format("{}, {} bytes", script.name, script.content.size()));

@@ -89,20 +89,20 @@ Diagnostic unusable(const std::string& name, const std::string& why) {
 std::string writer_of(TreeReader& tree) {
     try {
         return " of kaya " + tree.text("program_version");
-    } catch (const TreeError&) {
-        return {};
-    }
+    } catch (const TreeError&) { return {}; }
 }
 
 /// What can be done about a file that this program does not read.
 Diagnostic other_format(const std::string& name, std::int32_t version, const std::string& writer) {
-    Diagnostic refusal = unusable(name, fmt::format("it has format {}{}, and this program reads formats {} to {}", version, writer,
-                                                    first_kept_format, save_format_version));
-    refusal.hint = version > save_format_version
-                       ? "the model is as it was; restore it with the program that wrote it, or a later one"
-                       : fmt::format("the model is as it was; formats before {} are older than the first release: run the deck again, "
-                                     "or go on with the program that wrote the file",
-                                     first_kept_format);
+    Diagnostic refusal = unusable(name, fmt::format("it has format {}{}, and this program reads formats {} to {}",
+                                                    version, writer, first_kept_format, save_format_version));
+    refusal.hint =
+        version > save_format_version
+            ? "the model is as it was; restore it with the program that wrote it, or a later one"
+            : fmt::format(
+                  "the model is as it was; formats before {} are older than the first release: run the deck again, "
+                  "or go on with the program that wrote the file",
+                  first_kept_format);
     return refusal;
 }
 
@@ -126,9 +126,7 @@ SaveExtras restore_image(Model& model, std::string_view image, const std::string
         const std::string wrong = inconsistency(fresh);
         if (!wrong.empty()) throw unusable(name, wrong);
         if (state_hash(fresh) != hash) throw unusable(name, "its content does not add up to the state hash in it");
-    } catch (const TreeError& error) {
-        throw unusable(name, error.what());
-    } catch (const std::bad_alloc&) {
+    } catch (const TreeError& error) { throw unusable(name, error.what()); } catch (const std::bad_alloc&) {
         throw unusable(name, "there is not enough memory for it");
     }
     ModelEdit(fresh, Change::lists); // what the cycle derives from the tables is not in the file

@@ -49,7 +49,8 @@ std::string_view without_trailer(std::string_view file, const std::string& name)
     if (head != hdf5_signature.substr(0, head.size()))
         throw unusable(fmt::format("'{}' is not a save file of kaya", name));
     Trailer trailer{};
-    if (file.size() >= sizeof trailer) std::memcpy(&trailer, file.data() + file.size() - sizeof trailer, sizeof trailer);
+    if (file.size() >= sizeof trailer)
+        std::memcpy(&trailer, file.data() + file.size() - sizeof trailer, sizeof trailer);
     const std::string_view mark(trailer.mark.data(), trailer.mark.size());
     if (mark != trailer_mark || trailer.length != file.size() - sizeof trailer)
         throw unusable(fmt::format("'{}' is cut short, or another program wrote it", name));

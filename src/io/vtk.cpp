@@ -74,7 +74,8 @@ std::vector<Row> all_rows(std::size_t count) {
     return rows;
 }
 
-void add_sub_contacts(vtkFieldData* target, vtkFieldData* whole, const Model& model, const std::vector<Row>& rows, const OwnValues& own) {
+void add_sub_contacts(vtkFieldData* target, vtkFieldData* whole, const Model& model, const std::vector<Row>& rows,
+                      const OwnValues& own) {
     add_fields(target, whole, model, ObjectKind::sub_contact, rows);
     add_own_values(target, model, own, rows);
 }
@@ -91,7 +92,8 @@ void add_stress(vtkUnstructuredGrid* grid, const Model& model, const std::vector
     for (std::size_t cell = 0; cell < zone_of_cell.size(); ++cell)
         for (int k = 0; k < 6; ++k) {
             const Row zone = zone_of_cell[cell];
-            const double value = zone == no_row ? std::numeric_limits<double>::quiet_NaN() : model.zones.stress[zone][component[static_cast<std::size_t>(k)]];
+            const double value = zone == no_row ? std::numeric_limits<double>::quiet_NaN()
+                                                : model.zones.stress[zone][component[static_cast<std::size_t>(k)]];
             array->SetComponent(static_cast<vtkIdType>(cell), k, value);
         }
     set_unit(array, "stress");
@@ -162,7 +164,9 @@ std::string paraview_script(const std::string& stem) {
            "    except RuntimeError:  # no data yet\n"
            "        pass\n"
            "    return data\n\n"
-           "stem = " + python_text(stem) + "\n"
+           "stem = " +
+           python_text(stem) +
+           "\n"
            "opened(stem + '.pvd', 'POINTS', 'displacement', 0.5)\n"
            "opened(stem + '_joints.pvd', 'CELLS', 'shear_displacement', 1.0)\n"
            "view = GetActiveView()\n"
@@ -305,8 +309,7 @@ std::string vtk_cables(const Model& model) {
     return bytes_of(grid);
 }
 
-std::vector<std::string> VtkSeries::write(const Model& model, const std::string& given_name,
-                                          const OwnValues& own) {
+std::vector<std::string> VtkSeries::write(const Model& model, const std::string& given_name, const OwnValues& own) {
     std::filesystem::path path(given_name);
     if (path.extension() == ".vtu" || path.extension() == ".pvd") path.replace_extension();
     const std::string name = path.string(), stem = path.filename().string();
@@ -323,9 +326,13 @@ std::vector<std::string> VtkSeries::write(const Model& model, const std::string&
         std::function<std::string()> content;
     };
     std::vector<File> files;
-    const auto add_grid = [&](const char* kind, auto&& content) { files.push_back({fmt::format("{}_{}_{}.vtu", name, kind, number), content}); };
+    const auto add_grid = [&](const char* kind, auto&& content) {
+        files.push_back({fmt::format("{}_{}_{}.vtu", name, kind, number), content});
+    };
     const auto add_series = [&](const std::string& ending, const char* kind, std::size_t first = 0) {
-        files.push_back({name + ending, [&times, first, text = fmt::format("{}_{}", stem, kind)] { return series_text(text, times, first); }});
+        files.push_back({name + ending, [&times, first, text = fmt::format("{}_{}", stem, kind)] {
+                             return series_text(text, times, first);
+                         }});
     };
     add_grid("blocks", [&] { return vtk_blocks(model); });
     add_grid("faces", [&] { return vtk_faces(model); });

@@ -50,7 +50,8 @@ double real_of(const FieldValue& value) {
 }
 
 /// One array of any type, filled row by row.
-template <class Array, class Put> void add_array(vtkFieldData* target, const std::string& name, const Field& field, int components, std::span<const Row> rows, Put&& put) {
+template <class Array, class Put> void add_array(vtkFieldData* target, const std::string& name, const Field& field,
+                                                 int components, std::span<const Row> rows, Put&& put) {
     vtkNew<Array> array;
     array->SetName(name.c_str());
     array->SetNumberOfComponents(components);
@@ -60,12 +61,14 @@ template <class Array, class Put> void add_array(vtkFieldData* target, const std
     target->AddArray(array);
 }
 
-void add_texts(vtkFieldData* target, vtkFieldData* whole, const Model& model, const std::string& name, const Field& field, std::span<const Row> rows) {
+void add_texts(vtkFieldData* target, vtkFieldData* whole, const Model& model, const std::string& name,
+               const Field& field, std::span<const Row> rows) {
     std::vector<std::string> names;
     std::map<std::string, int> places;
     add_array<vtkIntArray>(target, name, field, 1, rows, [&](vtkIntArray* array, vtkIdType i, Row row) {
         if (row == no_row) return array->SetValue(i, -1);
-        const auto [place, is_new] = places.try_emplace(std::get<std::string>(field.get(model, row)), static_cast<int>(names.size()));
+        const auto [place, is_new] =
+            places.try_emplace(std::get<std::string>(field.get(model, row)), static_cast<int>(names.size()));
         if (is_new) names.push_back(place->first);
         array->SetValue(i, place->second);
     });
@@ -75,23 +78,33 @@ void add_texts(vtkFieldData* target, vtkFieldData* whole, const Model& model, co
     whole->AddArray(list);
 }
 
-void add_field(vtkFieldData* target, vtkFieldData* whole, const Model& model, const std::string& name, const Field& field, std::span<const Row> rows, const FieldValue& sample) {
+void add_field(vtkFieldData* target, vtkFieldData* whole, const Model& model, const std::string& name,
+               const Field& field, std::span<const Row> rows, const FieldValue& sample) {
     if (std::holds_alternative<std::string>(sample)) return add_texts(target, whole, model, name, field, rows);
     if (std::holds_alternative<Vec3>(sample))
-        return add_array<vtkDoubleArray>(target, name, field, 3, rows, [&](vtkDoubleArray* array, vtkIdType i, Row row) {
-            const Vec3 vector = row == no_row ? Vec3::Constant(none) : std::get<Vec3>(field.get(model, row));
-            array->SetTuple(i, vector.data());
-        });
+        return add_array<vtkDoubleArray>(
+            target, name, field, 3, rows, [&](vtkDoubleArray* array, vtkIdType i, Row row) {
+                const Vec3 vector = row == no_row ? Vec3::Constant(none) : std::get<Vec3>(field.get(model, row));
+                array->SetTuple(i, vector.data());
+            });
     if (std::holds_alternative<double>(sample))
-        return add_array<vtkDoubleArray>(target, name, field, 1, rows, [&](vtkDoubleArray* array, vtkIdType i, Row row) { array->SetValue(i, row == no_row ? none : real_of(field.get(model, row))); });
-    add_array<vtkTypeInt64Array>(target, name, field, 1, rows, [&](vtkTypeInt64Array* array, vtkIdType i, Row row) { array->SetValue(i, row == no_row ? -1 : whole_of(model, field.get(model, row))); });
+        return add_array<vtkDoubleArray>(target, name, field, 1, rows,
+                                         [&](vtkDoubleArray* array, vtkIdType i, Row row) {
+                                             array->SetValue(i, row == no_row ? none : real_of(field.get(model, row)));
+                                         });
+    add_array<vtkTypeInt64Array>(target, name, field, 1, rows, [&](vtkTypeInt64Array* array, vtkIdType i, Row row) {
+        array->SetValue(i, row == no_row ? -1 : whole_of(model, field.get(model, row)));
+    });
 }
 
 } // namespace
 
-void set_unit(vtkDataArray* array, std::string_view unit) { array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), std::string(unit).c_str()); }
+void set_unit(vtkDataArray* array, std::string_view unit) {
+    array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), std::string(unit).c_str());
+}
 
-void add_fields(vtkFieldData* target, vtkFieldData* whole, const Model& model, ObjectKind table, std::span<const Row> rows, std::string_view prefix) {
+void add_fields(vtkFieldData* target, vtkFieldData* whole, const Model& model, ObjectKind table,
+                std::span<const Row> rows, std::string_view prefix) {
     const auto first = std::ranges::find_if(rows, [](Row row) { return row != no_row; });
     if (first == rows.end()) return; // nothing tells what its values would be
     for (const Field& field : fields()) {
@@ -111,8 +124,11 @@ void add_own_values(vtkFieldData* target, const Model& model, const OwnValues& o
         vtkNew<vtkDoubleArray> array;
         array->SetName(("jmodel_" + name).c_str());
         for (const Row row : rows) {
-            const Row set = row == no_row ? no_row : model.contacts.properties[static_cast<std::size_t>(model.sub_contacts.contact[static_cast<std::size_t>(row)])];
-            const auto joint = set == no_row ? own.end() : own.find(model.joint_properties[static_cast<std::size_t>(set)].model);
+            const Row set = row == no_row ? no_row
+                                          : model.contacts.properties[static_cast<std::size_t>(
+                                                model.sub_contacts.contact[static_cast<std::size_t>(row)])];
+            const auto joint =
+                set == no_row ? own.end() : own.find(model.joint_properties[static_cast<std::size_t>(set)].model);
             const bool known = joint != own.end() && joint->second.contains(name);
             array->InsertNextValue(known ? joint->second.at(name)(model, row) : none);
         }

@@ -22,7 +22,8 @@ namespace {
 class OpenFile {
 public:
     OpenFile(int descriptor, std::string unfinished) : descriptor_(descriptor), unfinished_(std::move(unfinished)) {}
-    OpenFile(OpenFile&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)), unfinished_(std::exchange(other.unfinished_, {})) {}
+    OpenFile(OpenFile&& other) noexcept
+        : descriptor_(std::exchange(other.descriptor_, -1)), unfinished_(std::exchange(other.unfinished_, {})) {}
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
     ~OpenFile() {
@@ -75,14 +76,17 @@ void sweep(const std::filesystem::path& folder) {
     static std::set<std::filesystem::path> swept;
     if (!swept.insert(folder).second) return;
     std::error_code problem;
-    for (std::filesystem::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
+    for (std::filesystem::directory_iterator entry(folder, problem), end; !problem && entry != end;
+         entry.increment(problem)) {
         const std::string name = entry->path().filename().string();
         const std::size_t tail = unfinished_mark.size() + unfinished_end.size();
-        if (name.size() <= tail || name.compare(name.size() - tail, unfinished_mark.size(), unfinished_mark) != 0) continue;
+        if (name.size() <= tail || name.compare(name.size() - tail, unfinished_mark.size(), unfinished_mark) != 0)
+            continue;
         const int descriptor = ::open(entry->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
         if (descriptor < 0) continue;
         struct stat info {};
-        const bool left = ::fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode) && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+        const bool left =
+            ::fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode) && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
         if (left) ::unlink(entry->path().c_str());
         ::close(descriptor);
     }

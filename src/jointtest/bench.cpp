@@ -37,10 +37,12 @@ std::vector<std::string> unread_columns(const LoadPath& path) {
 std::string remarks(const BenchOrder& order, const LoadPath& path) {
     std::string text;
     if (const auto names = unread_columns(path); !names.empty())
-        text += fmt::format("  {:<18}{}; columns of a path are {}\n", "not read", fmt::join(names, ", "), fmt::join(path_columns, ", "));
+        text += fmt::format("  {:<18}{}; columns of a path are {}\n", "not read", fmt::join(names, ", "),
+                            fmt::join(path_columns, ", "));
     if (!order.missed_tables->empty())
-        text += fmt::format("  {:<18}the model asks for table {}, and the bench has none; 'jmodel test' in a deck has those of the deck\n",
-                            "no tables", fmt::join(*order.missed_tables, ", "));
+        text += fmt::format(
+            "  {:<18}the model asks for table {}, and the bench has none; 'jmodel test' in a deck has those of the deck\n",
+            "no tables", fmt::join(*order.missed_tables, ", "));
     return text;
 }
 
@@ -57,13 +59,18 @@ std::string report_of(const JointCurve& curve) {
     }
     const auto& last = curve.points.back();
     std::string text;
-    const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<18}{}\n", what, value); };
-    line("shear stress", fmt::format("{}, largest at {:.6g}; {:.6g} at the end", shear.text(), peak_at, last.resistance[0]));
+    const auto line = [&](const char* what, const std::string& value) {
+        text += fmt::format("  {:<18}{}\n", what, value);
+    };
+    line("shear stress",
+         fmt::format("{}, largest at {:.6g}; {:.6g} at the end", shear.text(), peak_at, last.resistance[0]));
     line("normal stress", normal.text());
     line("opening", opening.text());
     line("energy per area", fmt::format("{:.6g} put in, {:.6g} counted as taken up", last.put_in, last.taken_up));
-    if (std::isfinite(normal_ratio.least)) line("normal tangent", fmt::format("{} of the stiffness reported", normal_ratio.text()));
-    if (std::isfinite(shear_ratio.least)) line("shear tangent", fmt::format("{} of the stiffness reported", shear_ratio.text()));
+    if (std::isfinite(normal_ratio.least))
+        line("normal tangent", fmt::format("{} of the stiffness reported", normal_ratio.text()));
+    if (std::isfinite(shear_ratio.least))
+        line("shear tangent", fmt::format("{} of the stiffness reported", shear_ratio.text()));
     for (const auto& f : curve.findings) line("found", fmt::format("step {}: {}", f.step, f.text));
     if (curve.findings.empty()) line("found", "no jump, no energy from nothing, no stiffness above the one reported");
     return text;
@@ -77,8 +84,8 @@ BenchReport run_bench(JointRegistry& registry, const BenchOrder& order) {
     const LoadPath path = read_load_path(order.path);
     BenchReport report;
     JointCurve curve;
-    std::string heading = fmt::format("{} {} along {}: {} points\n", model.name, model.version, order.path.filename().string(),
-                                      path.points.size());
+    std::string heading = fmt::format("{} {} along {}: {} points\n", model.name, model.version,
+                                      order.path.filename().string(), path.points.size());
     if (order.fitted.empty()) {
         curve = follow_path(model, values, path, order.settings);
     } else {
@@ -93,7 +100,8 @@ BenchReport run_bench(JointRegistry& registry, const BenchOrder& order) {
     report.figure = fs::path(stem.string() + ".gp");
     std::error_code ignored;
     if (fs::equivalent(report.curve, order.path, ignored))
-        throw Diagnostic(fmt::format("{} is the path itself", report.curve.string()), "give another name with --output");
+        throw Diagnostic(fmt::format("{} is the path itself", report.curve.string()),
+                         "give another name with --output");
     if (order.before_writing)
         for (const auto& file : {report.curve, report.figure}) order.before_writing(file);
     write_csv(curve_table(curve, model), report.curve);
@@ -103,10 +111,12 @@ BenchReport run_bench(JointRegistry& registry, const BenchOrder& order) {
     if (!figure)
         throw Diagnostic(fmt::format("{} could not be written", report.figure.string()), "is there room?", Fault::run);
     if (model.arithmetic() != 0)
-        curve.findings.push_back({0, fmt::format("it changes {}; that was put back after each call", text_of_changes(model.arithmetic()))});
+        curve.findings.push_back(
+            {0, fmt::format("it changes {}; that was put back after each call", text_of_changes(model.arithmetic()))});
     if (const auto fault = fault_without_area(model, values); !fault.empty()) curve.findings.push_back({0, fault});
     report.odd = !curve.findings.empty();
-    report.text = heading + report_of(curve) + remarks(order, path) + fmt::format("  wrote {}, {}", report.curve.string(), report.figure.string());
+    report.text = heading + report_of(curve) + remarks(order, path) +
+                  fmt::format("  wrote {}, {}", report.curve.string(), report.figure.string());
     return report;
 }
 

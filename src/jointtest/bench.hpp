@@ -15,11 +15,11 @@
 namespace kaya {
 
 struct BenchOrder {
-    std::string model;             ///< name or file
-    std::filesystem::path path;    ///< CSV file of the path
+    std::string model;                                  ///< name or file
+    std::filesystem::path path;                         ///< CSV file of the path
     std::vector<std::pair<std::string, double>> values; ///< property words and values
-    std::vector<std::string> fitted; ///< properties to fit; none: a test
-    std::vector<std::string> offsets = {"opening"}; ///< measured columns whose zero is not known
+    std::vector<std::string> fitted;                    ///< properties to fit; none: a test
+    std::vector<std::string> offsets = {"opening"};     ///< measured columns whose zero is not known
     CurveSettings settings;
     std::function<void(const std::filesystem::path&)> before_writing; ///< may refuse a file; may be empty
     /// Filled by whoever answers for tables while the bench runs.
@@ -28,9 +28,9 @@ struct BenchOrder {
 };
 
 struct BenchReport {
-    std::string text;                 ///< lines without a newline at the end
-    bool odd = false;                 ///< something was found
-    bool doubtful = false;            ///< the fit may not be the best
+    std::string text;                    ///< lines without a newline at the end
+    bool odd = false;                    ///< something was found
+    bool doubtful = false;               ///< the fit may not be the best
     std::filesystem::path curve, figure; ///< the files that were written
 };
 

@@ -46,7 +46,8 @@ std::vector<std::string_view> cells_of(std::string_view line, const Style& style
 /// "Shear displacement" is shear_displacement.
 std::string column_name(std::string_view cell) {
     std::string name(cell);
-    for (char& c : name) c = c == ' ' || c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (char& c : name)
+        c = c == ' ' || c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return name;
 }
 
@@ -75,7 +76,8 @@ void CsvTable::add(std::string name, std::vector<double> values) {
 
 CsvTable read_csv(const std::filesystem::path& file) {
     std::ifstream stream(file);
-    if (!stream) throw Diagnostic(fmt::format("there is no file {}", file.string()), "give the path from the working folder");
+    if (!stream)
+        throw Diagnostic(fmt::format("there is no file {}", file.string()), "give the path from the working folder");
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     CsvTable table;
     std::optional<Style> style;
@@ -91,8 +93,8 @@ CsvTable read_csv(const std::filesystem::path& file) {
         }
         const auto cells = cells_of(text, *style);
         if (cells.size() != table.names.size())
-            throw Diagnostic(fmt::format("{}, line {}: {} numbers where the first line has {} names", file.string(), number,
-                                         cells.size(), table.names.size()),
+            throw Diagnostic(fmt::format("{}, line {}: {} numbers where the first line has {} names", file.string(),
+                                         number, cells.size(), table.names.size()),
                              "give every column a number in every row");
         for (std::size_t k = 0; k < cells.size(); ++k)
             table.columns[k].push_back(number_of(std::string(cells[k]), *style, file, number));
@@ -110,8 +112,8 @@ void write_csv(const CsvTable& table, const std::filesystem::path& file) {
     }
     stream.close();
     if (!stream)
-        throw Diagnostic(fmt::format("{} could not be written", file.string()), "is the folder there, and is there room?",
-                         Fault::run);
+        throw Diagnostic(fmt::format("{} could not be written", file.string()),
+                         "is the folder there, and is there room?", Fault::run);
 }
 
 } // namespace kaya

@@ -29,8 +29,7 @@ Minimum go_down(Residuals& residuals, Eigen::VectorXd t, double tolerance) {
     minimiser.parameters.ftol = minimiser.parameters.xtol = tolerance;
     const auto status = minimiser.minimize(t);
     using namespace Eigen::LevenbergMarquardtSpace;
-    return {t, residuals.sum_of_squares(t),
-            status != TooManyFunctionEvaluation && status != ImproperInputParameters};
+    return {t, residuals.sum_of_squares(t), status != TooManyFunctionEvaluation && status != ImproperInputParameters};
 }
 
 /// Evenly spread numbers between 0 and 1, the same in every run (Halton).
@@ -38,8 +37,7 @@ double halton(std::size_t index, std::size_t dimension) {
     constexpr std::size_t primes[] = {2, 3, 5, 7, 11, 13, 17, 19};
     const std::size_t prime = primes[dimension % std::size(primes)];
     double part = 1, sum = 0;
-    for (; index > 0; index /= prime)
-        sum += (part /= static_cast<double>(prime)) * static_cast<double>(index % prime);
+    for (; index > 0; index /= prime) sum += (part /= static_cast<double>(prime)) * static_cast<double>(index % prime);
     return sum;
 }
 
@@ -52,12 +50,10 @@ std::vector<Eigen::VectorXd> places_to_start(const Residuals& residuals, const E
     for (std::size_t c = 1; most > 1 && c <= candidates; ++c) {
         Eigen::VectorXd t = given;
         for (std::size_t k = 0; k < residuals.free.size(); ++k)
-            t[static_cast<Eigen::Index>(k)] =
-                residuals.free[k].number(residuals.free[k].spread(halton(c, k)));
+            t[static_cast<Eigen::Index>(k)] = residuals.free[k].number(residuals.free[k].spread(halton(c, k)));
         if (residuals.evaluate(t, r)) tried.emplace_back(r.squaredNorm(), t);
     }
-    std::stable_sort(tried.begin(), tried.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(tried.begin(), tried.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Eigen::VectorXd> places{given};
     for (std::size_t k = 0; k < tried.size() && places.size() < most; ++k) places.push_back(tried[k].second);
     return places;
@@ -66,10 +62,9 @@ std::vector<Eigen::VectorXd> places_to_start(const Residuals& residuals, const E
 /// From all places to the lowest minimum; says how many came there.
 Minimum search(Residuals& residuals, const Eigen::VectorXd& given, std::size_t most, FitSearch& said) {
     std::vector<Minimum> found;
-    for (const auto& t : places_to_start(residuals, given, most))
-        found.push_back(go_down(residuals, t, 1e-6));
-    const auto best = *std::min_element(
-        found.begin(), found.end(), [](const Minimum& a, const Minimum& b) { return a.squares < b.squares; });
+    for (const auto& t : places_to_start(residuals, given, most)) found.push_back(go_down(residuals, t, 1e-6));
+    const auto best = *std::min_element(found.begin(), found.end(),
+                                        [](const Minimum& a, const Minimum& b) { return a.squares < b.squares; });
     // A thousandth of the sum is below what noise tells apart; 1e-4 of the largest value is an exact fit.
     const double same = 1.001 * best.squares + 1e-8 * residuals.values();
     double next = std::numeric_limits<double>::infinity();
@@ -100,8 +95,7 @@ bool weigh_by_noise(Residuals& residuals, const Minimum& at) {
 
 void settle_weights(Residuals& residuals, Minimum& minimum) {
     constexpr int most_rounds = 10;
-    for (int round = 0; round < most_rounds && residuals.freedom() > 0 && weigh_by_noise(residuals, minimum);
-         ++round)
+    for (int round = 0; round < most_rounds && residuals.freedom() > 0 && weigh_by_noise(residuals, minimum); ++round)
         if (residuals.measured.size() > 1) minimum = go_down(residuals, minimum.t, 1e-10);
 }
 
@@ -131,8 +125,7 @@ Eigen::MatrixXd covariance_of(const Residuals& residuals, const Eigen::VectorXd&
     residuals.df(t, jacobian);
     Eigen::VectorXd norms = jacobian.colwise().norm();
     const double largest = norms.maxCoeff();
-    for (Eigen::Index k = 0; k < n; ++k)
-        norms[k] = norms[k] > 1e-9 * largest ? norms[k] : largest > 0 ? largest : 1;
+    for (Eigen::Index k = 0; k < n; ++k) norms[k] = norms[k] > 1e-9 * largest ? norms[k] : largest > 0 ? largest : 1;
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian * norms.cwiseInverse().asDiagonal(),
                                                 Eigen::ComputeThinU | Eigen::ComputeThinV);
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
@@ -142,8 +135,7 @@ Eigen::MatrixXd covariance_of(const Residuals& residuals, const Eigen::VectorXd&
         const Eigen::VectorXd direction = svd.matrixV().col(k);
         if (singular > 1e-6 * svd.singularValues()[0])
             covariance += direction * direction.transpose() / (singular * singular);
-        else
-            untold += direction.cwiseAbs2();
+        else untold += direction.cwiseAbs2();
     }
     covariance = norms.cwiseInverse().asDiagonal() * covariance * norms.cwiseInverse().asDiagonal();
     for (Eigen::Index k = 0; k < n; ++k)
@@ -195,8 +187,7 @@ void fill_columns(CurveFit& fit, const Residuals& residuals) {
         double sum = 0;
         for (const double v : left.values) sum += v * v;
         squares += sum / (m.largest * m.largest);
-        fit.columns.push_back({m.name, m.scale, m.largest,
-                               m.free_offset ? std::optional(left.offset) : std::nullopt,
+        fit.columns.push_back({m.name, m.scale, m.largest, m.free_offset ? std::optional(left.offset) : std::nullopt,
                                in_waves(left.values, 1e-4 * m.largest)});
     }
     fit.misfit = std::sqrt(squares / residuals.values());
@@ -211,12 +202,11 @@ void judge(CurveFit& fit) {
                                        "that this model cannot follow",
                                        column.name, 100 * column.noise / column.largest);
     if (search.starts >= 4 && search.agreed == 1)
-        search.doubt = fmt::format(
-            "only one of {} starts leads here: there may be a better minimum; start nearer, or fit fewer "
-            "properties",
-            search.starts);
-    if (!search.converged)
-        search.doubt = "the search has not come to its end: fit fewer properties, or start nearer";
+        search.doubt =
+            fmt::format("only one of {} starts leads here: there may be a better minimum; start nearer, or fit fewer "
+                        "properties",
+                        search.starts);
+    if (!search.converged) search.doubt = "the search has not come to its end: fit fewer properties, or start nearer";
 }
 
 std::size_t property_of(const JointModel& model, const std::string& name) {
@@ -234,8 +224,7 @@ std::size_t property_of(const JointModel& model, const std::string& name) {
 
 /// Where the search begins; fills in what is looked for.
 Eigen::VectorXd begin(Residuals& residuals, const std::vector<std::string>& names) {
-    if (names.empty())
-        throw Diagnostic("there is nothing to fit", "name the properties: --fit friction,cohesion");
+    if (names.empty()) throw Diagnostic("there is nothing to fit", "name the properties: --fit friction,cohesion");
     Eigen::VectorXd t(static_cast<Eigen::Index>(names.size()));
     for (std::size_t k = 0; k < names.size(); ++k) {
         const std::size_t index = property_of(residuals.model, names[k]);
@@ -245,8 +234,7 @@ Eigen::VectorXd begin(Residuals& residuals, const std::vector<std::string>& name
             throw Diagnostic(fmt::format("'{}' has no value to start from", p.name),
                              fmt::format("give a guess: {}=1", p.name));
         if (std::find(residuals.which.begin(), residuals.which.end(), index) != residuals.which.end())
-            throw Diagnostic(fmt::format("'{}' stands twice after --fit", p.name),
-                             "name each property once");
+            throw Diagnostic(fmt::format("'{}' stands twice after --fit", p.name), "name each property once");
         // On a limit the free number would have no slope.
         const double width =
             std::isfinite(p.maximum - p.minimum) ? p.maximum - p.minimum : std::max(std::abs(start), 1.0);
@@ -256,16 +244,16 @@ Eigen::VectorXd begin(Residuals& residuals, const std::vector<std::string>& name
         t[static_cast<Eigen::Index>(k)] = residuals.free.back().number(inside);
     }
     if (residuals.values() < residuals.inputs())
-        throw Diagnostic(fmt::format("{} properties cannot be found from {} measured values",
-                                     residuals.inputs(), residuals.values()),
+        throw Diagnostic(fmt::format("{} properties cannot be found from {} measured values", residuals.inputs(),
+                                     residuals.values()),
                          "fit fewer properties");
     return t;
 }
 
 } // namespace
 
-CurveFit fit_curve(const JointModel& model, const std::vector<double>& values,
-                   const std::vector<std::string>& names, const LoadPath& path, const FitSettings& settings) {
+CurveFit fit_curve(const JointModel& model, const std::vector<double>& values, const std::vector<std::string>& names,
+                   const LoadPath& path, const FitSettings& settings) {
     Residuals residuals{model, path, settings.curve, measured_of(path, settings.offsets), values, {}, {}};
     residuals.settings.tangents = false;
     const std::size_t pieces = path.points.size() - 1;
@@ -284,8 +272,7 @@ CurveFit fit_curve(const JointModel& model, const std::vector<double>& values,
     CurveFit fit;
     fit.misfit_before = std::sqrt(residuals.sum_of_squares(given) / residuals.values());
     Minimum minimum = search(residuals, given, settings.starts, fit.search);
-    if (residuals.measured.size() == 1 || residuals.freedom() <= 0)
-        minimum = go_down(residuals, minimum.t, 1e-10);
+    if (residuals.measured.size() == 1 || residuals.freedom() <= 0) minimum = go_down(residuals, minimum.t, 1e-10);
     settle_weights(residuals, minimum);
     if (settings.curve.steps == 0) correct_for_steps(residuals, minimum, many);
     fit.search.converged = minimum.converged;

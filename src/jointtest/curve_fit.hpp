@@ -21,8 +21,8 @@ struct FittedProperty {
 /// What is left of one measured column.
 struct FittedColumn {
     std::string name;
-    double noise;   ///< standard deviation of what is left; columns are weighed by it
-    double largest; ///< largest measured value, counted from the middle where the offset is free
+    double noise;                 ///< standard deviation of what is left; columns are weighed by it
+    double largest;               ///< largest measured value, counted from the middle where the offset is free
     std::optional<double> offset; ///< of the measured zero, where it was free
     bool waves;                   ///< what is left is not noise: it keeps its sign for long
 };
@@ -59,8 +59,8 @@ struct FitSettings {
 /// opening for a path of normal_stress; measured_normal_stress for one that does not give it. Each is weighed
 /// by its noise. Throws Diagnostic when nothing was measured, a name is unknown, or there are more properties
 /// than points.
-CurveFit fit_curve(const JointModel& model, const std::vector<double>& values,
-                   const std::vector<std::string>& names, const LoadPath& path, const FitSettings& settings);
+CurveFit fit_curve(const JointModel& model, const std::vector<double>& values, const std::vector<std::string>& names,
+                   const LoadPath& path, const FitSettings& settings);
 
 /// Lines for people: values with their 95 % interval, correlation, columns, and how far the search can be
 /// trusted.

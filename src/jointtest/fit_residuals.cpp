@@ -20,8 +20,7 @@ double FreeNumber::value(double t) const {
 }
 
 double FreeNumber::number(double value) const {
-    if (std::isfinite(low_) && std::isfinite(high_))
-        return std::asin(2 * (value - low_) / (high_ - low_) - 1);
+    if (std::isfinite(low_) && std::isfinite(high_)) return std::asin(2 * (value - low_) / (high_ - low_) - 1);
     const auto root = [&](double above) { return std::sqrt(std::max(0.0, (above + 1) * (above + 1) - 1)); };
     if (std::isfinite(low_)) return root((value - low_) / scale_);
     if (std::isfinite(high_)) return root((high_ - value) / scale_);
@@ -87,9 +86,8 @@ std::vector<Measured> measured_of(const LoadPath& path, const std::vector<std::s
     for (const auto& name : offsets)
         if (name != "opening" &&
             std::none_of(all.begin(), all.end(), [&](const Measured& m) { return m.name == name; }))
-            throw Diagnostic(
-                fmt::format("the offset of '{}' cannot be found: no such column was measured", name),
-                "--offset takes names of measured columns: opening, shear_stress");
+            throw Diagnostic(fmt::format("the offset of '{}' cannot be found: no such column was measured", name),
+                             "--offset takes names of measured columns: opening, shear_stress");
     return all;
 }
 
@@ -101,8 +99,7 @@ int Residuals::freedom() const {
 
 std::vector<double> Residuals::values_at(const Eigen::VectorXd& t) const {
     auto values = base;
-    for (std::size_t k = 0; k < which.size(); ++k)
-        values[which[k]] = free[k].value(t[static_cast<Eigen::Index>(k)]);
+    for (std::size_t k = 0; k < which.size(); ++k) values[which[k]] = free[k].value(t[static_cast<Eigen::Index>(k)]);
     return values;
 }
 

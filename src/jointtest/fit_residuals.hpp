@@ -37,9 +37,8 @@ struct Measured {
     double (*of)(const CurvePoint&);
     bool free_offset; ///< its zero is not known: the mean of what is left is taken away
     double largest;
-    double scale; ///< what is left is divided by it
-    std::vector<double>
-        correction; ///< what many steps of the path add to the answer with few; empty: nothing
+    double scale;                   ///< what is left is divided by it
+    std::vector<double> correction; ///< what many steps of the path add to the answer with few; empty: nothing
 };
 
 /// Throws Diagnostic when nothing was measured, or an offset is wanted of what was not.

@@ -7,14 +7,11 @@ namespace kaya {
 
 namespace {
 
-std::string line(std::string_view what, const std::string& value) {
-    return fmt::format("  {:<18}{}\n", what, value);
-}
+std::string line(std::string_view what, const std::string& value) { return fmt::format("  {:<18}{}\n", what, value); }
 
 std::string value_text(const FittedProperty& p) {
     const std::string limit = p.at_limit ? ", at a limit of the model's table" : "";
-    if (std::isnan(p.deviation))
-        return fmt::format("{:.6g}, which the curve does not tell{}", p.value, limit);
+    if (std::isnan(p.deviation)) return fmt::format("{:.6g}, which the curve does not tell{}", p.value, limit);
     return fmt::format("{:.6g} ± {:.2g} (95 %: {:.4g} to {:.4g}){}", p.value, p.deviation, p.value - p.margin,
                        p.value + p.margin, limit);
 }
@@ -27,8 +24,7 @@ std::string correlation_text(const CurveFit& fit) {
         for (std::size_t b = 0; b < a; ++b) {
             const double value = fit.correlation[a][b];
             if (!std::isnan(value))
-                row +=
-                    fmt::format("{}{:+.3f} with {}", row.empty() ? "" : ", ", value, fit.properties[b].name);
+                row += fmt::format("{}{:+.3f} with {}", row.empty() ? "" : ", ", value, fit.properties[b].name);
         }
         if (!row.empty()) text += line("correlation", fmt::format("{} {}", fit.properties[a].name, row));
         for (std::size_t b = 0; b < a; ++b)
@@ -41,8 +37,7 @@ std::string correlation_text(const CurveFit& fit) {
 }
 
 std::string column_text(const FittedColumn& c) {
-    std::string text =
-        fmt::format("noise {:.3g}, {:.2g} % of the largest", c.noise, 100 * c.noise / c.largest);
+    std::string text = fmt::format("noise {:.3g}, {:.2g} % of the largest", c.noise, 100 * c.noise / c.largest);
     if (c.offset) text += fmt::format("; zero at {:.4g}", *c.offset);
     if (c.waves)
         text += "; what is left comes in waves: the model does not follow the curve, and the intervals are "
@@ -63,9 +58,8 @@ std::string search_text(const FitSearch& s) {
 
 std::string fit_text(const CurveFit& fit) {
     std::string text =
-        line("misfit",
-             fmt::format("{:.3g} before, {:.3g} after (root of the mean square, part of the largest value)",
-                         fit.misfit_before, fit.misfit));
+        line("misfit", fmt::format("{:.3g} before, {:.3g} after (root of the mean square, part of the largest value)",
+                                   fit.misfit_before, fit.misfit));
     for (const auto& p : fit.properties) text += line(p.name, value_text(p));
     text += correlation_text(fit);
     for (const auto& c : fit.columns) text += line(c.name, column_text(c));

@@ -55,7 +55,8 @@ public:
         p.time = time_;
         p.opening = joint_.normal_disp;
         const auto resistance = joint_.shear_resistance();
-        for (int k = 0; k < 2; ++k) p.shear[k] = joint_.shear_disp[k], p.resistance[k] = resistance[k] + 0.0; // no minus zero
+        for (int k = 0; k < 2; ++k)
+            p.shear[k] = joint_.shear_disp[k], p.resistance[k] = resistance[k] + 0.0; // no minus zero
         p.normal_stress = joint_.normal_stress();
         p.normal_stiffness = joint_.normal_stiffness;
         p.shear_stiffness = joint_.shear_stiffness;
@@ -92,7 +93,8 @@ private:
     double work(const SingleJoint& before) const {
         double sum = -0.5 * (before.normal_force + joint_.normal_force) * (joint_.normal_disp - before.normal_disp);
         for (int k = 0; k < 2; ++k)
-            sum -= 0.5 * (before.shear_force[k] + joint_.shear_force[k]) * (joint_.shear_disp[k] - before.shear_disp[k]);
+            sum -=
+                0.5 * (before.shear_force[k] + joint_.shear_force[k]) * (joint_.shear_disp[k] - before.shear_disp[k]);
         return sum;
     }
 
@@ -118,12 +120,13 @@ private:
         const double length = std::hypot(shift[0], shift[1]);
         if (!(length > 0)) return;
         for (double& part : shift) part /= length;
-        p.shear_tangent = tangent(p.shear_stiffness, p.resistance[0] * shift[0] + p.resistance[1] * shift[1], 1e-2 * length, [&](double step) {
-            SingleJoint further = joint_.trial();
-            further.step({0, {step * shift[0], step * shift[1]}, 0});
-            const auto resistance = further.shear_resistance();
-            return resistance[0] * shift[0] + resistance[1] * shift[1];
-        });
+        p.shear_tangent = tangent(p.shear_stiffness, p.resistance[0] * shift[0] + p.resistance[1] * shift[1],
+                                  1e-2 * length, [&](double step) {
+                                      SingleJoint further = joint_.trial();
+                                      further.step({0, {step * shift[0], step * shift[1]}, 0});
+                                      const auto resistance = further.shear_resistance();
+                                      return resistance[0] * shift[0] + resistance[1] * shift[1];
+                                  });
     }
 
     SingleJoint joint_;
@@ -139,26 +142,33 @@ public:
     void compare(std::size_t step, const CurvePoint& before, const CurvePoint& now) {
         constexpr double slack = 1.02; // a tangent over a finite step is not the one at its end
         if (now.normal_tangent > slack * std::max(now.normal_stiffness, before.normal_stiffness))
-            say(0, step, fmt::format("normal stiffness is {:.4g}, the model reports {:.4g}: a run can blow up",
-                                     now.normal_tangent, now.normal_stiffness));
+            say(0, step,
+                fmt::format("normal stiffness is {:.4g}, the model reports {:.4g}: a run can blow up",
+                            now.normal_tangent, now.normal_stiffness));
         if (now.shear_tangent > slack * std::max(now.shear_stiffness, before.shear_stiffness))
-            say(1, step, fmt::format("shear stiffness is {:.4g}, the model reports {:.4g}: a run can blow up",
-                                     now.shear_tangent, now.shear_stiffness));
+            say(1, step,
+                fmt::format("shear stiffness is {:.4g}, the model reports {:.4g}: a run can blow up", now.shear_tangent,
+                            now.shear_stiffness));
         const double shift = std::hypot(now.shear[0] - before.shear[0], now.shear[1] - before.shear[1]);
-        const double change = std::hypot(now.resistance[0] - before.resistance[0], now.resistance[1] - before.resistance[1]);
+        const double change =
+            std::hypot(now.resistance[0] - before.resistance[0], now.resistance[1] - before.resistance[1]);
         const double strength = std::hypot(before.resistance[0], before.resistance[1]);
         // Elastic motion, and the part that a change of normal stress brings, explain so much of a change.
         const double relative = before.normal_stress > 0 ? std::abs(now.normal_stress / before.normal_stress - 1) : 1;
-        const double explained = slack * std::max(now.shear_stiffness, before.shear_stiffness) * shift + 1.1 * relative * strength;
+        const double explained =
+            slack * std::max(now.shear_stiffness, before.shear_stiffness) * shift + 1.1 * relative * strength;
         if (change > explained + 1e-9 * strength)
-            say(2, step, fmt::format("shear stress jumps from {:.4g} to {:.4g}", strength,
-                                     std::hypot(now.resistance[0], now.resistance[1])));
+            say(2, step,
+                fmt::format("shear stress jumps from {:.4g} to {:.4g}", strength,
+                            std::hypot(now.resistance[0], now.resistance[1])));
         highest_ = std::max(highest_, now.put_in);
         // A step across a kink is off by its share of the whole.
         if (now.put_in < -1e-3 * highest_)
-            say(3, step, fmt::format("the joint has given back {:.3g} more than was put in: it makes energy", -now.put_in));
+            say(3, step,
+                fmt::format("the joint has given back {:.3g} more than was put in: it makes energy", -now.put_in));
         if (now.taken_up > now.put_in + 1e-3 * highest_)
-            say(4, step, fmt::format("frictional_work is {:.4g}, but only {:.4g} was put in", now.taken_up, now.put_in));
+            say(4, step,
+                fmt::format("frictional_work is {:.4g}, but only {:.4g} was put in", now.taken_up, now.put_in));
     }
 
 private:
@@ -183,7 +193,8 @@ JointCurve follow_path(const JointModel& model, const std::vector<double>& value
     const auto note = [&](const PathPoint& last) {
         curve.points.push_back(bench.point(last));
         const auto& history = bench.joint().history;
-        curve.history.emplace_back(history.begin(), history.begin() + static_cast<std::ptrdiff_t>(model.history.size()));
+        curve.history.emplace_back(history.begin(),
+                                   history.begin() + static_cast<std::ptrdiff_t>(model.history.size()));
         const std::size_t n = curve.points.size();
         if (n > 1) checks.compare(n - 1, curve.points[n - 2], curve.points[n - 1]);
     };
@@ -258,9 +269,8 @@ std::string curve_figure(const JointCurve& curve, const std::string& title) {
     }
     script += "EOD\n";
     // A path without shear is a closure test.
-    const bool sheared = std::any_of(curve.points.begin(), curve.points.end(), [&](const CurvePoint& p) {
-        return p.shear[0] != curve.points.front().shear[0];
-    });
+    const bool sheared = std::any_of(curve.points.begin(), curve.points.end(),
+                                     [&](const CurvePoint& p) { return p.shear[0] != curve.points.front().shear[0]; });
     std::string name;
     for (const char c : title)
         if (c != '"' && c != '\\') name += c;
@@ -268,11 +278,12 @@ std::string curve_figure(const JointCurve& curve, const std::string& title) {
         return fmt::format("{}set title \"{}\"\nset xlabel \"closure\"\nset ylabel \"normal stress\"\nset key off\n"
                            "plot $curve using (-$4):3 with lines lw 2\n",
                            script, name);
-    return fmt::format("{}set multiplot layout 2,1 title \"{}\"\nset xlabel \"shear displacement\"\n"
-                       "set key outside top center horizontal\nset ylabel \"stress\"\n"
-                       "plot $curve using 1:2 with lines lw 2 title \"shear\", $curve using 1:3 with lines lw 1.5 title \"normal\"\n"
-                       "set ylabel \"opening\"\nset key off\nplot $curve using 1:4 with lines lw 2\nunset multiplot\n",
-                       script, name);
+    return fmt::format(
+        "{}set multiplot layout 2,1 title \"{}\"\nset xlabel \"shear displacement\"\n"
+        "set key outside top center horizontal\nset ylabel \"stress\"\n"
+        "plot $curve using 1:2 with lines lw 2 title \"shear\", $curve using 1:3 with lines lw 1.5 title \"normal\"\n"
+        "set ylabel \"opening\"\nset key off\nplot $curve using 1:4 with lines lw 2\nunset multiplot\n",
+        script, name);
 }
 
 } // namespace kaya

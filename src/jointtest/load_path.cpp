@@ -17,7 +17,9 @@ namespace {
 
 } // namespace
 
-bool is_path_column(std::string_view name) { return std::ranges::find(path_columns, name) != std::ranges::end(path_columns); }
+bool is_path_column(std::string_view name) {
+    return std::ranges::find(path_columns, name) != std::ranges::end(path_columns);
+}
 
 LoadPath read_load_path(const std::filesystem::path& file) {
     LoadPath path{{}, read_csv(file)};
@@ -26,13 +28,16 @@ LoadPath read_load_path(const std::filesystem::path& file) {
         const auto found = table.find(name);
         return found ? &table.columns[*found] : nullptr;
     };
-    const auto *x = column("shear_displacement"), *y = column("shear_displacement_y"), *opening = column("normal_displacement"),
-               *stress = column("normal_stress"), *stiffness = column("boundary_stiffness"), *time = column("time");
+    const auto *x = column("shear_displacement"), *y = column("shear_displacement_y"),
+               *opening = column("normal_displacement"), *stress = column("normal_stress"),
+               *stiffness = column("boundary_stiffness"), *time = column("time");
     if (opening && stress)
-        refuse(file, "it gives normal_displacement and normal_stress", "one of them follows from the other: leave one out");
+        refuse(file, "it gives normal_displacement and normal_stress",
+               "one of them follows from the other: leave one out");
     if (!opening && !stress)
-        throw Diagnostic(fmt::format("{}: it has neither a column normal_displacement nor normal_stress", file.string()),
-                         fmt::format("say what happens across the joint; its columns are: {}", fmt::join(table.names, ", ")));
+        throw Diagnostic(
+            fmt::format("{}: it has neither a column normal_displacement nor normal_stress", file.string()),
+            fmt::format("say what happens across the joint; its columns are: {}", fmt::join(table.names, ", ")));
     if (stiffness && !stress)
         refuse(file, "boundary_stiffness needs a column normal_stress", "give the normal stress at the first point");
     if (table.rows() < 2) refuse(file, "a path needs two points at least", "the first is where the test begins");

@@ -15,9 +15,9 @@ namespace kaya {
 struct PathPoint {
     std::array<double, 2> shear{};
     double time = 0;
-    std::optional<double> opening;      ///< normal displacement, opening positive; or
-    std::optional<double> stress;       ///< normal stress, compression positive,
-    double boundary_stiffness = 0;      ///< which rises by this per opening since the first point
+    std::optional<double> opening; ///< normal displacement, opening positive; or
+    std::optional<double> stress;  ///< normal stress, compression positive,
+    double boundary_stiffness = 0; ///< which rises by this per opening since the first point
 };
 
 /// Columns of the file: shear_displacement and/or shear_displacement_y; normal_displacement or normal_stress, this one
@@ -29,7 +29,7 @@ struct LoadPath {
 };
 
 inline constexpr std::string_view path_columns[] = {"shear_displacement", "shear_displacement_y", "normal_displacement",
-                                                    "normal_stress", "boundary_stiffness", "time"};
+                                                    "normal_stress",      "boundary_stiffness",   "time"};
 bool is_path_column(std::string_view name);
 
 /// Throws Diagnostic that says which column is missing or which two exclude each other.

@@ -47,11 +47,13 @@ void SingleJoint::call(const JointStep& step, bool initialise) {
     batch.tables = model->tables;
     LoneColumns others;
     others.add_to(batch, *model);
-    const auto failure = initialise ? initialise_fenced(*model, batch) : fenced_ ? run_fenced(*model, batch) : run_batch(*model, batch);
+    const auto failure = initialise ? initialise_fenced(*model, batch)
+                         : fenced_  ? run_fenced(*model, batch)
+                                    : run_batch(*model, batch);
     if (failure)
         throw Diagnostic(failure->message,
-                         fmt::format("normal displacement {:g}, shear displacement {:g} {:g}", normal_disp, shear_disp[0],
-                                     shear_disp[1]),
+                         fmt::format("normal displacement {:g}, shear displacement {:g} {:g}", normal_disp,
+                                     shear_disp[0], shear_disp[1]),
                          Fault::run);
 }
 
@@ -88,7 +90,8 @@ std::string fault_without_area(const JointModel& model, const std::vector<double
     }
 }
 
-bool find_opening(const std::function<double(double)>& over, double start, double unit, double stress_scale, double& opening) {
+bool find_opening(const std::function<double(double)>& over, double start, double unit, double stress_scale,
+                  double& opening) {
     constexpr int most_doublings = 200;
     const double exact = 1e-14 * stress_scale;
     double closed = start, open = start, at_closed = over(start), at_open = at_closed;
@@ -111,10 +114,8 @@ bool find_opening(const std::function<double(double)>& over, double start, doubl
         const double middle = k % 3 == 2 ? 0.5 * (closed + open) : by_line;
         if (middle <= closed || middle >= open) break;
         const double value = over(middle);
-        if (value >= 0)
-            closed = middle, at_closed = value;
-        else
-            open = middle, at_open = value;
+        if (value >= 0) closed = middle, at_closed = value;
+        else open = middle, at_open = value;
     }
     opening = std::abs(at_closed) <= std::abs(at_open) ? closed : open;
     return true;

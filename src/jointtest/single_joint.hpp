@@ -65,6 +65,7 @@ std::string fault_without_area(const JointModel& model, const std::vector<double
 
 /// The opening at which `over`, which falls as the joint opens, is 0, or as near as it comes at a jump; `start` is a guess
 /// and `unit` a length of the problem. False when there is none.
-bool find_opening(const std::function<double(double)>& over, double start, double unit, double stress_scale, double& opening);
+bool find_opening(const std::function<double(double)>& over, double start, double unit, double stress_scale,
+                  double& opening);
 
 } // namespace kaya

@@ -44,7 +44,8 @@ unsigned ArithmeticGuard::put_back() {
     if (changed == 0) return 0;
     if (changed & rounding_bits) std::fesetround(rounding_); // of long double, too
     set_control(control_);
-    return (changed & rounding_bits ? unsigned{rounding_changed} : 0u) | (changed & small_bits ? unsigned{small_numbers_cut} : 0u) |
+    return (changed & rounding_bits ? unsigned{rounding_changed} : 0u) |
+           (changed & small_bits ? unsigned{small_numbers_cut} : 0u) |
            (changed & mask_bits ? unsigned{stops_at_errors} : 0u);
 }
 

@@ -33,7 +33,8 @@ bool all_usable(const double* __restrict column, std::size_t n, bool may_be_nega
     // lets -0 pass, is made on a hit only).
     std::uint64_t largest = 0;
     if (may_be_negative)
-        for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::bit_cast<std::uint64_t>(column[i]) & ~sign);
+        for (std::size_t i = 0; i < n; ++i)
+            largest = std::max(largest, std::bit_cast<std::uint64_t>(column[i]) & ~sign);
     else
         for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::bit_cast<std::uint64_t>(column[i]));
     return largest < exponent;
@@ -44,15 +45,14 @@ std::optional<BatchFailure> unusable_row(const JointModel& model, const Output& 
     for (std::size_t i = 0; i < n; ++i) {
         const double value = output.column[i];
         if (std::isfinite(value) && (output.may_be_negative || value >= 0)) continue;
-        return BatchFailure{i,
-                            fmt::format("joint model {} returned {} {}", model.name, output.quantity, value)};
+        return BatchFailure{i, fmt::format("joint model {} returned {} {}", model.name, output.quantity, value)};
     }
     return std::nullopt;
 }
 
 BatchFailure thrown_failure(const JointModel& model, const char* what) {
-    return {0, fmt::format("joint model {} threw an exception in a batch that begins with this row: {}",
-                           model.name, what)};
+    return {
+        0, fmt::format("joint model {} threw an exception in a batch that begins with this row: {}", model.name, what)};
 }
 
 /// What a model may only read, as sums that no likely change leaves as they are. In a cycle those are the properties,
@@ -124,34 +124,29 @@ std::optional<BatchFailure> call(const JointModel& model, const std::function<pt
     const ReadOnly read_only(model, batch, guard);
     try {
         row = function(&batch);
-    } catch (const std::exception& thrown) {
-        return thrown_failure(model, thrown.what());
-    } catch (...) {
+    } catch (const std::exception& thrown) { return thrown_failure(model, thrown.what()); } catch (...) {
         return thrown_failure(model, "not a std::exception");
     }
     model.note_arithmetic(arithmetic.put_back());
     if (const char* changed = read_only.changed(model, batch))
-        return BatchFailure{0, fmt::format("joint model {} wrote to '{}', which it may only read", model.name, changed), true};
+        return BatchFailure{0, fmt::format("joint model {} wrote to '{}', which it may only read", model.name, changed),
+                            true};
     if (row == -1) return unusable_output(model, batch, guard);
     if (row < 0 || static_cast<std::size_t>(row) >= batch.n)
-        return BatchFailure{
-            0, fmt::format("joint model {} returned row {} of a batch of {} rows, which begins with "
-                           "this row",
-                           model.name, row, batch.n)};
+        return BatchFailure{0, fmt::format("joint model {} returned row {} of a batch of {} rows, which begins with "
+                                           "this row",
+                                           model.name, row, batch.n)};
     const std::string_view message(batch.message, strnlen(batch.message, KAYA_JMODEL_MESSAGE));
-    return BatchFailure{static_cast<std::size_t>(row),
-                        fmt::format("joint model {} failed: {}", model.name,
-                                    message.empty() ? "it gives no reason" : message)};
+    return BatchFailure{static_cast<std::size_t>(row), fmt::format("joint model {} failed: {}", model.name,
+                                                                   message.empty() ? "it gives no reason" : message)};
 }
 
 } // namespace
 
 std::optional<BatchFailure> unusable_output(const JointModel& model, const kaya_jbatch& batch, Guard guard) {
     const Output forces[] = {
-        {"normal force", batch.normal_force, true},
-        {"shear force x", batch.shear_force[0], true},
-        {"shear force y", batch.shear_force[1], true},
-        {"shear force z", batch.shear_force[2], true},
+        {"normal force", batch.normal_force, true},       {"shear force x", batch.shear_force[0], true},
+        {"shear force y", batch.shear_force[1], true},    {"shear force z", batch.shear_force[2], true},
         {"frictional work", batch.frictional_work, true},
     };
     const Output stiffnesses[] = {
@@ -175,8 +170,7 @@ std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batc
     return call(model, model.functions().run, batch, numbers, "run", guard);
 }
 
-std::optional<BatchFailure> initialise_batch(const JointModel& model, kaya_jbatch& batch,
-                                             const std::int32_t* numbers) {
+std::optional<BatchFailure> initialise_batch(const JointModel& model, kaya_jbatch& batch, const std::int32_t* numbers) {
     return call(model, model.functions().initialise, batch, numbers, "initialise", Guard::all);
 }
 

@@ -28,7 +28,8 @@ std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batc
                                       const std::int32_t* numbers = nullptr, Guard guard = Guard::all);
 
 /// The first row with a value that is not finite or must not be negative.
-std::optional<BatchFailure> unusable_output(const JointModel& model, const kaya_jbatch& batch, Guard guard = Guard::all);
+std::optional<BatchFailure> unusable_output(const JointModel& model, const kaya_jbatch& batch,
+                                            Guard guard = Guard::all);
 
 /// The same for `initialise`.
 std::optional<BatchFailure> initialise_batch(const JointModel& model, kaya_jbatch& batch,

@@ -134,10 +134,8 @@ void add_place(Sentence& sentence, const kaya_jbatch& batch, const std::int32_t*
     };
     const char* what = numbers ? "sub-contact " : "row ";
     if (batch.n == 0) return;
-    if (batch.row < batch.n)
-        sentence << ", at " << what << number(batch.row);
-    else
-        sentence << ", between " << what << number(0) << " and " << what << number(batch.n - 1);
+    if (batch.row < batch.n) sentence << ", at " << what << number(batch.row);
+    else sentence << ", between " << what << number(0) << " and " << what << number(batch.n - 1);
 }
 
 constexpr const char* what_is_left = "\n  the program ends here; files that were saved before are whole\n";
@@ -153,10 +151,11 @@ void report(int signal, siginfo_t* info, void*) {
         sentence << ": it" << deed << "\n  its library: " << call->who->file.c_str() << what_is_left;
         sentence.write();
     } else if (const Called* last = called_last.load()) {
-        sentence << "\nerror: the program" << deed << "; called last was " << last->noun << " '" << last->name.c_str() << "', in "
-                 << last_work.load() << "\n  its library: " << last->file.c_str()
-                 << "\n  a model that writes past its columns, or goes on in a thread of its own, does harm after its call; 'kaya jtest' looks for that"
-                 << what_is_left;
+        sentence
+            << "\nerror: the program" << deed << "; called last was " << last->noun << " '" << last->name.c_str()
+            << "', in " << last_work.load() << "\n  its library: " << last->file.c_str()
+            << "\n  a model that writes past its columns, or goes on in a thread of its own, does harm after its call; 'kaya jtest' looks for that"
+            << what_is_left;
         sentence.write();
     }
     raise(signal);
@@ -171,7 +170,8 @@ void refuse_exit() {
     const CrashReport::Call* call = at_work;
     if (call == nullptr) return;
     Sentence sentence;
-    sentence << "\nerror: " << call->who->noun << " '" << call->who->name.c_str() << "' ended the program by exit() in " << call->what;
+    sentence << "\nerror: " << call->who->noun << " '" << call->who->name.c_str() << "' ended the program by exit() in "
+             << call->what;
     if (call->batch) add_place(sentence, *call->batch, call->numbers);
     sentence << "\n  its library: " << call->who->file.c_str()
              << "\n  a model that fails returns the row and writes a sentence to batch->message" << what_is_left;
@@ -194,8 +194,8 @@ bool add_models_at_work(Sentence& sentence) {
         for (std::size_t k = 0; k < count; ++k) again = again || said[k] == who;
         if (again) continue;
         said[count++] = who;
-        sentence << (count > 1 ? ", " : "") << who->noun << " '" << who->name.c_str() << "' (" << desk.what.load() << " of "
-                 << who->file.c_str() << ")";
+        sentence << (count > 1 ? ", " : "") << who->noun << " '" << who->name.c_str() << "' (" << desk.what.load()
+                 << " of " << who->file.c_str() << ")";
     }
     return count > 0;
 }
@@ -204,7 +204,8 @@ bool add_models_at_work(Sentence& sentence) {
 
 const Called* called(const std::string& name, const std::string& file, const char* noun) {
     static std::mutex lock;
-    static auto* const all = new std::map<std::tuple<std::string, std::string, std::string>, Called>; // outlives all exits
+    static auto* const all =
+        new std::map<std::tuple<std::string, std::string, std::string>, Called>; // outlives all exits
     const std::lock_guard guard(lock);
     return &all->try_emplace({name, file, noun}, Called{name, file, noun}).first->second;
 }

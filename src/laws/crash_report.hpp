@@ -38,7 +38,8 @@ class AtWork {
 public:
     /// `what` is "run", "initialise", ...; it must outlive all reports, as literals do. `batch` may be NULL; `numbers` are
     /// those of its rows that users see, NULL: the report gives rows.
-    AtWork(const Called* who, const char* what, const kaya_jbatch* batch = nullptr, const std::int32_t* numbers = nullptr);
+    AtWork(const Called* who, const char* what, const kaya_jbatch* batch = nullptr,
+           const std::int32_t* numbers = nullptr);
     ~AtWork();
     AtWork(const AtWork&) = delete;
     AtWork& operator=(const AtWork&) = delete;

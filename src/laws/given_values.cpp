@@ -7,7 +7,8 @@
 
 namespace kaya {
 
-std::vector<double> values_of(const LawTable& law, const char* noun, const std::vector<std::pair<std::string, double>>& given) {
+std::vector<double> values_of(const LawTable& law, const char* noun,
+                              const std::vector<std::pair<std::string, double>>& given) {
     std::vector<double> values;
     for (const auto& p : law.properties) values.push_back(p.initial);
     for (const auto& [word, value] : given) {
@@ -25,8 +26,9 @@ std::vector<double> values_of(const LawTable& law, const char* noun, const std::
         }
         const auto& p = law.properties[*index];
         if (!(value >= p.minimum && value <= p.maximum))
-            throw Diagnostic(fmt::format("{} is {:g}; it must be from {:g} to {:g}", p.name, value, p.minimum, p.maximum),
-                             "give a value within the limits");
+            throw Diagnostic(
+                fmt::format("{} is {:g}; it must be from {:g} to {:g}", p.name, value, p.minimum, p.maximum),
+                "give a value within the limits");
         values[*index] = value;
     }
     return values;

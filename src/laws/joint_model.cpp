@@ -60,20 +60,26 @@ JointModel::JointModel(const kaya_jmodel* d, std::filesystem::path from, std::sh
 void JointModel::read_fields() {
     const kaya_jmodel& d = descriptor_;
     if (d.field_count > KAYA_JMODEL_MAX_FIELDS)
-        refuse(joint_law, fmt::format("it has {} fields, {} at most are possible", d.field_count, KAYA_JMODEL_MAX_FIELDS));
-    if (d.field_count > 0 && !d.fields) refuse(joint_law, fmt::format("it says {} fields but gives no table", d.field_count));
+        refuse(joint_law,
+               fmt::format("it has {} fields, {} at most are possible", d.field_count, KAYA_JMODEL_MAX_FIELDS));
+    if (d.field_count > 0 && !d.fields)
+        refuse(joint_law, fmt::format("it says {} fields but gives no table", d.field_count));
     for (std::size_t i = 0; i < d.field_count; ++i) {
         const kaya_jfield& f = d.fields[i];
         if (!f.name) refuse(joint_law, fmt::format("field {} has no name", i + 1));
         const auto is_name = [&](const auto& other) { return other.name == f.name; };
-        if (std::ranges::any_of(fields, is_name)) refuse(joint_law, fmt::format("it has two fields named '{}'", f.name));
+        if (std::ranges::any_of(fields, is_name))
+            refuse(joint_law, fmt::format("it has two fields named '{}'", f.name));
         if (std::ranges::any_of(history, is_name))
             refuse(joint_law, fmt::format("'{}' is a field and a history variable", f.name));
         const auto property = std::ranges::find_if(properties, is_name);
         const bool is_property = property != properties.end();
         if (!is_property && find_property(f.name))
-            refuse(joint_law, fmt::format("the field '{}' has another word of property '{}': give it the property's own name, or one apart",
-                                          f.name, properties[*find_property(f.name)].name));
+            refuse(
+                joint_law,
+                fmt::format(
+                    "the field '{}' has another word of property '{}': give it the property's own name, or one apart",
+                    f.name, properties[*find_property(f.name)].name));
         if (!is_property && !std::isfinite(f.initial))
             refuse(joint_law, fmt::format("the initial value of field '{}' is {}", f.name, f.initial));
         fields.push_back({f.name, text_or_empty(f.unit), text_or_empty(f.help), f.initial,
@@ -104,9 +110,7 @@ std::string JointModel::check(const std::vector<double>& values) const {
         return complaint;
     } catch (const std::exception& thrown) {
         return fmt::format("joint model {} threw an exception from check(): {}", name, thrown.what());
-    } catch (...) {
-        return fmt::format("joint model {} threw an exception from check()", name);
-    }
+    } catch (...) { return fmt::format("joint model {} threw an exception from check()", name); }
 }
 
 JointStiffness JointModel::initial_stiffness(const std::vector<double>& values) const {
@@ -119,9 +123,7 @@ JointStiffness JointModel::initial_stiffness(const std::vector<double>& values) 
         note_arithmetic(arithmetic.put_back());
     } catch (const std::exception& thrown) {
         reason = fmt::format("it threw an exception: {}", thrown.what());
-    } catch (...) {
-        reason = "it threw an exception";
-    }
+    } catch (...) { reason = "it threw an exception"; }
     if (reason.empty() && !(std::isfinite(stiffness.normal) && stiffness.normal > 0))
         reason = fmt::format("the normal stiffness is {}; it must be above 0", stiffness.normal);
     if (reason.empty() && !(std::isfinite(stiffness.shear) && stiffness.shear >= 0))
@@ -145,9 +147,7 @@ template <class Call> auto asked(const JointModel& model, const char* what, Call
         const auto answer = call();
         model.note_arithmetic(arithmetic.put_back());
         return answer;
-    } catch (const std::exception& thrown) {
-        reason = thrown.what();
-    } catch (...) {
+    } catch (const std::exception& thrown) { reason = thrown.what(); } catch (...) {
     }
     Diagnostic error(fmt::format("joint model {} threw an exception from {}(): {}", model.name, what, reason),
                      "correct its source", Fault::run);
@@ -164,7 +164,8 @@ std::optional<double> JointModel::object_value(const JointObject& object, std::s
 
 bool JointModel::set_object_value(JointObject& object, std::size_t property, double value) const {
     if (!object || object.is_asleep() || descriptor_.set_object_value == nullptr) return false;
-    return asked(*this, "set_object_value", [&] { return descriptor_.set_object_value(*object.address(), property, value) == 0; });
+    return asked(*this, "set_object_value",
+                 [&] { return descriptor_.set_object_value(*object.address(), property, value) == 0; });
 }
 
 JointObject JointModel::restore_object(const std::vector<double>& values, std::string_view bytes) const {
@@ -181,9 +182,7 @@ JointObject JointModel::restore_object(const std::vector<double>& values, std::s
         reason = message[0] != '\0' ? message : "it gives no reason";
     } catch (const std::exception& thrown) {
         reason = fmt::format("it threw an exception: {}", thrown.what());
-    } catch (...) {
-        reason = "it threw an exception";
-    }
+    } catch (...) { reason = "it threw an exception"; }
     Diagnostic error(fmt::format("joint model {} cannot take up what was saved of a sub-contact: {}", name, reason),
                      "use the library that was used then", Fault::run);
     error.code = "joint-model-restore";

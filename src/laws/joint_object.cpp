@@ -44,9 +44,7 @@ JointObject::JointObject(const JointObject& other) {
     if (other.object_ == nullptr) return;
     try {
         object_ = other.object_->functions->clone(other.object_);
-    } catch (const std::exception& thrown) {
-        fail("copy", thrown.what());
-    } catch (...) {
+    } catch (const std::exception& thrown) { fail("copy", thrown.what()); } catch (...) {
         fail("copy", "it threw what is not a std::exception");
     }
     if (object_ == nullptr) fail("copy", "it gives no copy");
@@ -68,9 +66,7 @@ std::string JointObject::bytes() const {
     };
     try {
         object_->functions->save(object_, write, &all);
-    } catch (const std::exception& thrown) {
-        fail("save", thrown.what());
-    } catch (...) {
+    } catch (const std::exception& thrown) { fail("save", thrown.what()); } catch (...) {
         fail("save", "it threw what is not a std::exception");
     }
     return all;

@@ -21,7 +21,8 @@ std::size_t beyond(const JointTables::Points& points, double x) {
 double table_value(const JointTables::Points& points, double x) {
     if (points.x.empty()) return 0;
     // At a step (two points with the same x) the first of the two, as everywhere in a deck.
-    const auto next = static_cast<std::size_t>(std::lower_bound(points.x.begin(), points.x.end(), x) - points.x.begin());
+    const auto next =
+        static_cast<std::size_t>(std::lower_bound(points.x.begin(), points.x.end(), x) - points.x.begin());
     if (next == points.x.size()) return points.y.back();
     if (next == 0 || points.x[next] == x) return points.y[next];
     const double part = (x - points.x[next - 1]) / (points.x[next] - points.x[next - 1]);

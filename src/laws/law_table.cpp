@@ -15,8 +15,10 @@
 
 namespace kaya {
 
-const LawKind joint_law{"joint model", "kaya_joint_model", "kaya/jmodel.h", "joint-model", KAYA_JMODEL_INTERFACE, KAYA_JMODEL_OLDEST};
-const LawKind zone_law{"zone model", "kaya_zone_model", "kaya/zmodel.h", "zone-model", KAYA_ZMODEL_INTERFACE, KAYA_ZMODEL_INTERFACE};
+const LawKind joint_law{"joint model", "kaya_joint_model",    "kaya/jmodel.h",
+                        "joint-model", KAYA_JMODEL_INTERFACE, KAYA_JMODEL_OLDEST};
+const LawKind zone_law{"zone model", "kaya_zone_model",     "kaya/zmodel.h",
+                       "zone-model", KAYA_ZMODEL_INTERFACE, KAYA_ZMODEL_INTERFACE};
 
 namespace {
 
@@ -31,13 +33,17 @@ std::vector<std::string> words_of(const char* text) {
 
 /// Decks fold case and split at blanks, so any other word could never be typed.
 bool is_keyword(std::string_view word) {
-    const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
+    const auto allowed = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+    };
     return !word.empty() && word.front() >= 'a' && word.front() <= 'z' &&
            std::all_of(word.begin(), word.end(), allowed);
 }
 
 /// Bytes of a descriptor of its interface version: members are only ever added at the end.
-std::size_t size_of_version(const kaya_jmodel& d) { return d.interface_version == 2 ? offsetof(kaya_jmodel, fields) : sizeof d; }
+std::size_t size_of_version(const kaya_jmodel& d) {
+    return d.interface_version == 2 ? offsetof(kaya_jmodel, fields) : sizeof d;
+}
 std::size_t size_of_version(const kaya_zmodel& d) { return sizeof d; }
 
 std::uint32_t reduction_of(const kaya_jproperty&) { return KAYA_ZREDUCE_NONE; }
@@ -49,9 +55,10 @@ struct Words {
 
     std::string add(const std::string& property, const std::string& word) {
         if (!is_keyword(word))
-            return fmt::format("'{}' cannot be typed as a property: use lower-case letters, digits, hyphens and underscores, "
-                               "a letter first",
-                               word);
+            return fmt::format(
+                "'{}' cannot be typed as a property: use lower-case letters, digits, hyphens and underscores, "
+                "a letter first",
+                word);
         const auto [place, is_new] = owner.emplace(word, property);
         return is_new ? "" : fmt::format("the word '{}' stands for '{}' and for '{}'", word, place->second, property);
     }
@@ -66,8 +73,9 @@ std::string repeated(std::vector<std::string> names, const char* things) {
 } // namespace
 
 void LawTable::refuse(const LawKind& kind, const std::string& what) const {
-    Diagnostic error(fmt::format("the table of {} {} is wrong: {}", kind.noun, file.string(), what),
-                     fmt::format("correct the descriptor that {}() returns and build the library again", kind.entry_point));
+    Diagnostic error(
+        fmt::format("the table of {} {} is wrong: {}", kind.noun, file.string(), what),
+        fmt::format("correct the descriptor that {}() returns and build the library again", kind.entry_point));
     error.code = fmt::format("{}-table", kind.code);
     throw error;
 }
@@ -109,9 +117,10 @@ template <class Descriptor> void LawTable::read_table(const LawKind& kind, const
     title = text_or_empty(d.title);
     version = text_or_empty(d.version);
     if (!is_keyword(name))
-        refuse(kind, fmt::format("'{}' cannot be typed as the name of a {}: use lower-case letters, digits, hyphens and "
-                                 "underscores, a letter first",
-                                 name, kind.noun));
+        refuse(kind,
+               fmt::format("'{}' cannot be typed as the name of a {}: use lower-case letters, digits, hyphens and "
+                           "underscores, a letter first",
+                           name, kind.noun));
     who_ = called(name, file.string(), kind.noun);
     for (std::size_t i = 0; i < d.property_count; ++i) {
         const auto& p = d.properties[i];
@@ -121,8 +130,8 @@ template <class Descriptor> void LawTable::read_table(const LawKind& kind, const
         if (p.initial < p.minimum || p.initial > p.maximum)
             refuse(kind, fmt::format("the initial value of property '{}' is {}, outside its limits {} and {}", p.name,
                                      p.initial, p.minimum, p.maximum));
-        properties.push_back({p.name, words_of(p.aliases), text_or_empty(p.unit), text_or_empty(p.help), p.initial, p.minimum,
-                              p.maximum, p.optional != 0, reduction_of(p)});
+        properties.push_back({p.name, words_of(p.aliases), text_or_empty(p.unit), text_or_empty(p.help), p.initial,
+                              p.minimum, p.maximum, p.optional != 0, reduction_of(p)});
     }
     Words words;
     for (const auto& property : properties) {

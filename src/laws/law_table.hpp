@@ -18,12 +18,12 @@ struct Called;
 
 /// The two kinds of law.
 struct LawKind {
-    const char* noun;          ///< "joint model"
-    const char* entry_point;   ///< "kaya_joint_model"
-    const char* header;        ///< "kaya/jmodel.h"
-    const char* code;          ///< beginning of the codes of messages: "joint-model"
+    const char* noun;        ///< "joint model"
+    const char* entry_point; ///< "kaya_joint_model"
+    const char* header;      ///< "kaya/jmodel.h"
+    const char* code;        ///< beginning of the codes of messages: "joint-model"
     unsigned interface_version;
-    unsigned oldest_version;   ///< of libraries that still load
+    unsigned oldest_version; ///< of libraries that still load
 };
 extern const LawKind joint_law, zone_law;
 

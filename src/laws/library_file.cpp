@@ -77,8 +77,7 @@ std::string fault_of_loading(const std::filesystem::path& file, const char* entr
     close(ends[0]);
     if (child < 0) return {};
     int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
     if (well) return {};
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
         return fmt::format("does not come back within {} seconds when it is loaded", patience);

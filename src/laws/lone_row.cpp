@@ -121,10 +121,12 @@ template <class Call> std::optional<BatchFailure> call_fenced(const JointModel& 
     const auto breach = row.breach();
     row.give(model, batch);
     if (breach)
-        return BatchFailure{0, fmt::format("joint model {} wrote {}, where nothing of its own is: it takes more rows or more history "
-                                           "variables than there are",
-                                           model.name, *breach),
-                            true};
+        return BatchFailure{
+            0,
+            fmt::format("joint model {} wrote {}, where nothing of its own is: it takes more rows or more history "
+                        "variables than there are",
+                        model.name, *breach),
+            true};
     return failure;
 }
 
@@ -135,7 +137,8 @@ std::optional<BatchFailure> run_fenced(const JointModel& model, kaya_jbatch& bat
 }
 
 std::optional<BatchFailure> initialise_fenced(const JointModel& model, kaya_jbatch& batch) {
-    return call_fenced(model, batch, [](const JointModel& joint, kaya_jbatch& b) { return initialise_batch(joint, b); });
+    return call_fenced(model, batch,
+                       [](const JointModel& joint, kaya_jbatch& b) { return initialise_batch(joint, b); });
 }
 
 } // namespace kaya

@@ -43,7 +43,8 @@ std::optional<std::string> stem_of_3dec(const fs::path& file) {
     constexpr std::string_view beginning = "jmodel";
     constexpr std::size_t digits = 3;
     if (!name.starts_with(beginning) || name.size() <= beginning.size() + digits) return std::nullopt;
-    if (!std::all_of(name.end() - digits, name.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) return std::nullopt;
+    if (!std::all_of(name.end() - digits, name.end(), [](unsigned char c) { return std::isdigit(c) != 0; }))
+        return std::nullopt;
     return name.substr(beginning.size(), name.size() - beginning.size() - digits);
 }
 
@@ -60,12 +61,12 @@ void refuse_other_files(const fs::path& file) {
 
 std::shared_ptr<void> open_library(const fs::path& file) {
     if (const auto fault = fault_of_loading(file, entry_point); !fault.empty())
-        refuse("joint-model-crashes", fmt::format("joint model {} {}", file.string(), fault),
-               "look at what its source does before anything is asked of it: static objects, the functions that describe it");
+        refuse(
+            "joint-model-crashes", fmt::format("joint model {} {}", file.string(), fault),
+            "look at what its source does before anything is asked of it: static objects, the functions that describe it");
     // An absolute path keeps the system from looking elsewhere; local symbols keep models apart.
     void* handle = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!handle)
-        refuse("joint-model-not-a-library", fmt::format("{} could not be loaded", file.string()), dlerror());
+    if (!handle) refuse("joint-model-not-a-library", fmt::format("{} could not be loaded", file.string()), dlerror());
     return {handle, [](void* h) { dlclose(h); }};
 }
 
@@ -82,9 +83,7 @@ const kaya_jmodel* descriptor_of(void* library, const fs::path& file) {
     };
     try {
         return entry();
-    } catch (const std::exception& thrown) {
-        refuse_thrown(thrown.what());
-    } catch (...) {
+    } catch (const std::exception& thrown) { refuse_thrown(thrown.what()); } catch (...) {
         refuse_thrown("it threw what is not a std::exception");
     }
     return nullptr;
@@ -151,10 +150,8 @@ const JointModel& JointRegistry::get(std::string_view name) {
                          near.empty() ? "give one of the names below, or the file of a joint model"
                                       : fmt::format("did you mean '{}'?", near));
         error.code = "joint-model-unknown";
-        if (names.empty())
-            error.add("no joint models were found in the folders that are searched");
-        else
-            error.add(fmt::format("joint models: {}", fmt::join(names, ", ")));
+        if (names.empty()) error.add("no joint models were found in the folders that are searched");
+        else error.add(fmt::format("joint models: {}", fmt::join(names, ", ")));
         throw error;
     }
     return load(*file);
@@ -178,12 +175,12 @@ const JointModel& JointRegistry::load(const fs::path& file) {
                fmt::format("the joint model in {} is named '{}', and that name belongs to {}", file.string(),
                            model->name, owner->string()),
                "give the model another name in its descriptor");
-    if (!owner && !stem_of_3dec(file) && std::any_of(path_.begin(), path_.end(),
-                              [&](const fs::path& folder) { return same_file(folder, file.parent_path()); }))
-        refuse("joint-model-name",
-               fmt::format("{} holds a joint model named '{}'", file.string(), model->name),
-               fmt::format("a file in a folder that is searched must have the name of its model: {}{}",
-                           model->name, file.extension().string()));
+    if (!owner && !stem_of_3dec(file) && std::any_of(path_.begin(), path_.end(), [&](const fs::path& folder) {
+            return same_file(folder, file.parent_path());
+        }))
+        refuse("joint-model-name", fmt::format("{} holds a joint model named '{}'", file.string(), model->name),
+               fmt::format("a file in a folder that is searched must have the name of its model: {}{}", model->name,
+                           file.extension().string()));
 
     // Objects of a model may outlive the registry, and their code must be there when they go.
     if (model->keeps_objects()) dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
@@ -219,7 +216,8 @@ const JointModel* JointRegistry::find_among_3dec(const std::string& keyword) {
     for (const auto& folder : path_) {
         std::error_code unreadable;
         for (const auto& entry : fs::directory_iterator(folder, unreadable))
-            if (const auto stem = stem_of_3dec(entry.path())) (*stem == keyword ? promising : others).push_back(entry.path());
+            if (const auto stem = stem_of_3dec(entry.path()))
+                (*stem == keyword ? promising : others).push_back(entry.path());
     }
     std::sort(promising.begin(), promising.end());
     std::sort(others.begin(), others.end());

@@ -56,8 +56,10 @@ namespace {
 
 void refuse_trespass(const JointModel& model, const BatchFailure& failure) {
     if (!failure.trespass) return;
-    Diagnostic error(failure.message, fmt::format("it was tried on one sub-contact before the run; correct its source: {}", model.file.string()),
-                     Fault::run);
+    Diagnostic error(
+        failure.message,
+        fmt::format("it was tried on one sub-contact before the run; correct its source: {}", model.file.string()),
+        Fault::run);
     error.code = "joint-model-trespass";
     throw error;
 }

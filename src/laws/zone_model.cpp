@@ -44,8 +44,9 @@ void refuse_other_files(const fs::path& file) {
 
 std::unique_ptr<ZoneModel> open(const fs::path& file) {
     if (const auto fault = fault_of_loading(file, zone_law.entry_point); !fault.empty())
-        refuse("zone-model-crashes", fmt::format("zone model {} {}", file.string(), fault),
-               "look at what its source does before anything is asked of it: static objects, the functions that describe it");
+        refuse(
+            "zone-model-crashes", fmt::format("zone model {} {}", file.string(), fault),
+            "look at what its source does before anything is asked of it: static objects, the functions that describe it");
     const AtWork at_work(called(file.filename().string(), file.string(), zone_law.noun), zone_law.entry_point);
     ArithmeticGuard arithmetic; // a library that was linked with -ffast-math changes it when it is loaded
     void* handle = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -72,7 +73,8 @@ std::optional<ZoneFailure> not_finite(const std::string& model, const std::strin
                                       std::size_t n) {
     if (all_finite(column, n)) return std::nullopt;
     const auto row = std::find_if(column, column + n, [](double value) { return !std::isfinite(value); });
-    return ZoneFailure{static_cast<std::size_t>(row - column), fmt::format("zone model {} returned {} {}", model, quantity, *row)};
+    return ZoneFailure{static_cast<std::size_t>(row - column),
+                       fmt::format("zone model {} returned {} {}", model, quantity, *row)};
 }
 
 } // namespace
@@ -94,9 +96,7 @@ std::string ZoneModel::check(const std::vector<double>& values) const {
         return complaint ? complaint : "";
     } catch (const std::exception& thrown) {
         return fmt::format("zone model {} threw an exception from check(): {}", name, thrown.what());
-    } catch (...) {
-        return fmt::format("zone model {} threw an exception from check()", name);
-    }
+    } catch (...) { return fmt::format("zone model {} threw an exception from check()", name); }
 }
 
 ZoneModuli ZoneModel::moduli(const std::vector<double>& values) const {
@@ -106,9 +106,7 @@ ZoneModuli ZoneModel::moduli(const std::vector<double>& values) const {
         descriptor_.moduli(values.data(), &moduli.bulk, &moduli.shear);
     } catch (const std::exception& thrown) {
         reason = fmt::format("it threw an exception: {}", thrown.what());
-    } catch (...) {
-        reason = "it threw an exception";
-    }
+    } catch (...) { reason = "it threw an exception"; }
     if (reason.empty() && !(std::isfinite(moduli.bulk) && moduli.bulk > 0))
         reason = fmt::format("the bulk modulus is {}; it must be above 0", moduli.bulk);
     if (reason.empty() && !(std::isfinite(moduli.shear) && moduli.shear > 0))
@@ -130,13 +128,16 @@ std::optional<ZoneFailure> ZoneModel::run(kaya_zbatch& batch) const {
     try {
         row = descriptor_.run(&batch);
     } catch (const std::exception& thrown) {
-        return ZoneFailure{0, fmt::format("zone model {} threw an exception in a batch that begins here: {}", name, thrown.what())};
+        return ZoneFailure{
+            0, fmt::format("zone model {} threw an exception in a batch that begins here: {}", name, thrown.what())};
     } catch (...) {
-        return ZoneFailure{0, fmt::format("zone model {} threw what is no std::exception in a batch that begins here", name)};
+        return ZoneFailure{
+            0, fmt::format("zone model {} threw what is no std::exception in a batch that begins here", name)};
     }
     note_arithmetic(arithmetic.put_back());
     if (row == -1) {
-        static constexpr const char* stresses[6] = {"xx stress", "yy stress", "zz stress", "xy stress", "xz stress", "yz stress"};
+        static constexpr const char* stresses[6] = {"xx stress", "yy stress", "zz stress",
+                                                    "xy stress", "xz stress", "yz stress"};
         for (int k = 0; k < 6; ++k)
             if (auto failure = not_finite(name, stresses[k], batch.stress[k], batch.n)) return failure;
         if (auto failure = not_finite(name, "dissipation", batch.dissipation, batch.n)) return failure;
@@ -145,7 +146,8 @@ std::optional<ZoneFailure> ZoneModel::run(kaya_zbatch& batch) const {
         return std::nullopt;
     }
     if (row < 0 || static_cast<std::size_t>(row) >= batch.n)
-        return ZoneFailure{0, fmt::format("zone model {} returned row {} of a batch of {} rows, which begins here", name, row, batch.n)};
+        return ZoneFailure{0, fmt::format("zone model {} returned row {} of a batch of {} rows, which begins here",
+                                          name, row, batch.n)};
     const std::string_view message(batch.message, strnlen(batch.message, KAYA_JMODEL_MESSAGE));
     return ZoneFailure{static_cast<std::size_t>(row),
                        fmt::format("zone model {} failed: {}", name, message.empty() ? "it gives no reason" : message)};
@@ -195,8 +197,8 @@ const ZoneModel& ZoneModels::load(const fs::path& file) {
     const auto owner = loaded_one ? std::optional(loaded_one->file) : file_of(model->name);
     if (owner && !same_file(*owner, file))
         refuse("zone-model-name-taken",
-               fmt::format("the zone model in {} is named '{}', and that name belongs to {}", file.string(), model->name,
-                           owner->string()),
+               fmt::format("the zone model in {} is named '{}', and that name belongs to {}", file.string(),
+                           model->name, owner->string()),
                "give the model another name in its descriptor");
     model->tables = tables_;
     models_.push_back(std::move(model));

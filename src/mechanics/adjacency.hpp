@@ -53,8 +53,8 @@ struct Adjacency {
     Lists<SideEntry> of_gridpoint; ///< gridpoints of deformable blocks
     Lists<ContactEntry> of_block;  ///< rigid blocks
     JoinedBodies bodies;
-    Lists<NodeEntry> nodes_of_gridpoint; ///< cable nodes; no rows where there are no cables
-    Lists<NodeEntry> nodes_of_block;     ///< the same of rigid blocks; weight 1
+    Lists<NodeEntry> nodes_of_gridpoint;       ///< cable nodes; no rows where there are no cables
+    Lists<NodeEntry> nodes_of_block;           ///< the same of rigid blocks; weight 1
     std::vector<NodeStiffness> node_stiffness; ///< by cable node
 
     bool has_cables() const { return !node_stiffness.empty(); }

@@ -84,8 +84,7 @@ template <class Each> void sum_contact(const Model& model, Row c, JointForces& f
     const auto& contacts = model.contacts;
     const Lanes3 n = Lanes3::of(contacts.normal[c]), origin = Lanes3::of(contacts.position[c]);
     const Span span = contacts.sub_contacts[c];
-    const bool deformable =
-        model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]];
+    const bool deformable = model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]];
     const bool damped = joints_are_damped(model.settings);
     Lanes3 force = Lanes3::of(Vec3::Zero()), moment = force;
     for (Row i = 0; i < span.count; i += lane_count) {
@@ -136,7 +135,8 @@ void finish_contact(Model& model, Row c, JointForces& forces, JointWork& after) 
 double inverse_masses(const Model& model, Row c) {
     double sum = 0;
     for (const Row b : {model.contacts.block1[c], model.contacts.block2[c]})
-        if (model.blocks.fixed[b] != fix_all && model.blocks.inertial_mass[b] > 0) sum += 1 / model.blocks.inertial_mass[b];
+        if (model.blocks.fixed[b] != fix_all && model.blocks.inertial_mass[b] > 0)
+            sum += 1 / model.blocks.inertial_mass[b];
     return sum;
 }
 
@@ -145,7 +145,8 @@ constexpr double slow_growth = 0.02;
 
 /// Marks a contact that is much stiffer than it was, or whose places have moved away from the centres of its blocks.
 void note_stiffness(const Model& model, Row c, JointForces& forces) {
-    const double sum = follows_overlap(model, c) ? stiffness_over_mass(model, c) : sum_of_stiffness(model, c) * inverse_masses(model, c);
+    const double sum = follows_overlap(model, c) ? stiffness_over_mass(model, c)
+                                                 : sum_of_stiffness(model, c) * inverse_masses(model, c);
     // What becomes an overlap, or a joint, turns its blocks about other places.
     const ContactKind kind = model.contacts.kind[c];
     if (sum > (1 + slow_growth) * forces.stiffness[c] || kind != forces.kind[c]) forces.stiffness_changed[c] = 1;
@@ -193,14 +194,16 @@ void begin_again(Model& model, const Batch& batch, Row c) {
     rows.first = span.first, rows.count = span.count;
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
     auto columns = columns_of(model, rows, model.clock.time_step, history.data());
-    if (const auto failure = initialise_batch(*batch.model, columns, model.sub_contacts.number.data() + rows.first)) throw joint_failure(model, rows, *failure);
+    if (const auto failure = initialise_batch(*batch.model, columns, model.sub_contacts.number.data() + rows.first))
+        throw joint_failure(model, rows, *failure);
 }
 
 JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     JointSums sums;
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
     auto& subs = model.sub_contacts;
-    static thread_local std::vector<double> friction; // before the step, of contacts that have overlap; kept for its memory
+    static thread_local std::vector<double>
+        friction; // before the step, of contacts that have overlap; kept for its memory
     JointWork before;
     friction.resize(batch.contacts.size());
     for (std::size_t i = 0; i < batch.contacts.size(); ++i) {

@@ -16,10 +16,12 @@ struct JointForces {
     std::vector<Vec3> of_sub_contact; ///< on the second side, of contacts with a deformable block
     std::vector<Vec3> of_contact;     ///< sum on the second block
     std::vector<Vec3> moment;         ///< of that sum about Contacts::position
-    std::vector<double> stiffness;    ///< of each contact, to be compared with that of the last step only: its sub-contacts'
-                                      ///< larger tangent stiffnesses, of overlaps over the masses as they feel it
-    std::vector<ContactKind> kind;    ///< as it was when the stiffness was taken
-    std::vector<char> stiffness_changed; ///< of contacts that are much stiffer or have other geometry, until someone clears it
+    std::vector<double>
+        stiffness; ///< of each contact, to be compared with that of the last step only: its sub-contacts'
+                   ///< larger tangent stiffnesses, of overlaps over the masses as they feel it
+    std::vector<ContactKind> kind; ///< as it was when the stiffness was taken
+    std::vector<char>
+        stiffness_changed; ///< of contacts that are much stiffer or have other geometry, until someone clears it
 };
 
 /// Turns the planes, computes displacement increments, calls the joint models, and writes contact forces, displacements, history,

@@ -32,8 +32,9 @@ void fill(const Model& model, const std::vector<std::int32_t>& functions, double
         try {
             factors[row] = value_of(function, time, hooks);
             if (!std::isfinite(factors[row]))
-                throw Advised(fmt::format("the history of a boundary condition gives {} at time {:.6g}", factors[row], time),
-                              Advice::check_time_function, {}, Fault::run);
+                throw Advised(
+                    fmt::format("the history of a boundary condition gives {} at time {:.6g}", factors[row], time),
+                    Advice::check_time_function, {}, Fault::run);
         } catch (Diagnostic& failure) {
             if (!function.place.empty()) failure.add("history of the boundary condition given at " + function.place);
             throw;
@@ -45,7 +46,7 @@ void fill(const Model& model, const std::vector<std::int32_t>& functions, double
 /// on both sides of the step, so it is half a jump off with the work of every force; that is put right here.
 struct Jump {
     double mass;
-    double force;  ///< of joints and zones, of one component
+    double force; ///< of joints and zones, of one component
     double weight;
 
     void set(double& velocity, double value, double step, HistorySums& sums) const {

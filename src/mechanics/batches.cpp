@@ -15,8 +15,8 @@ std::vector<Batch> make_batches(Model& model, JointRegistry& joints, Row most) {
     for (const Row c : order) {
         const Span span = spans[c];
         const Row properties = model.contacts.properties[c];
-        const bool joins = !batches.empty() && batches.back().properties == properties &&
-                           batches.back().count + span.count <= most;
+        const bool joins =
+            !batches.empty() && batches.back().properties == properties && batches.back().count + span.count <= most;
         if (joins) {
             batches.back().count += span.count;
             batches.back().contacts.push_back(c);

@@ -13,7 +13,7 @@ namespace kaya {
 struct Batch {
     const JointModel* model;
     Row properties;
-    Row first, count; ///< rows of sub-contacts
+    Row first, count;          ///< rows of sub-contacts
     std::vector<Row> contacts; ///< in the order of their rows
 };
 

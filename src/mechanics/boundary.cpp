@@ -84,8 +84,8 @@ void tidy_boundary_histories(Model& model) {
         if (histories.what[i] == What::load || is_rotation(histories.component[i])) continue;
         for (Row g = 0; g < model.blocks.gridpoints[b].count; ++g) {
             kept.push_back(static_cast<Row>(histories.size()));
-            add_boundary_history(model, What::velocity, {histories.block[i], g, histories.component[i]}, histories.amplitude[i],
-                      histories.function[i]);
+            add_boundary_history(model, What::velocity, {histories.block[i], g, histories.component[i]},
+                                 histories.amplitude[i], histories.function[i]);
         }
     }
     if (kept.size() != count || histories.size() != count) histories.gather(kept);
@@ -224,10 +224,12 @@ void replace_by_reaction(Model& model, const Bodies& bodies, int axis) {
     each_body(
         model, bodies, axis,
         [&](Row b) {
-            if (blocks.fixed[b] & bit_of(axis)) blocks.load[b][axis] = -(blocks.force[b][axis] + blocks.mass[b] * gravity);
+            if (blocks.fixed[b] & bit_of(axis))
+                blocks.load[b][axis] = -(blocks.force[b][axis] + blocks.mass[b] * gravity);
         },
         [&](Row g) {
-            if (points.fixed[g] & bit_of(axis)) points.load[g][axis] = -(points.force[g][axis] + points.mass[g] * gravity);
+            if (points.fixed[g] & bit_of(axis))
+                points.load[g][axis] = -(points.force[g][axis] + points.mass[g] * gravity);
         });
     release_velocity(model, bodies, axis);
 }
@@ -238,8 +240,9 @@ void initialize_velocity(Model& model, const Bodies& bodies, int component, doub
     if (is_rotation(component))
         for (const Row b : bodies.blocks)
             if (blocks.body[b] != 0)
-                throw Advised(fmt::format("block {} is joined to others and has no rotation of its own", blocks.number[b]),
-                              Advice::rotate_before_joining);
+                throw Advised(
+                    fmt::format("block {} is joined to others and has no rotation of its own", blocks.number[b]),
+                    Advice::rotate_before_joining);
     each_body(
         model, bodies, component,
         [&](Row b) {
@@ -343,7 +346,8 @@ template <class Part> void inside_bodies(const Model& model, const std::vector<R
     }
     const auto lies_on = [&](int i, int j) {
         if (!loaded[rows[i]]) return;
-        const double near = std::min(blocks.margin[block_of_triangle(model, rows[i])], blocks.margin[block_of_triangle(model, rows[j])]);
+        const double near = std::min(blocks.margin[block_of_triangle(model, rows[i])],
+                                     blocks.margin[block_of_triangle(model, rows[j])]);
         for (const Vec3& x : corners[j])
             if (std::abs(normals[i].dot(x - corners[i][0])) > near) return;
         const Corners common = common_part(corners[j], corners[i], normals[i]);
@@ -360,8 +364,7 @@ template <class Part> void inside_bodies(const Model& model, const std::vector<R
 
 } // namespace
 
-double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress,
-                  std::int32_t function) {
+double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress, std::int32_t function) {
     LoadSums sums(model, function);
     double whole = 0, inside = 0;
     const std::vector<Row> triangles = exterior_triangles(model, gridpoints);
@@ -371,7 +374,8 @@ double add_stress(Model& model, const std::vector<Row>& gridpoints, const Stress
         whole += area.norm();
         const auto load = corner_loads(stress, x, area);
         for (std::size_t k = 0; k < 3; ++k)
-            for (int axis = 0; axis < 3; ++axis) sums.at_gridpoint(model.triangles.gridpoints[t][k], axis, load[k][axis]);
+            for (int axis = 0; axis < 3; ++axis)
+                sums.at_gridpoint(model.triangles.gridpoints[t][k], axis, load[k][axis]);
     }
     inside_bodies(model, triangles, [&](Row t, const Corners& x) {
         const Vec3 area = area_vector(x);

@@ -53,7 +53,8 @@ void add_block_load(Model& model, const std::vector<Row>& blocks, int component,
                     std::int32_t function = constant_in_time);
 
 /// Adds a force at a place of a rigid block, with which it goes; its direction stays.
-void add_load_at(Model& model, Row block, const Vec3& place, const Vec3& force, std::int32_t function = constant_in_time);
+void add_load_at(Model& model, Row block, const Vec3& place, const Vec3& force,
+                 std::int32_t function = constant_in_time);
 
 /// Stress that varies linearly from the origin; the six components xx yy zz xy xz yz each.
 struct StressField {

@@ -13,7 +13,7 @@ constexpr double bits = 2e-16;
 /// What a node without any stiffness is given, over the stiffnesses of the chain.
 constexpr double of_smallest = 1e-9, of_largest = 1e-13;
 constexpr int most_steps = 100;
-constexpr double enough = 1e-3;    ///< of the slope at the beginning of a step may be left at its end
+constexpr double enough = 1e-3; ///< of the slope at the beginning of a step may be left at its end
 constexpr int most_halvings = 60;
 
 } // namespace
@@ -82,7 +82,8 @@ double CableChain::fill_step() {
         diagonal_[i] -= factor * adjacent_[i - 1];
         step_[i] -= factor * step_[i - 1];
     }
-    for (std::size_t i = n; i-- > 0;) step_[i] = (step_[i] - (i + 1 < n ? adjacent_[i] * step_[i + 1] : 0)) / diagonal_[i];
+    for (std::size_t i = n; i-- > 0;)
+        step_[i] = (step_[i] - (i + 1 < n ? adjacent_[i] * step_[i + 1] : 0)) / diagonal_[i];
     double power = 0;
     for (std::size_t i = 0; i < n; ++i) power += forces_[i] * step_[i];
     return power;
@@ -93,7 +94,8 @@ double CableChain::tolerance() const {
     double size = 0, rounding = 0;
     for (std::size_t i = 0; i < bars.size(); ++i) {
         size = std::max(size, std::abs(bar_force(i)));
-        rounding = std::max(rounding, bars[i].stiffness * (std::abs(bars[i].gap) + std::abs(slip[i]) + std::abs(slip[i + 1])));
+        rounding =
+            std::max(rounding, bars[i].stiffness * (std::abs(bars[i].gap) + std::abs(slip[i]) + std::abs(slip[i + 1])));
     }
     for (std::size_t i = 0; i < grout.size(); ++i) {
         size = std::max(size, std::abs(grout_force(i)));

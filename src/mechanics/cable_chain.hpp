@@ -19,12 +19,12 @@ struct CableChain {
         bool broken = false;
     };
     struct Grout {
-        double stiffness = 0; ///< force/length of slip; 0: the node slides freely
-        double strength = 0;  ///< force
-        double lost = 0;      ///< slip at which it bears nothing
+        double stiffness = 0;  ///< force/length of slip; 0: the node slides freely
+        double strength = 0;   ///< force
+        double lost = 0;       ///< slip at which it bears nothing
         bool anchored = false; ///< slip stays as it is
     };
-    std::vector<Bar> bars;   ///< one less than nodes
+    std::vector<Bar> bars; ///< one less than nodes
     std::vector<Grout> grout;
     std::vector<double> slip; ///< in: where to begin; out: the equilibrium
 

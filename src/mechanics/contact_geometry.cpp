@@ -49,7 +49,7 @@ PlaneAxes axes_of(const Vec3& normal) {
 
 /// A face in the coordinates of the common plane.
 struct FlatFace {
-    PlaneMesh mesh; ///< its own triangles
+    PlaneMesh mesh;   ///< its own triangles
     PlaneMesh radial; ///< those that contacts are made with, if they are others
     bool is_radial;
     std::span<const Row> rows; ///< the gridpoint of each point of its own
@@ -173,11 +173,11 @@ void go_over_to_corners(const Model& model, const Surfaces& surfaces, ContactGeo
 }
 
 /// Sub-contacts at the vertices of the overlay of two faces.
-bool intersect_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double cosine, double margin,
-               double tolerance) {
+bool intersect_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double cosine,
+                     double margin, double tolerance) {
     const PlaneAxes axes = axes_of(geometry.normal);
     const Vec3 origin = model.blocks.centroid[model.faces.block[geometry.face2]]; // keeps coordinates small
-    static thread_local FlatFace face1, face2; // kept, since a search lays very many
+    static thread_local FlatFace face1, face2;                                    // kept, since a search lays very many
     face1.project(model, surfaces, geometry.face1, axes, origin);
     face2.project(model, surfaces, geometry.face2, axes, origin);
     const double edge = edge_between(model, model.faces.block[geometry.face1], model.faces.block[geometry.face2]);
@@ -195,8 +195,8 @@ bool intersect_faces(const Model& model, const Surfaces& surfaces, ContactGeomet
         point.gap = geometry.normal.dot(x2 - x1);
         point.area = p.area;
         point.type = p.vertex1 >= 0   ? SubContactType::vertex_face
-                        : p.vertex2 >= 0 ? SubContactType::face_vertex
-                                         : SubContactType::edge_edge;
+                     : p.vertex2 >= 0 ? SubContactType::face_vertex
+                                      : SubContactType::edge_edge;
         near = near || point.gap < margin;
         geometry.area += point.area;
     }
@@ -230,11 +230,12 @@ void add_middles(std::vector<Vec2>& polygon) {
 
 /// Sub-contacts of two faces of rigid blocks: the polygon that they have in common decides, and not the triangles that
 /// the faces are cut in.
-bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double margin, double tolerance) {
+bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double margin,
+                           double tolerance) {
     const PlaneAxes axes = axes_of(geometry.normal);
     const Row block1 = model.faces.block[geometry.face1], block2 = model.faces.block[geometry.face2];
     const Vec3 origin = model.blocks.centroid[block2]; // keeps coordinates small
-    static thread_local FlatFace face1, face2; // kept, since a search lays very many
+    static thread_local FlatFace face1, face2;         // kept, since a search lays very many
     static thread_local std::vector<Vec2> outline1, outline2, common;
     static thread_local Overlay found;
     face1.project(model, surfaces, geometry.face1, axes, origin);
@@ -259,9 +260,9 @@ bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, Contact
         point.area = p.area;
         const bool inside = &p - found.points.data() >= static_cast<std::ptrdiff_t>(common.size());
         point.type = corner1 >= 0   ? SubContactType::vertex_face
-                        : corner2 >= 0 ? SubContactType::face_vertex
-                        : inside       ? SubContactType::face_face
-                                       : SubContactType::edge_edge;
+                     : corner2 >= 0 ? SubContactType::face_vertex
+                     : inside       ? SubContactType::face_face
+                                    : SubContactType::edge_edge;
         near = near || point.gap < margin;
         geometry.area += point.area;
     }
@@ -273,10 +274,12 @@ bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, Contact
 }
 
 /// What lies opposite the face that gives the normal, or the edges that do.
-ContactType type_of_rigid(const Model& model, const Surfaces& surfaces, const ContactPlane& geometry, Row block1, Row block2, double tolerance) {
+ContactType type_of_rigid(const Model& model, const Surfaces& surfaces, const ContactPlane& geometry, Row block1,
+                          Row block2, double tolerance) {
     if (geometry.reference == 0) return ContactType::edge_edge;
     const Row other = geometry.reference == 1 ? block2 : block1;
-    const Vec3 towards = geometry.reference == 1 ? geometry.normal : Vec3(-geometry.normal); // lowest vertices along it touch
+    const Vec3 towards =
+        geometry.reference == 1 ? geometry.normal : Vec3(-geometry.normal); // lowest vertices along it touch
     const double low = lowest(surfaces.vertices(other), towards);
     int closed = 0;
     for (Row g = model.blocks.gridpoints[other].first; g < model.blocks.gridpoints[other].end(); ++g)
@@ -297,8 +300,7 @@ bool inside_face(const Model& model, Row face, const PlaneAxes& axes, const Vec3
         const auto cross = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); };
         const double whole = cross(c[1] - c[0], c[2] - c[0]);
         if (whole == 0) continue;
-        const std::array<double, 3> w{cross(c[1], c[2]) / whole, cross(c[2], c[0]) / whole,
-                                      cross(c[0], c[1]) / whole};
+        const std::array<double, 3> w{cross(c[1], c[2]) / whole, cross(c[2], c[0]) / whole, cross(c[0], c[1]) / whole};
         if (w[0] < -1e-9 || w[1] < -1e-9 || w[2] < -1e-9) continue;
         attachment.gridpoints = g;
         attachment.weights = w;
@@ -345,7 +347,8 @@ double covered_area(const Model& model, const Surfaces& surfaces, Row face, Row 
 
 /// One block on a face of the other that is not parallel to any of its own: its vertices over the face, and its edges
 /// where they cross the outline of the face.
-bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, Row block1, Row block2, double margin, double tolerance) {
+bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, Row block1, Row block2,
+                     double margin, double tolerance) {
     const bool face_of_first = geometry.reference == 1;
     const Row face = face_of_first ? geometry.face1 : geometry.face2;
     const Row own = face_of_first ? block1 : block2, other = face_of_first ? block2 : block1;
@@ -370,7 +373,8 @@ bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeomet
     for (Row g = span.first; g < span.end(); ++g) {
         Attachment on_face;
         if (inside_face(model, face, axes, x[g], on_face))
-            add(on_face, {{g, g, g}, {1, 0, 0}}, face_of_first ? SubContactType::face_vertex : SubContactType::vertex_face,
+            add(on_face, {{g, g, g}, {1, 0, 0}},
+                face_of_first ? SubContactType::face_vertex : SubContactType::vertex_face,
                 share_of_vertex(model, other, g, -out));
     }
 
@@ -392,13 +396,15 @@ bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeomet
                 std::min(share_of_edge(model, own, o.ends, out), share_of_edge(model, other, e.ends, -out)));
         }
     }
-    geometry.type = geometry.points.size() == 1 && geometry.points[0].type != SubContactType::edge_edge ? ContactType::face_vertex
-                                                                                          : ContactType::face_edge;
+    geometry.type = geometry.points.size() == 1 && geometry.points[0].type != SubContactType::edge_edge
+                        ? ContactType::face_vertex
+                        : ContactType::face_edge;
     return complete_geometry(geometry, covered_area(model, surfaces, face, other, axes, out, tolerance));
 }
 
 /// Two edges that cross.
-bool join_edges(const Model& model, ContactGeometry& geometry, const Separation& s, Row block1, Row block2, double margin) {
+bool join_edges(const Model& model, ContactGeometry& geometry, const Separation& s, Row block1, Row block2,
+                double margin) {
     const auto& x = model.gridpoints.position;
     const Vec3 d1 = x[s.edge1[1]] - x[s.edge1[0]], d2 = x[s.edge2[1]] - x[s.edge2[0]];
     const Vec3 between = x[s.edge2[0]] - x[s.edge1[0]];
@@ -430,13 +436,13 @@ double narrowest_contact(const Model& model, Row block1, Row block2) {
 }
 
 bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
-                ContactGeometry& geometry) {
+                   ContactGeometry& geometry) {
     // A block's margin is a small part of its size.
     const double size = std::min(model.blocks.margin[block1], model.blocks.margin[block2]);
     const double tolerance = coincidence * size, sliver = narrowest_contact(model, block1, block2);
     const double flat = flat_limit(model, old);
-    const Separation separation =
-        find_separation(model, surfaces, block1, block2, {margin, 10 * tolerance, size, sliver, flat, persistence * size, old});
+    const Separation separation = find_separation(
+        model, surfaces, block1, block2, {margin, 10 * tolerance, size, sliver, flat, persistence * size, old});
     if (separation.distance > margin || separation.normal.isZero(0)) return false;
 
     geometry.normal = separation.normal;
@@ -454,7 +460,8 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
         if (flat_faces) {
             (geometry.reference == 1 ? geometry.face2 : geometry.face1) = separation.opposite;
             const double first = part_of_first(model, block1, block2);
-            geometry.normal = (first * surfaces.normal(geometry.face1) - (1 - first) * surfaces.normal(geometry.face2)).normalized();
+            geometry.normal =
+                (first * surfaces.normal(geometry.face1) - (1 - first) * surfaces.normal(geometry.face2)).normalized();
             const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance);
             if (found && geometry.area >= least_joint * least_contact_area(model, block1, block2)) return true;
             if (!found && !overlaps) return false;

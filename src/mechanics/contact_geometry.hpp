@@ -12,7 +12,8 @@ namespace kaya {
 /// One sub-contact to be.
 struct ContactPoint {
     Vec3 position = Vec3::Zero(); ///< midway between the two surfaces
-    Vec3 centre = Vec3::Zero(); ///< of its area, where a linear traction has its mean with the weights of the point; faces with zones only
+    Vec3 centre = Vec3::
+        Zero(); ///< of its area, where a linear traction has its mean with the weights of the point; faces with zones only
     double gap = 0; ///< along the normal; negative: overlap
     double area = 0;
     SubContactType type = SubContactType::vertex_face;
@@ -42,7 +43,9 @@ public:
     ContactPoint& operator[](std::size_t i) const { return (*list_)[first_ + i]; }
     ContactPoint& add() { return list_->emplace_back(); }
     void clear() { list_->resize(first_); }
-    template <class Unwanted> void drop_if(Unwanted unwanted) { list_->erase(std::remove_if(begin(), end(), unwanted), end()); }
+    template <class Unwanted> void drop_if(Unwanted unwanted) {
+        list_->erase(std::remove_if(begin(), end(), unwanted), end());
+    }
 
 private:
     std::vector<ContactPoint>* list_;
@@ -62,7 +65,7 @@ double narrowest_contact(const Model& model, Row block1, Row block2);
 /// the points are not given.
 /// `old` is the contact that they have so far, if any.
 bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
-                ContactGeometry& geometry);
+                   ContactGeometry& geometry);
 
 /// Where a sub-contact's side is now.
 inline Vec3 attached_position(const Model& model, const Attachment& side) {

@@ -49,8 +49,8 @@ void put(const JointModel& joint, std::vector<double>& values, const Items& item
         }
         const auto& property = joint.properties[*index];
         if (!(value >= property.minimum && value <= property.maximum))
-            throw Diagnostic(fmt::format("{} = {:.6g} is outside its limits {:.6g} to {:.6g} in joint model '{}'",
-                                         name, value, property.minimum, property.maximum, joint.name));
+            throw Diagnostic(fmt::format("{} = {:.6g} is outside its limits {:.6g} to {:.6g} in joint model '{}'", name,
+                                         value, property.minimum, property.maximum, joint.name));
         values[*index] = value;
     }
 }
@@ -77,7 +77,8 @@ std::string joint_model_of_number(const Model& model, std::int32_t number) {
     if (given != model.joint_constitutive.end()) return given->second;
     for (const auto& [known, name] : numbered_models)
         if (known == number) return name;
-    throw Advised(fmt::format("no joint model has the number {}", number), Advice::name_joint_model, {std::to_string(number)});
+    throw Advised(fmt::format("no joint model has the number {}", number), Advice::name_joint_model,
+                  {std::to_string(number)});
 }
 
 std::string default_joint_model(const Model& model) {
@@ -119,8 +120,8 @@ void find_contacts(Model& model, JointRegistry& joints) {
     model.stale.contacts_found();
 }
 
-void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<Row>& contacts,
-                        const std::string& name, const std::string& place) {
+void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<Row>& contacts, const std::string& name,
+                        const std::string& place) {
     joints.get(name);
     std::map<std::int32_t, Row> set_of; // by joint material
     for (const Row c : contacts) {
@@ -153,8 +154,8 @@ void set_joint_properties(Model& model, JointRegistry& joints, const std::vector
     const bool all = are_all_joints(model, contacts);
     if (all) {
         if (model.settings.default_properties < 0)
-            model.settings.default_properties = property_set(model, joints, default_joint_model(model),
-                                                             model.settings.default_joint_material, "");
+            model.settings.default_properties =
+                property_set(model, joints, default_joint_model(model), model.settings.default_joint_material, "");
         from.push_back(model.settings.default_properties);
     }
     std::map<Row, JointProperties> changed;
@@ -196,8 +197,8 @@ void set_joint_material(Model& model, JointRegistry& joints, std::int32_t materi
     ModelEdit(model, Change::contacts);
 }
 
-void change_joint_material(Model& model, JointRegistry& joints, const std::vector<Row>& contacts,
-                           std::int32_t material, const std::string& place) {
+void change_joint_material(Model& model, JointRegistry& joints, const std::vector<Row>& contacts, std::int32_t material,
+                           const std::string& place) {
     std::map<Row, Row> renamed;
     for (const Row c : contacts) {
         const Row old = model.contacts.properties[c];

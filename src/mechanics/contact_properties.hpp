@@ -15,8 +15,8 @@ namespace kaya {
 void find_contacts(Model& model, JointRegistry& joints);
 
 /// `jmodel model NAME` on contact rows: a property set per jmat number, filled from `prop jmat`.
-void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<Row>& contacts,
-                        const std::string& name, const std::string& place);
+void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<Row>& contacts, const std::string& name,
+                        const std::string& place);
 
 /// Values by property name, for contact rows. Throws Diagnostic for a name that the model of one of
 /// the contacts does not know (did-you-mean, list of names), a value outside its limits, and when the
@@ -32,8 +32,8 @@ void set_joint_material(Model& model, JointRegistry& joints, std::int32_t materi
                         std::size_t* failed = nullptr);
 
 /// `change jmat n`: contacts take the values of another joint material (same joint model).
-void change_joint_material(Model& model, JointRegistry& joints, const std::vector<Row>& contacts,
-                           std::int32_t material, const std::string& place);
+void change_joint_material(Model& model, JointRegistry& joints, const std::vector<Row>& contacts, std::int32_t material,
+                           const std::string& place);
 
 /// The joint model that a constitutive number (`change jcons n`) stands for. Throws Diagnostic for a number that
 /// stands for none.

@@ -57,7 +57,9 @@ double travel_ahead(const Model& model, Row b, double shift) {
 
 /// How far a block may come beyond half its margin until it is looked at again: what was allowed for at the last look, and
 /// the step that takes it there.
-double travel_beyond(const Model& model, Row b) { return 2 * travel_of_a_step(model, b) - std::min(0.0, model.blocks.travelled[b]); }
+double travel_beyond(const Model& model, Row b) {
+    return 2 * travel_of_a_step(model, b) - std::min(0.0, model.blocks.travelled[b]);
+}
 
 /// How far apart two blocks may be and still touch: a contact must be there before either arrives.
 double reach(const Model& model, const std::vector<double>& beyond, Row b1, Row b2) {
@@ -147,7 +149,8 @@ bool cornerwise(const Box& a, const Box& b, double part_a, double part_b, double
 
 /// Pairs that must be looked at and contacts that stay as they are; sorted like the contacts and the near pairs.
 std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int, 2>>& near,
-                           const std::vector<Box>& boxes, const std::vector<double>& beyond, const std::vector<char>& moved) {
+                           const std::vector<Box>& boxes, const std::vector<double>& beyond,
+                           const std::vector<char>& moved) {
     const auto& contacts = model.contacts;
     const auto& margin = model.blocks.margin;
     const TiedBlocks tied(model);
@@ -159,9 +162,12 @@ std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int,
     std::vector<Pair> pairs;
     pairs.reserve(near.size() + contacts.size());
     std::size_t c = 0;
-    const auto blocks_of = [&](std::size_t row) { return std::array<int, 2>{contacts.block1[row], contacts.block2[row]}; };
+    const auto blocks_of = [&](std::size_t row) {
+        return std::array<int, 2>{contacts.block1[row], contacts.block2[row]};
+    };
     const auto add = [&](const std::array<int, 2>& pair, Row old) {
-        if (joined(model, pair[0], pair[1]) && (!model.blocks.deformable[pair[0]] || tied.contains(pair[0], pair[1]))) return;
+        if (joined(model, pair[0], pair[1]) && (!model.blocks.deformable[pair[0]] || tied.contains(pair[0], pair[1])))
+            return;
         const bool due = moved[pair[0]] || moved[pair[1]];
         if (due || old != no_row) pairs.push_back({pair[0], pair[1], old, due});
     };
@@ -183,10 +189,12 @@ constexpr double contact_depth = 1e-3;
 
 void add_overlap_points(const Model& model, Row b1, Row b2, ContactGeometry& geometry) {
     ClosureOffset offset;
-    offset.closure = std::max(0.0, geometry.gap) + contact_depth * std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
+    offset.closure =
+        std::max(0.0, geometry.gap) + contact_depth * std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
     const double least = least_contact_area(model, b1, b2);
     const OverlapPatch patch = overlap_patch(model, {b1, b2, no_row, no_row, least}, geometry.normal, offset);
-    geometry.position = patch.carried > 0 ? patch.centre : 0.5 * (model.blocks.centroid[b1] + model.blocks.centroid[b2]);
+    geometry.position =
+        patch.carried > 0 ? patch.centre : 0.5 * (model.blocks.centroid[b1] + model.blocks.centroid[b2]);
     geometry.area = least;
     for (Row k = 0; k < carriers; ++k) {
         ContactPoint& point = geometry.points.add();
@@ -212,10 +220,13 @@ bool may_close(const Model& model, Row contact) {
     constexpr double part = 0.4; // a joint about to open carries on half of its area, which is kept a rung too large
     constexpr double rolling = 0.25; // of the depth, in the time of two looks
     const auto& contacts = model.contacts;
-    if (!(contacts.depth[contact] > 0 && contacts.area[contact] > part * contacts.stiffness_area[contact])) return false;
+    if (!(contacts.depth[contact] > 0 && contacts.area[contact] > part * contacts.stiffness_area[contact]))
+        return false;
     const auto& spin = model.blocks.rotational_velocity;
-    const Vec3 turn = 2 * slide_interval * model.clock.time_step * (spin[contacts.block2[contact]] - spin[contacts.block1[contact]]);
-    return turn.cross(contacts.normal[contact]).norm() * std::sqrt(contacts.area[contact]) < rolling * contacts.depth[contact];
+    const Vec3 turn =
+        2 * slide_interval * model.clock.time_step * (spin[contacts.block2[contact]] - spin[contacts.block1[contact]]);
+    return turn.cross(contacts.normal[contact]).norm() * std::sqrt(contacts.area[contact]) <
+           rolling * contacts.depth[contact];
 }
 
 /// Whether every place of a joint to be is well closed by what the overlap has now, and the joint would carry the same
@@ -227,20 +238,23 @@ bool closes_everywhere(const Model& model, Row contact, const ContactGeometry& g
     constexpr double same = 0.02;  // faces that grip each other at their edges would make one of a smaller area
     double volume = 0, square = 0;
     for (const ContactPoint& p : geometry.points) {
-        const double closure = contacts.offset[contact] + contacts.offset_tilt[contact].dot(p.position - origin) - p.gap;
+        const double closure =
+            contacts.offset[contact] + contacts.offset_tilt[contact].dot(p.position - origin) - p.gap;
         if (!(closure > least * contacts.depth[contact])) return false;
         volume += p.area * closure;
         square += p.area * closure * closure;
     }
     const double carried = contacts.area[contact] * contacts.depth[contact];
-    return std::abs(volume - carried) <= same * carried && std::abs(square - 2 * contacts.energy_length[contact] * carried) <= 2 * same * square;
+    return std::abs(volume - carried) <= same * carried &&
+           std::abs(square - 2 * contacts.energy_length[contact] * carried) <= 2 * same * square;
 }
 
 /// Faces that will meet all at once.
 bool is_parallel(const ContactGeometry& geometry) {
     constexpr double same = 1e-9; // of the size
-    const auto [low, high] = std::minmax_element(geometry.points.begin(), geometry.points.end(),
-                                                 [](const ContactPoint& a, const ContactPoint& b) { return a.gap < b.gap; });
+    const auto [low, high] =
+        std::minmax_element(geometry.points.begin(), geometry.points.end(),
+                            [](const ContactPoint& a, const ContactPoint& b) { return a.gap < b.gap; });
     return high->gap - low->gap <= same * std::sqrt(geometry.area);
 }
 
@@ -258,14 +272,16 @@ DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving
         return DraftKind::overlap;
     }
     const bool was_joint = model.contacts.kind[old] == ContactKind::joint;
-    if (geometry.kind == ContactKind::overlap) return was_joint && !any_row_pulls(model, old) ? DraftKind::overlap : DraftKind::as_it_was;
+    if (geometry.kind == ContactKind::overlap)
+        return was_joint && !any_row_pulls(model, old) ? DraftKind::overlap : DraftKind::as_it_was;
     if (was_joint) return DraftKind::new_geometry;
-    return may_close(model, old) && closes_everywhere(model, old, geometry) ? DraftKind::new_geometry : DraftKind::as_it_was;
+    return may_close(model, old) && closes_everywhere(model, old, geometry) ? DraftKind::new_geometry
+                                                                            : DraftKind::as_it_was;
 }
 
 /// The drafts of those pairs that touch; their points are in `found`.
 std::vector<ContactDraft> find_all(const Model& model, const Surfaces& surfaces, const std::vector<double>& beyond,
-                                       const std::vector<Pair>& pairs, bool moving, std::vector<FoundContacts>& found) {
+                                   const std::vector<Pair>& pairs, bool moving, std::vector<FoundContacts>& found) {
     found.resize(std::max(found.size(), (pairs.size() + grain - 1) / grain)); // those that are there keep their memory
     for (auto& part : found) part.clear();
     for_chunks(pairs.size(), grain, [&](std::size_t first, std::size_t last) {
@@ -278,12 +294,14 @@ std::vector<ContactDraft> find_all(const Model& model, const Surfaces& surfaces,
                 continue;
             }
             ContactGeometry geometry{{}, ContactPoints(part.points)};
-            if (!update_geometry(model, surfaces, block1, block2, old, reach(model, beyond, block1, block2), geometry)) {
+            if (!update_geometry(model, surfaces, block1, block2, old, reach(model, beyond, block1, block2),
+                                 geometry)) {
                 geometry.points.clear();
                 continue;
             }
             const bool rigid = !model.blocks.deformable[block1] && !model.blocks.deformable[block2];
-            const DraftKind kind = rigid ? kind_of_rigid(model, block1, block2, old, moving, geometry) : DraftKind::new_geometry;
+            const DraftKind kind =
+                rigid ? kind_of_rigid(model, block1, block2, old, moving, geometry) : DraftKind::new_geometry;
             if (kind == DraftKind::as_it_was || (kind == DraftKind::overlap && old != no_row)) geometry.points.clear();
             part.drafts.push_back({block1, block2, old, kind, geometry, {part.points.data(), geometry.points.size()}});
         }
@@ -370,14 +388,17 @@ ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints
     const bool all_together = model.clock.cycle % slide_interval == 0;
     const auto has_slipped = [&](std::size_t c) {
         if (contacts.kind[c] == ContactKind::overlap) return all_together && may_close(model, static_cast<Row>(c));
-        if (contacts.slip_since_update[c] * contacts.slip_since_update[c] <= slide_tolerance * slide_tolerance * contacts.area[c]) return false;
-        return all_together ||
-               contacts.slip_since_update[c] > far_slide * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]]);
+        if (contacts.slip_since_update[c] * contacts.slip_since_update[c] <=
+            slide_tolerance * slide_tolerance * contacts.area[c])
+            return false;
+        return all_together || contacts.slip_since_update[c] >
+                                   far_slide * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]]);
     };
     // Back-and-forth motion does not count as slip.
     for_chunks(contacts.size(), 8 * grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c)
-            if (contacts.kind[c] == ContactKind::joint && has_slipped(c)) contacts.slip_since_update[c] = slip_at(model, static_cast<Row>(c));
+            if (contacts.kind[c] == ContactKind::joint && has_slipped(c))
+                contacts.slip_since_update[c] = slip_at(model, static_cast<Row>(c));
     });
     std::vector<Pair> pairs;
     for (std::size_t c = 0; c < contacts.size(); ++c)

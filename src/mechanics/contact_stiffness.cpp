@@ -28,7 +28,8 @@ double over_mass_of(const Model& model, Row c, Row block) {
                        : contacts.depth[c] > 0                  ? std::min(span.first + carriers, span.end())
                                                                 : span.first;
     double sum = 0;
-    for (Row s = span.first; s < spread; ++s) sum += over_mass(springs_of(model.sub_contacts, s, factor), model.sub_contacts.position[s]);
+    for (Row s = span.first; s < spread; ++s)
+        sum += over_mass(springs_of(model.sub_contacts, s, factor), model.sub_contacts.position[s]);
     Springs others;
     for (Row s = spread; s < span.end(); ++s) {
         const Springs springs = springs_of(model.sub_contacts, s, factor);
@@ -50,7 +51,8 @@ double sum_of_stiffness(const Model& model, Row contact) {
 }
 
 double stiffness_over_mass(const Model& model, Row contact) {
-    return over_mass_of(model, contact, model.contacts.block1[contact]) + over_mass_of(model, contact, model.contacts.block2[contact]);
+    return over_mass_of(model, contact, model.contacts.block1[contact]) +
+           over_mass_of(model, contact, model.contacts.block2[contact]);
 }
 
 } // namespace kaya

@@ -27,7 +27,8 @@ struct NormalAreaFactor {
         const double area = model.contacts.area[contact], stiff = model.contacts.stiffness_area[contact];
         if (!(stiff > 0 && area > 0)) return;
         of_carriers = stiff / area;
-        if (model.contacts.kind[contact] == ContactKind::overlap) others = model.contacts.sub_contacts[contact].first + carriers;
+        if (model.contacts.kind[contact] == ContactKind::overlap)
+            others = model.contacts.sub_contacts[contact].first + carriers;
     }
     double of(Row s) const { return s < others ? of_carriers : 1; }
 };

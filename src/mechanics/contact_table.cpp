@@ -52,7 +52,8 @@ void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>
             part.first = row;
             part.count = end - row;
             auto columns = columns_of(model, part, model.clock.time_step, history.data());
-            if (const auto failure = call(*part.model, columns, model.sub_contacts.number.data() + part.first)) throw joint_failure(model, part, *failure);
+            if (const auto failure = call(*part.model, columns, model.sub_contacts.number.data() + part.first))
+                throw joint_failure(model, part, *failure);
             row = end;
         }
     }
@@ -80,14 +81,17 @@ void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bo
         s.normal_displacement_increment[row] = moving ? s.normal_displacement[row] : 0;
         s.normal_displacement[row] = 0;
     }
-    const auto any = [](const std::vector<char>& marks) { return std::find(marks.begin(), marks.end(), 1) != marks.end(); };
+    const auto any = [](const std::vector<char>& marks) {
+        return std::find(marks.begin(), marks.end(), 1) != marks.end();
+    };
     if (any(changes.fresh)) initialise_sub_contacts(model, joints, changes.fresh);
     if (!any(changes.moved)) return;
     for (std::size_t row = 0; row < s.size(); ++row)
         if (changes.moved[row]) s.shear_displacement_increment.set(row, Vec3::Zero());
-    call_on_marked(model, joints, changes.moved, [](const JointModel& joint, kaya_jbatch& rows, const std::int32_t* numbers) {
-        return run_batch(joint, rows, numbers);
-    });
+    call_on_marked(model, joints, changes.moved,
+                   [](const JointModel& joint, kaya_jbatch& rows, const std::int32_t* numbers) {
+                       return run_batch(joint, rows, numbers);
+                   });
     for (std::size_t row = 0; row < s.size(); ++row) {
         if (!changes.moved[row]) continue;
         s.normal_displacement[row] += s.normal_displacement_increment[row];
@@ -99,7 +103,8 @@ void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bo
 void write_contact(Model& model, Row c, const ContactPlane& g) {
     auto& contacts = model.contacts;
     contacts.kind[c] = g.kind;
-    contacts.least_area[c] = between_rigid(model, c) ? least_contact_area(model, contacts.block1[c], contacts.block2[c]) : 0;
+    contacts.least_area[c] =
+        between_rigid(model, c) ? least_contact_area(model, contacts.block1[c], contacts.block2[c]) : 0;
     contacts.stiffness_area[c] = contacts.depth[c] = contacts.twist[c] = contacts.offset[c] = 0;
     contacts.offset_tilt[c].setZero();
     contacts.axis[c].setZero();
@@ -156,9 +161,9 @@ void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec
         const Attachment &side1 = subs.side1[s], &side2 = subs.side2[s];
         const bool known = side1.attached() && side2.attached();
         const bool same_places = side1 == point.side1 && side2 == point.side2; // more often than not
-        const double more =
-            known && !same_places ? point.gap - n.dot(attached_position(model, side2) - attached_position(model, side1))
-                                  : 0;
+        const double more = known && !same_places
+                                ? point.gap - n.dot(attached_position(model, side2) - attached_position(model, side1))
+                                : 0;
         if (more != 0 && std::abs(more) > same_gap * std::sqrt(area)) {
             changes.moved[s] = 1;
             subs.normal_displacement_increment[s] = more;
@@ -224,11 +229,14 @@ double settle(Model& model, Row c, const ContactLoad& before) {
 
 /// Makes a joint of an overlap that is closed everywhere: normal force by the closure of each place, in all what it was;
 /// shear force in the same parts. `row` of the first place; history comes from the overlap's first sub-contact.
-void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before, const ClosureOffset& offset) {
+void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
+                 const ClosureOffset& offset) {
     auto& subs = model.sub_contacts;
     const Vec3& n = draft.plane.normal;
     const Vec3 origin = model.blocks.centroid[draft.block1], shear = before.shear_sum - before.shear_sum.dot(n) * n;
-    const auto closure = [&](const ContactPoint& p) { return offset.closure + offset.tilt.dot(p.position - origin) - p.gap; };
+    const auto closure = [&](const ContactPoint& p) {
+        return offset.closure + offset.tilt.dot(p.position - origin) - p.gap;
+    };
     double whole = 0;
     for (const auto& point : draft.points) whole += point.area * closure(point);
     for (std::size_t i = 0; i < draft.points.size(); ++i) {
@@ -246,8 +254,10 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
         subs.normal_displacement[s] = -closure(point);
         subs.normal_displacement_increment[s] = 0;
         if (s == first) continue;
-        for (std::size_t h = 0; h < static_cast<std::size_t>(subs.history_columns); ++h) subs.history[h][s] = subs.history[h][first];
-        for (std::size_t k = 0; k < static_cast<std::size_t>(subs.field_columns); ++k) subs.field[k][s] = subs.field[k][first];
+        for (std::size_t h = 0; h < static_cast<std::size_t>(subs.history_columns); ++h)
+            subs.history[h][s] = subs.history[h][first];
+        for (std::size_t k = 0; k < static_cast<std::size_t>(subs.field_columns); ++k)
+            subs.field[k][s] = subs.field[k][first];
         if (subs.field_columns > 0) subs.field_set[s] = subs.field_set[first];
         if (subs.keeps_objects) subs.object[s] = subs.object[first];
         subs.state[s] = subs.state[first];
@@ -258,7 +268,8 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
 
 /// Whether an overlap becomes a joint.
 bool closes(const Model& model, const ContactDraft& draft) {
-    return draft.kind == DraftKind::new_geometry && draft.old != no_row && model.contacts.kind[draft.old] == ContactKind::overlap;
+    return draft.kind == DraftKind::new_geometry && draft.old != no_row &&
+           model.contacts.kind[draft.old] == ContactKind::overlap;
 }
 
 /// The loads of contacts that get new geometry, by row of the draft.
@@ -290,7 +301,8 @@ double stored_in_parted(const Model& model, const std::vector<char>& kept) {
 bool keeps_places(const Model& model, const ContactDraft& draft) {
     if (draft.kind == DraftKind::as_it_was) return true;
     if (draft.kind == DraftKind::overlap) return draft.old != no_row;
-    if (closes(model, draft)) return static_cast<Row>(draft.points.size()) == model.contacts.sub_contacts[draft.old].count;
+    if (closes(model, draft))
+        return static_cast<Row>(draft.points.size()) == model.contacts.sub_contacts[draft.old].count;
     if (draft.plane.normal.dot(model.contacts.normal[draft.old]) < cos_of_other_type) return false;
     const Span span = model.contacts.sub_contacts[draft.old];
     if (static_cast<Row>(draft.points.size()) != span.count) return false;
@@ -332,7 +344,8 @@ double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, C
             continue;
         }
         for (Row i = 0; i < span.count; ++i)
-            write_sub_contact(model, span.first + i, draft.points[i], g.normal, false, g.type == ContactType::face_face, changes);
+            write_sub_contact(model, span.first + i, draft.points[i], g.normal, false, g.type == ContactType::face_face,
+                              changes);
         // Weights of gridpoints are in the lists.
         if (blocks.deformable[draft.block1] || blocks.deformable[draft.block2]) ModelEdit(model, Change::lists);
     }
@@ -418,11 +431,13 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
             contacts.ids.move(contacts.id[c], row);
         }
         if (draft.kind == DraftKind::overlap && draft.old != no_row) converted.push_back(row);
-        const bool closing = draft.kind == DraftKind::new_geometry && draft.old != no_row && contacts.kind[c] == ContactKind::overlap;
-        const bool is_new = draft.kind == DraftKind::new_geometry || (draft.kind == DraftKind::overlap && draft.old == no_row);
+        const bool closing =
+            draft.kind == DraftKind::new_geometry && draft.old != no_row && contacts.kind[c] == ContactKind::overlap;
+        const bool is_new =
+            draft.kind == DraftKind::new_geometry || (draft.kind == DraftKind::overlap && draft.old == no_row);
         const ClosureOffset offset{contacts.offset[c], contacts.offset_tilt[c]};
-        const bool other_type = is_new && !closing && draft.old != no_row &&
-                                 draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_type;
+        const bool other_type =
+            is_new && !closing && draft.old != no_row && draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_type;
         if (is_new) write_contact(model, row, draft.plane);
         // What was made to overlap does so without force, and what is found too late begins without.
         if (draft.kind == DraftKind::overlap && draft.old == no_row) begin_without_force(model, row);
@@ -439,8 +454,8 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
             }
             if (!is_new || closing) continue;
             if (other_type) clear_sub_contact(subs, s);
-            write_sub_contact(model, s, draft.points[i], draft.plane.normal,
-                              other_type || source == blank_sub, draft.plane.type == ContactType::face_face, changes);
+            write_sub_contact(model, s, draft.points[i], draft.plane.normal, other_type || source == blank_sub,
+                              draft.plane.type == ContactType::face_face, changes);
         }
         if (closing) {
             const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.first == row; });

@@ -22,7 +22,7 @@ struct ContactDraft {
     Row block1, block2;
     Row old = no_row; ///< the contact of the same blocks so far
     DraftKind kind = DraftKind::as_it_was;
-    ContactPlane plane;                    ///< when it is new
+    ContactPlane plane;                     ///< when it is new
     std::span<const ContactPoint> points{}; ///< also then; they belong to someone else
 };
 

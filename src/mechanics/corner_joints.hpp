@@ -17,6 +17,8 @@ inline double length_between(const Model& model, Row block1, Row block2) {
 
 /// Whether a joint between two rigid blocks has sub-contacts at its corners only. It opens corner by corner, where other joints
 /// go over to the overlap.
-inline bool stands_on_corners(const Model& model, Row block1, Row block2) { return std::isinf(length_between(model, block1, block2)); }
+inline bool stands_on_corners(const Model& model, Row block1, Row block2) {
+    return std::isinf(length_between(model, block1, block2));
+}
 
 } // namespace kaya

@@ -57,12 +57,12 @@ Diagnostic of_zone(const Model& model, Row zone, const std::string& what) {
     const Vec3 place = zone_centroid(model, zone);
     Vec3 velocity = Vec3::Zero();
     for (const Row g : model.zones.gridpoints[zone]) velocity += 0.25 * model.gridpoints.velocity[g];
-    Diagnostic d(fmt::format("zone {} of block {} at ({:.6g}, {:.6g}, {:.6g}) {}", zone + 1, model.blocks.number[block], place.x(), place.y(),
-                             place.z(), what),
+    Diagnostic d(fmt::format("zone {} of block {} at ({:.6g}, {:.6g}, {:.6g}) {}", zone + 1, model.blocks.number[block],
+                             place.x(), place.y(), place.z(), what),
                  "look at the velocities and loads that drive the block, or delete what has fallen apart", Fault::run);
     d.code = "zone-crushed";
-    d.add(fmt::format("it moves with ({:.6g}, {:.6g}, {:.6g}); the time step is {:.6g}", velocity.x(), velocity.y(), velocity.z(),
-                      model.clock.time_step));
+    d.add(fmt::format("it moves with ({:.6g}, {:.6g}, {:.6g}); the time step is {:.6g}", velocity.x(), velocity.y(),
+                      velocity.z(), model.clock.time_step));
     return d;
 }
 
@@ -84,9 +84,12 @@ void check_crushed_zones(const Model& model) {
     throw of_zone(model, first,
                   now.volume < least_volume * then.volume
                       ? fmt::format("is crushed: {:.3g} of its volume is left", now.volume / then.volume)
-                      : fmt::format("is crushed: two of its faces are {:.2g} degrees from each other", std::asin(now.sine) * 180 / std::numbers::pi));
+                      : fmt::format("is crushed: two of its faces are {:.2g} degrees from each other",
+                                    std::asin(now.sine) * 180 / std::numbers::pi));
 }
 
-Diagnostic turned_over(const Model& model, Row zone) { return of_zone(model, zone, "has turned inside out in one step"); }
+Diagnostic turned_over(const Model& model, Row zone) {
+    return of_zone(model, zone, "has turned inside out in one step");
+}
 
 } // namespace kaya

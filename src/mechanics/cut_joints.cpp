@@ -33,7 +33,8 @@ std::vector<GivenJoint> given_joints(Model& model, JointRegistry& joints, const 
     for (const Row b : blocks) cut[b] = 1;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         if (!cut[contacts.block1[c]] && !cut[contacts.block2[c]]) continue;
-        if (contacts.material[c] == material && contacts.properties[c] == found_anew && contacts.group[c] == 0) continue;
+        if (contacts.material[c] == material && contacts.properties[c] == found_anew && contacts.group[c] == 0)
+            continue;
         given.push_back({model.blocks.id[contacts.block1[c]], model.blocks.id[contacts.block2[c]], contacts.material[c],
                          contacts.properties[c], contacts.group[c]});
     }

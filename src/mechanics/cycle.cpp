@@ -65,8 +65,7 @@ struct Cycle::Lists {
     std::vector<PointRow> zone_forces;
 };
 
-Cycle::Cycle(Model& model, JointRegistry& joints)
-    : model_(model), joints_(joints), lists_(std::make_unique<Lists>()) {}
+Cycle::Cycle(Model& model, JointRegistry& joints) : model_(model), joints_(joints), lists_(std::make_unique<Lists>()) {}
 
 Cycle::~Cycle() = default;
 
@@ -89,7 +88,8 @@ void Cycle::prepare() {
         if (!model_.stale.properties()) take_zone_laws();
         s.step.forget(); // properties may be others now
         make_lists();
-        if (!model_.stale.properties()) s.joints.stiffness_changed.assign(model_.contacts.size(), 0); // restored: all is known
+        if (!model_.stale.properties())
+            s.joints.stiffness_changed.assign(model_.contacts.size(), 0); // restored: all is known
         s.quiet = quiet_points(model_, s.elastic);
         s.search = ContactSearch{}; // blocks may be others now
         model_.stale.lists_made();
@@ -223,9 +223,9 @@ void Cycle::limit_step(const StepSums& sums, ContactChange change, bool may_grow
             zone_frequencies(model_, s.elastic);
             add_tie_frequencies(model_, s.ties);
         }
-        const auto bodies = may_grow                                                  ? TimeStep::Bodies::all_and_grow
-                          : follows && model_.clock.cycle % follow_interval == 0 ? TimeStep::Bodies::all
-                                                                                       : TimeStep::Bodies::marked;
+        const auto bodies = may_grow                                               ? TimeStep::Bodies::all_and_grow
+                            : follows && model_.clock.cycle % follow_interval == 0 ? TimeStep::Bodies::all
+                                                                                   : TimeStep::Bodies::marked;
         s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, bodies);
     });
 }

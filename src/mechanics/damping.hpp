@@ -21,7 +21,8 @@ struct DampingFactors {
         if (settings.damping == Damping::combined) combined = settings.local_factor;
         if (settings.damping == Damping::global) viscous = clock.global_viscosity;
         if (settings.damping == Damping::rayleigh) viscous = mass_damping(settings);
-        if (settings.damping == Damping::global) viscous = std::fmin(viscous, 1 / clock.time_step); // the step may have grown
+        if (settings.damping == Damping::global)
+            viscous = std::fmin(viscous, 1 / clock.time_step); // the step may have grown
         half_ = 0.5 * viscous * clock.kick();
         after_turn_ = (1 - local) / (1 + local);
     }

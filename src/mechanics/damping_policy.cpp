@@ -16,7 +16,8 @@ constexpr double viscosity_rate = 0.0033;
 } // namespace
 
 void start_viscosity(Model& model) {
-    if (model.settings.damping == Damping::global && model.clock.global_viscosity == 0) model.clock.global_viscosity = 1 / model.clock.time_step;
+    if (model.settings.damping == Damping::global && model.clock.global_viscosity == 0)
+        model.clock.global_viscosity = 1 / model.clock.time_step;
 }
 
 void adapt_viscosity(Model& model, const MotionSums& motion) {

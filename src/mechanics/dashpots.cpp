@@ -54,7 +54,8 @@ BatchDashpots::BatchDashpots(Model& model, const Batch& batch)
     : model_(model), batch_(batch), friction_(friction_room()) {
     auto& s = model.sub_contacts;
     taken_ = -0.5 * work();
-    if (friction_.size() < static_cast<std::size_t>(batch.count)) friction_.resize(static_cast<std::size_t>(batch.count));
+    if (friction_.size() < static_cast<std::size_t>(batch.count))
+        friction_.resize(static_cast<std::size_t>(batch.count));
     for (Row i = 0; i < batch.count; ++i) {
         const Row row = batch.first + i;
         friction_[i] = s.frictional_work[row];

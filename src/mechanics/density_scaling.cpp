@@ -26,13 +26,14 @@ template <class Visit> void each_body(Model& model, const BodyStiffness& stiffne
     auto& blocks = model.blocks;
     for (std::size_t b = 0; b < blocks.size(); ++b)
         if (!blocks.deformable[b] && blocks.mass[b] > 0)
-            visit(Body{blocks.mass[b], blocks.inertial_mass[b], blocks.fixed[b], blocks.force[b], blocks.velocity[b], &blocks.moment[b],
-                       &blocks.rotational_velocity[b], &blocks.angular_momentum[b]},
+            visit(Body{blocks.mass[b], blocks.inertial_mass[b], blocks.fixed[b], blocks.force[b], blocks.velocity[b],
+                       &blocks.moment[b], &blocks.rotational_velocity[b], &blocks.angular_momentum[b]},
                   stiffness.of_block[b]);
     auto& points = model.gridpoints;
     for (std::size_t g = 0; g < points.size(); ++g)
         if (points.mass[g] > 0)
-            visit(Body{points.mass[g], points.inertial_mass[g], points.fixed[g], points.force[g], points.velocity[g], nullptr, nullptr, nullptr},
+            visit(Body{points.mass[g], points.inertial_mass[g], points.fixed[g], points.force[g], points.velocity[g],
+                       nullptr, nullptr, nullptr},
                   stiffness.of_gridpoint[g]);
 }
 
@@ -119,7 +120,9 @@ void scale_masses(Model& model, const BodyStiffness& stiffness, double stable_st
     });
     if (!apart) return;
     MassChange change;
-    each_body(model, stiffness, [&](const Body& body, const Resistance& resistance) { give(body, wanted(body.mass, resistance), change); });
+    each_body(model, stiffness, [&](const Body& body, const Resistance& resistance) {
+        give(body, wanted(body.mass, resistance), change);
+    });
     book(model, change);
     sum_up(model);
 }
@@ -138,7 +141,8 @@ void raise_masses(Model& model, const BodyStiffness& stiffness, double stable_st
 }
 
 void restore_masses(Model& model) {
-    const BodyStiffness none{std::vector<Resistance>(model.gridpoints.size()), std::vector<Resistance>(model.blocks.size())};
+    const BodyStiffness none{std::vector<Resistance>(model.gridpoints.size()),
+                             std::vector<Resistance>(model.blocks.size())};
     MassChange change;
     each_body(model, none, [&](const Body& body, const Resistance&) {
         if (body.inertial != body.mass) give(body, body.mass, change);

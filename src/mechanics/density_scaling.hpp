@@ -12,8 +12,8 @@ namespace kaya {
 struct BodyStiffness;
 
 struct ScaledMasses {
-    std::size_t bodies = 0; ///< rigid blocks and gridpoints that have mass and may move
-    std::size_t scaled = 0; ///< of them with another inertial mass than their own
+    std::size_t bodies = 0;        ///< rigid blocks and gridpoints that have mass and may move
+    std::size_t scaled = 0;        ///< of them with another inertial mass than their own
     double real = 0, inertial = 0; ///< sums over those bodies
 };
 

@@ -21,9 +21,8 @@ void edges_of(const Model& model, Row block, std::vector<Edge>& edges) {
                 sides.push_back({static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high), f});
             }
     }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-        return a.ends != b.ends ? a.ends < b.ends : a.face < b.face;
-    });
+    std::sort(sides.begin(), sides.end(),
+              [](const Side& a, const Side& b) { return a.ends != b.ends ? a.ends < b.ends : a.face < b.face; });
     edges.clear();
     for (std::size_t i = 0; i + 1 < sides.size(); ++i)
         if (sides[i].ends == sides[i + 1].ends && sides[i].face != sides[i + 1].face)

@@ -10,7 +10,7 @@ namespace kaya {
 
 /// An edge between two faces of a block.
 struct Edge {
-    std::array<Row, 2> ends;  ///< gridpoints
+    std::array<Row, 2> ends; ///< gridpoints
     std::array<Row, 2> faces;
 };
 

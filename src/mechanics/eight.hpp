@@ -92,8 +92,10 @@ inline bool all_above_zero(const Eight& e) {
 
 /// Four rows, or the same numbers as four columns of them.
 inline void transpose(std::array<Four, 4>& r) {
-    const Four xz01 = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6), xz23 = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6);
-    const Four yw01 = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7), yw23 = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
+    const Four xz01 = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6),
+               xz23 = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6);
+    const Four yw01 = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7),
+               yw23 = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
     r = {__builtin_shufflevector(xz01, xz23, 0, 1, 4, 5), __builtin_shufflevector(yw01, yw23, 0, 1, 4, 5),
          __builtin_shufflevector(xz01, xz23, 2, 3, 6, 7), __builtin_shufflevector(yw01, yw23, 2, 3, 6, 7)};
 }
@@ -102,10 +104,14 @@ inline void transpose(std::array<Four, 4>& r) {
 inline std::array<Eight, 4> columns_of_rows(const std::array<Four, 8>& r) {
 #if defined(__AVX512F__)
     const Eight a = joined(r[0], r[4]), b = joined(r[1], r[5]), c = joined(r[2], r[6]), d = joined(r[3], r[7]);
-    const Eight xz01 = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14), yw01 = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
-    const Eight xz23 = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14), yw23 = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
-    return {__builtin_shufflevector(xz01, xz23, 0, 1, 8, 9, 4, 5, 12, 13), __builtin_shufflevector(yw01, yw23, 0, 1, 8, 9, 4, 5, 12, 13),
-            __builtin_shufflevector(xz01, xz23, 2, 3, 10, 11, 6, 7, 14, 15), __builtin_shufflevector(yw01, yw23, 2, 3, 10, 11, 6, 7, 14, 15)};
+    const Eight xz01 = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14),
+                yw01 = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Eight xz23 = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14),
+                yw23 = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
+    return {__builtin_shufflevector(xz01, xz23, 0, 1, 8, 9, 4, 5, 12, 13),
+            __builtin_shufflevector(yw01, yw23, 0, 1, 8, 9, 4, 5, 12, 13),
+            __builtin_shufflevector(xz01, xz23, 2, 3, 10, 11, 6, 7, 14, 15),
+            __builtin_shufflevector(yw01, yw23, 2, 3, 10, 11, 6, 7, 14, 15)};
 #else
     std::array<Four, 4> low{r[0], r[1], r[2], r[3]}, high{r[4], r[5], r[6], r[7]};
     transpose(low);
@@ -130,26 +136,35 @@ inline std::array<Eight, 6> six_columns(const double* rows) {
     const std::array<Eight, 4> c = columns_of_rows(first);
     const auto pair = [&](std::size_t l) { return load_as<Two>(rows + 6 * l + 4); };
     const auto four = [](const Two& a, const Two& b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3); };
-    const Eight even = joined(four(pair(0), pair(2)), four(pair(4), pair(6))), odd = joined(four(pair(1), pair(3)), four(pair(5), pair(7)));
-    return {c[0], c[1], c[2], c[3], __builtin_shufflevector(even, odd, 0, 8, 2, 10, 4, 12, 6, 14),
+    const Eight even = joined(four(pair(0), pair(2)), four(pair(4), pair(6))),
+                odd = joined(four(pair(1), pair(3)), four(pair(5), pair(7)));
+    return {c[0],
+            c[1],
+            c[2],
+            c[3],
+            __builtin_shufflevector(even, odd, 0, 8, 2, 10, 4, 12, 6, 14),
             __builtin_shufflevector(even, odd, 1, 9, 3, 11, 5, 13, 7, 15)};
 }
 
 /// The opposite.
 inline void put_six_columns(double* rows, const std::array<Eight, 6>& c) {
     const std::array<Four, 8> first = rows_of_columns({c[0], c[1], c[2], c[3]});
-    const Eight even = __builtin_shufflevector(c[4], c[5], 0, 8, 2, 10, 4, 12, 6, 14), odd = __builtin_shufflevector(c[4], c[5], 1, 9, 3, 11, 5, 13, 7, 15);
+    const Eight even = __builtin_shufflevector(c[4], c[5], 0, 8, 2, 10, 4, 12, 6, 14),
+                odd = __builtin_shufflevector(c[4], c[5], 1, 9, 3, 11, 5, 13, 7, 15);
     for (std::size_t l = 0; l < 8; ++l) {
         store(rows + 6 * l, first[l]);
         const Eight& pairs = l % 2 == 0 ? even : odd;
         const Four half = l < 4 ? low_half(pairs) : high_half(pairs);
-        store(rows + 6 * l + 4, l % 4 < 2 ? Two(__builtin_shufflevector(half, half, 0, 1)) : Two(__builtin_shufflevector(half, half, 2, 3)));
+        store(rows + 6 * l + 4, l % 4 < 2 ? Two(__builtin_shufflevector(half, half, 0, 1))
+                                          : Two(__builtin_shufflevector(half, half, 2, 3)));
     }
 }
 
 /// Eight rows of three numbers that follow each other, as they lie in memory.
 using ThreeEights = std::array<Eight, 3>;
-inline ThreeEights load_three(const double* rows) { return {load_as<Eight>(rows), load_as<Eight>(rows + 8), load_as<Eight>(rows + 16)}; }
+inline ThreeEights load_three(const double* rows) {
+    return {load_as<Eight>(rows), load_as<Eight>(rows + 8), load_as<Eight>(rows + 16)};
+}
 inline void store(double* rows, const ThreeEights& e) {
     for (std::size_t i = 0; i < 3; ++i) store(rows + 8 * i, e[i]);
 }
@@ -158,13 +173,17 @@ inline Eight3 columns_of(const ThreeEights& e) {
     const auto pick = [&]<int... a, int... b>(std::integer_sequence<int, a...>, std::integer_sequence<int, b...>) {
         return __builtin_shufflevector(__builtin_shufflevector(e[0], e[1], a...), e[2], b...);
     };
-    return {pick(std::integer_sequence<int, 0, 3, 6, 9, 12, 15, 0, 0>{}, std::integer_sequence<int, 0, 1, 2, 3, 4, 5, 10, 13>{}),
-            pick(std::integer_sequence<int, 1, 4, 7, 10, 13, 0, 0, 0>{}, std::integer_sequence<int, 0, 1, 2, 3, 4, 8, 11, 14>{}),
-            pick(std::integer_sequence<int, 2, 5, 8, 11, 14, 0, 0, 0>{}, std::integer_sequence<int, 0, 1, 2, 3, 4, 9, 12, 15>{})};
+    return {pick(std::integer_sequence<int, 0, 3, 6, 9, 12, 15, 0, 0>{},
+                 std::integer_sequence<int, 0, 1, 2, 3, 4, 5, 10, 13>{}),
+            pick(std::integer_sequence<int, 1, 4, 7, 10, 13, 0, 0, 0>{},
+                 std::integer_sequence<int, 0, 1, 2, 3, 4, 8, 11, 14>{}),
+            pick(std::integer_sequence<int, 2, 5, 8, 11, 14, 0, 0, 0>{},
+                 std::integer_sequence<int, 0, 1, 2, 3, 4, 9, 12, 15>{})};
 }
 /// A number of each row for each of its three.
 inline ThreeEights for_each_of_three(const Eight& e) {
-    return {__builtin_shufflevector(e, e, 0, 0, 0, 1, 1, 1, 2, 2), __builtin_shufflevector(e, e, 2, 3, 3, 3, 4, 4, 4, 5),
+    return {__builtin_shufflevector(e, e, 0, 0, 0, 1, 1, 1, 2, 2),
+            __builtin_shufflevector(e, e, 2, 3, 3, 3, 4, 4, 4, 5),
             __builtin_shufflevector(e, e, 5, 5, 6, 6, 6, 7, 7, 7)};
 }
 /// The same three numbers for each row.

@@ -21,7 +21,7 @@ struct Balance {
     double applied = 0;     ///< sum over bodies of the sizes of all forces on them
     double local_ratio = 0; ///< largest unbalanced over applied of one body
     std::size_t bodies = 0;
-    double inner_power = 0;  ///< of the forces of joints and zones
+    double inner_power = 0; ///< of the forces of joints and zones
 
     void add(const Vec3& force, double acting) { add(force.norm(), acting); }
     void add(double size, double acting) {
@@ -51,8 +51,8 @@ Vec3 free_part(Vec3 force, std::uint8_t fixed, const Roller& roller) {
 }
 
 /// Joined blocks count as one body, on which the forces of all of them act.
-void add_body(const Model& model, const Adjacency& adjacency, const JointForces& joints,
-              std::span<const Row> members, Balance& balance) {
+void add_body(const Model& model, const Adjacency& adjacency, const JointForces& joints, std::span<const Row> members,
+              Balance& balance) {
     const auto& blocks = model.blocks;
     Vec3 force = Vec3::Zero();
     double acting = 0;
@@ -83,7 +83,8 @@ struct PointForces {
     /// In the first three the sum of all forces but load and weight; the last is `acting` and the sizes of them all.
     Four sum_of(Row row, double acting) const {
         Four sum{0, 0, 0, acting};
-        for (auto p = tiles.points_of.begin(row); p != tiles.points_of.end(row); ++p) sum += load_as<Four>(zone_forces[*p].value.data());
+        for (auto p = tiles.points_of.begin(row); p != tiles.points_of.end(row); ++p)
+            sum += load_as<Four>(zone_forces[*p].value.data());
         const auto add = [&](double factor, const Vec3& v) {
             const double x = factor * v.x(), y = factor * v.y(), z = factor * v.z();
             sum += Four{x, y, z, std::sqrt(x * x + y * y + z * z)};
@@ -122,7 +123,8 @@ void gather_eight(Model& model, const PointForces& forces, Row row, Balance& bal
     }
     const std::array<Eight, 4> columns = columns_of_rows(rows);
     const Eight3 force{columns[0], columns[1], columns[2]};
-    const Eight3 load = columns_of(load_three(g.load[row].data())), velocity = columns_of(load_three(g.velocity[row].data()));
+    const Eight3 load = columns_of(load_three(g.load[row].data())),
+                 velocity = columns_of(load_three(g.velocity[row].data()));
     const Vec3& gravity = model.settings.gravity;
     const Eight mass = load_as<Eight>(&g.mass[row]);
     const Eight3 weight{mass * gravity.x(), mass * gravity.y(), mass * gravity.z()};
@@ -139,7 +141,8 @@ void gather_eight(Model& model, const PointForces& forces, Row row, Balance& bal
 bool are_plain(const Model& model, const TieLists& ties, std::size_t row) {
     const auto& g = model.gridpoints;
     for (std::size_t l = 0; l < 8; ++l)
-        if (g.fixed[row + l] != 0 || g.roller[row + l] != 0 || !model.blocks.deformable[g.block[row + l]] || ties.in_group(static_cast<Row>(row + l)))
+        if (g.fixed[row + l] != 0 || g.roller[row + l] != 0 || !model.blocks.deformable[g.block[row + l]] ||
+            ties.in_group(static_cast<Row>(row + l)))
             return false;
     return true;
 }
@@ -211,8 +214,7 @@ double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& t
                 Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
                 double acting = 0;
                 if (blocks.deformable[row]) {
-                    for (Row p = blocks.gridpoints[row].first; p < blocks.gridpoints[row].end(); ++p)
-                        sum += g.force[p];
+                    for (Row p = blocks.gridpoints[row].first; p < blocks.gridpoints[row].end(); ++p) sum += g.force[p];
                     blocks.force[row] = sum;
                     continue;
                 }
@@ -236,8 +238,7 @@ double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& t
                 part.inner_power += sum.dot(blocks.velocity[row]) + moment.dot(blocks.rotational_velocity[row]);
                 const Vec3 weight = blocks.mass[row] * gravity;
                 if ((blocks.fixed[row] & 7) != 7 && blocks.body[row] == 0)
-                    part.add(free_part(sum + blocks.load[row] + weight, blocks.fixed[row],
-                                       roller_of(model, row)),
+                    part.add(free_part(sum + blocks.load[row] + weight, blocks.fixed[row], roller_of(model, row)),
                              acting + blocks.load[row].norm() + weight.norm());
             }
             return part;

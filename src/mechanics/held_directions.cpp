@@ -68,7 +68,8 @@ std::int32_t RollerRows::row(const Roller& roller) {
 RollerRows::Key RollerRows::key(const Roller& roller) {
     Key numbers{};
     for (std::size_t k = 0; k < 3; ++k) {
-        for (int axis = 0; axis < 3; ++axis) numbers[3 * k + static_cast<std::size_t>(axis)] = roller.direction[k][axis];
+        for (int axis = 0; axis < 3; ++axis)
+            numbers[3 * k + static_cast<std::size_t>(axis)] = roller.direction[k][axis];
         numbers[9 + k] = roller.speed[static_cast<Eigen::Index>(k)];
     }
     return numbers;

@@ -32,7 +32,9 @@ std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>
     for (const Row s : sub_contacts) {
         const Row c = subs.contact[s], b1 = contacts.block1[c], b2 = contacts.block2[c];
         places[s] = subs.position[s];
-        if (wanted[c] || contacts.type[c] != ContactType::face_face || !(model.blocks.deformable[b1] || model.blocks.deformable[b2])) continue;
+        if (wanted[c] || contacts.type[c] != ContactType::face_face ||
+            !(model.blocks.deformable[b1] || model.blocks.deformable[b2]))
+            continue;
         wanted[c] = 1;
         blocks.insert(blocks.end(), {b1, b2});
     }
@@ -48,7 +50,8 @@ std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>
             const Row c = static_cast<Row>(i), b1 = contacts.block1[c], b2 = contacts.block2[c];
             list.clear();
             ContactGeometry geometry{{}, ContactPoints(list)};
-            if (!find_geometry(model, surfaces, b1, b2, c, model.blocks.margin[b1] + model.blocks.margin[b2], geometry)) continue;
+            if (!find_geometry(model, surfaces, b1, b2, c, model.blocks.margin[b1] + model.blocks.margin[b2], geometry))
+                continue;
             const double near = 1e-6 * std::sqrt(contacts.area[c]);
             for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s)
                 for (const ContactPoint& point : geometry.points)
@@ -59,8 +62,8 @@ std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>
 }
 
 /// Forces of stresses on sub-contacts; stress_at(row) is that at the place of a sub-contact.
-template <class StressAt>
-void put_joint_stress(Model& model, JointRegistry& joints, const std::vector<Row>& sub_contacts, const StressAt& stress_at) {
+template <class StressAt> void put_joint_stress(Model& model, JointRegistry& joints,
+                                                const std::vector<Row>& sub_contacts, const StressAt& stress_at) {
     auto& points = model.sub_contacts;
     std::vector<char> marked(points.size(), 0);
     for (const Row s : sub_contacts) {
@@ -86,7 +89,8 @@ Vec3 inside_joint(const Model& model, Row s) {
     const Span span = model.contacts.sub_contacts[c];
     Vec3 middle = Vec3::Zero();
     for (Row k = span.first; k < span.end(); ++k) middle += subs.position[k] / span.count;
-    const Vec3 blocks = 0.5 * (model.blocks.centroid[model.contacts.block1[c]] + model.blocks.centroid[model.contacts.block2[c]]);
+    const Vec3 blocks =
+        0.5 * (model.blocks.centroid[model.contacts.block1[c]] + model.blocks.centroid[model.contacts.block2[c]]);
     return (1 - 2 * hair) * Vec3(subs.position[s]) + hair * middle + hair * blocks;
 }
 
@@ -110,7 +114,8 @@ void set_topography_stress(Model& model, JointRegistry& joints, const std::vecto
         return stress;
     };
     for_chunks(zones.size(), 256, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) model.zones.stress[zones[i]] = stress_at(zone_centroid(model, zones[i]));
+        for (std::size_t i = first; i < last; ++i)
+            model.zones.stress[zones[i]] = stress_at(zone_centroid(model, zones[i]));
     });
     set_tie_tractions(model, zones);
     put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress_at(inside_joint(model, s)); });

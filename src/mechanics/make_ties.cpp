@@ -68,8 +68,7 @@ private:
                 const auto& g = model.zones.gridpoints[z];
                 std::array<Row, 3> face{g[(k + 1) % 4], g[(k + 2) % 4], g[(k + 3) % 4]};
                 std::ranges::sort(face);
-                known[face] =
-                    z - zones.first; // an inner face gets one of its two zones, and is not asked for
+                known[face] = z - zones.first; // an inner face gets one of its two zones, and is not asked for
             }
     }
     std::map<Row, Zones> of_block_;
@@ -115,8 +114,7 @@ void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const Project
     double common = 0;
     for (const auto& p : found.points) common += p.area;
     if (!(common > least_area * std::min(face1.area, face2.area))) return;
-    const bool same =
-        std::ranges::all_of(found.points, [](const auto& p) { return p.vertex1 >= 0 && p.vertex2 >= 0; });
+    const bool same = std::ranges::all_of(found.points, [](const auto& p) { return p.vertex1 >= 0 && p.vertex2 >= 0; });
     auto& ties = model.ties;
     Row row = static_cast<Row>(ties.size());
     ties.resize(ties.size() + found.points.size());
@@ -125,10 +123,10 @@ void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const Project
         ties.exact[row] = same;
         ties.face1[row] = face1.face - model.blocks.faces[model.faces.block[face1.face]].first;
         ties.face2[row] = face2.face - model.blocks.faces[model.faces.block[face2.face]].first;
-        attach(model, face1, p.vertex1, p.triangle1, p.weights1, below, ties.gridpoints1[row],
-               ties.weights1[row], ties.zone1[row]);
-        attach(model, face2, p.vertex2, p.triangle2, p.weights2, below, ties.gridpoints2[row],
-               ties.weights2[row], ties.zone2[row]);
+        attach(model, face1, p.vertex1, p.triangle1, p.weights1, below, ties.gridpoints1[row], ties.weights1[row],
+               ties.zone1[row]);
+        attach(model, face2, p.vertex2, p.triangle2, p.weights2, below, ties.gridpoints2[row], ties.weights2[row],
+               ties.zone2[row]);
         ties.area[row] = p.area;
         ++row;
     }
@@ -162,8 +160,7 @@ void tie_blocks(Model& model, Row block1, Row block2, ZonesBelow& below) {
         for (Row f2 = blocks.faces[block2].first; f2 < blocks.faces[block2].end(); ++f2) {
             if (current_normal(model, f2).dot(n) > -cos_of_flat) continue;
             // The nearest points of the two faces along the normal.
-            if (-reach(f2, n, -1) - reach(f1, n, 1) > near || -reach(f1, n, -1) - reach(f2, n, 1) > near)
-                continue;
+            if (-reach(f2, n, -1) - reach(f1, n, 1) > near || -reach(f1, n, -1) - reach(f2, n, 1) > near) continue;
             const Vec3 origin = blocks.centroid[block2]; // keeps coordinates small
             tie_faces(model, pair, ProjectedFace(model, f1, origin, u, v), ProjectedFace(model, f2, origin, u, v), n,
                       near, below);
@@ -191,8 +188,7 @@ std::vector<std::array<Row, 2>> pairs_to_tie(const Model& model) {
     const TiedBlocks tied(model);
     for (const auto& [i, j] : overlapping_boxes(boxes)) {
         const Row a = rows[i], b = rows[j];
-        const bool wanted =
-            blocks.tied_shape[a] != blocks.shape[a] || blocks.tied_shape[b] != blocks.shape[b];
+        const bool wanted = blocks.tied_shape[a] != blocks.shape[a] || blocks.tied_shape[b] != blocks.shape[b];
         if (wanted && joined(model, a, b) && !tied.contains(a, b)) pairs.push_back({a, b});
     }
     return pairs;

@@ -16,8 +16,8 @@ const Material& material_of(const Model& model, Row block) {
 
 [[noreturn]] void missing(const Model& model, Row block, const char* what) {
     const auto material = model.blocks.material[block];
-    Advised d(fmt::format("block {} (material {}) has no {}", model.blocks.number[block], material, what), Advice::give_density,
-              {std::to_string(material)});
+    Advised d(fmt::format("block {} (material {}) has no {}", model.blocks.number[block], material, what),
+              Advice::give_density, {std::to_string(material)});
     d.code = "property-missing";
     throw d;
 }

@@ -26,7 +26,7 @@ struct MotionLanes {
         inner_power_gain += force * (after - before);
     }
     MotionSums sums() const {
-        return {sum(kinetic_before), sum(kinetic),     sum(gravity),         sum(boundary),
+        return {sum(kinetic_before), sum(kinetic),     sum(gravity),          sum(boundary),
                 sum(damped),         sum(inner_power), sum(inner_power_size), sum(inner_power_gain)};
     }
 };

@@ -73,8 +73,8 @@ void displace_vertices(Model& model, std::size_t b) {
 /// One rigid block, or several that are joined: what acts on it and how it moves. Inertia is in the axes that
 /// the orientation turns.
 struct RigidBody {
-    double mass;          ///< in the weight
-    double inertial_mass; ///< in the equation of motion, as in the inertia
+    double mass;               ///< in the weight
+    double inertial_mass;      ///< in the equation of motion, as in the inertia
     const Mat3& inertia_shape; ///< inertia over
     double inertia_scale;      ///< this
     std::uint8_t fixed;
@@ -103,8 +103,8 @@ inline void advance(const RigidBody& body, const Settings& settings, const Clock
     const unsigned fixed = body.fixed;
     const double step = clock.time_step, kick = clock.kick();
     Vec3& w = body.spin;
-    advance_velocity(body.velocity, body.force, body.load, body.mass * lanes(settings.gravity), body.inertial_mass, kick,
-                     fixed & (fix_x | fix_y | fix_z), damping, body.last_force, sums, body.roller);
+    advance_velocity(body.velocity, body.force, body.load, body.mass * lanes(settings.gravity), body.inertial_mass,
+                     kick, fixed & (fix_x | fix_y | fix_z), damping, body.last_force, sums, body.roller);
 
     // Moments act on the angular momentum; its viscous part decays like the velocity.
     Vec3& momentum = body.momentum;
@@ -160,10 +160,10 @@ void move_block(Model& model, std::size_t b, const DampingFactors& damping, Moti
     if (blocks.fixed[b] == fix_all && blocks.velocity[b].isZero(0) && blocks.rotational_velocity[b].isZero(0)) return;
     const double mass = blocks.inertial_mass[b], step = model.clock.time_step;
     const Roller& roller = roller_of(model, static_cast<Row>(b));
-    advance({blocks.mass[b], mass, blocks.inertia[b], mass / blocks.volume[b], blocks.fixed[b], blocks.force[b], blocks.load[b],
-             blocks.moment[b], blocks.torque[b], blocks.load_arms[b], blocks.velocity[b], blocks.rotational_velocity[b],
-             blocks.angular_momentum[b], blocks.last_force[b], blocks.last_moment[b], blocks.orientation[b],
-             roller.count == 0 ? nullptr : &roller},
+    advance({blocks.mass[b], mass, blocks.inertia[b], mass / blocks.volume[b], blocks.fixed[b], blocks.force[b],
+             blocks.load[b], blocks.moment[b], blocks.torque[b], blocks.load_arms[b], blocks.velocity[b],
+             blocks.rotational_velocity[b], blocks.angular_momentum[b], blocks.last_force[b], blocks.last_moment[b],
+             blocks.orientation[b], roller.count == 0 ? nullptr : &roller},
             model.settings, model.clock, damping, sums);
     const Vec3 shift = blocks.velocity[b] * step;
     blocks.displacement[b] += shift;
@@ -213,8 +213,8 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
     // Density scaling gives all members the same factor.
     const double factor = blocks.mass[first] > 0 ? blocks.inertial_mass[first] / blocks.mass[first] : 1;
     const Mat3 inertia = axes.transpose() * body.inertia * axes, own_arms = axes.transpose() * arms;
-    advance({body.mass, factor * body.mass, inertia, factor, fixed, force, load, moment, torque, own_arms, velocity, spin,
-             blocks.angular_momentum[first], blocks.last_force[first], blocks.last_moment[first], after,
+    advance({body.mass, factor * body.mass, inertia, factor, fixed, force, load, moment, torque, own_arms, velocity,
+             spin, blocks.angular_momentum[first], blocks.last_force[first], blocks.last_moment[first], after,
              roller.count == 0 ? nullptr : &roller},
             model.settings, model.clock, damping, sums);
     const Rotor turn = rotor(after) * rotor(before).conjugate();

@@ -20,8 +20,10 @@ struct RigidMotion {
     Triple velocity, spin, centroid;
 
     RigidMotion(const Model& model, Row b)
-        : velocity(model.blocks.velocity[b]), spin(model.blocks.rotational_velocity[b]), centroid(model.blocks.centroid[b]) {
-        if (model.settings.large_strain) centroid = centroid - 0.5 * model.clock.time_step * velocity; // it has moved already
+        : velocity(model.blocks.velocity[b]), spin(model.blocks.rotational_velocity[b]),
+          centroid(model.blocks.centroid[b]) {
+        if (model.settings.large_strain)
+            centroid = centroid - 0.5 * model.clock.time_step * velocity; // it has moved already
     }
     Triple at(const Triple& place) const { return velocity + spin.cross(place - centroid); }
 };
@@ -52,8 +54,8 @@ void turn_plane(Model& model, Row c) {
     n = ((1.5 - 0.5 * turned.dot(turned)) * turned).vector();
 }
 
-inline void add_work(JointWork& work, const SubContacts& subs, Row row, const LaneGroup& group, const Lanes3& shear_force,
-              const Lanes& opening, const Lanes3& slip) {
+inline void add_work(JointWork& work, const SubContacts& subs, Row row, const LaneGroup& group,
+                     const Lanes3& shear_force, const Lanes& opening, const Lanes3& slip) {
     work.joint += group.load(subs.normal_force.data() + row) * opening + shear_force.dot(slip);
     work.friction += group.load(subs.frictional_work.data() + row);
     work.fluid += group.load(subs.pore_pressure.data() + row) * group.load(subs.area.data() + row) * opening;
@@ -173,8 +175,7 @@ void move_contact(Model& model, Row c, JointWork& work) {
     if (model.settings.large_strain) turn_plane(model, c);
     if (model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]])
         move_between(model, c, work);
-    else
-        move_between_rigid(model, c, normal_before, work);
+    else move_between_rigid(model, c, normal_before, work);
 }
 
 void turn_kept_vectors(Model& model, Row c, const std::vector<std::size_t>& vectors) {
@@ -191,7 +192,8 @@ void turn_kept_vectors(Model& model, Row c, const std::vector<std::size_t>& vect
         auto* const column = &model.sub_contacts.history[k];
         for (Row i = span.first; i < span.end(); i += lane_count) {
             const LaneGroup group(span.end() - i);
-            const Lanes3 kept{group.load(column[0].data() + i), group.load(column[1].data() + i), group.load(column[2].data() + i)};
+            const Lanes3 kept{group.load(column[0].data() + i), group.load(column[1].data() + i),
+                              group.load(column[2].data() + i)};
             const Lanes3 turned = turned_in_plane(kept, n, twist);
             group.store(column[0].data() + i, turned.x);
             group.store(column[1].data() + i, turned.y);

@@ -42,8 +42,8 @@ struct MovingPoint {
 
 /// Moves the velocity of a point on a quiet boundary or on rollers. What a roller pushes is the boundary's
 /// work; what a quiet boundary brakes counts as damped.
-void advance_on_boundary(const Model& model, const MovingPoint& point, const DampingFactors& damping,
-                         Vec3& velocity, Vec3& last_force, MotionLanes& sums) {
+void advance_on_boundary(const Model& model, const MovingPoint& point, const DampingFactors& damping, Vec3& velocity,
+                         Vec3& last_force, MotionLanes& sums) {
     const double mass = point.inertial_mass, step = model.clock.kick();
     const Vec3 weight = point.mass * model.settings.gravity, force = point.force + point.load + weight;
     Vec3 brake = Vec3::Zero(), support = Vec3::Zero();
@@ -72,7 +72,9 @@ void advance_on_boundary(const Model& model, const MovingPoint& point, const Dam
 bool are_plain(const Model& model, const QuietPoints& quiet, const TieLists& ties, std::size_t row) {
     const auto& g = model.gridpoints;
     for (std::size_t l = row; l < row + 8; ++l)
-        if (quiet.at(l) || g.roller[l] != 0 || !model.blocks.deformable[g.block[l]] || ties.in_group(static_cast<Row>(l))) return false;
+        if (quiet.at(l) || g.roller[l] != 0 || !model.blocks.deformable[g.block[l]] ||
+            ties.in_group(static_cast<Row>(l)))
+            return false;
     return true;
 }
 
@@ -119,8 +121,7 @@ void move_group(Model& model, std::span<const Row> members, const Roller& roller
         point.dashpot += quiet.dashpot[quiet.index[row]];
     }
     Vec3 velocity = common_velocity(model, members), last_force = g.last_force[members.front()];
-    if (point.quiet || roller.count != 0)
-        advance_on_boundary(model, point, damping, velocity, last_force, sums);
+    if (point.quiet || roller.count != 0) advance_on_boundary(model, point, damping, velocity, last_force, sums);
     else
         advance_velocity(velocity, point.force, point.load, point.mass * lanes(model.settings.gravity),
                          point.inertial_mass, model.clock.kick(), point.fixed, damping, last_force, sums);
@@ -160,9 +161,8 @@ MotionSums move_gridpoints(Model& model, const QuietPoints& quiet, const TieList
                     if (point.quiet) point.dashpot = quiet.dashpot[quiet.index[row]];
                     advance_on_boundary(model, point, damping, v, g.last_force[row], sums);
                 } else {
-                    advance_velocity(v, g.force[row], g.load[row], g.mass[row] * gravity,
-                                     g.inertial_mass[row], kick, g.fixed[row], damping, g.last_force[row],
-                                     sums);
+                    advance_velocity(v, g.force[row], g.load[row], g.mass[row] * gravity, g.inertial_mass[row], kick,
+                                     g.fixed[row], damping, g.last_force[row], sums);
                 }
                 place(model, static_cast<Row>(row));
             }

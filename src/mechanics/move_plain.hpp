@@ -13,8 +13,8 @@ namespace kaya {
 class PlainGridpoints {
 public:
     explicit PlainGridpoints(Model& model)
-        : model_(model), damping_(model.settings, model.clock), gravity_(for_each_row(model.settings.gravity)), step_(model.clock.time_step),
-          kick_(model.clock.kick()), large_(model.settings.large_strain) {}
+        : model_(model), damping_(model.settings, model.clock), gravity_(for_each_row(model.settings.gravity)),
+          step_(model.clock.time_step), kick_(model.clock.kick()), large_(model.settings.large_strain) {}
 
     /// Combined damping keeps more of each gridpoint.
     bool possible() const { return damping_.combined == 0; }
@@ -22,9 +22,11 @@ public:
     /// Moves rows [row, row + 8).
     [[gnu::always_inline]] void move(std::size_t row) {
         auto& g = model_.gridpoints;
-        const ThreeEights before = load_three(g.velocity[row].data()), inner = load_three(g.force[row].data()), load = load_three(g.load[row].data());
+        const ThreeEights before = load_three(g.velocity[row].data()), inner = load_three(g.force[row].data()),
+                          load = load_three(g.load[row].data());
         const Eight inertial = load_as<Eight>(&g.inertial_mass[row]);
-        const ThreeEights mass = for_each_of_three(inertial), weight_mass = for_each_of_three(load_as<Eight>(&g.mass[row])),
+        const ThreeEights mass = for_each_of_three(inertial),
+                          weight_mass = for_each_of_three(load_as<Eight>(&g.mass[row])),
                           step_over_mass = for_each_of_three(kick_ / inertial);
         std::uint64_t fixed;
         std::memcpy(&fixed, &g.fixed[row], sizeof fixed);
@@ -48,7 +50,8 @@ public:
     }
 
     MotionSums sums() const {
-        return {sum(kinetic_before_), sum(kinetic_), sum(gravity_work_), sum(boundary_), sum(damped_), sum(power_), sum(power_size_), sum(power_gain_)};
+        return {sum(kinetic_before_), sum(kinetic_), sum(gravity_work_), sum(boundary_),
+                sum(damped_),         sum(power_),   sum(power_size_),   sum(power_gain_)};
     }
 
 private:
@@ -69,7 +72,8 @@ private:
 
     void place(std::size_t row, const ThreeEights& velocity) {
         auto& g = model_.gridpoints;
-        ThreeEights displacement = load_three(g.displacement[row].data()), position = load_three(g.position[row].data());
+        ThreeEights displacement = load_three(g.displacement[row].data()),
+                    position = load_three(g.position[row].data());
         for (std::size_t i = 0; i < 3; ++i) {
             const Eight shift = velocity[i] * step_;
             displacement[i] += shift;
@@ -84,7 +88,8 @@ private:
     const ThreeEights gravity_;
     const double step_, kick_;
     const bool large_;
-    Eight kinetic_before_{}, kinetic_{}, gravity_work_{}, boundary_{}, damped_{}, power_{}, power_size_{}, power_gain_{};
+    Eight kinetic_before_{}, kinetic_{}, gravity_work_{}, boundary_{}, damped_{}, power_{}, power_size_{},
+        power_gain_{};
 };
 
 } // namespace kaya

@@ -40,7 +40,7 @@ struct Closures {
     double area = 0;
     double deepest = 0;
     double mean_offset = 0; ///< closure besides that of the places, weighted with the forces
-    double misfit = 0; ///< by which places are closed or open that the mean offset says are not so
+    double misfit = 0;      ///< by which places are closed or open that the mean offset says are not so
 };
 
 /// Closure that belongs to the normal force of a row: that of its spring, or what it has moved if that is more, as of a
@@ -106,7 +106,8 @@ ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& cl
     // The offset is linear in space: the centre of force moves to where the overlap has it by a tilt. A few steps of a
     // secant iteration on the two tilts are enough, since what was set by hand is an estimate itself.
     Vec3 wanted = Vec3::Zero();
-    for (Row s = span.first; s < span.end(); ++s) wanted += subs.normal_force[s] / closures.force * Vec3(subs.position[s]);
+    for (Row s = span.first; s < span.end(); ++s)
+        wanted += subs.normal_force[s] / closures.force * Vec3(subs.position[s]);
     const double stiffness = subs.normal_stiffness[closures.most];
     const Row b1 = contacts.block1[c];
     const Vec3 origin = model.blocks.centroid[b1];
@@ -198,7 +199,8 @@ double follow_overlap(Model& model, Row c) {
     ClosureOffset offset;
     constexpr double same = 0.05; // of the deepest closure
     offset.closure = closures.mean_offset;
-    if (closures.force > 0 && closures.misfit > same * closures.deepest) offset = closure_of_resultant(model, c, closures);
+    if (closures.force > 0 && closures.misfit > same * closures.deepest)
+        offset = closure_of_resultant(model, c, closures);
 
     const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset);
     const bool closed = patch.carried > 0 && closures.force > 0;
@@ -212,7 +214,8 @@ double follow_overlap(Model& model, Row c) {
     contacts.stiffness_area[c] = rung_above(std::max(patch.area, contacts.area[c]), contacts.least_area[c]);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     contacts.energy_taken[c] = closures.force * contacts.energy_length[c];
-    contacts.withheld[c] = contacts.slip_since_update[c] = contacts.unforced_overlap[c] = contacts.withdrawn_energy[c] = 0;
+    contacts.withheld[c] = contacts.slip_since_update[c] = contacts.unforced_overlap[c] = contacts.withdrawn_energy[c] =
+        0;
     std::array<Vec3, carriers> places;
     places.fill(contacts.position[c]);
     if (patch.carried > 0) {

@@ -20,8 +20,8 @@ struct StepMotion {
     Vec3 shift, turn, centre;
 
     StepMotion(const Model& model, Row b)
-        : shift(model.blocks.velocity[b] * model.clock.time_step), turn(model.blocks.rotational_velocity[b] * model.clock.time_step),
-          centre(model.blocks.centroid[b]) {}
+        : shift(model.blocks.velocity[b] * model.clock.time_step),
+          turn(model.blocks.rotational_velocity[b] * model.clock.time_step), centre(model.blocks.centroid[b]) {}
     Vec3 at(const Vec3& place) const { return shift + turn.cross(place - centre); }
 };
 
@@ -29,7 +29,8 @@ struct StepMotion {
 struct RelativeMotion {
     StepMotion one, two;
 
-    RelativeMotion(const Model& model, Row c) : one(model, model.contacts.block1[c]), two(model, model.contacts.block2[c]) {}
+    RelativeMotion(const Model& model, Row c)
+        : one(model, model.contacts.block1[c]), two(model, model.contacts.block2[c]) {}
     /// With the arms of the start of the step, for forces that acted then: they changed the kinetic energy with these.
     RelativeMotion at_start() const {
         RelativeMotion start = *this;
@@ -174,7 +175,10 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
         const Row s = span.first + k;
         if (k >= carriers) {
             subs.position.set(s, contacts.position[c]);
-            if (closed) subs.area[s] = span.count > carriers && subs.area[s] > 0 ? std::max(0.0, whole - contacts.area[c]) / (span.count - carriers) : 0;
+            if (closed)
+                subs.area[s] = span.count > carriers && subs.area[s] > 0
+                                   ? std::max(0.0, whole - contacts.area[c]) / (span.count - carriers)
+                                   : 0;
             subs.normal_displacement_increment[s] = 0;
             subs.shear_displacement_increment.set(s, Vec3::Zero());
             continue;
@@ -189,7 +193,8 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
         }
         // The joint model's closure is the depth; it stays at what it was while the blocks are apart.
         const double displacement = subs.normal_displacement[s];
-        subs.normal_displacement_increment[s] = closed ? -contacts.depth[c] - displacement : std::max(0.0, -displacement);
+        subs.normal_displacement_increment[s] =
+            closed ? -contacts.depth[c] - displacement : std::max(0.0, -displacement);
         subs.shear_displacement_increment.set(s, shift - shift.dot(n) * n);
     }
     return lost;
@@ -367,7 +372,8 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
         n = (n + turn.cross(n)).normalized();
         between = nearest_corners(model, b1, b2, n);
         contacts.position[c] = between.place;
-        const double force = normal_force_of(model, c), stiffness = model.sub_contacts.normal_stiffness[contacts.sub_contacts[c].first];
+        const double force = normal_force_of(model, c),
+                     stiffness = model.sub_contacts.normal_stiffness[contacts.sub_contacts[c].first];
         if (force > 0 && stiffness > 0) contacts.offset[c] = offset_for_force(model, c, force, stiffness);
         // What overlaps less than it did without force does so from here on.
         if (const double before = contacts.offset[c]; before < 0 && contacts.offset_tilt[c].isZero(0)) {
@@ -395,7 +401,8 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
         // In parts of the margin: blocks side by side that rounding errors move.
         constexpr double no_overlap = 1e-12, no_motion = 1e-10;
         const double margin = std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
-        const double gap = offset.closure == 0 && offset.tilt.isZero(0) ? between.gap : gap_along(model, b1, b2, n, offset);
+        const double gap =
+            offset.closure == 0 && offset.tilt.isZero(0) ? between.gap : gap_along(model, b1, b2, n, offset);
         return gap < -no_overlap * margin || gap < closing - no_motion * margin;
     };
     const bool near = contacts.depth[c] > 0 || comes_near();
@@ -415,7 +422,8 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     const double stiff = std::max(area, contacts.area[c]);
     // It falls when all bodies are looked at only: what rattles would have to be looked at each time that it comes back.
     double& rung = contacts.stiffness_area[c];
-    if (rung < stiff || (step_may_grow(model.clock) && rung > 1.18 * stiff)) rung = rung_above(stiff, contacts.least_area[c]); // a rung is a factor of 1.189
+    if (rung < stiff || (step_may_grow(model.clock) && rung > 1.18 * stiff))
+        rung = rung_above(stiff, contacts.least_area[c]); // a rung is a factor of 1.189
     return lost;
 }
 

@@ -33,7 +33,7 @@ struct Side {
 /// Memory of one thread.
 struct Workspace {
     ConvexClip clip, piece;
-    std::vector<HalfSpace> of_subject, of_other;         ///< faces of the block that is clipped, and of the other one
+    std::vector<HalfSpace> of_subject, of_other;           ///< faces of the block that is clipped, and of the other one
     std::vector<HalfSpace> face_of_subject, face_of_other; ///< those that lie on each other
     ConvexFace face1, face2;
     FlatOverlap flat;
@@ -50,8 +50,8 @@ HalfSpace half_space_of(const ConvexClip& clip, std::size_t face) {
     return {outward, outward.dot(clip.corner(face, 0))};
 }
 
-void add_subject(const Model& model, const Side& side, const Vec3& origin, const ClosureOffset& offset, const Vec3& offset_origin,
-                 Workspace& work) {
+void add_subject(const Model& model, const Side& side, const Vec3& origin, const ClosureOffset& offset,
+                 const Vec3& offset_origin, Workspace& work) {
     const Span points = model.blocks.gridpoints[side.block];
     const bool shifted = offset.closure != 0 || !offset.tilt.isZero(0);
     for (Row g = points.first; g < points.end(); ++g) {
@@ -103,7 +103,8 @@ Vec3 longest_edge_across(const ConvexClip& clip, const Vec3& normal) {
 /// Puts one face of a block, out of the list of its faces, into `one`.
 void take_face(const Model& model, Row face, const std::vector<HalfSpace>& faces, std::vector<HalfSpace>& one) {
     std::size_t place = 0;
-    for (Row f = model.blocks.faces[model.faces.block[face]].first; f < face; ++f) place += model.faces.triangles[f].count > 0;
+    for (Row f = model.blocks.faces[model.faces.block[face]].first; f < face; ++f)
+        place += model.faces.triangles[f].count > 0;
     one.assign(1, faces[place]);
 }
 
@@ -143,7 +144,7 @@ namespace {
 struct CommonPart {
     OverlapGradient volume, depth;
     OverlapMoments moments;
-    double flatness = 0;           ///< see Flatness
+    double flatness = 0; ///< see Flatness
     Vec3 turned = Vec3::Zero();
 };
 
@@ -166,8 +167,10 @@ OverlapGradient energy_of(const CommonPart& common, double least_area) {
     const double of_depth = seventh_power(one / sum), of_joint = seventh_power(other / sum);
     OverlapGradient energy;
     energy.value = larger * sum;
-    energy.force = (of_depth + of_joint * 2 * joint / depth.value) * depth.force - of_joint * 2 * joint / volume.value * volume.force;
-    energy.moment = (of_depth + of_joint * 2 * joint / depth.value) * depth.moment - of_joint * 2 * joint / volume.value * volume.moment +
+    energy.force = (of_depth + of_joint * 2 * joint / depth.value) * depth.force -
+                   of_joint * 2 * joint / volume.value * volume.force;
+    energy.moment = (of_depth + of_joint * 2 * joint / depth.value) * depth.moment -
+                    of_joint * 2 * joint / volume.value * volume.moment +
                     of_joint * 2 * joint / closure * (of_flat - of_corner) * common.turned;
     return energy;
 }
@@ -196,7 +199,9 @@ bool between_rigid(const Model& model, Row c) {
 namespace {
 
 /// Which of the two blocks is moved by the offset, and clipped.
-bool second_is_subject(const Blocks& blocks, const OverlapPair& pair) { return blocks.volume[pair.block2] < blocks.volume[pair.block1]; }
+bool second_is_subject(const Blocks& blocks, const OverlapPair& pair) {
+    return blocks.volume[pair.block2] < blocks.volume[pair.block1];
+}
 
 void take_corners(const Model& model, const Side& side, Row face, const Vec3& origin, const ClosureOffset* offset,
                   const Vec3& offset_origin, ConvexFace& taken) {
@@ -216,15 +221,19 @@ void take_corners(const Model& model, const Side& side, Row face, const Vec3& or
 enum class Flat { apart, found, not_known };
 
 /// Joints that are open in part are nearly all of them so flat that the wedge between their faces says all.
-Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, const ClosureOffset& offset, Workspace& work) {
+Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, const ClosureOffset& offset,
+               Workspace& work) {
     constexpr double flat_enough = 5e-7; // 1 - cosine of an angle of 1e-3
-    constexpr double thin_enough = 1e-2; // greatest closure over the root of the least area: a thousandth of a face's size
+    constexpr double thin_enough =
+        1e-2; // greatest closure over the root of the least area: a thousandth of a face's size
     if (pair.face1 == no_row || pair.face2 == no_row) return Flat::not_known;
     const bool shifted = offset.closure != 0 || !offset.tilt.isZero(0), second = second_is_subject(model.blocks, pair);
     if (shifted && Flatness(model, pair).value < 1) return Flat::not_known;
     const Vec3& offset_origin = model.blocks.centroid[pair.block1];
-    take_corners(model, {pair.block1, 1}, pair.face1, origin, shifted && !second ? &offset : nullptr, offset_origin, work.face1);
-    take_corners(model, {pair.block2, -1}, pair.face2, origin, shifted && second ? &offset : nullptr, offset_origin, work.face2);
+    take_corners(model, {pair.block1, 1}, pair.face1, origin, shifted && !second ? &offset : nullptr, offset_origin,
+                 work.face1);
+    take_corners(model, {pair.block2, -1}, pair.face2, origin, shifted && second ? &offset : nullptr, offset_origin,
+                 work.face2);
     if (!(1 + work.face1.outward.dot(work.face2.outward) < flat_enough)) return Flat::not_known;
     const bool found = work.flat.find(work.face1, work.face2);
     if (work.flat.deepest_below() > thin_enough * std::sqrt(pair.least_area)) return Flat::not_known; // sides count too
@@ -232,8 +241,8 @@ Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, 
 }
 
 /// Clips one block with the faces of the other. False where nothing is left, or carries.
-bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& normal, const Vec3& origin, const ClosureOffset& offset,
-                  Workspace& work, CommonPart& common) {
+bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& normal, const Vec3& origin,
+                  const ClosureOffset& offset, Workspace& work, CommonPart& common) {
     work.clip.clear();
     work.of_subject.clear();
     work.of_other.clear();
@@ -248,10 +257,13 @@ bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& norma
     common.flatness = flatness.value;
     common.volume = volume_gradient(work.clip, common.moments.volume, second);
     const double first = part_of_first(model, pair.block1, pair.block2), of_subject = second ? 1 - first : first;
-    const auto depth_below = [&](const std::vector<HalfSpace>& faces_of_subject, const std::vector<HalfSpace>& faces_of_other) {
+    const auto depth_below = [&](const std::vector<HalfSpace>& faces_of_subject,
+                                 const std::vector<HalfSpace>& faces_of_other) {
         OverlapGradient depth;
-        if (of_subject > 0) depth.add(depth_gradient(work.clip, faces_of_subject, true, second, work.piece), of_subject);
-        if (of_subject < 1) depth.add(depth_gradient(work.clip, faces_of_other, false, second, work.piece), 1 - of_subject);
+        if (of_subject > 0)
+            depth.add(depth_gradient(work.clip, faces_of_subject, true, second, work.piece), of_subject);
+        if (of_subject < 1)
+            depth.add(depth_gradient(work.clip, faces_of_other, false, second, work.piece), 1 - of_subject);
         return depth;
     };
     if (flatness.value < 1) common.depth.add(depth_below(work.of_subject, work.of_other), 1 - flatness.value);
@@ -275,7 +287,8 @@ double area_along(const ConvexClip& clip, const Vec3& n) {
 
 } // namespace
 
-OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset) {
+OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal,
+                           const ClosureOffset& offset) {
     static thread_local Workspace work; // kept for its memory
     const Vec3 origin = model.blocks.centroid[second_is_subject(model.blocks, pair) ? pair.block2 : pair.block1];
     ClosureOffset moved = offset;
@@ -313,7 +326,8 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     // from it is an overlap of rounding errors too.
     const Vec3 arm = n.cross(energy.moment) / force, aside = arm - common.moments.centroid;
     const double twist = energy.moment.dot(n) / force, farthest = std::sqrt(extent) + std::sqrt(pair.least_area);
-    if (std::abs(twist) > farthest || (aside - aside.dot(n) * n).norm() > farthest) return OverlapPatch{.normal = normal};
+    if (std::abs(twist) > farthest || (aside - aside.dot(n) * n).norm() > farthest)
+        return OverlapPatch{.normal = normal};
     patch.area = area;
     patch.centre = origin + arm - aside.dot(n) * n;
     patch.twist = twist;
@@ -344,7 +358,8 @@ Vec3 axis_in_plane(const Vec3& axis, const Vec3& wanted, const Vec3& normal) {
 
 std::array<Vec3, carriers> places_of(const OverlapPatch& patch, const Vec3& u) {
     const Vec3 v = patch.normal.cross(u);
-    const double uu = std::max(0.0, u.dot(patch.second * u)), vv = std::max(0.0, v.dot(patch.second * v)), uv = u.dot(patch.second * v);
+    const double uu = std::max(0.0, u.dot(patch.second * u)), vv = std::max(0.0, v.dot(patch.second * v)),
+                 uv = u.dot(patch.second * v);
     // The root of the 2 x 2 matrix: (M + s I)/t with s^2 = det M, t^2 = trace M + 2 s.
     const double s = std::sqrt(std::max(0.0, uu * vv - uv * uv)), t = std::sqrt(uu + vv + 2 * s);
     const double a = t > 0 ? (uu + s) / t : 0, b = t > 0 ? uv / t : 0, d = t > 0 ? (vv + s) / t : 0;

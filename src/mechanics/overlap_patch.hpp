@@ -12,12 +12,12 @@ constexpr Row carriers = 4;
 
 /// The common part of two rigid blocks as a contact sees it.
 struct OverlapPatch {
-    double carried = 0;        ///< normal force over normal stiffness, length^3; 0 when they do not overlap
-    double energy = 0;         ///< of it over the normal stiffness: length^4
-    double depth = 0;          ///< greatest thickness along the normal
-    double area = 0;           ///< seen along the normal
-    bool lies = false;         ///< faces lie on each other, or nearly so
-    double twist = 0;          ///< moment about the normal over the normal force: length
+    double carried = 0;         ///< normal force over normal stiffness, length^3; 0 when they do not overlap
+    double energy = 0;          ///< of it over the normal stiffness: length^4
+    double depth = 0;           ///< greatest thickness along the normal
+    double area = 0;            ///< seen along the normal
+    bool lies = false;          ///< faces lie on each other, or nearly so
+    double twist = 0;           ///< moment about the normal over the normal force: length
     Vec3 normal = Vec3::Zero(); ///< unit, from block 1 to block 2
     Vec3 centre = Vec3::Zero(); ///< the normal force acts along the line through it
     Mat3 second = Mat3::Zero(); ///< second moments of the common volume about its centroid, over the volume: length^2
@@ -37,14 +37,16 @@ struct ClosureOffset {
 /// Two rigid blocks that may overlap.
 struct OverlapPair {
     Row block1, block2;
-    Row face1 = no_row, face2 = no_row; ///< faces that lie on each other or nearly so; none where corners or edges touch
-    double least_area; ///< see least_contact_area
+    Row face1 = no_row,
+        face2 = no_row; ///< faces that lie on each other or nearly so; none where corners or edges touch
+    double least_area;  ///< see least_contact_area
 };
 
 /// The common part of two rigid blocks, the second one moved against `along` by the offset. Its force is the gradient of an
 /// energy, so that no motion of the blocks makes any. `normal` is also the normal of the patch where there is no common
 /// part.
-OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset);
+OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal,
+                           const ClosureOffset& offset);
 
 /// A loaded contact is as stiff as a joint of at least this area: a hundredth of the mean area of a face of the block
 /// with the smaller faces.

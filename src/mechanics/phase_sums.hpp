@@ -8,9 +8,9 @@ struct MotionSums {
     double kinetic_before = 0, kinetic = 0; ///< energy before and after the step
     double gravity = 0, boundary = 0;       ///< work on the bodies
     double damped = 0;                      ///< energy taken out by damping
-    double inner_power = 0;      ///< of the forces of joints and zones at the velocities before the step
-    double inner_power_size = 0; ///< the same with the sizes of its terms, to tell it from rounding
-    double inner_power_gain = 0; ///< by how much it is greater at the velocities after the step
+    double inner_power = 0;                 ///< of the forces of joints and zones at the velocities before the step
+    double inner_power_size = 0;            ///< the same with the sizes of its terms, to tell it from rounding
+    double inner_power_gain = 0;            ///< by how much it is greater at the velocities after the step
 
     void add(const MotionSums& part) {
         kinetic_before += part.kinetic_before;

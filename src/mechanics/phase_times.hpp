@@ -34,8 +34,9 @@ public:
     const std::vector<PhaseTime>& all() const { return all_; }
 
 private:
-    std::vector<PhaseTime> all_{{"move bodies"},   {"contacts and joint models"}, {"zone models"}, {"cables"}, {"search contacts"},
-                                {"gather forces"}, {"time step limit"},           {"hooks and histories"}}; ///< as in Phase
+    std::vector<PhaseTime> all_{{"move bodies"},     {"contacts and joint models"}, {"zone models"},
+                                {"cables"},          {"search contacts"},           {"gather forces"},
+                                {"time step limit"}, {"hooks and histories"}}; ///< as in Phase
 };
 
 } // namespace kaya

@@ -60,7 +60,8 @@ QuietPoints quiet_points(const Model& model, const std::vector<ElasticConstants>
     return points;
 }
 
-Vec3 quiet_force(const Mat3& dashpot, double mass, const Vec3& velocity, const Vec3& force, std::uint8_t fixed, double step) {
+Vec3 quiet_force(const Mat3& dashpot, double mass, const Vec3& velocity, const Vec3& force, std::uint8_t fixed,
+                 double step) {
     Mat3 system = mass * Mat3::Identity() + 0.5 * step * dashpot;
     Vec3 right = mass * velocity - 0.5 * step * (dashpot * velocity) + step * force;
     for (int k = 0; k < 3; ++k)

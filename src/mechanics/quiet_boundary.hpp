@@ -11,8 +11,8 @@ struct ElasticConstants;
 
 /// Dashpots of the gridpoints on quiet boundaries; derived.
 struct QuietPoints {
-    std::vector<Row> index;        ///< by gridpoint: row below, or no_row; empty when nothing is quiet
-    std::vector<Mat3> dashpot;     ///< force against velocity, force*time/length
+    std::vector<Row> index;    ///< by gridpoint: row below, or no_row; empty when nothing is quiet
+    std::vector<Mat3> dashpot; ///< force against velocity, force*time/length
 
     bool at(std::size_t gridpoint) const { return !index.empty() && index[gridpoint] != no_row; }
 };
@@ -24,6 +24,7 @@ QuietPoints quiet_points(const Model& model, const std::vector<ElasticConstants>
 
 /// Force of a dashpot on a gridpoint in a step, taken at the mean of the velocities before and after it, so that it
 /// is stable for any step. `force` is the sum of all others; held components (Fixity bits) keep their velocity.
-Vec3 quiet_force(const Mat3& dashpot, double mass, const Vec3& velocity, const Vec3& force, std::uint8_t fixed, double step);
+Vec3 quiet_force(const Mat3& dashpot, double mass, const Vec3& velocity, const Vec3& force, std::uint8_t fixed,
+                 double step);
 
 } // namespace kaya

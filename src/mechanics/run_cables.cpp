@@ -66,7 +66,8 @@ double confinement(const Model& model, Row node, const Vec3& along) {
 
 double grout_strength(const Model& model, Row node, const CableProperties& p, const Vec3& along) {
     if (p.grout_friction == 0 || p.grout_perimeter == 0) return p.grout_cohesion * model.structures.nodes.share[node];
-    const double friction = std::tan(p.grout_friction * std::numbers::pi / 180) * p.grout_perimeter * confinement(model, node, along);
+    const double friction =
+        std::tan(p.grout_friction * std::numbers::pi / 180) * p.grout_perimeter * confinement(model, node, along);
     const double cohesion = std::isinf(p.grout_cohesion) ? 0 : p.grout_cohesion;
     return (cohesion + friction) * model.structures.nodes.share[node];
 }

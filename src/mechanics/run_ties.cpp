@@ -22,8 +22,7 @@ Vec3 weighted(const Attachment& side, const Column<Vec3>& column) {
 Mat3 spin_of(const std::array<Vec3, 3>& middle, const std::array<Vec3, 3>& shift) {
     const Vec3 e1 = middle[1] - middle[0], e2 = middle[2] - middle[0], area = e1.cross(e2);
     const double squared = area.squaredNorm();
-    const Vec3 dual1 = e2.cross(area) / squared, dual2 = area.cross(e1) / squared,
-               n = area / std::sqrt(squared);
+    const Vec3 dual1 = e2.cross(area) / squared, dual2 = area.cross(e1) / squared, n = area / std::sqrt(squared);
     Mat3 gradient = (shift[1] - shift[0]) * dual1.transpose() + (shift[2] - shift[0]) * dual2.transpose();
     gradient -= (gradient.transpose() * n).eval() * n.transpose();
     return 0.5 * (gradient - gradient.transpose());
@@ -49,9 +48,7 @@ struct Turn {
         }
     }
     /// The rotation of the step, as that of the stresses of zones (Hughes and Winget 1980).
-    Mat3 rotation() const {
-        return (Mat3::Identity() - 0.5 * spin).inverse() * (Mat3::Identity() + 0.5 * spin);
-    }
+    Mat3 rotation() const { return (Mat3::Identity() - 0.5 * spin).inverse() * (Mat3::Identity() + 0.5 * spin); }
 };
 
 } // namespace
@@ -100,8 +97,7 @@ HistorySums follow_prescribed(Model& model, const TieLists& lists) {
     for (std::size_t i = 0; i < lists.groups(); ++i) {
         const auto members = lists.members(i);
         for (int k = 0; k < 3; ++k) {
-            const auto holder =
-                std::ranges::find_if(members, [&](Row g) { return points.fixed[g] & (1 << k); });
+            const auto holder = std::ranges::find_if(members, [&](Row g) { return points.fixed[g] & (1 << k); });
             if (holder == members.end()) continue;
             const double value = points.velocity[*holder][k];
             for (const Row g : members) {
@@ -126,9 +122,7 @@ void share_forces(Model& model, std::span<const Row> members) {
     auto& points = model.gridpoints;
     for (int k = 0; k < 3; ++k) {
         const auto held = [&](Row g) { return (points.fixed[g] & (1 << k)) != 0; };
-        const auto rest_of = [&](Row g) {
-            return points.load[g][k] + points.mass[g] * model.settings.gravity[k];
-        };
+        const auto rest_of = [&](Row g) { return points.load[g][k] + points.mass[g] * model.settings.gravity[k]; };
         double whole = 0, mass = 0, given = 0, held_mass = 0;
         std::size_t holders = 0;
         for (const Row g : members) {
@@ -138,18 +132,14 @@ void share_forces(Model& model, std::span<const Row> members) {
             if (held(g)) {
                 held_mass += points.inertial_mass[g];
                 ++holders;
-            } else
-                given += net;
+            } else given += net;
         }
         if (holders == members.size()) continue;
         for (const Row g : members) {
             double& force = points.force[g][k];
-            if (holders == 0)
-                force = points.inertial_mass[g] / mass * whole - rest_of(g);
-            else if (held(g))
-                force += points.inertial_mass[g] / held_mass * given;
-            else
-                force = -rest_of(g);
+            if (holders == 0) force = points.inertial_mass[g] / mass * whole - rest_of(g);
+            else if (held(g)) force += points.inertial_mass[g] / held_mass * given;
+            else force = -rest_of(g);
         }
     }
 }

@@ -14,8 +14,9 @@ namespace kaya {
 
 namespace {
 
-constexpr std::size_t most = 128;         ///< zones in a batch
-constexpr std::size_t length = most + 8; ///< of a column: with powers of two they would all fall in the same lines of the cache
+constexpr std::size_t most = 128; ///< zones in a batch
+constexpr std::size_t length =
+    most + 8; ///< of a column: with powers of two they would all fall in the same lines of the cache
 
 /// The points of a tile in rows, which stay near the processor while its zones are worked on.
 class TileRows {
@@ -40,14 +41,16 @@ public:
         return tile_.last - zone >= eight ? &tiles_.corners[zone] : tail_.data() + (eight - (tile_.last - zone));
     }
     Edges edges(ZoneGroup zones) const { return edges_of(place, zones); }
-    Deformation deformation(ZoneGroup zones, const Edges& edges, bool large) const { return {edges, edges_of(shift_, zones), large}; }
+    Deformation deformation(ZoneGroup zones, const Edges& edges, bool large) const {
+        return {edges, edges_of(shift_, zones), large};
+    }
     Eight pressure(ZoneGroup zones) const { return mean_of_fourth(place, zones); }
 
 private:
     const ZoneTiles& tiles_;
     const ZoneTile& tile_;
-    PointRow place[most_points_in_tile]; ///< and the pore pressure
-    PointRow shift_[most_points_in_tile];  ///< of the step
+    PointRow place[most_points_in_tile];             ///< and the pore pressure
+    PointRow shift_[most_points_in_tile];            ///< of the step
     std::array<std::array<Row, 4>, 2 * eight> tail_; ///< the last zones of the tile, and then the last again
 };
 
@@ -123,7 +126,8 @@ struct Columns {
     }
     Edges edges(Row i) const {
         Edges edges;
-        for (std::size_t a = 0; a < 3; ++a) edges[a] = {at(edge[3 * a] + i), at(edge[3 * a + 1] + i), at(edge[3 * a + 2] + i)};
+        for (std::size_t a = 0; a < 3; ++a)
+            edges[a] = {at(edge[3 * a] + i), at(edge[3 * a + 1] + i), at(edge[3 * a + 2] + i)};
         return edges;
     }
     static Eight at(const double* rows) { return load_as<Eight>(rows); }
@@ -132,7 +136,8 @@ struct Columns {
 /// Work of one tile on its zones.
 class TileRun {
 public:
-    TileRun(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch, std::vector<PointRow>& forces)
+    TileRun(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
+            std::vector<PointRow>& forces)
         : model_(model), tile_(tile), law_(laws.laws[tile.law]), scratch_(scratch),
           damped_(stiffness_damping(model.settings) > 0), rows_(model, laws.tiles, tile), forces_(tile, forces) {}
 
@@ -209,13 +214,15 @@ private:
             if (law_.averages) {
                 const Eight mean = load_rows(scratch_.mean_strain.data() + first + i, count - i);
                 store_rows(scratch_.flow.data() + first + i, count - i, change / 3.0 - bulk * mean);
-                work += both / 3.0 * (Columns::at(columns.volume_strain + i) - mean); // the forces act on what the zone itself does
+                work += both / 3.0 *
+                        (Columns::at(columns.volume_strain + i) - mean); // the forces act on what the zone itself does
             }
             Eight energy = 0.5 * Columns::at(columns.volume + i) * work;
             for (Row l = count - i; l < eight; ++l) energy[l] = 0;
             add_to(whole, energy);
             store_stresses(model_.zones.stress, first + i, count - i, stresses);
-            if (are_final) forces_.add(rows_.group_at(first + i), std::min<Row>(count - i, eight), columns.edges(i), stresses);
+            if (are_final)
+                forces_.add(rows_.group_at(first + i), std::min<Row>(count - i, eight), columns.edges(i), stresses);
             else if (damped_)
                 for (std::size_t k = 0; k < 3; ++k) store(columns.stress[k] + i, stresses[k]);
         }
@@ -250,11 +257,13 @@ private:
     Diagnostic failed(Row first, const ZoneFailure& failure) const {
         const Row zone = first + static_cast<Row>(failure.row), block = model_.zones.block[zone];
         const Vec3 centre = zone_centroid(model_, zone);
-        Diagnostic d(failure.message, "look at the model's properties and at how fast the zones are loaded", Fault::run);
+        Diagnostic d(failure.message, "look at the model's properties and at how fast the zones are loaded",
+                     Fault::run);
         d.code = "zone-model-failed";
-        d.add(fmt::format("zone {} of block {}, at ({:.6g}, {:.6g}, {:.6g})", zone + 1, model_.blocks.number[block], centre.x(),
-                          centre.y(), centre.z()));
-        const auto& place = model_.zone_properties[static_cast<std::size_t>(model_.blocks.zone_properties[block])].place;
+        d.add(fmt::format("zone {} of block {}, at ({:.6g}, {:.6g}, {:.6g})", zone + 1, model_.blocks.number[block],
+                          centre.x(), centre.y(), centre.z()));
+        const auto& place =
+            model_.zone_properties[static_cast<std::size_t>(model_.blocks.zone_properties[block])].place;
         if (!place.empty()) d.add(fmt::format("zone model '{}' was given at {}", law_.model->name, place));
         return d;
     }
@@ -278,8 +287,8 @@ template <class Each> void for_averaging(const ZoneLaws& laws, Each each) {
 
 /// Means of a quantity over neighbours, by volume: over the cell of a zone where its block has cells, else over the zones at
 /// each gridpoint and back. Zones of other blocks and of other materials do not count.
-template <class Put>
-void average(const Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<double>& values, const Put& put) {
+template <class Put> void average(const Model& model, const ZoneLaws& laws, ZoneScratch& scratch,
+                                  std::vector<double>& values, const Put& put) {
     const auto& blocks = model.blocks;
     const auto& volume = scratch.volume;
     const ZoneTiles& tiles = laws.tiles;

@@ -18,8 +18,9 @@ struct ZoneScratch {
     struct Mean {
         double sum = 0, volume = 0; ///< of a quantity times volume
     };
-    std::vector<double> volume, strain, mean_strain, flow; ///< by zone: volume strain, its mean, plastic change of the mean stress
-    std::vector<Mean> at_point;                            ///< by point of the tiles
+    std::vector<double> volume, strain, mean_strain,
+        flow;                   ///< by zone: volume strain, its mean, plastic change of the mean stress
+    std::vector<Mean> at_point; ///< by point of the tiles
 };
 
 /// Writes `forces` as well: by point of the tiles, with the sum of the sizes of the forces of single zones. Throws Diagnostic when

@@ -11,7 +11,7 @@ namespace kaya {
 struct Separation {
     double distance = -std::numeric_limits<double>::infinity(); ///< along the axis; negative: overlap
     Vec3 normal = Vec3::Zero();                                 ///< from block 1 to block 2
-    Row face1 = no_row, face2 = no_row;                         ///< whose normal it is; neither: it is that of two edges
+    Row face1 = no_row, face2 = no_row; ///< whose normal it is; neither: it is that of two edges
     std::array<Row, 2> edge1{no_row, no_row}, edge2{no_row, no_row};
     /// Along the normal of a face across the axis they overlap by a sliver or less: there is no common area.
     bool apart_sideways = false;

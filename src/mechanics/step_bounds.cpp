@@ -48,7 +48,8 @@ void spread(const Contacts& contacts, const std::vector<char>& from, std::vector
         if (from[contacts.block1[c]] || from[contacts.block2[c]]) to[contacts.block1[c]] = to[contacts.block2[c]] = 1;
 }
 
-void add_cable_node(const Model& model, const BodyFrame& frame, const NodeStiffness& stiffness, Row node, Mat6& matrix) {
+void add_cable_node(const Model& model, const BodyFrame& frame, const NodeStiffness& stiffness, Row node,
+                    Mat6& matrix) {
     SpringSums sums;
     sums.normal.add(stiffness.along + stiffness.across, Vec3::Zero());
     sums.shear.add(stiffness.across, Vec3::Zero());
@@ -130,7 +131,8 @@ void StepBounds::compute(const Model& model, const Adjacency& adjacency) {
     const auto& contacts = model.contacts;
     sums_.resize(contacts.size());
     for_rows(contacts.size(), [&](Row c) {
-        if ((near_[contacts.block1[c]] || near_[contacts.block2[c]]) && between_rigid(model, c)) sums_[c] = sums_of(model, c);
+        if ((near_[contacts.block1[c]] || near_[contacts.block2[c]]) && between_rigid(model, c))
+            sums_[c] = sums_of(model, c);
     });
 }
 
@@ -144,14 +146,16 @@ void StepBounds::find_frames(const Model& model, const Adjacency& adjacency, Mas
         if (body_[b] != no_row) {
             const auto members = adjacency.bodies.members(static_cast<std::size_t>(body_[b]));
             const BodyMass body = body_mass(model, members);
-            frames_[b] = make_frame(body.centroid, blocks.mass[b] > 0 ? factor * body.mass : 0, factor * body.inertia, fixed_[b]);
+            frames_[b] = make_frame(body.centroid, blocks.mass[b] > 0 ? factor * body.mass : 0, factor * body.inertia,
+                                    fixed_[b]);
             return;
         }
         const auto& q = blocks.orientation[b];
         const Mat3 turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
         const double mass = factor * blocks.mass[b];
-        frames_[b] = make_frame(blocks.centroid[b], mass,
-                                mass / blocks.volume[b] * (turn * blocks.inertia[b] * turn.transpose()), blocks.fixed[b]);
+        frames_[b] =
+            make_frame(blocks.centroid[b], mass,
+                       mass / blocks.volume[b] * (turn * blocks.inertia[b] * turn.transpose()), blocks.fixed[b]);
     });
     if (adjacency.of_gridpoint.entries.empty() && model.zones.size() == 0) return;
     const auto& points = model.gridpoints;
@@ -177,9 +181,11 @@ double StepBounds::mobility(const Model& model, Row block, const Attachment& att
 /// The same of a cable node in a zone. No share is needed: a cable holds no node stiffer than this whatever the others do.
 double StepBounds::mobility_of_node(const Model& model, Row node) const {
     const auto& nodes = model.structures.nodes;
-    const auto& corners = model.zones.gridpoints[model.blocks.zones[block_of_node(model, node)].first + nodes.zone[node]];
+    const auto& corners =
+        model.zones.gridpoints[model.blocks.zones[block_of_node(model, node)].first + nodes.zone[node]];
     double sum = 0;
-    for (std::size_t k = 0; k < 4; ++k) sum += std::abs(nodes.weights[node][k]) * root_of_gridpoint_[static_cast<std::size_t>(corners[k])];
+    for (std::size_t k = 0; k < 4; ++k)
+        sum += std::abs(nodes.weights[node][k]) * root_of_gridpoint_[static_cast<std::size_t>(corners[k])];
     return sum;
 }
 
@@ -223,7 +229,8 @@ void StepBounds::add_contact(const Model& model, const BodyFrame& frame, const C
     const Beta beta = damped_ ? beta_[c] : Beta{0, 0};
     const auto add = [&](const SpringSums& sums, double times) {
         add_springs(matrices.elastic, sums, normal, arm, times);
-        if (damped_) add_springs(matrices.viscous, {sums.normal * beta.normal, sums.shear * beta.shear}, normal, arm, times);
+        if (damped_)
+            add_springs(matrices.viscous, {sums.normal * beta.normal, sums.shear * beta.shear}, normal, arm, times);
     };
     if (between_rigid(model, c)) return add(sums_[c], share(model, c, no_row, entry.side, shares));
     const Span span = model.contacts.sub_contacts[c];
@@ -249,7 +256,8 @@ Resistance StepBounds::of_block(const Model& model, const Adjacency& adjacency, 
             add_contact(model, frame, *e, shares, matrices);
         if (adjacency.has_cables())
             for (auto e = adjacency.nodes_of_block.begin(b); e != adjacency.nodes_of_block.end(b); ++e)
-                add_cable_node(model, frame, adjacency.node_stiffness[static_cast<std::size_t>(e->node)], e->node, matrices.elastic);
+                add_cable_node(model, frame, adjacency.node_stiffness[static_cast<std::size_t>(e->node)], e->node,
+                               matrices.elastic);
     };
     if (body_[row] == no_row) add(row);
     else
@@ -344,7 +352,8 @@ const BodyStiffness& StepBounds::stiffness(const Model& model, const Adjacency& 
     if (model.zones.size() > 0)
         for_rows(points.size(), [&](Row g) {
             if (asked_[points.block[g]] && blocks.deformable[points.block[g]])
-                stiffness_.of_gridpoint[g] = times(of_gridpoint(model, adjacency, g, Shares::halves), points.inertial_mass[g]);
+                stiffness_.of_gridpoint[g] =
+                    times(of_gridpoint(model, adjacency, g, Shares::halves), points.inertial_mass[g]);
         });
     // Members share the stiffness of their body by mass, so that one factor scales them all.
     for_rows(blocks.size(), [&](Row b) {

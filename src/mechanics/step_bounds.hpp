@@ -35,8 +35,8 @@ struct ElasticConstants;
 struct StepLimit {
     double stable = std::numeric_limits<double>::infinity(); ///< the largest stable step
     bool of_block = false;
-    Row row = no_row;          ///< gridpoint or rigid block, the first one of joined blocks
-    double part_of_zones = 0;  ///< in its stiffness
+    Row row = no_row;         ///< gridpoint or rigid block, the first one of joined blocks
+    double part_of_zones = 0; ///< in its stiffness
 
     bool exists() const { return row != no_row; }
 };
@@ -47,8 +47,9 @@ enum class Masses { real, inertial };
 /// Resistances of each body by equation (9) of docs/theory/time-step.md, times its mass: 0 for what cannot move. They hold
 /// whatever the inertial masses are.
 struct BodyStiffness {
-    std::vector<Resistance> of_gridpoint, of_block; ///< gridpoints of deformable blocks, rigid blocks; by row; joined blocks share that
-                                                    ///< of their body by mass
+    std::vector<Resistance> of_gridpoint,
+        of_block; ///< gridpoints of deformable blocks, rigid blocks; by row; joined blocks share that
+                  ///< of their body by mass
 };
 
 /// What the joints hold the bodies with. Everything in it is derived from the model; it is kept for its memory.
@@ -106,17 +107,17 @@ private:
     StepLimit smallest(const Model& model, const Adjacency& adjacency, Shares shares) const;
 
     bool damped_ = false;
-    bool alone_ = false;       ///< bounds do not ask for those of neighbours
-    std::vector<char> asked_;  ///< by block: bounds are of these
-    std::vector<char> near_;   ///< by block: asked, or in contact with one that is
-    std::vector<Row> body_;    ///< by block: of joined rigid blocks the row in Adjacency::bodies, else no_row
-    std::vector<BodyFrame> frames_;        ///< by block; of joined ones at the first
-    std::vector<Row> lead_;                ///< by block: itself or the first of those that it is joined to
-    std::vector<std::uint8_t> fixed_;      ///< by block; of joined ones at the first, for all
-    std::vector<SpringSums> sums_;         ///< by contact, of contacts between rigid blocks
-    std::vector<Beta> beta_;               ///< by contact
-    std::vector<double> resistance_;       ///< by block: about its largest eigenvalue without its neighbours
-    std::vector<double> root_of_gridpoint_; ///< 1 over the root of the mass, 0 for what cannot move
+    bool alone_ = false;              ///< bounds do not ask for those of neighbours
+    std::vector<char> asked_;         ///< by block: bounds are of these
+    std::vector<char> near_;          ///< by block: asked, or in contact with one that is
+    std::vector<Row> body_;           ///< by block: of joined rigid blocks the row in Adjacency::bodies, else no_row
+    std::vector<BodyFrame> frames_;   ///< by block; of joined ones at the first
+    std::vector<Row> lead_;           ///< by block: itself or the first of those that it is joined to
+    std::vector<std::uint8_t> fixed_; ///< by block; of joined ones at the first, for all
+    std::vector<SpringSums> sums_;    ///< by contact, of contacts between rigid blocks
+    std::vector<Beta> beta_;          ///< by contact
+    std::vector<double> resistance_;  ///< by block: about its largest eigenvalue without its neighbours
+    std::vector<double> root_of_gridpoint_;            ///< 1 over the root of the mass, 0 for what cannot move
     std::vector<double> zone_part_, point_resistance_; ///< by gridpoint
     BodyStiffness stiffness_;
 };

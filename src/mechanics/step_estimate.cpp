@@ -74,7 +74,8 @@ public:
     static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
     Operator(const Model& model, const StepBounds& bounds, double step)
-        : model_(model), bounds_(bounds), step_(step), at_block_(model.blocks.size(), nowhere), at_point_(model.gridpoints.size(), nowhere) {
+        : model_(model), bounds_(bounds), step_(step), at_block_(model.blocks.size(), nowhere),
+          at_point_(model.gridpoints.size(), nowhere) {
         for (std::size_t b = 0; b < model.blocks.size(); ++b) {
             const Row row = static_cast<Row>(b);
             if (model.blocks.deformable[b] || bounds.lead_[b] != row || !bounds.frames_[b].moves()) continue;
@@ -104,7 +105,7 @@ public:
             for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
                 const Springs k = bounds_.springs(model_, s, factor);
                 const Vec3 shift = motion(x, contacts.block2[c], subs.side2[s], subs.position[s]) -
-                                 motion(x, contacts.block1[c], subs.side1[s], subs.position[s]);
+                                   motion(x, contacts.block1[c], subs.side1[s], subs.position[s]);
                 const double across = shift.dot(n);
                 const Vec3 force = k.normal * (1 + 2 * beta.normal / step_) * across * n +
                                    k.shear * (1 + 2 * beta.shear / step_) * (shift - across * n);
@@ -177,7 +178,8 @@ private:
             Vec3 shift = Vec3::Zero();
             for (int side = 0; side < 2; ++side)
                 for (int k = 0; k < 3; ++k)
-                    shift += (side == 0 ? -1 : 1) * spring.side[side].weights[k] * of_point(x, spring.side[side].gridpoints[k]);
+                    shift += (side == 0 ? -1 : 1) * spring.side[side].weights[k] *
+                             of_point(x, spring.side[side].gridpoints[k]);
             for (int side = 0; side < 2; ++side)
                 for (int k = 0; k < 3; ++k)
                     push_point(y, spring.side[side].gridpoints[k],

@@ -75,7 +75,8 @@ Mat6 BodyFrame::scaled(const Mat6& stiffness) const {
     Mat6 result;
     result.topLeftCorner<3, 3>() = root_of_mass * root_of_mass * stiffness.topLeftCorner<3, 3>();
     result.topRightCorner<3, 3>() = root_of_mass * stiffness.topRightCorner<3, 3>() * root_of_inertia.transpose();
-    result.bottomRightCorner<3, 3>() = root_of_inertia * stiffness.bottomRightCorner<3, 3>() * root_of_inertia.transpose();
+    result.bottomRightCorner<3, 3>() =
+        root_of_inertia * stiffness.bottomRightCorner<3, 3>() * root_of_inertia.transpose();
     for (int k = 0; k < 3; ++k)
         if (fixed & (1 << k)) {
             result.row(k).setZero();

@@ -41,9 +41,9 @@ void add_springs(Mat6& matrix, const SpringSums& springs, const Vec3& normal, co
 /// How a rigid body resists: mass and inertia in coordinates in which both are 1.
 struct BodyFrame {
     Vec3 centre = Vec3::Zero();
-    double root_of_mass = 0;        ///< 1 over it; 0 for what cannot move
+    double root_of_mass = 0;             ///< 1 over it; 0 for what cannot move
     Mat3 root_of_inertia = Mat3::Zero(); ///< lower triangle L with L J L^T = 1
-    std::uint8_t fixed = 0;         ///< Fixity bits
+    std::uint8_t fixed = 0;              ///< Fixity bits
 
     bool moves() const { return root_of_mass > 0; }
     /// A stiffness matrix in these coordinates, (rad/time)^2; components that are held have zeros.

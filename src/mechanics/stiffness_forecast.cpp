@@ -135,8 +135,9 @@ void StiffnessForecast::take(const Model& model, const std::vector<Batch>& batch
     for (const Batch& batch : batches) {
         auto found = varies_.find(batch.properties);
         if (found == varies_.end())
-            found = varies_.emplace(batch.properties,
-                                    varies(*batch.model, model.joint_properties[batch.properties].values)).first;
+            found =
+                varies_.emplace(batch.properties, varies(*batch.model, model.joint_properties[batch.properties].values))
+                    .first;
         if (!found->second) continue;
         varying_.push_back(batch);
         for (const Row c : batch.contacts) in_varying_[c] = 1;
@@ -147,13 +148,15 @@ void StiffnessForecast::take(const Model& model, const std::vector<Batch>& batch
 void StiffnessForecast::find_motions(const Model& model, const Adjacency& adjacency, double step) {
     const auto& blocks = model.blocks;
     motions_.resize(blocks.size());
-    const auto advance = [&](const Vec3& centre, double mass, double inertial, const Mat3& inertia, unsigned fixed, const Roller& roller, Row b,
-                             const Vec3& velocity, const Vec3& force, const Vec3& moment) {
+    const auto advance = [&](const Vec3& centre, double mass, double inertial, const Mat3& inertia, unsigned fixed,
+                             const Roller& roller, Row b, const Vec3& velocity, const Vec3& force, const Vec3& moment) {
         Motion motion{centre, velocity, blocks.rotational_velocity[b]};
         if (inertial > 0) {
             motion.velocity += free_part(step / inertial * (force + mass * model.settings.gravity), fixed);
             motion.spin += free_part(step * inertia.inverse() * moment, fixed / fix_rx);
-            if (roller.count != 0) motion.velocity += roller_change(roller, motion.velocity, static_cast<std::uint8_t>(fixed), roller.speed);
+            if (roller.count != 0)
+                motion.velocity +=
+                    roller_change(roller, motion.velocity, static_cast<std::uint8_t>(fixed), roller.speed);
         }
         return motion;
     };
@@ -166,8 +169,8 @@ void StiffnessForecast::find_motions(const Model& model, const Adjacency& adjace
             const double inertial = blocks.inertial_mass[b];
             motions_[b] = advance(blocks.centroid[b], blocks.mass[b], inertial,
                                   inertial / blocks.volume[b] * (turn * blocks.inertia[b] * turn.transpose()),
-                                  blocks.fixed[b], roller_of(model, b), b, blocks.velocity[b], blocks.force[b] + blocks.load[b],
-                                  blocks.moment[b] + blocks.torque[b]);
+                                  blocks.fixed[b], roller_of(model, b), b, blocks.velocity[b],
+                                  blocks.force[b] + blocks.load[b], blocks.moment[b] + blocks.torque[b]);
         }
     });
     for (std::size_t i = 0; i < adjacency.bodies.size(); ++i) {
@@ -182,14 +185,17 @@ void StiffnessForecast::find_motions(const Model& model, const Adjacency& adjace
             moment += blocks.moment[b] + blocks.torque[b] + (blocks.centroid[b] - body.centroid).cross(acting);
             fixed |= blocks.fixed[b];
         }
-        velocity = blocks.velocity[lead] + blocks.rotational_velocity[lead].cross(body.centroid - blocks.centroid[lead]);
+        velocity =
+            blocks.velocity[lead] + blocks.rotational_velocity[lead].cross(body.centroid - blocks.centroid[lead]);
         const double factor = blocks.mass[lead] > 0 ? blocks.inertial_mass[lead] / blocks.mass[lead] : 0;
-        const Motion motion = advance(body.centroid, body.mass, factor * body.mass, factor * body.inertia, fixed, roller_of_body(model, members), lead, velocity, force, moment);
+        const Motion motion = advance(body.centroid, body.mass, factor * body.mass, factor * body.inertia, fixed,
+                                      roller_of_body(model, members), lead, velocity, force, moment);
         for (const Row b : members) motions_[b] = motion;
     }
 }
 
-Vec3 StiffnessForecast::velocity_of_side(const Model& model, Row block, const Attachment& side, const Vec3& place, double step) const {
+Vec3 StiffnessForecast::velocity_of_side(const Model& model, Row block, const Attachment& side, const Vec3& place,
+                                         double step) const {
     if (!model.blocks.deformable[block]) {
         const Motion& motion = motions_[block];
         return motion.velocity + motion.spin.cross(place - motion.centre);
@@ -201,7 +207,8 @@ Vec3 StiffnessForecast::velocity_of_side(const Model& model, Row block, const At
         if (side.weights[k] == 0) continue;
         Vec3 velocity = g.velocity[p];
         if (g.inertial_mass[p] > 0)
-            velocity += free_part(step / g.inertial_mass[p] * (g.force[p] + g.load[p] + g.mass[p] * model.settings.gravity), g.fixed[p]);
+            velocity += free_part(
+                step / g.inertial_mass[p] * (g.force[p] + g.load[p] + g.mass[p] * model.settings.gravity), g.fixed[p]);
         sum += side.weights[k] * velocity;
     }
     return sum;
@@ -219,8 +226,9 @@ bool StiffnessForecast::check(const Model& model, const Batch& batch, Row c, dou
         springs = springs_of(subs, s, factor);
         if (!subs.side1[s].attached() || !subs.side2[s].attached()) continue;
         const Vec3 place = subs.position[s];
-        const double opening = contacts.normal[c].dot(velocity_of_side(model, contacts.block2[c], subs.side2[s], place, step) -
-                                                      velocity_of_side(model, contacts.block1[c], subs.side1[s], place, step));
+        const double opening =
+            contacts.normal[c].dot(velocity_of_side(model, contacts.block2[c], subs.side2[s], place, step) -
+                                   velocity_of_side(model, contacts.block1[c], subs.side1[s], place, step));
         const double closure = -opening * step * steps_ahead, force = subs.normal_force[s];
         if (closure <= 0 || springs.normal * closure <= small_growth * force) continue;
         if (force == 0 && closure <= subs.normal_displacement[s]) continue; // still apart
@@ -243,8 +251,7 @@ bool StiffnessForecast::update(const Model& model, const Adjacency& adjacency, d
     marks_.assign(model.contacts.size(), 0);
     for_chunks(varying_.size(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
-            for (const Row c : varying_[i].contacts)
-                marks_[c] = check(model, varying_[i], c, step);
+            for (const Row c : varying_[i].contacts) marks_[c] = check(model, varying_[i], c, step);
     });
     if (std::find(marks_.begin(), marks_.end(), 1) == marks_.end()) return false;
     for (std::size_t c = 0; c < in_varying_.size(); ++c) {

@@ -25,8 +25,10 @@ public:
     /// of any contact grow so much that they count: these contacts are marked.
     bool update(const Model& model, const Adjacency& adjacency, double step);
 
-    const std::vector<Springs>& springs() const { return springs_; } ///< by sub-contact; as they are where nothing grows
-    const std::vector<char>& marks() const { return marks_; }        ///< by contact
+    const std::vector<Springs>& springs() const {
+        return springs_;
+    }                                                         ///< by sub-contact; as they are where nothing grows
+    const std::vector<char>& marks() const { return marks_; } ///< by contact
 
 private:
     struct Motion {
@@ -37,7 +39,7 @@ private:
     Vec3 velocity_of_side(const Model& model, Row block, const Attachment& side, const Vec3& place, double step) const;
     bool check(const Model& model, const Batch& batch, Row contact, double step);
 
-    std::map<Row, bool> varies_;   ///< by row of Model::joint_properties
+    std::map<Row, bool> varies_; ///< by row of Model::joint_properties
     std::vector<Batch> varying_;
     std::vector<char> in_varying_; ///< by contact
     std::vector<Motion> motions_;  ///< by block: of rigid ones in the middle of the next step

@@ -58,7 +58,7 @@ private:
         BlockId block;
         Span gridpoints, faces, triangles;
         std::vector<Edge> edges;
-        std::vector<Row> corners; ///< of one face after another
+        std::vector<Row> corners;                         ///< of one face after another
         std::vector<std::array<int, 3>> corner_triangles; ///< of each triangle of the block
     };
     struct Plane {

@@ -26,7 +26,9 @@ inline EightRow load_corner(const PointRow* rows, ZoneGroup zones, std::size_t a
 }
 
 /// The opposite: adds to the rows of the points, four zones after four, and of these corner after corner.
-[[gnu::always_inline]] inline void add_to_corners(PointRow* rows, ZoneGroup zones, Row count, const std::array<Eight3, 4>& vector, const std::array<Eight, 4>& fourth) {
+[[gnu::always_inline]] inline void add_to_corners(PointRow* rows, ZoneGroup zones, Row count,
+                                                  const std::array<Eight3, 4>& vector,
+                                                  const std::array<Eight, 4>& fourth) {
     const auto add = [&](std::size_t first, const auto& half) {
         for (std::size_t a = 0; a < 4; ++a) {
             std::array<Four, 4> r{half(vector[a].x), half(vector[a].y), half(vector[a].z), half(fourth[a])};
@@ -90,8 +92,8 @@ struct Deformation {
         const auto row = [&](auto component) { // of the gradient: of one component of the motion
             return (c[0] * component(shift[0]) + c[1] * component(shift[1]) + c[2] * component(shift[2])) * over;
         };
-        const Eight3 x = row([](const Eight3& v) { return v.x; }), y = row([](const Eight3& v) { return v.y; }),
-                     z = row([](const Eight3& v) { return v.z; });
+        const Eight3 x = row([](const Eight3&v) { return v.x; }), y = row([](const Eight3&v) { return v.y; }),
+                     z = row([](const Eight3&v) { return v.z; });
         volume = faces.six_volumes * (1.0 / 6);
         volume_strain = x.x + y.y + z.z;
         strain = {x.x, y.y, z.z, 0.5 * (x.y + y.x), 0.5 * (x.z + z.x), 0.5 * (y.z + z.y)};
@@ -115,7 +117,8 @@ struct Deformation {
 [[gnu::always_inline]] inline std::array<Eight3, 4> forces_of(const Edges& edges, const SixEights& stress) {
     const FaceAreas faces(edges);
     const Eight part = eights(-1.0 / 6);
-    const Eight3 s0 = Eight3{stress[0], stress[3], stress[4]} * part, s1 = Eight3{stress[3], stress[1], stress[5]} * part,
+    const Eight3 s0 = Eight3{stress[0], stress[3], stress[4]} * part,
+                 s1 = Eight3{stress[3], stress[1], stress[5]} * part,
                  s2 = Eight3{stress[4], stress[5], stress[2]} * part;
     std::array<Eight3, 4> force;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -87,8 +87,7 @@ void TieLists::find_springs(const Model& model, const std::vector<ElasticConstan
             Row end = first;
             double stiffest = 0;
             const std::size_t first_spring = springs_.size();
-            for (; end < span.end() && ties.face1[end] == ties.face1[first] &&
-                   ties.face2[end] == ties.face2[first];
+            for (; end < span.end() && ties.face1[end] == ties.face1[first] && ties.face2[end] == ties.face2[first];
                  ++end) {
                 if (ties.exact[end]) continue;
                 const Spring spring{end,
@@ -102,8 +101,7 @@ void TieLists::find_springs(const Model& model, const std::vector<ElasticConstan
                                                                  spring.side[side].gridpoints));
                 springs_.push_back(spring);
             }
-            for (std::size_t i = first_spring; i < springs_.size(); ++i)
-                springs_[i].stiffness *= stiffer * stiffest;
+            for (std::size_t i = first_spring; i < springs_.size(); ++i) springs_[i].stiffness *= stiffer * stiffest;
             first = end;
         }
     }

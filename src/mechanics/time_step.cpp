@@ -84,9 +84,11 @@ void TimeStep::audit(const Model& model) const {
     if (!beyond_bound_) return;
     const Energy& e = model.energy;
     const double made = -e.error();
-    const double turned = e.start + std::abs(e.gravity) + std::abs(e.boundary) + e.kinetic + std::abs(e.damped) + e.joint_friction;
+    const double turned =
+        e.start + std::abs(e.gravity) + std::abs(e.boundary) + e.kinetic + std::abs(e.damped) + e.joint_friction;
     if (!(made > most_made * turned)) return;
-    Advised d(fmt::format("the time step {:.6g} makes energy: {:.6g} of {:.6g} come from nowhere", model.clock.time_step, made, turned),
+    Advised d(fmt::format("the time step {:.6g} makes energy: {:.6g} of {:.6g} come from nowhere",
+                          model.clock.time_step, made, turned),
               Advice::give_shorter_step, {}, Fault::run);
     d.code = "step-makes-energy";
     throw d;
@@ -115,7 +117,9 @@ void TimeStep::limit(Model& model, const Adjacency& adjacency, std::vector<char>
     double stable = std::numeric_limits<double>::infinity();
     if (all || std::find(changed.begin(), changed.end(), 1) != changed.end()) {
         if (all) bounds_.update(model, adjacency);
-        else bounds_.update_at(model, adjacency, changed, scaled ? StepBounds::Of::bodies : StepBounds::Of::bodies_and_neighbours);
+        else
+            bounds_.update_at(model, adjacency, changed,
+                              scaled ? StepBounds::Of::bodies : StepBounds::Of::bodies_and_neighbours);
         std::fill(changed.begin(), changed.end(), 0);
         if (scaled) {
             // The step stays and masses follow, also for the stiffness that is to come.
@@ -129,7 +133,8 @@ void TimeStep::limit(Model& model, const Adjacency& adjacency, std::vector<char>
         bounds_.foreseen = nullptr;
     }
     if (settings.given_time_step > 0) return take_given(model, adjacency, stable, all);
-    if (clock.time_step == 0) clock.time_step = std::isinf(stable) ? step_of_falling(model) : time_step_fraction(settings) * stable;
+    if (clock.time_step == 0)
+        clock.time_step = std::isinf(stable) ? step_of_falling(model) : time_step_fraction(settings) * stable;
     double step = clock.time_step;
     if (!std::isinf(stable)) {
         const double wanted = time_step_fraction(settings) * stable;

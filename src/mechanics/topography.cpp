@@ -38,8 +38,8 @@ Overburden::Overburden(const Model& model) : model_(model) {
         const auto material = model.materials.find(model.blocks.material[b]);
         const double density = material == model.materials.end() ? 0 : material->second.density;
         if (!(density > 0))
-            throw Advised(fmt::format("block {} (material {}) has no density, so it has no weight", model.blocks.number[b],
-                                      model.blocks.material[b]),
+            throw Advised(fmt::format("block {} (material {}) has no density, so it has no weight",
+                                      model.blocks.number[b], model.blocks.material[b]),
                           Advice::give_density, {std::to_string(model.blocks.material[b])});
         weight_[b] = -density * gravity.z();
     }
@@ -49,7 +49,8 @@ Overburden::Overburden(const Model& model) : model_(model) {
         low_ = low_.cwiseMin(x);
         high_ = high_.cwiseMax(x);
     }
-    columns_ = static_cast<std::size_t>(std::clamp(std::sqrt(0.5 * static_cast<double>(model.triangles.size())), 1.0, 1000.0));
+    columns_ =
+        static_cast<std::size_t>(std::clamp(std::sqrt(0.5 * static_cast<double>(model.triangles.size())), 1.0, 1000.0));
     triangles_.resize(columns_ * columns_);
     for (std::size_t t = 0; t < model.triangles.size(); ++t) {
         const auto x = corners(model, static_cast<Row>(t));

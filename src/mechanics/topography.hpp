@@ -19,7 +19,9 @@ public:
 
 private:
     /// Cells of a grid over x and y, and the triangles above each.
-    std::size_t cell(int i, int j) const { return static_cast<std::size_t>(j) * columns_ + static_cast<std::size_t>(i); }
+    std::size_t cell(int i, int j) const {
+        return static_cast<std::size_t>(j) * columns_ + static_cast<std::size_t>(i);
+    }
     int index(double place, int axis) const;
 
     const Model& model_;

@@ -65,13 +65,15 @@ public:
         zz_ = (a * b - f * f) * factor;
     }
     Triple operator*(const Triple& v) const {
-        return {xx_ * v.x + xy_ * v.y + xz_ * v.z, xy_ * v.x + yy_ * v.y + yz_ * v.z, xz_ * v.x + yz_ * v.y + zz_ * v.z};
+        return {xx_ * v.x + xy_ * v.y + xz_ * v.z, xy_ * v.x + yy_ * v.y + yz_ * v.z,
+                xz_ * v.x + yz_ * v.y + zz_ * v.z};
     }
     /// Trace of the product of the inverse with the inertia of a unit mass at the arm v, in any direction: the
     /// compliance to three forces of 1 there.
     double of_arm(const Triple& v) const {
         const double x2 = v.x * v.x, y2 = v.y * v.y, z2 = v.z * v.z;
-        return xx_ * (y2 + z2) + yy_ * (x2 + z2) + zz_ * (x2 + y2) - 2 * (xy_ * v.x * v.y + yz_ * v.y * v.z + xz_ * v.x * v.z);
+        return xx_ * (y2 + z2) + yy_ * (x2 + z2) + zz_ * (x2 + y2) -
+               2 * (xy_ * v.x * v.y + yz_ * v.y * v.z + xz_ * v.x * v.z);
     }
 
 private:

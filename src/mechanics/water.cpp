@@ -25,16 +25,15 @@ void put_water(Model& model) {
         auto& subs = model.sub_contacts;
         for_chunks(subs.size(), 4096, [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i)
-                subs.pore_pressure[i] =
-                    std::max(0.0, 0.5 * (pressure_next_to(model, subs.side1[i]) + pressure_next_to(model, subs.side2[i])));
+                subs.pore_pressure[i] = std::max(
+                    0.0, 0.5 * (pressure_next_to(model, subs.side1[i]) + pressure_next_to(model, subs.side2[i])));
         });
         return;
     }
     const WaterPressure water(model);
     auto& s = model.sub_contacts;
     for_chunks(s.size(), 4096, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            s.pore_pressure[i] = water.at(s.position[i]);
+        for (std::size_t i = first; i < last; ++i) s.pore_pressure[i] = water.at(s.position[i]);
     });
 }
 

@@ -42,7 +42,8 @@ const Material& material_of(const Model& model, std::int32_t number) {
 std::vector<double> values_of(const ZoneModel& zone_model, const Material& material, const ZoneProperties& given) {
     std::vector<double> values;
     for (const auto& property : zone_model.properties) {
-        const auto own = std::ranges::find_if(given.values, [&](const auto& entry) { return stands_for(property, entry.first); });
+        const auto own =
+            std::ranges::find_if(given.values, [&](const auto& entry) { return stands_for(property, entry.first); });
         values.push_back(own != given.values.end() ? own->second : value_for_material(property, material));
     }
     return values;
@@ -66,31 +67,40 @@ void check_values(const Model& model, Row block, const ZoneModel& zone_model, co
         if (std::isnan(values[i])) {
             if (property.optional) continue;
             if (property.name == "bulk" || property.name == "shear")
-                refuse(Advised(about_block(model, block, "has no elastic moduli"), Advice::give_moduli, {material}), given);
-            refuse(Advised(about_block(model, block, fmt::format("has no {}, which zone model {} needs", property.name, zone_model.name)),
-                           Advice::give_material_value, {material, property.name}),
+                refuse(Advised(about_block(model, block, "has no elastic moduli"), Advice::give_moduli, {material}),
+                       given);
+            refuse(Advised(
+                       about_block(model, block,
+                                   fmt::format("has no {}, which zone model {} needs", property.name, zone_model.name)),
+                       Advice::give_material_value, {material, property.name}),
                    given);
         }
         if (values[i] >= property.minimum && values[i] <= property.maximum) continue;
         refuse(Advised(about_block(model, block,
-                                   fmt::format("has {} {}, but zone model {} takes {:g} to {:g}", property.name, values[i], zone_model.name,
-                                               property.minimum, property.maximum)),
+                                   fmt::format("has {} {}, but zone model {} takes {:g} to {:g}", property.name,
+                                               values[i], zone_model.name, property.minimum, property.maximum)),
                        Advice::change_material_value, {material, property.name}),
                given);
     }
     for (const auto i : {zone_model.find_property("bulk"), zone_model.find_property("shear")})
         if (i && !(values[*i] > 0))
-            refuse(Advised(about_block(model, block, "has no stiffness: its bulk and shear moduli must be above 0"), Advice::give_moduli, {material}),
+            refuse(Advised(about_block(model, block, "has no stiffness: its bulk and shear moduli must be above 0"),
+                           Advice::give_moduli, {material}),
                    given);
     if (const std::string complaint = zone_model.check(values); !complaint.empty())
-        refuse(Diagnostic(about_block(model, block, fmt::format("cannot have these properties of zone model {}: {}", zone_model.name, complaint))),
+        refuse(Diagnostic(about_block(
+                   model, block,
+                   fmt::format("cannot have these properties of zone model {}: {}", zone_model.name, complaint))),
                given);
 }
 
 /// Whether a strength is not to be reduced. Its name says what it is.
 bool keeps(std::uint8_t unreduced, const LawTable::Property& property) {
-    constexpr std::pair<std::uint8_t, std::string_view> names[] = {{keep_friction, "friction"}, {keep_cohesion, "cohesion"}, {keep_tension, "tension"}};
-    return std::ranges::any_of(names, [&](const auto& kept) { return (unreduced & kept.first) != 0 && property.name.find(kept.second) != std::string::npos; });
+    constexpr std::pair<std::uint8_t, std::string_view> names[] = {
+        {keep_friction, "friction"}, {keep_cohesion, "cohesion"}, {keep_tension, "tension"}};
+    return std::ranges::any_of(names, [&](const auto& kept) {
+        return (unreduced & kept.first) != 0 && property.name.find(kept.second) != std::string::npos;
+    });
 }
 
 /// The value of a property with the strength divided by a factor.
@@ -109,8 +119,10 @@ std::string zone_model_of(const Model& model, Row block) {
     const auto& given = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])];
     if (!given.model.empty()) return given.model;
     const auto number = model.blocks.constitutive[block];
-    if (number >= 1 && static_cast<std::size_t>(number) <= models_of_numbers.size()) return models_of_numbers[number - 1];
-    Advised d(fmt::format("constitutive number {} of block {} means no zone model", number, model.blocks.number[block]), Advice::name_zone_model);
+    if (number >= 1 && static_cast<std::size_t>(number) <= models_of_numbers.size())
+        return models_of_numbers[number - 1];
+    Advised d(fmt::format("constitutive number {} of block {} means no zone model", number, model.blocks.number[block]),
+              Advice::name_zone_model);
     d.code = "zone-model-unknown";
     throw d;
 }
@@ -141,7 +153,8 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
         if (!model.blocks.deformable[b]) continue;
         const Row block = static_cast<Row>(b), row = model.blocks.zone_properties[b];
         const std::string name = zone_model_of(model, block);
-        const auto [found, is_new] = known.try_emplace(Key{name, model.blocks.material[b], row}, static_cast<Row>(laws.size()));
+        const auto [found, is_new] =
+            known.try_emplace(Key{name, model.blocks.material[b], row}, static_cast<Row>(laws.size()));
         if (is_new) {
             const ZoneModel& zone_model = models.get(name);
             const auto& given = model.zone_properties[static_cast<std::size_t>(row)];
@@ -149,7 +162,8 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
             check_values(model, block, zone_model, values, given);
             const auto [bulk, shear] = zone_model.moduli(values);
             for (std::size_t i = 0; i < values.size(); ++i)
-                if (!keeps(model.unreduced, zone_model.properties[i])) values[i] = reduced(zone_model.properties[i], values[i], model.settings.strength_factor);
+                if (!keeps(model.unreduced, zone_model.properties[i]))
+                    values[i] = reduced(zone_model.properties[i], values[i], model.settings.strength_factor);
             const bool averages = zone_model.flows() && model.settings.mixed_discretisation;
             laws.push_back({&zone_model, std::move(values), {bulk - 2.0 / 3.0 * shear, 2 * shear}, averages});
             model.zones.keep_history(zone_model.history.size());

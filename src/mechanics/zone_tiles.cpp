@@ -38,7 +38,8 @@ private:
 
 } // namespace
 
-ZoneTiles::ZoneTiles(const Model& model, const std::function<std::size_t(Row zone)>& law_of) : corners(model.zones.size()) {
+ZoneTiles::ZoneTiles(const Model& model, const std::function<std::size_t(Row zone)>& law_of)
+    : corners(model.zones.size()) {
     const Row zones = static_cast<Row>(model.zones.size());
     TilePoints points(model.gridpoints.size(), gridpoints);
     for (Row z = 0; z < zones;) {

@@ -45,37 +45,41 @@ public:
     Column<std::int32_t> region;
     Column<std::int32_t> group; ///< index into Model::group_names, 0 is none
     Column<std::int32_t> body;  ///< blocks of equal body move as one (joined.hpp); 0: on its own
-    Column<std::int32_t> shape; ///< number of its surface and mesh, no two alike: another after each cut and each meshing
-    Column<std::int32_t> tied_shape; ///< its shape when its ties to the other blocks of its body were made (ties.hpp), 0: not yet
+    Column<std::int32_t>
+        shape; ///< number of its surface and mesh, no two alike: another after each cut and each meshing
+    Column<std::int32_t>
+        tied_shape; ///< its shape when its ties to the other blocks of its body were made (ties.hpp), 0: not yet
     Column<std::uint8_t> hidden;
     Column<std::uint8_t> deformable;
-    Column<std::uint8_t> fixed;   ///< Fixity bits, rigid blocks
+    Column<std::uint8_t> fixed;           ///< Fixity bits, rigid blocks
     Column<FaceTriangles> face_triangles; ///< for contacts of a rigid block
     Column<double> face_edge; ///< about how far apart sub-contacts on its faces are; 0: at corners and crossings only
-    Column<Span> gridpoints;      ///< a block's rows are contiguous and in block order
+    Column<Span> gridpoints;  ///< a block's rows are contiguous and in block order
     Column<Span> faces;
     Column<Span> triangles;
     Column<Span> zones;
-    Column<std::int32_t> cell_zones; ///< zones of a cell of `gen quad`, which stand one after the other; 0: there are no cells
-    Column<double> volume;        ///< length^3
-    Column<double> margin;        ///< how near another surface counts as touching: a small part of its size
-    Column<double> travelled;     ///< longest way of one of its points since its contacts were looked at
-    Column<double> mass;          ///< 0 until the density is known (at the first cycle)
+    Column<std::int32_t>
+        cell_zones;           ///< zones of a cell of `gen quad`, which stand one after the other; 0: there are no cells
+    Column<double> volume;    ///< length^3
+    Column<double> margin;    ///< how near another surface counts as touching: a small part of its size
+    Column<double> travelled; ///< longest way of one of its points since its contacts were looked at
+    Column<double> mass;      ///< 0 until the density is known (at the first cycle)
     Column<double> inertial_mass; ///< in the equation of motion; another than `mass` where density is scaled
     Column<Mat3> inertia;         ///< of unit density, about the centroid, in the block's own axes
     Column<Vec3> centroid;
-    Column<Quaternion> orientation; ///< turns own axes into global ones
-    Column<Vec3> velocity;          ///< rigid blocks, of the centroid
+    Column<Quaternion> orientation;   ///< turns own axes into global ones
+    Column<Vec3> velocity;            ///< rigid blocks, of the centroid
     Column<Vec3> rotational_velocity; ///< global axes, rad/time
     Column<Vec3> angular_momentum;    ///< about the centroid, global axes; what free spin keeps. Of a
                                       ///< joined body: all of it, at its first block
     Column<Vec3> displacement;        ///< of the centroid
     Column<Vec3> force;               ///< sum of the last cycle, gravity and damping not included
     Column<Vec3> moment;
-    Column<Vec3> load;     ///< applied force, wherever on the block it acts
-    Column<Vec3> torque;   ///< applied moment
-    Column<Mat3> load_arms; ///< sum of arm (own axes, from the centroid) times force (global axes) over the loaded points
-    Column<Vec3> last_force;  ///< sum of all forces one step ago, for combined damping
+    Column<Vec3> load;   ///< applied force, wherever on the block it acts
+    Column<Vec3> torque; ///< applied moment
+    Column<Mat3>
+        load_arms; ///< sum of arm (own axes, from the centroid) times force (global axes) over the loaded points
+    Column<Vec3> last_force; ///< sum of all forces one step ago, for combined damping
     Column<Vec3> last_moment;
 
     template <class Visit> void columns(Visit&& visit) {
@@ -130,13 +134,13 @@ public:
     Column<double> inertial_mass; ///< in the equation of motion
     Column<Vec3> position;
     Column<Vec3> reference; ///< position when the zones were made; of a rigid block's vertex: in own axes
-    Column<Vec3> velocity; ///< of deformable blocks; a rigid block's vertex: gridpoint_velocity (measure.hpp)
+    Column<Vec3> velocity;  ///< of deformable blocks; a rigid block's vertex: gridpoint_velocity (measure.hpp)
     Column<Vec3> displacement;
-    Column<Vec3> force; ///< sum of the last cycle, gravity and damping not included
-    Column<Vec3> load;  ///< applied force
-    Column<Vec3> last_force; ///< sum of all forces one step ago, for combined damping
-    Column<std::int32_t> roller; ///< index into Model::rollers, 0 is none
-    Column<double> pore_pressure; ///< where the settings take water from gridpoints
+    Column<Vec3> force;            ///< sum of the last cycle, gravity and damping not included
+    Column<Vec3> load;             ///< applied force
+    Column<Vec3> last_force;       ///< sum of all forces one step ago, for combined damping
+    Column<std::int32_t> roller;   ///< index into Model::rollers, 0 is none
+    Column<double> pore_pressure;  ///< where the settings take water from gridpoints
     Column<double> zone_frequency; ///< bound of the zones' part of its frequency with its true mass, (rad/time)^2
 
     template <class Visit> void columns(Visit&& visit) {
@@ -196,13 +200,14 @@ public:
 class Zones : public Table<Zones> {
 public:
     Column<Row> block;
-    Column<std::int32_t> group; ///< of the zone itself: index into Model::group_names, 0 is none
+    Column<std::int32_t> group;            ///< of the zone itself: index into Model::group_names, 0 is none
     Column<std::array<Row, 4>> gridpoints; ///< positive volume in this order
     Column<Stress> stress;
-    Column<Stress> dashpot; ///< viscous stress besides, where damping asks for it
-    Column<double> volume; ///< when the zones were made
+    Column<Stress> dashpot;      ///< viscous stress besides, where damping asks for it
+    Column<double> volume;       ///< when the zones were made
     Column<std::uint32_t> state; ///< bits of the zone model
-    std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY> history; ///< of the zone model; those after `history_columns` are empty
+    std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY>
+        history;                      ///< of the zone model; those after `history_columns` are empty
     std::int32_t history_columns = 0; ///< as many as the zone model has that keeps most
 
     /// Makes room for a zone model that keeps that many; it stays.

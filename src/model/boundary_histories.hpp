@@ -34,9 +34,9 @@ public:
     Column<Row> gridpoint; ///< counted from the first one of the block; no_row: the block as a whole
     Column<What> what;
     Column<std::int32_t> component;
-    Column<double> amplitude;       ///< velocity, or force; times the function it acts
-    Column<double> acting;          ///< of a load: what it adds to the load of its body at present
-    Column<std::int32_t> function;  ///< row of Model::time_functions
+    Column<double> amplitude;      ///< velocity, or force; times the function it acts
+    Column<double> acting;         ///< of a load: what it adds to the load of its body at present
+    Column<std::int32_t> function; ///< row of Model::time_functions
 
     template <class Visit> void columns(Visit&& visit) {
         visit("block", block, link<Blocks>());

@@ -116,7 +116,8 @@ template <class TableType> void put_in_order(Model& model, TableType& table, Col
     }
     table.columns([&](const auto&, auto& column, auto role) {
         if constexpr (links::names<Blocks, decltype(role)>())
-            for (std::size_t b = 0; b < spans.size(); ++b) std::fill_n(column.begin() + spans[b].first, spans[b].count, static_cast<Row>(b));
+            for (std::size_t b = 0; b < spans.size(); ++b)
+                std::fill_n(column.begin() + spans[b].first, spans[b].count, static_cast<Row>(b));
     });
 }
 
@@ -272,7 +273,8 @@ void drop_contacts_of_none(Model& model) {
     contacts.gather(kept_contacts);
     sub_contacts.gather(kept_sub_contacts);
     for (std::size_t c = 0; c < contacts.size(); ++c) contacts.ids.move(contacts.id[c], static_cast<Row>(c));
-    for (std::size_t s = 0; s < sub_contacts.size(); ++s) sub_contacts.ids.move(sub_contacts.id[s], static_cast<Row>(s));
+    for (std::size_t s = 0; s < sub_contacts.size(); ++s)
+        sub_contacts.ids.move(sub_contacts.id[s], static_cast<Row>(s));
 }
 
 } // namespace
@@ -316,8 +318,8 @@ namespace {
 constexpr double most_zones = 5e7; ///< more would not fit in the memory of any machine of today
 
 /// Gives the rigid ones of the blocks the zones that mesh(block, shape) makes; first all meshes, then the model.
-template <class Mesh>
-std::size_t fill_with_zones(Model& model, const std::vector<Row>& rows, const Mesh& mesh, const ProgressCallback& progress) {
+template <class Mesh> std::size_t fill_with_zones(Model& model, const std::vector<Row>& rows, const Mesh& mesh,
+                                                  const ProgressCallback& progress) {
     struct Meshed {
         Row block;
         Polyhedron shape;
@@ -341,38 +343,43 @@ std::size_t fill_with_zones(Model& model, const std::vector<Row>& rows, const Me
 } // namespace
 
 std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double edge, const ProgressCallback& progress) {
-    if (!(edge > 0) || !std::isfinite(edge))
-        throw Diagnostic("the edge length of zones must be a number above 0");
+    if (!(edge > 0) || !std::isfinite(edge)) throw Diagnostic("the edge length of zones must be a number above 0");
     double count = 0;
-    return fill_with_zones(model, rows, [&](Row block, const Polyhedron& shape, const ProgressCallback& of_block) {
-        count += 6 * std::max(1.0, model.blocks.volume[block] / std::pow(edge, 3));
-        if (count > most_zones)
-            throw Diagnostic(fmt::format("an edge of {} would make more than {:.0e} zones", edge, most_zones),
-                             "give a longer edge or a smaller range");
-        try {
-            return make_mesh(shape, edge, of_block);
-        } catch (Diagnostic& problem) {
-            throw problem.add(fmt::format("in block {}", model.blocks.number[block]));
-        }
-    }, progress);
+    return fill_with_zones(
+        model, rows,
+        [&](Row block, const Polyhedron& shape, const ProgressCallback& of_block) {
+            count += 6 * std::max(1.0, model.blocks.volume[block] / std::pow(edge, 3));
+            if (count > most_zones)
+                throw Diagnostic(fmt::format("an edge of {} would make more than {:.0e} zones", edge, most_zones),
+                                 "give a longer edge or a smaller range");
+            try {
+                return make_mesh(shape, edge, of_block);
+            } catch (Diagnostic& problem) { throw problem.add(fmt::format("in block {}", model.blocks.number[block])); }
+        },
+        progress);
 }
 
 std::size_t generate_zones(Model& model, const std::vector<Row>& rows, const std::array<int, 3>& parts,
                            const std::array<double, 3>& ratio, const ProgressCallback& progress) {
     double count = 0;
-    return fill_with_zones(model, rows, [&](Row block, const Polyhedron& shape, const ProgressCallback&) {
-        count += 6.0 * parts[0] * parts[1] * parts[2];
-        if (count > most_zones)
-            throw Diagnostic(fmt::format("{} x {} x {} cells would make more than {:.0e} zones", parts[0], parts[1], parts[2],
-                                         most_zones),
-                             "give fewer cells or a smaller range");
-        auto mesh = hexahedron_mesh(shape, parts, ratio);
-        if (!mesh)
-            throw Diagnostic(fmt::format("block {} cannot be cut in cells: that needs six faces of four corners, not too oblique",
-                                         model.blocks.number[block]),
-                             "leave it out of the range, or use `generate edge`");
-        return std::move(*mesh);
-    }, progress);
+    return fill_with_zones(
+        model, rows,
+        [&](Row block, const Polyhedron& shape, const ProgressCallback&) {
+            count += 6.0 * parts[0] * parts[1] * parts[2];
+            if (count > most_zones)
+                throw Diagnostic(fmt::format("{} x {} x {} cells would make more than {:.0e} zones", parts[0], parts[1],
+                                             parts[2], most_zones),
+                                 "give fewer cells or a smaller range");
+            auto mesh = hexahedron_mesh(shape, parts, ratio);
+            if (!mesh)
+                throw Diagnostic(
+                    fmt::format(
+                        "block {} cannot be cut in cells: that needs six faces of four corners, not too oblique",
+                        model.blocks.number[block]),
+                    "leave it out of the range, or use `generate edge`");
+            return std::move(*mesh);
+        },
+        progress);
 }
 
 } // namespace kaya

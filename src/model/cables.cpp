@@ -25,7 +25,8 @@ Mat3 turn_of(const Blocks& blocks, Row block) {
 /// The block that holds a place; no_row when none does.
 Row block_at(const Model& model, const Vec3& place) {
     const Row block = nearest_row(model, ObjectKind::block, place);
-    if (block == no_row || distance_to(model, ObjectKind::block, block, place) > on_surface * block_size(model, block)) return no_row;
+    if (block == no_row || distance_to(model, ObjectKind::block, block, place) > on_surface * block_size(model, block))
+        return no_row;
     return block;
 }
 
@@ -73,9 +74,16 @@ void place(Model& model, Row node) {
 const std::vector<CableProperty>& cable_properties() {
     using P = CableProperties;
     static const std::vector<CableProperty> rows{
-        {"area", &P::area},           {"young", &P::young},         {"density", &P::density},     {"kbond", &P::grout_stiffness},
-        {"sbond", &P::grout_cohesion}, {"fbond", &P::grout_friction}, {"perimeter", &P::grout_perimeter},
-        {"yield", &P::yield_tension}, {"ycomp", &P::yield_compression}, {"rupture", &P::rupture_strain},
+        {"area", &P::area},
+        {"young", &P::young},
+        {"density", &P::density},
+        {"kbond", &P::grout_stiffness},
+        {"sbond", &P::grout_cohesion},
+        {"fbond", &P::grout_friction},
+        {"perimeter", &P::grout_perimeter},
+        {"yield", &P::yield_tension},
+        {"ycomp", &P::yield_compression},
+        {"rupture", &P::rupture_strain},
     };
     return rows;
 }
@@ -161,10 +169,13 @@ void take_cable_properties(Model& model) {
     for (std::size_t cable = 0; cable < cables.size(); ++cable) {
         const auto found = properties.find(cables.property[cable]);
         if (found == properties.end() || !(found->second.axial_stiffness() > 0))
-            throw Diagnostic(fmt::format("cable {} has the properties {}, which have no {}", cables.number[cable], cables.property[cable],
-                                         found == properties.end() || !(found->second.area > 0) ? "area" : "Young's modulus"),
-                             fmt::format("write for example: structure property {} area 5e-4 young 2e11 yield 2.5e5 kbond 1e7 sbond 2e5",
-                                         cables.property[cable]));
+            throw Diagnostic(
+                fmt::format("cable {} has the properties {}, which have no {}", cables.number[cable],
+                            cables.property[cable],
+                            found == properties.end() || !(found->second.area > 0) ? "area" : "Young's modulus"),
+                fmt::format(
+                    "write for example: structure property {} area 5e-4 young 2e11 yield 2.5e5 kbond 1e7 sbond 2e5",
+                    cables.property[cable]));
         const double tension = std::exchange(cables.tension[cable], 0.0);
         const Span span = cables.nodes[cable];
         for (Row node = span.first; tension != 0 && node + 1 < span.end(); ++node) {

@@ -66,22 +66,22 @@ public:
 class CableNodes : public Table<CableNodes> {
 public:
     Column<Row> cable;
-    Column<BlockId> block;        ///< in which it lies; an id of none: outside of the rock
-    Column<std::int32_t> shape;   ///< Blocks::shape when it was placed there; it is placed anew when that is another
-    Column<Row> zone;             ///< counted from the first of its block; no_row in a rigid block
+    Column<BlockId> block;      ///< in which it lies; an id of none: outside of the rock
+    Column<std::int32_t> shape; ///< Blocks::shape when it was placed there; it is placed anew when that is another
+    Column<Row> zone;           ///< counted from the first of its block; no_row in a rigid block
     Column<std::array<double, 4>> weights; ///< of the zone's gridpoints, sum 1
-    Column<Vec3> local;           ///< in a rigid block: from its centroid, in its own axes
-    Column<std::uint8_t> anchored; ///< cannot slip
-    Column<Vec3> position;        ///< of the rock at the node
-    Column<double> share;         ///< length of cable whose grout acts at the node
-    Column<double> slip;          ///< of the cable past the rock, towards its end
-    Column<double> slip_lost;     ///< of it, what does not go back
-    Column<double> grout;         ///< force of the rock on the cable along it
+    Column<Vec3> local;                    ///< in a rigid block: from its centroid, in its own axes
+    Column<std::uint8_t> anchored;         ///< cannot slip
+    Column<Vec3> position;                 ///< of the rock at the node
+    Column<double> share;                  ///< length of cable whose grout acts at the node
+    Column<double> slip;                   ///< of the cable past the rock, towards its end
+    Column<double> slip_lost;              ///< of it, what does not go back
+    Column<double> grout;                  ///< force of the rock on the cable along it
     Column<std::uint8_t> grout_state;
-    Column<Vec3> force;           ///< on the rock
-    Column<double> bar_length;    ///< without force
-    Column<double> bar_yield;     ///< plastic elongation
-    Column<double> bar_force;     ///< tension positive
+    Column<Vec3> force;        ///< on the rock
+    Column<double> bar_length; ///< without force
+    Column<double> bar_yield;  ///< plastic elongation
+    Column<double> bar_force;  ///< tension positive
     Column<std::uint8_t> bar_state;
 
     template <class Visit> void columns(Visit&& visit) {
@@ -121,7 +121,7 @@ struct NewCable {
     Vec3 first = Vec3::Zero(), last = Vec3::Zero();
     std::int32_t segments = 10;
     std::int32_t property = 1;
-    double tension = 0;             ///< force in all bars when it is made
+    double tension = 0; ///< force in all bars when it is made
     bool anchor_first = false, anchor_last = false;
 };
 

@@ -24,9 +24,7 @@ template <class T> using Column = std::vector<T>;
 struct VectorColumn {
     std::array<Column<double>, 3> component;
 
-    Vec3 operator[](std::size_t row) const {
-        return {component[0][row], component[1][row], component[2][row]};
-    }
+    Vec3 operator[](std::size_t row) const { return {component[0][row], component[1][row], component[2][row]}; }
     void set(std::size_t row, const Vec3& value) {
         for (int k = 0; k < 3; ++k) component[k][row] = value[k];
     }
@@ -104,7 +102,8 @@ private:
         std::size_t gap = 0;
         while (gap < rows.size() && static_cast<std::size_t>(rows[gap]) == gap) ++gap;
         derived().columns([&rows, gap](const auto&, auto& column, Role) {
-            for (std::size_t k = gap; k < rows.size(); ++k) column[k] = std::move(column[static_cast<std::size_t>(rows[k])]);
+            for (std::size_t k = gap; k < rows.size(); ++k)
+                column[k] = std::move(column[static_cast<std::size_t>(rows[k])]);
             column.erase(column.begin() + static_cast<std::ptrdiff_t>(rows.size()), column.end());
         });
         size_ = rows.size();

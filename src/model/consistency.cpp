@@ -39,8 +39,8 @@ void check_spans(Findings& findings, const char* table, const char* target, cons
     for (std::size_t i = 0; i < spans.size() && findings.clean(); ++i) {
         const Span span = spans[i];
         const bool fits = span.count >= 0 && span.first >= 0 && span.first <= size && span.count <= size - span.first;
-        findings.require(fits, table, i, fmt::format("{} {} and the {} after of {}", target, span.first,
-                                                     span.count, size));
+        findings.require(fits, table, i,
+                         fmt::format("{} {} and the {} after of {}", target, span.first, span.count, size));
         if (!fits) return;
         for (Row row = span.first; row < span.end(); ++row)
             findings.require(owners[static_cast<std::size_t>(row)] == static_cast<Row>(i), table, i,
@@ -138,10 +138,11 @@ void check_links(Findings& findings, Model& model) {
                 if constexpr (std::is_same_v<T, Row>) {
                     const std::size_t size = size_of<To>(model);
                     for (std::size_t i = 0; i < column.size() && findings.clean(); ++i)
-                        findings.require(role.may_be_none ? inside_or_none(column[i], size) : inside(column[i], size), name, i,
-                                         fmt::format("{} {} of {}", noun<To>, column[i], size));
+                        findings.require(role.may_be_none ? inside_or_none(column[i], size) : inside(column[i], size),
+                                         name, i, fmt::format("{} {} of {}", noun<To>, column[i], size));
                 } else if constexpr (std::is_same_v<T, Span>) {
-                    if (const Column<Row>* belongs_to = owners<Whole, To>(model)) check_spans(findings, name, noun<To>, column, *belongs_to);
+                    if (const Column<Row>* belongs_to = owners<Whole, To>(model))
+                        check_spans(findings, name, noun<To>, column, *belongs_to);
                 }
             }
         });
@@ -156,8 +157,10 @@ void check_rows_of_blocks(Findings& findings, const Model& model) {
     for (std::size_t i = 0; i < blocks.size() && findings.clean(); ++i) {
         findings.require((blocks.deformable[i] != 0) == (blocks.zones[i].count > 0), "blocks", i,
                          "it is to be deformable without zones, or has zones and is not");
-        findings.require(blocks.cell_zones[i] == 0 || (blocks.cell_zones[i] > 0 && blocks.zones[i].count % blocks.cell_zones[i] == 0),
-                         "blocks", i, fmt::format("{} zones in cells of {}", blocks.zones[i].count, blocks.cell_zones[i]));
+        findings.require(blocks.cell_zones[i] == 0 ||
+                             (blocks.cell_zones[i] > 0 && blocks.zones[i].count % blocks.cell_zones[i] == 0),
+                         "blocks", i,
+                         fmt::format("{} zones in cells of {}", blocks.zones[i].count, blocks.cell_zones[i]));
     }
     for (std::size_t i = 0; i < blocks.size() && findings.clean(); ++i)
         findings.require(blocks.number[i] >= 1 && blocks.number[i] < model.next_block_number, "blocks", i,
@@ -202,14 +205,18 @@ void check_excavated(Findings& findings, const Model& model) {
 void check_faces(Findings& findings, const Model& model, std::size_t i) {
     const auto& contacts = model.contacts;
     const std::int32_t reference = contacts.reference[i];
-    findings.require(reference >= 0 && reference <= 2, "contacts", i, fmt::format("its plane is that of side {}", reference));
+    findings.require(reference >= 0 && reference <= 2, "contacts", i,
+                     fmt::format("its plane is that of side {}", reference));
     for (const int side : {1, 2}) {
-        const Row face = side == 1 ? contacts.face1[i] : contacts.face2[i], block = side == 1 ? contacts.block1[i] : contacts.block2[i];
+        const Row face = side == 1 ? contacts.face1[i] : contacts.face2[i],
+                  block = side == 1 ? contacts.block1[i] : contacts.block2[i];
         if (!findings.clean()) return;
         if (face == no_row)
-            findings.require(reference != side || model.blocks.deformable[static_cast<std::size_t>(block)] == 0, "contacts", i, "the face of its plane is missing");
+            findings.require(reference != side || model.blocks.deformable[static_cast<std::size_t>(block)] == 0,
+                             "contacts", i, "the face of its plane is missing");
         else
-            findings.require(model.faces.block[static_cast<std::size_t>(face)] == block, "contacts", i, fmt::format("face {} is not one of its block", face));
+            findings.require(model.faces.block[static_cast<std::size_t>(face)] == block, "contacts", i,
+                             fmt::format("face {} is not one of its block", face));
     }
 }
 
@@ -224,13 +231,13 @@ void check_contacts(Findings& findings, const Model& model) {
         findings.require(between(contacts.kind[i], ContactKind::joint, ContactKind::overlap), "contacts", i,
                          "it is neither a joint nor an overlap");
         findings.require(contacts.number[i] >= 1 && contacts.number[i] < model.next_contact_number, "contacts", i,
-                         fmt::format("number {} where {} is the next", contacts.number[i],
-                                     model.next_contact_number));
+                         fmt::format("number {} where {} is the next", contacts.number[i], model.next_contact_number));
     }
 }
 
 /// A side is attached to corners of its block, or to nothing; a corner that is left out has no weight.
-void check_attachments(Findings& findings, const Model& model, const Column<Attachment>& side, const Column<Row>& blocks) {
+void check_attachments(Findings& findings, const Model& model, const Column<Attachment>& side,
+                       const Column<Row>& blocks) {
     const auto& points = model.gridpoints;
     for (std::size_t i = 0; i < side.size() && findings.clean(); ++i) {
         const Row block = blocks[static_cast<std::size_t>(model.sub_contacts.contact[i])];
@@ -239,8 +246,8 @@ void check_attachments(Findings& findings, const Model& model, const Column<Atta
             findings.require(inside_or_none(row, points.size()), "sub_contacts", i,
                              fmt::format("gridpoint {} of {}", row, points.size()));
             if (row == no_row)
-                findings.require(!side[i].attached() ? side[i] == Attachment{} : side[i].weights[k] == 0, "sub_contacts", i,
-                                 "a corner that it hangs on is missing");
+                findings.require(!side[i].attached() ? side[i] == Attachment{} : side[i].weights[k] == 0,
+                                 "sub_contacts", i, "a corner that it hangs on is missing");
             else if (findings.clean())
                 findings.require(points.block[static_cast<std::size_t>(row)] == block, "sub_contacts", i,
                                  fmt::format("gridpoint {} is not one of its block", row));
@@ -258,11 +265,10 @@ void check_sub_contacts(Findings& findings, const Model& model) {
     check_attachments(findings, model, sub.side1, model.contacts.block1);
     check_attachments(findings, model, sub.side2, model.contacts.block2);
     for (std::size_t i = 0; i < sub.size() && findings.clean(); ++i) {
-        findings.require(between(sub.type[i], SubContactType::vertex_face, SubContactType::face_face), "sub_contacts", i,
-                         "its type is unknown");
+        findings.require(between(sub.type[i], SubContactType::vertex_face, SubContactType::face_face), "sub_contacts",
+                         i, "its type is unknown");
         findings.require(sub.number[i] >= 1 && sub.number[i] < model.next_sub_contact_number, "sub_contacts", i,
-                         fmt::format("number {} where {} is the next", sub.number[i],
-                                     model.next_sub_contact_number));
+                         fmt::format("number {} where {} is the next", sub.number[i], model.next_sub_contact_number));
     }
 }
 
@@ -277,8 +283,9 @@ void check_ties(Findings& findings, const Model& model) {
             return inside(row, static_cast<std::size_t>(spans[blocks[side]].count));
         };
         for (Row t = pairs.ties[p].first; t < pairs.ties[p].end(); ++t) {
-            bool right = in_block(model.blocks.faces, 0, ties.face1[t]) && in_block(model.blocks.faces, 1, ties.face2[t]) &&
-                         in_block(model.blocks.zones, 0, ties.zone1[t]) && in_block(model.blocks.zones, 1, ties.zone2[t]);
+            bool right =
+                in_block(model.blocks.faces, 0, ties.face1[t]) && in_block(model.blocks.faces, 1, ties.face2[t]) &&
+                in_block(model.blocks.zones, 0, ties.zone1[t]) && in_block(model.blocks.zones, 1, ties.zone2[t]);
             for (int k = 0; k < 3; ++k)
                 right = right && in_block(model.blocks.gridpoints, 0, ties.gridpoints1[t][k]) &&
                         in_block(model.blocks.gridpoints, 1, ties.gridpoints2[t][k]);
@@ -311,12 +318,16 @@ void check_boundary_histories(Findings& findings, const Model& model) {
                          "its kind is unknown");
     for (std::size_t i = 0; i < histories.size() && findings.clean(); ++i) {
         const bool whole = histories.gridpoint[i] == no_row;
-        const std::int32_t components = !whole ? 3 : histories.what[i] == BoundaryHistories::What::load ? BoundaryHistories::loads : BoundaryHistories::motions;
-        findings.require(between(histories.what[i], BoundaryHistories::What::velocity, BoundaryHistories::What::load), "drives", i,
-                         "its kind is unknown");
+        const std::int32_t components = !whole ? 3
+                                        : histories.what[i] == BoundaryHistories::What::load
+                                            ? BoundaryHistories::loads
+                                            : BoundaryHistories::motions;
+        findings.require(between(histories.what[i], BoundaryHistories::What::velocity, BoundaryHistories::What::load),
+                         "drives", i, "its kind is unknown");
         findings.require(between(histories.component[i], 0, components - 1), "drives", i, "it has no such component");
         const Row block = model.blocks.ids.row(histories.block[i]);
-        findings.require(whole || block == no_row || inside(histories.gridpoint[i], model.blocks.gridpoints[block].count),
+        findings.require(whole || block == no_row ||
+                             inside(histories.gridpoint[i], model.blocks.gridpoints[block].count),
                          "drives", i, "its block has no such gridpoint");
     }
 }
@@ -326,16 +337,18 @@ void check_cables(Findings& findings, const Model& model) {
     const auto& [cables, nodes, properties, next_number] = model.structures;
     for (std::size_t i = 0; i < cables.size() && findings.clean(); ++i) {
         const std::int32_t before = i == 0 ? 0 : cables.number[i - 1];
-        findings.require(cables.number[i] > before && cables.number[i] < next_number, "cables", i, fmt::format("number {}", cables.number[i]));
+        findings.require(cables.number[i] > before && cables.number[i] < next_number, "cables", i,
+                         fmt::format("number {}", cables.number[i]));
         findings.require(cables.nodes[i].count >= 2, "cables", i, "it has no bar");
     }
     for (std::size_t i = 0; i < nodes.size() && findings.clean(); ++i) {
         const Row node = static_cast<Row>(i), block = block_of_node(model, node);
         const bool same = block != no_row && model.blocks.shape[block] == nodes.shape[i];
         const bool deformable = same && model.blocks.deformable[block] != 0;
-        findings.require(!same || (deformable ? inside(nodes.zone[i], static_cast<std::size_t>(model.blocks.zones[block].count))
-                                              : nodes.zone[i] == no_row),
-                         "cable_nodes", i, "its block has no such zone");
+        findings.require(
+            !same || (deformable ? inside(nodes.zone[i], static_cast<std::size_t>(model.blocks.zones[block].count))
+                                 : nodes.zone[i] == no_row),
+            "cable_nodes", i, "its block has no such zone");
         findings.require(!has_bar(nodes, node) || nodes.bar_length[i] > 0, "cable_nodes", i, "its bar has no length");
     }
 }
@@ -347,9 +360,9 @@ std::string inconsistency(Model& model) {
     // Columns first: everything below reads as many rows as the table says.
     const auto check_columns = [&](const char* name, auto& table) {
         table.columns([&](const std::string& column_name, auto& column, Role) {
-            findings.require(column.size() == table.size(),
-                             fmt::format("column {} of {} has {} rows of {}", column_name, name, column.size(),
-                                         table.size()));
+            findings.require(
+                column.size() == table.size(),
+                fmt::format("column {} of {} has {} rows of {}", column_name, name, column.size(), table.size()));
         });
     };
     model.tables(check_columns);
@@ -360,19 +373,21 @@ std::string inconsistency(Model& model) {
         findings.require(between(roller.count, 0, 3), "a roller holds another number of directions than 0 to 3");
     findings.require(between(model.settings.damping, Damping::none, Damping::rayleigh), "the damping is unknown");
     findings.require(between(model.settings.water, Water::none, Water::ground), "the kind of water is unknown");
-    findings.require(model.settings.water != Water::ground || !model.water_ground.empty(), "the water table is not there");
+    findings.require(model.settings.water != Water::ground || !model.water_ground.empty(),
+                     "the water table is not there");
     findings.require(inside_or_none(model.settings.default_properties, model.joint_properties.size()),
                      "the joint properties of new contacts are not there");
     // Counts go on from here: no run comes near these.
-    findings.require(between<std::int64_t>(model.clock.cycle, 0, std::int64_t{1} << 53), fmt::format("{} cycles", model.clock.cycle));
-    for (const auto next : {model.next_block_number, model.next_shape_number, model.next_contact_number, model.next_sub_contact_number,
-                            model.structures.next_cable_number})
+    findings.require(between<std::int64_t>(model.clock.cycle, 0, std::int64_t{1} << 53),
+                     fmt::format("{} cycles", model.clock.cycle));
+    for (const auto next : {model.next_block_number, model.next_shape_number, model.next_contact_number,
+                            model.next_sub_contact_number, model.structures.next_cable_number})
         findings.require(between(next, 1, 2'000'000'000), fmt::format("{} is the next number", next));
     if (findings.clean()) check_links(findings, model);
     if (!findings.clean()) return findings.text();
 
-    for (const auto check :
-         {check_blocks, check_geometry, check_excavated, check_contacts, check_sub_contacts, check_ties, check_histories, check_boundary_histories, check_cables}) {
+    for (const auto check : {check_blocks, check_geometry, check_excavated, check_contacts, check_sub_contacts,
+                             check_ties, check_histories, check_boundary_histories, check_cables}) {
         check(findings, model);
         if (!findings.clean()) break;
     }

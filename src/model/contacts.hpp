@@ -18,9 +18,7 @@ struct SubContactTag {};
 using SubContactId = Id<SubContactTag>;
 
 /// How two blocks touch.
-enum class ContactType : std::int32_t {
-    face_face = 1, face_edge, face_vertex, edge_edge, edge_vertex, vertex_vertex
-};
+enum class ContactType : std::int32_t { face_face = 1, face_edge, face_vertex, edge_edge, edge_vertex, vertex_vertex };
 
 /// What meets at a sub-contact.
 enum class SubContactType : std::int32_t { vertex_face = 1, face_vertex, edge_edge, face_face };
@@ -45,31 +43,32 @@ public:
     Column<Row> face2;
     Column<ContactType> type;
     Column<std::int32_t> reference; ///< whose face gives the normal: 1, 2, or 0 for two edges
-    Column<Vec3> normal;        ///< of the common plane, unit, from block1 to block2
-    Column<Vec3> position;      ///< a point of the common plane
-    Column<double> area;        ///< of the overlap
-    Column<std::int32_t> material; ///< number of `prop jmat`
-    Column<Row> properties;        ///< row of Model::joint_properties: model and values
+    Column<Vec3> normal;            ///< of the common plane, unit, from block1 to block2
+    Column<Vec3> position;          ///< a point of the common plane
+    Column<double> area;            ///< of the overlap
+    Column<std::int32_t> material;  ///< number of `prop jmat`
+    Column<Row> properties;         ///< row of Model::joint_properties: model and values
     Column<std::int32_t> joint_set;
     Column<std::int32_t> group; ///< index into Model::group_names, 0 is none
-    Column<Span> sub_contacts; ///< a contact's rows are contiguous
+    Column<Span> sub_contacts;  ///< a contact's rows are contiguous
     Column<ContactKind> kind;
     Column<double> least_area; ///< a loaded contact is at least as stiff as a joint of this area
-    Column<double> stiffness_area; ///< normal tangent stiffness of the contact over that of its joint model; 0: that of the sub-contacts
+    Column<double>
+        stiffness_area; ///< normal tangent stiffness of the contact over that of its joint model; 0: that of the sub-contacts
     // Of overlap contacts only.
-    Column<double> depth;      ///< closure of a joint with the energy of the overlap; 0 when the blocks are apart
-    Column<double> twist;      ///< moment of the overlap about the normal over its normal force: length
-    Column<double> offset;     ///< closure besides that of the places of the blocks
-    Column<Vec3> offset_tilt;  ///< its slope in space, about the centroid of block1
-    Column<Vec3> offset_normal; ///< unit; its direction, which goes with the blocks and not with the normal
-    Column<Vec3> axis;         ///< a direction in the plane that turns with the contact
+    Column<double> depth;         ///< closure of a joint with the energy of the overlap; 0 when the blocks are apart
+    Column<double> twist;         ///< moment of the overlap about the normal over its normal force: length
+    Column<double> offset;        ///< closure besides that of the places of the blocks
+    Column<Vec3> offset_tilt;     ///< its slope in space, about the centroid of block1
+    Column<Vec3> offset_normal;   ///< unit; its direction, which goes with the blocks and not with the normal
+    Column<Vec3> axis;            ///< a direction in the plane that turns with the contact
     Column<double> energy_length; ///< energy of the overlap over its normal force
     Column<double> energy_taken;  ///< what it has taken up and not given back
     Column<double> withheld;      ///< part of its force that does not act, so that it gives back no more than that
     // Of joints only.
-    Column<double> slip_since_update;       ///< relative tangential motion since the geometry was made anew
-    Column<double> unforced_overlap;       ///< overlap beyond that which its force belongs to
-    Column<double> withdrawn_energy;   ///< energy that new geometry has taken from it, less what it has given back
+    Column<double> slip_since_update; ///< relative tangential motion since the geometry was made anew
+    Column<double> unforced_overlap;  ///< overlap beyond that which its force belongs to
+    Column<double> withdrawn_energy;  ///< energy that new geometry has taken from it, less what it has given back
 
     template <class Visit> void columns(Visit&& visit) {
         visit("id", id, Role::identity);
@@ -136,7 +135,7 @@ public:
     VectorColumn shear_displacement_increment;
     Column<double> pore_pressure;
     Column<double> normal_force;
-    VectorColumn shear_force; ///< on block2 is plus this, on block1 minus: see method
+    VectorColumn shear_force;      ///< on block2 is plus this, on block1 minus: see method
     Column<double> dashpot_normal; ///< viscous force besides the law's, where damping asks for one
     VectorColumn dashpot_shear;
     Column<double> normal_stiffness;
@@ -144,15 +143,15 @@ public:
     Column<double> frictional_work;
     Column<std::uint32_t> state;
     std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY> history; ///< those after `history_columns` are empty
-    std::int32_t history_columns = 0; ///< as many as the joint model has that keeps most
+    std::int32_t history_columns = 0;                            ///< as many as the joint model has that keeps most
 
     // Fields that joint models only read; a row whose bit is not set has the property, or the initial value.
     std::array<Column<double>, KAYA_JMODEL_MAX_FIELDS> field; ///< those after `field_columns` are empty
-    Column<std::uint32_t> field_set;      ///< bit k: field k was set
-    std::int32_t field_columns = 0;       ///< as many as the joint model has of which one was set
+    Column<std::uint32_t> field_set;                          ///< bit k: field k was set
+    std::int32_t field_columns = 0;                           ///< as many as the joint model has of which one was set
 
-    Column<JointObject> object;           ///< what a joint model keeps when numbers will not do
-    bool keeps_objects = false;           ///< whether a joint model does; otherwise the column is empty
+    Column<JointObject> object; ///< what a joint model keeps when numbers will not do
+    bool keeps_objects = false; ///< whether a joint model does; otherwise the column is empty
 
     /// Makes room for the objects of a joint model; it stays.
     void keep_objects() {

@@ -40,8 +40,8 @@ TetMesh placed_mesh(const Model& model, Row block, const Placement& placement) {
     }
     for (Row t = model.blocks.triangles[block].first; t < model.blocks.triangles[block].end(); ++t) {
         const auto& g = model.triangles.gridpoints[t];
-        mesh.boundary.push_back({{local(g[0]), local(g[1]), local(g[2])},
-                                 static_cast<int>(model.triangles.face[t] - faces.first)});
+        mesh.boundary.push_back(
+            {{local(g[0]), local(g[1]), local(g[2])}, static_cast<int>(model.triangles.face[t] - faces.first)});
         if (turned) std::swap(mesh.boundary.back().points[1], mesh.boundary.back().points[2]);
     }
     return mesh;

@@ -19,7 +19,7 @@ constexpr double same_plane = 1e-9;
 
 /// The block that pieces are cut from, as it was, and what they take over from it.
 struct Parent {
-    Blocks whole; ///< one row; its load_arms in global axes, which are those of the pieces
+    Blocks whole;            ///< one row; its load_arms in global axes, which are those of the pieces
     std::int32_t roller = 0; ///< of a rigid block that is held along a direction
     double volume, density;
     Mat3 turn; ///< from the block's own axes to global ones
@@ -29,13 +29,16 @@ struct Parent {
     };
     std::vector<Side> sides; ///< faces that are in a group of their own
 
-    Parent(Model& model, Row b) : volume(model.blocks.volume[b]), density(model.blocks.mass[b] / volume), turn(turn_of(model.blocks.orientation[b])) {
+    Parent(Model& model, Row b)
+        : volume(model.blocks.volume[b]), density(model.blocks.mass[b] / volume),
+          turn(turn_of(model.blocks.orientation[b])) {
         whole.append(model.blocks, {b});
         whole.load_arms[0] = turn * whole.load_arms[0];
         if (!model.blocks.deformable[b]) roller = model.gridpoints.roller[model.blocks.gridpoints[b].first];
         for (Row f = model.blocks.faces[b].first; f < model.blocks.faces[b].end(); ++f)
             if (model.faces.group[f] != 0)
-                sides.push_back({face_area_vector(model, f).normalized(), face_centroid(model, f), model.faces.group[f]});
+                sides.push_back(
+                    {face_area_vector(model, f).normalized(), face_centroid(model, f), model.faces.group[f]});
     }
 
     static Mat3 turn_of(const Quaternion& q) { return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix(); }
@@ -52,7 +55,8 @@ struct Parent {
         // Moments of the shares about the old centroid cancel, as that is the mean of the pieces' centroids.
         links::scale(blocks, b, mass.volume / volume, Role::load);
         give_shape(model, b, piece);
-        for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g) model.gridpoints.roller[g] = roller;
+        for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g)
+            model.gridpoints.roller[g] = roller;
         for (Row f = blocks.faces[b].first; !sides.empty() && f < blocks.faces[b].end(); ++f) {
             const Vec3 normal = face_area_vector(model, f).normalized(), place = face_centroid(model, f);
             for (const Side& side : sides)
@@ -107,7 +111,8 @@ void share_boundary_histories(Model& model, const Parent& from, const std::vecto
             histories.what[row] = histories.what[i];
             histories.component[row] = histories.component[i];
             histories.function[row] = histories.function[i];
-            const double share = histories.what[i] == BoundaryHistories::What::load ? model.blocks.volume[piece] / from.volume : 1;
+            const double share =
+                histories.what[i] == BoundaryHistories::What::load ? model.blocks.volume[piece] / from.volume : 1;
             histories.amplitude[row] = share * amplitude;
             histories.acting[row] = share * acting;
         }

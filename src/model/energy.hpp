@@ -7,19 +7,19 @@ namespace kaya {
 /// exactly what changes kinetic energy in the leap-frog scheme; those of joints and zones take the mean
 /// of the old and the new force. All in force times length. docs/theory/energy.md
 struct Energy {
-    double kinetic = 0;       ///< now, half a step back
-    double start = 0;         ///< kinetic energy when the account was opened
-    double gravity = 0;       ///< work of gravity on the blocks
-    double boundary = 0;      ///< work of loads, prescribed velocities and pore pressure on the blocks
-    double damped = 0;        ///< taken out by damping
-    double joint_work = 0;    ///< put into joints: stored in them or lost
+    double kinetic = 0;        ///< now, half a step back
+    double start = 0;          ///< kinetic energy when the account was opened
+    double gravity = 0;        ///< work of gravity on the blocks
+    double boundary = 0;       ///< work of loads, prescribed velocities and pore pressure on the blocks
+    double damped = 0;         ///< taken out by damping
+    double joint_work = 0;     ///< put into joints: stored in them or lost
     double joint_friction = 0; ///< of it, lost in slip and breaking
-    double joint_lost = 0;    ///< of it, lost where touches changed: contacts that parted or got new geometry
-    double zone_work = 0;     ///< put into zones
+    double joint_lost = 0;     ///< of it, lost where touches changed: contacts that parted or got new geometry
+    double zone_work = 0;      ///< put into zones
     double structure_work = 0; ///< put into cables: stored in them or lost
-    double step_made = 0;     ///< made by changes of the time step, docs/theory/energy.md (9)
-    double inner_power = 0;   ///< of the forces of joints and zones on the bodies at the end of the last step
-    double lag = 0;        ///< time from the velocities to the end of the last step: half of it
+    double step_made = 0;      ///< made by changes of the time step, docs/theory/energy.md (9)
+    double inner_power = 0;    ///< of the forces of joints and zones on the bodies at the end of the last step
+    double lag = 0;            ///< time from the velocities to the end of the last step: half of it
 
     double joint_stored() const { return joint_work - joint_friction - joint_lost; }
     double supplied() const { return start + gravity + boundary + step_made; }

@@ -15,8 +15,10 @@ template <class TableType> struct CopiedRows {
     Row first;
     Renamed renamed; ///< by row of the table that they are copied from
 
-    CopiedRows(TableType& from, const std::vector<Row>& rows, TableType& to) : first(to.append(from, rows)), renamed(from.size(), no_row) {
-        for (std::size_t i = 0; i < rows.size(); ++i) renamed[static_cast<std::size_t>(rows[i])] = first + static_cast<Row>(i);
+    CopiedRows(TableType& from, const std::vector<Row>& rows, TableType& to)
+        : first(to.append(from, rows)), renamed(from.size(), no_row) {
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            renamed[static_cast<std::size_t>(rows[i])] = first + static_cast<Row>(i);
     }
     CopiedRows(TableType& from, const Column<Span>& spans, const std::vector<Row>& blocks, TableType& to)
         : CopiedRows(from, rows_in(spans, blocks), to) {}
@@ -66,7 +68,7 @@ template <class From, class To> Row append_blocks(From& from, const std::vector<
 
 /// New material has not moved and carries nothing, and is joined to nothing.
 void put_to_rest(Model& model, Row b) {
-    const std::initializer_list<Role> gone {Role::load, Role::motion, Role::displacement, Role::state};
+    const std::initializer_list<Role> gone{Role::load, Role::motion, Role::displacement, Role::state};
     auto& blocks = model.blocks;
     links::clear(blocks, {b, 1}, gone);
     links::clear(model.gridpoints, blocks.gridpoints[b], gone);

@@ -66,8 +66,7 @@ template <int k> void set_velocity_component(Model& model, Row block, const Fiel
 
 void need_rigid(const Model& model, Row block) {
     if (model.blocks.deformable[block])
-        throw Diagnostic(fmt::format("block {} is deformable and takes no load as a whole",
-                                     model.blocks.number[block]),
+        throw Diagnostic(fmt::format("block {} is deformable and takes no load as a whole", model.blocks.number[block]),
                          "set the loads of its gridpoints");
 }
 void set_load(Model& model, Row block, const FieldValue& value) {
@@ -93,21 +92,23 @@ Mat3 inertia(const Model& model, Row block) {
 }
 Vec3 moments_of_inertia(const Model& model, Row block) { return inertia(model, block).diagonal(); }
 /// The integral of x_i x_k dm about the centroid, which stands in the tensor with the other sign.
-template <int i, int k> double product_of_inertia(const Model& model, Row block) { return -inertia(model, block)(i, k); }
+template <int i, int k> double product_of_inertia(const Model& model, Row block) {
+    return -inertia(model, block)(i, k);
+}
 
 /// What the engine keeps is the angular momentum; the rotational velocity goes with it.
 void rotate(Model& model, Row block, const Vec3& velocity) {
     if (model.blocks.body[block] != 0)
-        throw Diagnostic(fmt::format("block {} is joined to others and has no rotation of its own",
-                                     model.blocks.number[block]),
-                         "give it a rotation before `join`");
+        throw Diagnostic(
+            fmt::format("block {} is joined to others and has no rotation of its own", model.blocks.number[block]),
+            "give it a rotation before `join`");
     const double mass = model.blocks.mass[block];
     const double factor = mass > 0 ? model.blocks.inertial_mass[block] / mass : 1; // of density scaling
     const Vec3 momentum = factor * (inertia(model, block) * velocity);
     if (!momentum.allFinite())
-        throw Diagnostic(fmt::format("block {} has no density yet and cannot be given a rotation",
-                                     model.blocks.number[block]),
-                         fmt::format("give the density of material {} before", model.blocks.material[block]));
+        throw Diagnostic(
+            fmt::format("block {} has no density yet and cannot be given a rotation", model.blocks.number[block]),
+            fmt::format("give the density of material {} before", model.blocks.material[block]));
     model.blocks.rotational_velocity[block] = velocity;
     model.blocks.angular_momentum[block] = momentum;
 }
@@ -122,28 +123,31 @@ template <int k> void set_rotation_component(Model& model, Row block, const Fiel
 
 const Fields& block_fields() {
     static const Fields rows{
-        {table, "id", "b_id", "block.id", "", "-", "number, from 1 in order of creation", read<rows_of, &Blocks::number>,
-         nullptr},
+        {table, "id", "b_id", "block.id", "", "-", "number, from 1 in order of creation",
+         read<rows_of, &Blocks::number>, nullptr},
         {table, "material", "b_mat", "", "", "-", "number of its material", read<rows_of, &Blocks::material>, nullptr},
         {table, "constitutive", "b_cons", "", "", "-", "number of its constitutive model",
          read<rows_of, &Blocks::constitutive>, nullptr},
         {table, "region", "b_region", "block.region", "", "-", "region number", read<rows_of, &Blocks::region>,
          write<rows_of, &Blocks::region>},
-        {table, "group", "b_group", "block.group", "", "-", "name of its group, empty when it has none", read_group<ObjectKind::block>, write_group<ObjectKind::block>},
+        {table, "group", "b_group", "block.group", "", "-", "name of its group, empty when it has none",
+         read_group<ObjectKind::block>, write_group<ObjectKind::block>},
         {table, "body", "b_ms", "", "", "-", "number of the joined body that it is part of, 0 on its own",
          read<rows_of, &Blocks::body>, nullptr},
-        {table, "next_joined", "b_msnext", "", "", "-", "next block of the same joined body, null at the end", next_joined,
-         nullptr},
+        {table, "next_joined", "b_msnext", "", "", "-", "next block of the same joined body, null at the end",
+         next_joined, nullptr},
         {table, "type", "b_type", "", "", "-", "1 rigid, 2 deformable", call<kind>, nullptr},
-        {table, "surface_area", "b_area", "block.area", "", "area", "sum of the areas of its faces", call<surface_area>, nullptr},
+        {table, "surface_area", "b_area", "block.area", "", "area", "sum of the areas of its faces", call<surface_area>,
+         nullptr},
         {table, "density_scaling", "b_dsf", "", "", "-", "mass in the equation of motion over true mass",
          call<density_scaling>, nullptr},
-        {table, "hidden", "b_hidden", "block.hidden", "", "-", "1 when hidden", read<rows_of, &Blocks::hidden>, nullptr},
+        {table, "hidden", "b_hidden", "block.hidden", "", "-", "1 when hidden", read<rows_of, &Blocks::hidden>,
+         nullptr},
         {table, "deformable", "", "", "", "-", "1 when it has zones", read<rows_of, &Blocks::deformable>, nullptr},
         {table, "fixed", "b_fix", "block.fix", "", "-", "1 when all of its motion is prescribed", call<fixed>, nullptr},
         {table, "volume", "b_vol", "block.vol", "", "volume", "volume", read<rows_of, &Blocks::volume>, nullptr},
-        {table, "mass", "b_mass", "block.mass", "", "mass", "mass, 0 before the first cycle", read<rows_of, &Blocks::mass>,
-         nullptr},
+        {table, "mass", "b_mass", "block.mass", "", "mass", "mass, 0 before the first cycle",
+         read<rows_of, &Blocks::mass>, nullptr},
         {table, "inertia", "b_moi", "", "", "mass*area", "moments of inertia about the centroid, global axes",
          call<moments_of_inertia>, nullptr},
         {table, "x_inertia", "b_xmoi", "", "", "mass*area", "about the x axis", call<moments_of_inertia, 0>, nullptr},
@@ -154,9 +158,12 @@ const Fields& block_fields() {
         {table, "xz_inertia", "", "", "", "mass*area", "the same of x z", call<product_of_inertia<0, 2>>, nullptr},
         {table, "yz_inertia", "", "", "", "mass*area", "the same of y z", call<product_of_inertia<1, 2>>, nullptr},
         {table, "position", "b_cent", "block.pos", "", "length", "centroid", read<rows_of, &Blocks::centroid>, nullptr},
-        {table, "x", "b_x", "block.pos.x", "", "length", "x of the centroid", read<rows_of, &Blocks::centroid, 0>, nullptr},
-        {table, "y", "b_y", "block.pos.y", "", "length", "y of the centroid", read<rows_of, &Blocks::centroid, 1>, nullptr},
-        {table, "z", "b_z", "block.pos.z", "", "length", "z of the centroid", read<rows_of, &Blocks::centroid, 2>, nullptr},
+        {table, "x", "b_x", "block.pos.x", "", "length", "x of the centroid", read<rows_of, &Blocks::centroid, 0>,
+         nullptr},
+        {table, "y", "b_y", "block.pos.y", "", "length", "y of the centroid", read<rows_of, &Blocks::centroid, 1>,
+         nullptr},
+        {table, "z", "b_z", "block.pos.z", "", "length", "z of the centroid", read<rows_of, &Blocks::centroid, 2>,
+         nullptr},
         {table, "velocity", "b_vel", "block.vel", "", "length/time", "velocity of the centroid", call<block_velocity>,
          set_velocity},
         {table, "x_velocity", "b_xvel", "block.vel.x", "", "length/time", "x velocity", call<block_velocity, 0>,
@@ -165,34 +172,42 @@ const Fields& block_fields() {
          set_velocity_component<1>},
         {table, "z_velocity", "b_zvel", "block.vel.z", "", "length/time", "z velocity", call<block_velocity, 2>,
          set_velocity_component<2>},
-        {table, "rotational_velocity", "b_rvel", "block.rvel", "", "angle/time", "of a rigid block, global axes, radians",
-         read<rows_of, &Blocks::rotational_velocity>, set_rotation},
+        {table, "rotational_velocity", "b_rvel", "block.rvel", "", "angle/time",
+         "of a rigid block, global axes, radians", read<rows_of, &Blocks::rotational_velocity>, set_rotation},
         {table, "x_rotational_velocity", "b_rxvel", "", "", "angle/time", "about the x axis",
          read<rows_of, &Blocks::rotational_velocity, 0>, set_rotation_component<0>},
         {table, "y_rotational_velocity", "b_ryvel", "", "", "angle/time", "about the y axis",
          read<rows_of, &Blocks::rotational_velocity, 1>, set_rotation_component<1>},
         {table, "z_rotational_velocity", "b_rzvel", "", "", "angle/time", "about the z axis",
          read<rows_of, &Blocks::rotational_velocity, 2>, set_rotation_component<2>},
-        {table, "displacement", "", "", "", "length", "displacement of the centroid", call<block_displacement>, nullptr},
+        {table, "displacement", "", "", "", "length", "displacement of the centroid", call<block_displacement>,
+         nullptr},
         {table, "x_displacement", "", "", "", "length", "x displacement", call<block_displacement, 0>, nullptr},
         {table, "y_displacement", "", "", "", "length", "y displacement", call<block_displacement, 1>, nullptr},
         {table, "z_displacement", "", "", "", "length", "z displacement", call<block_displacement, 2>, nullptr},
-        {table, "force", "b_force", "block.force.unbal", "", "force", "unbalanced force of the last cycle", call<block_force>, nullptr},
-        {table, "x_force", "b_xforce", "block.force.unbal.x", "", "force", "x unbalanced force", call<block_force, 0>, nullptr},
-        {table, "y_force", "b_yforce", "block.force.unbal.y", "", "force", "y unbalanced force", call<block_force, 1>, nullptr},
-        {table, "z_force", "b_zforce", "block.force.unbal.z", "", "force", "z unbalanced force", call<block_force, 2>, nullptr},
+        {table, "force", "b_force", "block.force.unbal", "", "force", "unbalanced force of the last cycle",
+         call<block_force>, nullptr},
+        {table, "x_force", "b_xforce", "block.force.unbal.x", "", "force", "x unbalanced force", call<block_force, 0>,
+         nullptr},
+        {table, "y_force", "b_yforce", "block.force.unbal.y", "", "force", "y unbalanced force", call<block_force, 1>,
+         nullptr},
+        {table, "z_force", "b_zforce", "block.force.unbal.z", "", "force", "z unbalanced force", call<block_force, 2>,
+         nullptr},
         {table, "moment", "b_mom", "block.moment", "", "moment", "unbalanced moment of a rigid block",
          read<rows_of, &Blocks::moment>, nullptr},
-        {table, "x_moment", "b_xmom", "block.moment.x", "", "moment", "x unbalanced moment", read<rows_of, &Blocks::moment, 0>,
-         nullptr},
-        {table, "y_moment", "b_ymom", "block.moment.y", "", "moment", "y unbalanced moment", read<rows_of, &Blocks::moment, 1>,
-         nullptr},
-        {table, "z_moment", "b_zmom", "block.moment.z", "", "moment", "z unbalanced moment", read<rows_of, &Blocks::moment, 2>,
-         nullptr},
+        {table, "x_moment", "b_xmom", "block.moment.x", "", "moment", "x unbalanced moment",
+         read<rows_of, &Blocks::moment, 0>, nullptr},
+        {table, "y_moment", "b_ymom", "block.moment.y", "", "moment", "y unbalanced moment",
+         read<rows_of, &Blocks::moment, 1>, nullptr},
+        {table, "z_moment", "b_zmom", "block.moment.z", "", "moment", "z unbalanced moment",
+         read<rows_of, &Blocks::moment, 2>, nullptr},
         {table, "load", "b_load", "block.force.app", "", "force", "applied force", call<block_load>, set_load},
-        {table, "x_load", "b_xload", "block.force.app.x", "", "force", "x applied force", call<block_load, 0>, set_load_component<0>},
-        {table, "y_load", "b_yload", "block.force.app.y", "", "force", "y applied force", call<block_load, 1>, set_load_component<1>},
-        {table, "z_load", "b_zload", "block.force.app.z", "", "force", "z applied force", call<block_load, 2>, set_load_component<2>},
+        {table, "x_load", "b_xload", "block.force.app.x", "", "force", "x applied force", call<block_load, 0>,
+         set_load_component<0>},
+        {table, "y_load", "b_yload", "block.force.app.y", "", "force", "y applied force", call<block_load, 1>,
+         set_load_component<1>},
+        {table, "z_load", "b_zload", "block.force.app.z", "", "force", "z applied force", call<block_load, 2>,
+         set_load_component<2>},
         {table, "first_gridpoint", "b_gp", "", "", "-", "first of its gridpoints",
          first<rows_of, &Blocks::gridpoints, ObjectKind::gridpoint>, nullptr},
         {table, "first_vertex", "b_vertex", "", "", "-", "first of its vertices",

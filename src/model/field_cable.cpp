@@ -13,7 +13,9 @@ const CableNodes& nodes_of(const Model& model) { return model.structures.nodes; 
 std::int64_t cable_number(const Model& model, Row node) {
     return model.structures.cables.number[nodes_of(model).cable[node]];
 }
-std::int64_t property(const Model& model, Row node) { return model.structures.cables.property[nodes_of(model).cable[node]]; }
+std::int64_t property(const Model& model, Row node) {
+    return model.structures.cables.property[nodes_of(model).cable[node]];
+}
 Vec3 position(const Model& model, Row node) { return nodes_of(model).position[node]; }
 Vec3 force(const Model& model, Row node) { return nodes_of(model).force[node]; }
 double slip(const Model& model, Row node) { return nodes_of(model).slip[node]; }
@@ -41,7 +43,8 @@ FieldValue block(const Model& model, Row node) { return Link{ObjectKind::block, 
 
 const Fields& cable_fields() {
     static const Fields rows{
-        {table, "id", "", "", "", "-", "number, from 1; changes when cables are deleted", call<count_from_one>, nullptr},
+        {table, "id", "", "", "", "-", "number, from 1; changes when cables are deleted", call<count_from_one>,
+         nullptr},
         {table, "cable", "", "", "", "-", "number of its cable", call<cable_number>, nullptr},
         {table, "property", "", "", "", "-", "number of its properties", call<property>, nullptr},
         {table, "block", "", "", "", "-", "block in which it lies", block, nullptr},
@@ -49,16 +52,20 @@ const Fields& cable_fields() {
         {table, "x", "", "", "", "length", "x of it", call<position, 0>, nullptr},
         {table, "y", "", "", "", "length", "y of it", call<position, 1>, nullptr},
         {table, "z", "", "", "", "length", "z of it", call<position, 2>, nullptr},
-        {table, "cable_force", "", "", "cforce", "force", "tension of the cable: the mean of the bars on both sides", call<kaya::cable_force>, nullptr},
-        {table, "slip", "", "", "cslip", "length", "of the cable past the rock, towards its last end", call<slip>, nullptr},
-        {table, "grout_force", "", "", "cbond", "force/length", "of the rock on the cable, along it, per length", call<grout>, nullptr},
+        {table, "cable_force", "", "", "cforce", "force", "tension of the cable: the mean of the bars on both sides",
+         call<kaya::cable_force>, nullptr},
+        {table, "slip", "", "", "cslip", "length", "of the cable past the rock, towards its last end", call<slip>,
+         nullptr},
+        {table, "grout_force", "", "", "cbond", "force/length", "of the rock on the cable, along it, per length",
+         call<grout>, nullptr},
         {table, "grout_state", "", "", "", "-", "1: slips; 2: has slipped", call<grout_state>, nullptr},
         {table, "anchored", "", "", "", "-", "1 where the cable cannot slip", call<anchored>, nullptr},
         {table, "force", "", "", "", "force", "on the rock", call<force>, nullptr},
         {table, "x_force", "", "", "", "force", "x of it", call<force, 0>, nullptr},
         {table, "y_force", "", "", "", "force", "y of it", call<force, 1>, nullptr},
         {table, "z_force", "", "", "", "force", "z of it", call<force, 2>, nullptr},
-        {table, "bar_force", "", "", "", "force", "tension of the bar to the next node; 0 at the last one", call<bar_force>, nullptr},
+        {table, "bar_force", "", "", "", "force", "tension of the bar to the next node; 0 at the last one",
+         call<bar_force>, nullptr},
         {table, "bar_stress", "", "", "", "stress", "the same over the area of the cable", call<stress>, nullptr},
         {table, "plastic_strain", "", "", "", "-", "of that bar", call<plastic_strain>, nullptr},
         {table, "bar_state", "", "", "", "-", "1: yields; 2: has yielded; 4: is broken", call<bar_state>, nullptr},

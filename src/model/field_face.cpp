@@ -29,8 +29,8 @@ const Fields& face_fields() {
          nullptr},
         {table, "block", "face_block", "block.face.hostblock", "", "-", "block that it bounds",
          link<rows_of, &Faces::block, ObjectKind::block>, nullptr},
-        {table, "joint_set", "face_jset", "block.face.jset", "", "-", "joint set that cut it, 0 when made with the block",
-         read<rows_of, &Faces::joint_set>, nullptr},
+        {table, "joint_set", "face_jset", "block.face.jset", "", "-",
+         "joint set that cut it, 0 when made with the block", read<rows_of, &Faces::joint_set>, nullptr},
         {table, "group", "face_group", "", "", "-", "group that it is in itself, else that of its block",
          read_group<ObjectKind::face>, write_group<ObjectKind::face>},
         {table, "position", "face_pos", "block.face.pos", "", "length", "centroid", call<face_centroid>, nullptr},
@@ -41,7 +41,8 @@ const Fields& face_fields() {
         {table, "x_normal", "face_nx", "", "", "-", "x of the normal", call<normal, 0>, nullptr},
         {table, "y_normal", "face_ny", "", "", "-", "y of the normal", call<normal, 1>, nullptr},
         {table, "z_normal", "face_nz", "", "", "-", "z of the normal", call<normal, 2>, nullptr},
-        {table, "vertex_count", "face_ngp", "block.face.ngp", "", "-", "number of gridpoints on it", call<vertex_count>, nullptr},
+        {table, "vertex_count", "face_ngp", "block.face.ngp", "", "-", "number of gridpoints on it", call<vertex_count>,
+         nullptr},
         {table, "area", "face_area", "block.face.area", "", "area", "area", call<area>, nullptr},
     };
     return rows;

@@ -25,7 +25,9 @@ Column<std::int32_t>* own_groups(Model& model, ObjectKind kind) {
     return groups == nullptr ? nullptr : &groups(model);
 }
 
-const Column<std::int32_t>* own_groups(const Model& model, ObjectKind kind) { return own_groups(const_cast<Model&>(model), kind); }
+const Column<std::int32_t>* own_groups(const Model& model, ObjectKind kind) {
+    return own_groups(const_cast<Model&>(model), kind);
+}
 
 std::int32_t group_of(const Model& model, ObjectKind kind, Row row) {
     if (kind == ObjectKind::contact) return model.contacts.group[row];

@@ -16,7 +16,7 @@ namespace kaya {
 struct HistorySource {
     using Kind = ObjectKind;
     Kind kind = Kind::global; ///< one that KindInfo::history numbers
-    std::string quantity; ///< field name ("shear_stress", "unbalanced_force") or function name
+    std::string quantity;     ///< field name ("shear_stress", "unbalanced_force") or function name
     Vec3 place = Vec3::Zero();
     Row row = no_row; ///< found when the history is made and again when that row is gone
 
@@ -34,15 +34,15 @@ struct History {
     std::int32_t number = 0; ///< counts from 1
     std::string label;       ///< `hist label`, or a name made from the source
     HistorySource source;
-    std::vector<double> values; ///< one per sample, in step with Histories::time of the same rows
+    std::vector<double> values;   ///< one per sample, in step with Histories::time of the same rows
     std::size_t first_sample = 0; ///< samples that were taken before this history was made
 };
 
 struct Histories {
     std::vector<History> all;
-    std::vector<double> time;         ///< model time of each sample
-    std::vector<std::int64_t> cycle;  ///< cycle of each sample
-    std::int32_t interval = 10;       ///< cycles between samples (`hist ncyc`)
+    std::vector<double> time;        ///< model time of each sample
+    std::vector<std::int64_t> cycle; ///< cycle of each sample
+    std::int32_t interval = 10;      ///< cycles between samples (`hist ncyc`)
 };
 
 } // namespace kaya

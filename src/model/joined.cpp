@@ -97,13 +97,14 @@ void join_pairs(Model& model, const std::vector<std::pair<Row, Row>>& pairs) {
     std::vector<std::size_t> parent(blocks.size());
     std::iota(parent.begin(), parent.end(), std::size_t{0});
     const auto unite = [&](Row a, Row b) {
-        const std::size_t i = root_of(parent, static_cast<std::size_t>(a)), j = root_of(parent, static_cast<std::size_t>(b));
+        const std::size_t i = root_of(parent, static_cast<std::size_t>(a)),
+                          j = root_of(parent, static_cast<std::size_t>(b));
         parent[std::max(i, j)] = std::min(i, j);
     };
     std::map<std::int32_t, Row> first_of_body;
     for (std::size_t b = 0; b < blocks.size(); ++b)
-        if (blocks.body[b] != 0) unite(first_of_body.try_emplace(blocks.body[b], static_cast<Row>(b)).first->second,
-                                       static_cast<Row>(b));
+        if (blocks.body[b] != 0)
+            unite(first_of_body.try_emplace(blocks.body[b], static_cast<Row>(b)).first->second, static_cast<Row>(b));
     std::set<std::size_t> changed;
     for (const auto& [a, b] : pairs) unite(a, b);
     for (const auto& [a, b] : pairs) changed.insert(root_of(parent, static_cast<std::size_t>(a)));

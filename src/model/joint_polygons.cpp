@@ -49,7 +49,8 @@ std::vector<Polygon> parts_of(const Model& model, Row face) {
 bool apart(const Polygon& a, const Polygon& b, double margin) {
     const auto box = [](const Polygon& polygon) {
         std::pair<Vec3, Vec3> ends{polygon[0], polygon[0]};
-        for (const Vec3& corner : polygon) ends.first = ends.first.cwiseMin(corner), ends.second = ends.second.cwiseMax(corner);
+        for (const Vec3& corner : polygon)
+            ends.first = ends.first.cwiseMin(corner), ends.second = ends.second.cwiseMax(corner);
         return ends;
     };
     const auto [low_a, high_a] = box(a);
@@ -60,7 +61,8 @@ bool apart(const Polygon& a, const Polygon& b, double margin) {
 /// Twice the area seen along the normal.
 double doubled_area(std::span<const Vec3> polygon, const Vec3& normal) {
     Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 2; k < polygon.size(); ++k) sum += (polygon[k - 1] - polygon[0]).cross(polygon[k] - polygon[0]);
+    for (std::size_t k = 2; k < polygon.size(); ++k)
+        sum += (polygon[k - 1] - polygon[0]).cross(polygon[k] - polygon[0]);
     return std::abs(sum.dot(normal));
 }
 
@@ -73,7 +75,8 @@ Polygon common_part(const Polygon& a, const Polygon& b, const Vec3& normal) {
         Vec3 outward = (b[(k + 1) % b.size()] - b[k]).cross(normal);
         if (outward.dot(b[k] - middle) < 0) outward = -outward;
         polygon = kept_part(
-            polygon, [&](const Vec3& corner) { return outward.dot(corner - b[k]); }, [](const Vec3& from, const Vec3& to, double part) -> Vec3 { return from + part * (to - from); });
+            polygon, [&](const Vec3& corner) { return outward.dot(corner - b[k]); },
+            [](const Vec3& from, const Vec3& to, double part) -> Vec3 { return from + part * (to - from); });
     }
     return polygon;
 }

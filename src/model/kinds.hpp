@@ -19,10 +19,10 @@ struct Identity {
 
 struct KindInfo {
     ObjectKind kind = ObjectKind::none;
-    std::string_view name = {};     ///< of scripts and files: "sub_contact"
-    const char* noun = "";     ///< of messages: "sub-contact"
-    const char* plural = "";   ///< "sub-contacts"
-    std::string_view file = {};     ///< name of its list in exported tables: "sub-contacts"; "": has none
+    std::string_view name = {}; ///< of scripts and files: "sub_contact"
+    const char* noun = "";      ///< of messages: "sub-contact"
+    const char* plural = "";    ///< "sub-contacts"
+    std::string_view file = {}; ///< name of its list in exported tables: "sub-contacts"; "": has none
     std::size_t (*count)(const Model&) = nullptr;
     /// The block that an object belongs to; of a contact its block1; no_row of what is outside of the rock.
     Row (*block)(const Model&, Row) = nullptr;
@@ -43,14 +43,14 @@ struct KindInfo {
     bool found_late = false; ///< contacts are searched when somebody asks for them
 
     // Histories.
-    std::int32_t history = -1;      ///< its number in save files; -1: nothing of it can be recorded
-    const char* missing = "";       ///< what there is none of
-    const char* remedy = "";        ///< then
+    std::int32_t history = -1; ///< its number in save files; -1: nothing of it can be recorded
+    const char* missing = "";  ///< what there is none of
+    const char* remedy = "";   ///< then
 
     // FISH. Names that begin with `classic` and `modern` follow from them: gp_near, block.gp.near.
     std::string_view classic = {}, modern = {}; ///< "" when FISH has none of these names
-    bool has_properties = false;      ///< cx_prop, block.subcontact.prop
-    bool has_spares = false;          ///< cx_ispare, cx_rspare
+    bool has_properties = false;                ///< cx_prop, block.subcontact.prop
+    bool has_spares = false;                    ///< cx_ispare, cx_rspare
 };
 
 const KindInfo& info_of(ObjectKind kind);

@@ -16,7 +16,9 @@ using Renamed = std::vector<Row>;
 namespace links {
 
 /// Whether a column names rows of the table `To`, or the list `To` of the model.
-template <class To, class ColumnRoleType> constexpr bool names() { return std::is_same_v<ColumnRoleType, ColumnRole<To>>; }
+template <class To, class ColumnRoleType> constexpr bool names() {
+    return std::is_same_v<ColumnRoleType, ColumnRole<To>>;
+}
 
 inline void rename(Row& row, const Renamed& renamed) {
     if (row != no_row) row = renamed[static_cast<std::size_t>(row)];
@@ -26,7 +28,8 @@ template <std::size_t n> void rename(std::array<Row, n>& rows, const Renamed& re
 }
 /// Rows of a span stay together and in their order.
 inline void rename(Span& span, const Renamed& renamed) {
-    if (static_cast<std::size_t>(span.first) < renamed.size()) span.first = std::max(renamed[static_cast<std::size_t>(span.first)], 0);
+    if (static_cast<std::size_t>(span.first) < renamed.size())
+        span.first = std::max(renamed[static_cast<std::size_t>(span.first)], 0);
 }
 /// A side that lost one of its gridpoints, because its block got another shape, is attached nowhere until its geometry is
 /// made anew.
@@ -45,7 +48,7 @@ template <class To, class TableType> void renumber_rows(TableType& table, Row fi
         if constexpr (names<To, decltype(role)>()) {
             using Value = typename std::decay_t<decltype(column)>::value_type;
             // An id needs no other name when rows move.
-            if constexpr (requires(Value& value) { rename(value, renamed); })
+            if constexpr (requires(Value & value) { rename(value, renamed); })
                 if (role == Role::link)
                     for (auto value = column.begin() + first; value != column.end(); ++value) rename(*value, renamed);
         }

@@ -14,11 +14,11 @@ namespace kaya {
 
 /// Block material. NaN: not given yet.
 struct Material {
-    double density = std::numeric_limits<double>::quiet_NaN(); ///< mass/length^3
-    double bulk = std::numeric_limits<double>::quiet_NaN();    ///< stress
-    double shear = std::numeric_limits<double>::quiet_NaN();   ///< stress
-    double young = std::numeric_limits<double>::quiet_NaN();   ///< as typed; bulk and shear follow from
-    double poisson = std::numeric_limits<double>::quiet_NaN(); ///< these two when both are given
+    double density = std::numeric_limits<double>::quiet_NaN();    ///< mass/length^3
+    double bulk = std::numeric_limits<double>::quiet_NaN();       ///< stress
+    double shear = std::numeric_limits<double>::quiet_NaN();      ///< stress
+    double young = std::numeric_limits<double>::quiet_NaN();      ///< as typed; bulk and shear follow from
+    double poisson = std::numeric_limits<double>::quiet_NaN();    ///< these two when both are given
     double cohesion = 0, friction = 0, tension = 0, dilation = 0; ///< Mohr-Coulomb blocks
 
     /// Joint properties given by material number (`prop jmat`), by the name the user typed.

@@ -102,7 +102,8 @@ Vec3 gridpoint_velocity(const Model& model, Row gridpoint) {
     const auto& blocks = model.blocks;
     const Row b = model.gridpoints.block[gridpoint];
     if (blocks.deformable[b]) return model.gridpoints.velocity[gridpoint];
-    return blocks.velocity[b] + blocks.rotational_velocity[b].cross(model.gridpoints.position[gridpoint] - blocks.centroid[b]);
+    return blocks.velocity[b] +
+           blocks.rotational_velocity[b].cross(model.gridpoints.position[gridpoint] - blocks.centroid[b]);
 }
 
 Vec3 block_velocity(const Model& model, Row block) {

@@ -33,8 +33,9 @@ struct Excavated {
 /// Directions in which gridpoints are held, and how fast they move along each: `bound nvel`.
 struct Roller {
     std::int32_t count = 0;
-    std::array<Vec3, 3> direction{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; ///< unit, at right angles; the first `count`
-    Vec3 speed = Vec3::Zero();                                               ///< along each of them
+    std::array<Vec3, 3> direction{Vec3::Zero(), Vec3::Zero(),
+                                  Vec3::Zero()}; ///< unit, at right angles; the first `count`
+    Vec3 speed = Vec3::Zero();                   ///< along each of them
     bool operator==(const Roller&) const = default;
 };
 
@@ -62,7 +63,7 @@ struct Model {
     std::map<std::int32_t, Material> materials;
     std::vector<JointProperties> joint_properties;
     std::vector<ZoneProperties> zone_properties{ZoneProperties{}}; ///< of blocks; the first says nothing
-    std::map<std::int32_t, std::string> joint_constitutive; ///< model name of each `jcons` number
+    std::map<std::int32_t, std::string> joint_constitutive;        ///< model name of each `jcons` number
     std::vector<std::string> group_names{""};
     std::vector<TimeFunction> time_functions; ///< of drives
     std::vector<Roller> rollers{Roller{}};    ///< the first holds nothing

@@ -74,7 +74,8 @@ struct Box {
 
 Box box_of_block(const Model& model, Row block) {
     const Span span = model.blocks.gridpoints[block];
-    Box box{Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(-std::numeric_limits<double>::infinity())};
+    Box box{Vec3::Constant(std::numeric_limits<double>::infinity()),
+            Vec3::Constant(-std::numeric_limits<double>::infinity())};
     for (Row g = span.first; g < span.end(); ++g) {
         box.low = box.low.cwiseMin(model.gridpoints.position[g]);
         box.high = box.high.cwiseMax(model.gridpoints.position[g]);

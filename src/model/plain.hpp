@@ -12,14 +12,14 @@ namespace kaya {
 template <class T> struct Plain;
 
 template <class T>
-    requires std::is_arithmetic_v<T>
+requires std::is_arithmetic_v<T>
 struct Plain<T> {
     using scalar = T;
     static constexpr std::size_t count = 1;
 };
 
 template <class T>
-    requires std::is_enum_v<T>
+requires std::is_enum_v<T>
 struct Plain<T> {
     using scalar = std::underlying_type_t<T>;
     static constexpr std::size_t count = 1;

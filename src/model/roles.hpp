@@ -7,13 +7,13 @@
 namespace kaya {
 
 enum class Role : std::uint8_t {
-    identity,     ///< ids, numbers, revisions: each row has its own
-    link,         ///< rows of other tables, or their ids
-    local_link,   ///< rows counted from the first of their block: right wherever the block is
-    setting,      ///< what the user has given: pieces and copies have it as well
-    condition,    ///< what is held or filled with water: pieces have it, copies do not; blocks that are filled in keep it
-    load,         ///< pieces share it by volume; blocks that are filled in and copies have none
-    motion,       ///< velocities: blocks that are filled in and copies are at rest
+    identity,   ///< ids, numbers, revisions: each row has its own
+    link,       ///< rows of other tables, or their ids
+    local_link, ///< rows counted from the first of their block: right wherever the block is
+    setting,    ///< what the user has given: pieces and copies have it as well
+    condition,  ///< what is held or filled with water: pieces have it, copies do not; blocks that are filled in keep it
+    load,       ///< pieces share it by volume; blocks that are filled in and copies have none
+    motion,     ///< velocities: blocks that are filled in and copies are at rest
     displacement, ///< the same, and `reset disp` and `reset jdisp` set it to zero
     state,        ///< forces, stresses, history: blocks that are filled in and copies carry nothing
     geometry      ///< shape, place and mass

@@ -18,7 +18,8 @@ bool has_place(Kind kind) { return kind != Kind::global && kind != Kind::functio
 
 /// The row where the source's object is now, no_row when it is gone.
 Row present_row(const Model& model, const HistorySource& source) {
-    if (source.kind == Kind::cable_node) return node_of_cable(model, static_cast<std::int32_t>(source.slot), source.offset);
+    if (source.kind == Kind::cable_node)
+        return node_of_cable(model, static_cast<std::int32_t>(source.slot), source.offset);
     const auto in_block = info_of(source.kind).in_block;
     if (in_block == nullptr) return info_of(source.kind).find(model, {source.slot, source.generation});
     const Row block = model.blocks.ids.row({source.slot, source.generation});
@@ -137,9 +138,9 @@ void sample_histories(Model& model, const std::function<double(const std::string
         if (source.kind == Kind::function) {
             if (!due) continue;
             if (!script_value)
-                throw Diagnostic(fmt::format("history {} records '{}', but no script is loaded", history.number,
-                                             source.quantity),
-                                 "define the function before cycling");
+                throw Diagnostic(
+                    fmt::format("history {} records '{}', but no script is loaded", history.number, source.quantity),
+                    "define the function before cycling");
             values.push_back(script_value(source.quantity));
             continue;
         }

@@ -27,8 +27,8 @@ History& add_history(Model& model, HistorySource source, std::string label = {})
 
 /// What a history records, for lists and messages; nothing for the whole model, a function, and what is gone.
 struct SampledObject {
-    std::string name; ///< "gridpoint 5"
-    Vec3 place;       ///< where it is now
+    std::string name;    ///< "gridpoint 5"
+    Vec3 place;          ///< where it is now
     double distance = 0; ///< from there to the place that the history names
     bool far = false;    ///< the place is outside of its block by more than the size of the block
 };

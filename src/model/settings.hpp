@@ -12,11 +12,11 @@ enum class Damping : std::int32_t { none, local, global, combined, rayleigh };
 
 /// Where the water pressure in joints comes from.
 enum class Water : std::int32_t {
-    none,  ///< nobody touches SubContacts::pore_pressure
-    table, ///< hydrostatic below a plane
-    field, ///< linear in space
+    none,   ///< nobody touches SubContacts::pore_pressure
+    table,  ///< hydrostatic below a plane
+    field,  ///< linear in space
     points, ///< of the gridpoints beside, Gridpoints::pore_pressure
-    ground ///< hydrostatic below Model::water_ground
+    ground  ///< hydrostatic below Model::water_ground
 };
 
 /// Density scaling: which bodies have another mass in the equation of motion than in their weight.
@@ -29,26 +29,26 @@ enum class MassScaling : std::int32_t {
 struct Settings {
     Vec3 gravity = Vec3::Zero();
     Damping damping = Damping::local;
-    double local_factor = 0.8;       ///< alpha of F_d = -alpha |F| sgn(v)
-    double global_ratio = 0.5;       ///< damping power asked for, over the rate of change of kinetic energy
-    double rayleigh_fraction = 0;    ///< of critical damping, at
-    double rayleigh_frequency = 0;   ///< cycles/time
-    bool rayleigh_mass = true;       ///< the part that is proportional to mass acts
-    bool rayleigh_stiffness = true;  ///< the part that is proportional to stiffness acts
-    double strength_factor = 1; ///< by which the strength of zones is divided; `solve fos` uses it
+    double local_factor = 0.8;        ///< alpha of F_d = -alpha |F| sgn(v)
+    double global_ratio = 0.5;        ///< damping power asked for, over the rate of change of kinetic energy
+    double rayleigh_fraction = 0;     ///< of critical damping, at
+    double rayleigh_frequency = 0;    ///< cycles/time
+    bool rayleigh_mass = true;        ///< the part that is proportional to mass acts
+    bool rayleigh_stiffness = true;   ///< the part that is proportional to stiffness acts
+    double strength_factor = 1;       ///< by which the strength of zones is divided; `solve fos` uses it
     bool mixed_discretisation = true; ///< zones that flow average volume strain over neighbours: docs/theory/zones.md
-    double contact_damping = 0;      ///< of critical damping, in a dashpot at every contact
-    double time_step_fraction = 0;   ///< of the largest stable step; 0: by the damping, see time_step_fraction()
-    double given_time_step = 0;      ///< 0: computed
+    double contact_damping = 0;       ///< of critical damping, in a dashpot at every contact
+    double time_step_fraction = 0;    ///< of the largest stable step; 0: by the damping, see time_step_fraction()
+    double given_time_step = 0;       ///< 0: computed
     MassScaling mass_scaling = MassScaling::none;
-    double scaled_time_step = 0;     ///< of partial density scaling
+    double scaled_time_step = 0; ///< of partial density scaling
     Water water = Water::none;
-    double water_value = 0;                ///< of a table: density; of a field: pressure at the origin
-    Vec3 water_origin = Vec3::Zero();      ///< of a table: a point of the plane
-    Vec3 water_direction = Vec3::Zero();   ///< of a table: unit normal, upward; of a field: gradient
+    double water_value = 0;              ///< of a table: density; of a field: pressure at the origin
+    Vec3 water_origin = Vec3::Zero();    ///< of a table: a point of the plane
+    Vec3 water_direction = Vec3::Zero(); ///< of a table: unit normal, upward; of a field: gradient
     bool dynamic = false;
     bool large_strain = true;
-    bool energy = true; ///< keep the account of energy
+    bool energy = true;                          ///< keep the account of energy
     std::int32_t default_joint_material = 1;     ///< `set jmatdf`
     std::int32_t default_joint_constitutive = 1; ///< `set jcondf`
     /// Row of Model::joint_properties for new contacts, after a `jmodel` command that reached all; -1: the
@@ -64,12 +64,12 @@ double time_step_fraction(const Settings& settings);
 struct Clock {
     double time = 0;
     std::int64_t cycle = 0;
-    double time_step = 0;      ///< 0: not computed yet
-    double last_step = 0;      ///< that which brought the bodies to where they are; 0: none yet
+    double time_step = 0;        ///< 0: not computed yet
+    double last_step = 0;        ///< that which brought the bodies to where they are; 0: none yet
     double global_viscosity = 0; ///< of adaptive global damping, 1/time
     double unbalanced_force = 0; ///< largest of the last cycle
     double average_ratio = 0, maximum_ratio = 0, local_ratio = 0; ///< docs/theory/motion.md
-    double factor_of_safety = 0; ///< of the last `solve fos`; 0: none yet
+    double factor_of_safety = 0;                                  ///< of the last `solve fos`; 0: none yet
 
     /// From the middle of the last step, where velocities stand, to the middle of this one: forces act for so long.
     double kick() const { return last_step > 0 ? 0.5 * (last_step + time_step) : time_step; }

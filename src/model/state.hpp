@@ -24,9 +24,10 @@ namespace kaya {
 // not here does not compile.
 
 template <class Archive> void visit_state(Archive& archive, Settings& settings) {
-    auto& [gravity, damping, local_factor, global_ratio, rayleigh_fraction, rayleigh_frequency, rayleigh_mass, rayleigh_stiffness,
-           strength_factor, mixed_discretisation, contact_damping, time_step_fraction, given_time_step, mass_scaling, scaled_time_step, water, water_value, water_origin, water_direction, dynamic, large_strain, energy,
-           default_joint_material, default_joint_constitutive, default_properties] = settings;
+    auto& [gravity, damping, local_factor, global_ratio, rayleigh_fraction, rayleigh_frequency, rayleigh_mass,
+           rayleigh_stiffness, strength_factor, mixed_discretisation, contact_damping, time_step_fraction,
+           given_time_step, mass_scaling, scaled_time_step, water, water_value, water_origin, water_direction, dynamic,
+           large_strain, energy, default_joint_material, default_joint_constitutive, default_properties] = settings;
     archive.value("gravity", gravity);
     archive.value("damping", damping);
     archive.value("local_factor", local_factor);
@@ -55,8 +56,8 @@ template <class Archive> void visit_state(Archive& archive, Settings& settings) 
 }
 
 template <class Archive> void visit_state(Archive& archive, Clock& clock) {
-    auto& [time, cycle, time_step, last_step, global_viscosity, unbalanced_force, average_ratio,
-           maximum_ratio, local_ratio, factor_of_safety] = clock;
+    auto& [time, cycle, time_step, last_step, global_viscosity, unbalanced_force, average_ratio, maximum_ratio,
+           local_ratio, factor_of_safety] = clock;
     archive.value("time", time);
     archive.value("cycle", cycle);
     archive.value("time_step", time_step);
@@ -70,8 +71,8 @@ template <class Archive> void visit_state(Archive& archive, Clock& clock) {
 }
 
 template <class Archive> void visit_state(Archive& archive, Energy& energy) {
-    auto& [kinetic, start, gravity, boundary, damped, joint_work, joint_friction, joint_lost, zone_work, structure_work, step_made, inner_power,
-           lag] = energy;
+    auto& [kinetic, start, gravity, boundary, damped, joint_work, joint_friction, joint_lost, zone_work, structure_work,
+           step_made, inner_power, lag] = energy;
     archive.value("kinetic", kinetic);
     archive.value("start", start);
     archive.value("gravity", gravity);
@@ -127,8 +128,8 @@ template <class Archive> void visit_state(Archive& archive, ZoneProperties& prop
 }
 
 template <class Archive> void visit_state(Archive& archive, CableProperties& properties) {
-    auto& [area, young, density, grout_stiffness, grout_cohesion, grout_friction, grout_perimeter, yield_tension, yield_compression,
-           rupture_strain] = properties;
+    auto& [area, young, density, grout_stiffness, grout_cohesion, grout_friction, grout_perimeter, yield_tension,
+           yield_compression, rupture_strain] = properties;
     archive.value("area", area);
     archive.value("young", young);
     archive.value("density", density);
@@ -217,8 +218,7 @@ template <class Archive, class T> void visit_column(Archive& archive, const std:
 }
 
 /// Attachment has a gap between its rows and its weights; it goes as two columns.
-template <class Archive>
-void visit_column(Archive& archive, const std::string& name, Column<Attachment>& column) {
+template <class Archive> void visit_column(Archive& archive, const std::string& name, Column<Attachment>& column) {
     Column<std::array<Row, 3>> gridpoints(column.size());
     Column<std::array<double, 3>> weights(column.size());
     for (std::size_t i = 0; i < column.size(); ++i) {
@@ -261,16 +261,13 @@ template <class Archive> void visit_objects(Archive& archive, Column<JointObject
 
 template <class Archive, class T> void visit_table(Archive& archive, const char* name, T& table) {
     archive.section(name, [&] {
-        if constexpr (requires { table.history_columns; }) {
-            archive.value("history_columns", table.history_columns);
-        }
+        if constexpr (requires { table.history_columns; }) { archive.value("history_columns", table.history_columns); }
         if constexpr (requires { table.keeps_objects; }) archive.value("keeps_objects", table.keeps_objects);
         if constexpr (requires { table.field_columns; })
             archive.since(11, table.field_columns > 0, [&] { archive.value("field_columns", table.field_columns); });
         archive.rows(table);
-        table.columns([&](const std::string& column_name, auto& column, Role) {
-            visit_column(archive, column_name, column);
-        });
+        table.columns(
+            [&](const std::string& column_name, auto& column, Role) { visit_column(archive, column_name, column); });
         if constexpr (requires { table.keeps_objects; })
             if (table.keeps_objects) visit_objects(archive, table.object);
         if constexpr (requires { table.ids; }) visit_ids(archive, table.ids);
@@ -278,18 +275,21 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
 }
 
 template <class Archive> void visit_state(Archive& archive, Model& model) {
-    auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, tied_pairs, ties, boundary_histories, excavated, structures, materials, joint_properties,
-           zone_properties, joint_constitutive, group_names, time_functions, rollers, water_ground, settings, clock, energy, histories, next_block_number, next_shape_number, next_contact_number,
-           next_sub_contact_number, stale, unreduced, forces_set, taken_over] = model;
+    auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, tied_pairs, ties, boundary_histories,
+           excavated, structures, materials, joint_properties, zone_properties, joint_constitutive, group_names,
+           time_functions, rollers, water_ground, settings, clock, energy, histories, next_block_number,
+           next_shape_number, next_contact_number, next_sub_contact_number, stale, unreduced, forces_set, taken_over] =
+        model;
     // The tables named above stand here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
 
     archive.since(11, structures.any(), [&] {
         model.structure_tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
-        visit_map(archive, "cable_properties", structures.properties, [&](std::int32_t& number, CableProperties& properties) {
-            archive.value("number", number);
-            visit_state(archive, properties);
-        });
+        visit_map(archive, "cable_properties", structures.properties,
+                  [&](std::int32_t& number, CableProperties& properties) {
+                      archive.value("number", number);
+                      visit_state(archive, properties);
+                  });
         archive.value("next_cable_number", structures.next_cable_number);
     });
 
@@ -299,7 +299,8 @@ template <class Archive> void visit_state(Archive& archive, Model& model) {
     });
     archive.records("joint_properties", joint_properties,
                     [&](JointProperties& properties) { visit_state(archive, properties); });
-    archive.records("zone_properties", zone_properties, [&](ZoneProperties& properties) { visit_state(archive, properties); });
+    archive.records("zone_properties", zone_properties,
+                    [&](ZoneProperties& properties) { visit_state(archive, properties); });
     visit_map(archive, "joint_constitutive", joint_constitutive, [&](std::int32_t& number, std::string& name) {
         archive.value("number", number);
         archive.text("model", name);
@@ -312,10 +313,10 @@ template <class Archive> void visit_state(Archive& archive, Model& model) {
             archive.column("corners", places);
             archive.column("triangles", sides);
         });
-        if (places != water_ground.corners() || sides != water_ground.triangles()) water_ground = Ground::restored(std::move(places), std::move(sides));
+        if (places != water_ground.corners() || sides != water_ground.triangles())
+            water_ground = Ground::restored(std::move(places), std::move(sides));
     });
-    archive.records("time_functions", time_functions,
-                    [&](TimeFunction& function) { visit_state(archive, function); });
+    archive.records("time_functions", time_functions, [&](TimeFunction& function) { visit_state(archive, function); });
     archive.records("rollers", rollers, [&](Roller& roller) {
         auto& [count, direction, speed] = roller;
         archive.value("count", count);

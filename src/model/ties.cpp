@@ -41,15 +41,13 @@ void part_bodies(Model& model, const std::set<std::int32_t>& bodies) {
     std::iota(parent.begin(), parent.end(), Row{0});
     for (std::size_t p = 0; p < model.tied_pairs.size(); ++p) {
         std::array<Row, 2> pair;
-        if (model.tied_pairs.ties[p].count == 0 || !blocks_of_pair(model, static_cast<Row>(p), pair))
-            continue;
+        if (model.tied_pairs.ties[p].count == 0 || !blocks_of_pair(model, static_cast<Row>(p), pair)) continue;
         const Row a = root_of(parent, pair[0]), b = root_of(parent, pair[1]);
         parent[std::max(a, b)] = std::min(a, b);
     }
     std::map<Row, std::vector<Row>> parts;
     for (std::size_t b = 0; b < blocks.size(); ++b)
-        if (bodies.contains(blocks.body[b]))
-            parts[root_of(parent, static_cast<Row>(b))].push_back(static_cast<Row>(b));
+        if (bodies.contains(blocks.body[b])) parts[root_of(parent, static_cast<Row>(b))].push_back(static_cast<Row>(b));
     for (const auto& [first, members] : parts)
         for (const Row b : members) blocks.body[b] = members.size() == 1 ? 0 : blocks.number[first];
 }

@@ -78,8 +78,8 @@ void Display::start() {
         if (::getppid() != parent) ::_exit(1);
         ::close(ends[0]);
         const std::string number = std::to_string(ends[1]);
-        ::execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "640x480x24", "-nolisten", "tcp", "-auth",
-                 secret.c_str(), "+extension", "GLX", static_cast<char*>(nullptr));
+        ::execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "640x480x24", "-nolisten", "tcp",
+                 "-auth", secret.c_str(), "+extension", "GLX", static_cast<char*>(nullptr));
         ::_exit(127);
     }
     ::close(ends[1]);

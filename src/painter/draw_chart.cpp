@@ -26,7 +26,8 @@ namespace kaya {
 
 namespace {
 
-void set_axis(vtkAxis* axis, const std::string& label, const std::vector<Curve>& curves, std::vector<double> Curve::*values, int about, int font) {
+void set_axis(vtkAxis* axis, const std::string& label, const std::vector<Curve>& curves,
+              std::vector<double> Curve::*values, int about, int font) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Curve& curve : curves)
         for (const double value : curve.*values)
@@ -51,7 +52,8 @@ void set_axis(vtkAxis* axis, const std::string& label, const std::vector<Curve>&
     axis->SetLabelOffset(static_cast<float>(font) * 0.4F);
 }
 
-void add_piece(vtkChartXY* chart, const Curve& curve, std::size_t first, std::size_t end, bool in_legend, std::size_t index, float width) {
+void add_piece(vtkChartXY* chart, const Curve& curve, std::size_t first, std::size_t end, bool in_legend,
+               std::size_t index, float width) {
     static constexpr std::size_t order[] = {4, 5, 2, 6, 1, 0, 7, 3}; // the dark colours first: they stand on white
     vtkNew<vtkDoubleArray> x, y;
     x->SetName("x");
@@ -136,7 +138,9 @@ std::string png_of(const Chart& given) {
         const auto side = static_cast<float>(std::min(width - 8 * font, height - 8 * font));
         chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
         chart->SetSize(vtkRectf((static_cast<float>(width) - side) / 2, static_cast<float>(3.5 * font), side, side));
-    } else chart->SetSize(vtkRectf(static_cast<float>(font), static_cast<float>(font), static_cast<float>(width - 3 * font), static_cast<float>(height - 2 * font)));
+    } else
+        chart->SetSize(vtkRectf(static_cast<float>(font), static_cast<float>(font),
+                                static_cast<float>(width - 3 * font), static_cast<float>(height - 2 * font)));
     chart->SetTitle(given.title);
     chart->GetTitleProperties()->SetFontSize(static_cast<int>(1.3 * font));
     if (given.net) add_net(chart, font);
@@ -145,7 +149,8 @@ std::string png_of(const Chart& given) {
         set_axis(chart->GetAxis(vtkAxis::BOTTOM), "\n" + given.x_label, given.curves, &Curve::x, 7, font);
         set_axis(chart->GetAxis(vtkAxis::LEFT), given.y_label + "\n", given.curves, &Curve::y, 6, font);
     }
-    for (std::size_t i = 0; i < given.curves.size(); ++i) add_curve(chart, given.curves[i], i, static_cast<float>(font / 6.0));
+    for (std::size_t i = 0; i < given.curves.size(); ++i)
+        add_curve(chart, given.curves[i], i, static_cast<float>(font / 6.0));
     chart->SetShowLegend(given.curves.size() > 1 || given.net);
     chart->GetLegend()->SetLabelSize(font);
     chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);

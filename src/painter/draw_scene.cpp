@@ -162,7 +162,8 @@ void aim(vtkRenderer* renderer, const Scene& scene) {
 /// A small cross of axes in the lower left corner that turns with the view.
 void add_axes(vtkRenderWindow* window, vtkRenderer* corner, vtkCamera* view) {
     vtkNew<vtkAxesActor> axes;
-    for (auto* caption : {axes->GetXAxisCaptionActor2D(), axes->GetYAxisCaptionActor2D(), axes->GetZAxisCaptionActor2D()}) {
+    for (auto* caption :
+         {axes->GetXAxisCaptionActor2D(), axes->GetYAxisCaptionActor2D(), axes->GetZAxisCaptionActor2D()}) {
         caption->GetTextActor()->SetTextScaleModeToNone();
         auto* style = caption->GetCaptionTextProperty();
         style->SetFontSize(std::max(11, window->GetSize()[0] / 62));
@@ -181,7 +182,8 @@ void add_axes(vtkRenderWindow* window, vtkRenderer* corner, vtkCamera* view) {
     corner->AddActor(axes);
     vtkCamera* camera = corner->GetActiveCamera();
     camera->SetFocalPoint(0, 0, 0);
-    camera->SetPosition(view->GetDirectionOfProjection()[0] * -5, view->GetDirectionOfProjection()[1] * -5, view->GetDirectionOfProjection()[2] * -5);
+    camera->SetPosition(view->GetDirectionOfProjection()[0] * -5, view->GetDirectionOfProjection()[1] * -5,
+                        view->GetDirectionOfProjection()[2] * -5);
     camera->SetViewUp(view->GetViewUp());
     camera->SetViewAngle(32);
     corner->ResetCameraClippingRange();

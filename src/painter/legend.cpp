@@ -24,7 +24,8 @@ namespace {
 constexpr std::size_t most_names = 16; // in a legend
 
 /// A text by a point of the picture, counted in pixels from the lower left corner.
-void add_text(vtkRenderer* renderer, const std::string& text, double x, double y, double size, bool bold = false, bool middle = false) {
+void add_text(vtkRenderer* renderer, const std::string& text, double x, double y, double size, bool bold = false,
+              bool middle = false) {
     if (text.empty()) return;
     vtkNew<vtkTextActor> actor;
     actor->SetInput(text.c_str());
@@ -81,7 +82,8 @@ double add_names(vtkRenderer* renderer, const ColourBar& bar, double left, doubl
         add_text(renderer, bar.names[k], left + 2 * font, y, font, false, true);
     }
     if (shown < bar.names.size()) {
-        add_text(renderer, "and " + std::to_string(bar.names.size() - shown) + " more", left + 2 * font, y, font, false, true);
+        add_text(renderer, "and " + std::to_string(bar.names.size() - shown) + " more", left + 2 * font, y, font, false,
+                 true);
         y -= 1.6 * font;
     }
     boxes.show(renderer);
@@ -94,7 +96,8 @@ double add_numbers(vtkRenderer* renderer, const ColourBar& bar, double left, dou
     constexpr int steps = 128;
     for (int k = 0; k < steps; ++k) {
         const double part = (k + 0.5) / steps;
-        boxes.add(left, bottom + height * k / steps, 1.4 * font, height / steps + 1, bar.diverging ? diverging_colour(part) : sequential_colour(part));
+        boxes.add(left, bottom + height * k / steps, 1.4 * font, height / steps + 1,
+                  bar.diverging ? diverging_colour(part) : sequential_colour(part));
     }
     const Ticks ticks = round_ticks(bar.low, bar.high, 6);
     for (const double value : ticks.values()) {
@@ -116,7 +119,9 @@ void fill_colours(vtkLookupTable* table, const ColourBar& bar) {
     table->SetNumberOfTableValues(count);
     for (int k = 0; k < count; ++k) {
         const double part = count > 1 ? static_cast<double>(k) / (count - 1) : 0.5;
-        const Colour c = named ? named_colour(static_cast<std::size_t>(k)) : bar.diverging ? diverging_colour(part) : sequential_colour(part);
+        const Colour c = named           ? named_colour(static_cast<std::size_t>(k))
+                         : bar.diverging ? diverging_colour(part)
+                                         : sequential_colour(part);
         table->SetTableValue(k, c[0], c[1], c[2], 1);
     }
     if (named) table->SetTableRange(-0.5, count - 0.5);
@@ -135,7 +140,8 @@ void add_texts(vtkRenderer* renderer, const Scene& scene) {
         for (const std::string& name : bar.names) longest = std::max(longest, name.size() + 4);
         const double left = scene.width - std::max(10.0, 0.58 * static_cast<double>(longest) + 1.5) * font;
         add_text(renderer, bar.title, left, top, font, true);
-        top = bar.names.empty() ? add_numbers(renderer, bar, scene.width - 10 * font, top, (scene.height - 12 * font) / bars - 5 * font, font)
+        top = bar.names.empty() ? add_numbers(renderer, bar, scene.width - 10 * font, top,
+                                              (scene.height - 12 * font) / bars - 5 * font, font)
                                 : add_names(renderer, bar, left, top, font);
         top -= font;
     }

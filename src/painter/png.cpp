@@ -20,7 +20,12 @@ vtkSmartPointer<vtkImageData> smoothed(vtkImageData* fine, int finer) {
     result->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
     const auto* from = static_cast<const unsigned char*>(fine->GetScalarPointer());
     auto* to = static_cast<unsigned char*>(result->GetScalarPointer());
-    const auto at = [&](int x, int y, int k) { return from[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width * finer) + static_cast<std::size_t>(x)) * 3 + static_cast<std::size_t>(k)]; };
+    const auto at = [&](int x, int y, int k) {
+        return from[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width * finer) +
+                     static_cast<std::size_t>(x)) *
+                        3 +
+                    static_cast<std::size_t>(k)];
+    };
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             for (int k = 0; k < 3; ++k) {

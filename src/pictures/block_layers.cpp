@@ -12,11 +12,13 @@ namespace {
 
 class BlockPainter {
 public:
-    BlockPainter(const Model& model, const Shown& shown, Colouring* colouring) : model_(model), shown_(shown), colouring_(colouring) {}
+    BlockPainter(const Model& model, const Shown& shown, Colouring* colouring)
+        : model_(model), shown_(shown), colouring_(colouring) {}
 
     void add(Row block) {
         block_ = block;
-        block_value_ = colouring_ != nullptr && colouring_->table() == ObjectKind::block ? colouring_->value(model_, block) : 0;
+        block_value_ =
+            colouring_ != nullptr && colouring_->table() == ObjectKind::block ? colouring_->value(model_, block) : 0;
         zone_of_face_.clear();
         if (colouring_ != nullptr && colouring_->table() == ObjectKind::zone) find_zones();
         rim_.clear();
@@ -43,12 +45,15 @@ private:
         }
     }
 
-    float zone_value(Row zone) { return zone == no_row ? std::numeric_limits<float>::quiet_NaN() : colouring_->value(model_, zone); }
+    float zone_value(Row zone) {
+        return zone == no_row ? std::numeric_limits<float>::quiet_NaN() : colouring_->value(model_, zone);
+    }
 
     Corner corner(Row gridpoint, float value) {
         const auto& g = model_.gridpoints;
         Corner result{g.position[gridpoint] + shown_.deformation * g.displacement[gridpoint], value};
-        if (colouring_ != nullptr && colouring_->table() == ObjectKind::gridpoint) result.value = colouring_->value(model_, gridpoint);
+        if (colouring_ != nullptr && colouring_->table() == ObjectKind::gridpoint)
+            result.value = colouring_->value(model_, gridpoint);
         return result;
     }
 
@@ -85,7 +90,8 @@ private:
         // What of the triangle lies on the plane is a side of the face that the cut makes.
         Polygon on_plane;
         for (const Corner& c : kept)
-            if (std::abs((c.place - shown_.cut->origin).dot(shown_.cut->normal)) <= 1e-9 * (1 + c.place.norm())) on_plane.push_back(c);
+            if (std::abs((c.place - shown_.cut->origin).dot(shown_.cut->normal)) <= 1e-9 * (1 + c.place.norm()))
+                on_plane.push_back(c);
         if (on_plane.size() != 2) return;
         add_line(edges, on_plane[0], on_plane[1]);
         rim_.insert(rim_.end(), on_plane.begin(), on_plane.end());
@@ -98,7 +104,8 @@ private:
             return add_polygon(surface, rim_);
         }
         for (Row zone = zones.first; zone < zones.end(); ++zone) {
-            const float value = colouring_ != nullptr && colouring_->table() == ObjectKind::zone ? zone_value(zone) : block_value_;
+            const float value =
+                colouring_ != nullptr && colouring_->table() == ObjectKind::zone ? zone_value(zone) : block_value_;
             std::array<Corner, 4> corners;
             for (std::size_t k = 0; k < 4; ++k) corners[k] = corner(model_.zones.gridpoints[zone][k], value);
             add_polygon(surface, slice_of(corners, *shown_.cut));

@@ -14,29 +14,43 @@ namespace {
 const std::map<std::string, std::pair<ObjectKind, std::string>>& short_words() {
     using enum ObjectKind;
     static const std::map<std::string, std::pair<ObjectKind, std::string>> words{
-        {"disp", {gridpoint, "displacement"}},   {"dis", {gridpoint, "displacement"}},
-        {"vel", {gridpoint, "velocity"}},        {"xdis", {gridpoint, "x_displacement"}},
-        {"ydis", {gridpoint, "y_displacement"}}, {"zdis", {gridpoint, "z_displacement"}},
-        {"xdisp", {gridpoint, "x_displacement"}}, {"ydisp", {gridpoint, "y_displacement"}},
-        {"zdisp", {gridpoint, "z_displacement"}}, {"xvel", {gridpoint, "x_velocity"}},
-        {"yvel", {gridpoint, "y_velocity"}},     {"zvel", {gridpoint, "z_velocity"}},
-        {"sxx", {zone, "xx_stress"}},            {"syy", {zone, "yy_stress"}},
-        {"szz", {zone, "zz_stress"}},            {"sxy", {zone, "xy_stress"}},
-        {"sxz", {zone, "xz_stress"}},            {"syz", {zone, "yz_stress"}},
-        {"smin", {zone, "principal_stress_1"}},  {"smax", {zone, "principal_stress_3"}},
-        {"sig1", {zone, "principal_stress_1"}},  {"sig3", {zone, "principal_stress_3"}},
-        {"mat", {block, "material"}},            {"cons", {block, "constitutive"}}};
+        {"disp", {gridpoint, "displacement"}},
+        {"dis", {gridpoint, "displacement"}},
+        {"vel", {gridpoint, "velocity"}},
+        {"xdis", {gridpoint, "x_displacement"}},
+        {"ydis", {gridpoint, "y_displacement"}},
+        {"zdis", {gridpoint, "z_displacement"}},
+        {"xdisp", {gridpoint, "x_displacement"}},
+        {"ydisp", {gridpoint, "y_displacement"}},
+        {"zdisp", {gridpoint, "z_displacement"}},
+        {"xvel", {gridpoint, "x_velocity"}},
+        {"yvel", {gridpoint, "y_velocity"}},
+        {"zvel", {gridpoint, "z_velocity"}},
+        {"sxx", {zone, "xx_stress"}},
+        {"syy", {zone, "yy_stress"}},
+        {"szz", {zone, "zz_stress"}},
+        {"sxy", {zone, "xy_stress"}},
+        {"sxz", {zone, "xz_stress"}},
+        {"syz", {zone, "yz_stress"}},
+        {"smin", {zone, "principal_stress_1"}},
+        {"smax", {zone, "principal_stress_3"}},
+        {"sig1", {zone, "principal_stress_1"}},
+        {"sig3", {zone, "principal_stress_3"}},
+        {"mat", {block, "material"}},
+        {"cons", {block, "constitutive"}}};
     return words;
 }
 
 const std::map<std::string, std::string>& joint_words() {
     static const std::map<std::string, std::string> words{
-        {"slip", "shear_displacement"},    {"sdis", "shear_displacement"},     {"sdisp", "shear_displacement"},
-        {"open", "normal_displacement"},   {"opening", "normal_displacement"}, {"ndis", "normal_displacement"},
-        {"ndisp", "normal_displacement"},  {"aperture", "normal_displacement"}, {"nforce", "normal_force"},
-        {"sforce", "shear_force"},         {"force", "normal_force"},          {"nstress", "normal_stress"},
-        {"nstr", "normal_stress"},         {"sstress", "shear_stress"},        {"sstr", "shear_stress"},
-        {"mat", "material"}};
+        {"slip", "shear_displacement"},     {"sdis", "shear_displacement"},
+        {"sdisp", "shear_displacement"},    {"open", "normal_displacement"},
+        {"opening", "normal_displacement"}, {"ndis", "normal_displacement"},
+        {"ndisp", "normal_displacement"},   {"aperture", "normal_displacement"},
+        {"nforce", "normal_force"},         {"sforce", "shear_force"},
+        {"force", "normal_force"},          {"nstress", "normal_stress"},
+        {"nstr", "normal_stress"},          {"sstress", "shear_stress"},
+        {"sstr", "shear_stress"},           {"mat", "material"}};
     return words;
 }
 
@@ -53,7 +67,8 @@ std::optional<ColourField> find_colour_field(const std::string& word) {
     const auto found = short_words().find(word);
     if (found != short_words().end()) return made_of(*find_field(found->second.first, found->second.second));
     for (const ObjectKind table : {ObjectKind::block, ObjectKind::gridpoint, ObjectKind::zone}) {
-        const bool of_points = word == "displacement" || word == "velocity" || word.ends_with("_displacement") || word.ends_with("_velocity");
+        const bool of_points = word == "displacement" || word == "velocity" || word.ends_with("_displacement") ||
+                               word.ends_with("_velocity");
         if (table == ObjectKind::block && of_points && word.find("rotational") == std::string::npos) continue;
         if (const Field* field = find_field(table, word)) return made_of(*field);
     }
@@ -91,7 +106,8 @@ ColourBar Colouring::bar() const {
     const double larger = std::max(-bar.low, bar.high);
     bar.diverging = bar.low < -0.05 * larger && bar.high > 0.05 * larger;
     if (bar.diverging) bar.low = -larger, bar.high = larger;
-    if (bar.low == bar.high) bar.low -= bar.low == 0 ? 1 : 0.5 * std::abs(bar.low), bar.high += bar.high == 0 ? 1 : 0.5 * std::abs(bar.high);
+    if (bar.low == bar.high)
+        bar.low -= bar.low == 0 ? 1 : 0.5 * std::abs(bar.low), bar.high += bar.high == 0 ? 1 : 0.5 * std::abs(bar.high);
     return bar;
 }
 

@@ -17,7 +17,9 @@ Corner between(const Corner& a, const Corner& b, double part) {
     return {a.place + part * (b.place - a.place), static_cast<float>(a.value + part * (b.value - a.value))};
 }
 
-Corner crossing(const Corner& a, const Corner& b, double height_a, double height_b) { return between(a, b, height_a / (height_a - height_b)); }
+Corner crossing(const Corner& a, const Corner& b, double height_a, double height_b) {
+    return between(a, b, height_a / (height_a - height_b));
+}
 
 void push(Layer& layer, const Corner& corner) {
     for (int k = 0; k < 3; ++k) layer.points.push_back(static_cast<float>(corner.place[k]));
@@ -27,7 +29,8 @@ void push(Layer& layer, const Corner& corner) {
 } // namespace
 
 Polygon kept_part(const Polygon& polygon, const CutPlane& plane) {
-    return kept_part(polygon, [&](const Corner& corner) { return height(corner, plane); }, between);
+    return kept_part(
+        polygon, [&](const Corner& corner) { return height(corner, plane); }, between);
 }
 
 Polygon kept_line(const Corner& from, const Corner& to, const CutPlane& plane) {

@@ -22,7 +22,9 @@ void add_joint(Layer& layer, const Model& model, const Shown& shown, Row contact
         const float value = colouring.value(model, nearest_sub_contact(model, contact, middle));
         // There is nothing between two names.
         for (Corner& corner : part)
-            corner.value = colouring.gives_names() ? value : colouring.value(model, nearest_sub_contact(model, contact, corner.place));
+            corner.value = colouring.gives_names()
+                               ? value
+                               : colouring.value(model, nearest_sub_contact(model, contact, corner.place));
         add_polygon(layer, part);
     }
 }
@@ -57,11 +59,13 @@ void add_arrows(Scene& scene, const Model& model, const Shown& shown, bool veloc
     const auto& g = model.gridpoints;
     for (const Row block : shown.blocks) {
         if (!model.blocks.deformable[block]) {
-            add(model.blocks.centroid[block], velocity ? block_velocity(model, block) : block_displacement(model, block));
+            add(model.blocks.centroid[block],
+                velocity ? block_velocity(model, block) : block_displacement(model, block));
             continue;
         }
         const Span points = model.blocks.gridpoints[block];
-        for (Row row = points.first; row < points.end(); ++row) add(g.position[row], velocity ? g.velocity[row] : g.displacement[row]);
+        for (Row row = points.first; row < points.end(); ++row)
+            add(g.position[row], velocity ? g.velocity[row] : g.displacement[row]);
     }
     if (longest == 0) return;
     if (scale == 0) scale = model_size(model) / 12 / longest;

@@ -23,7 +23,9 @@ Chart joint_net(const Model& model, const Shown& shown, bool slip) {
     std::map<std::int32_t, Curve> sets;
     for (Row contact = 0; contact < static_cast<Row>(contacts.size()); ++contact) {
         if (contacts.face1[contact] == no_row || contacts.face2[contact] == no_row) continue;
-        if (!std::ranges::binary_search(shown.blocks, contacts.block1[contact]) || !std::ranges::binary_search(shown.blocks, contacts.block2[contact])) continue;
+        if (!std::ranges::binary_search(shown.blocks, contacts.block1[contact]) ||
+            !std::ranges::binary_search(shown.blocks, contacts.block2[contact]))
+            continue;
         Vec3 direction = face_area_vector(model, contacts.face1[contact]);
         if (slip) {
             direction = Vec3::Zero();
@@ -41,7 +43,8 @@ Chart joint_net(const Model& model, const Shown& shown, bool slip) {
     chart.x_label = "lower hemisphere, equal areas";
     for (auto& [set, curve] : sets) {
         curve.marks = true;
-        curve.name = set == 0 ? fmt::format("no joint set ({})", curve.x.size()) : fmt::format("joint set {} ({})", set, curve.x.size());
+        curve.name = set == 0 ? fmt::format("no joint set ({})", curve.x.size())
+                              : fmt::format("joint set {} ({})", set, curve.x.size());
         chart.curves.push_back(std::move(curve));
     }
     return chart;

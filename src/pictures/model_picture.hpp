@@ -20,8 +20,8 @@ struct CutPlane {
 
 /// How the model is shown, for all of its layers.
 struct Shown {
-    std::vector<Row> blocks;       ///< rows, ascending
-    double deformation = 0;        ///< displacements are drawn so many times larger
+    std::vector<Row> blocks; ///< rows, ascending
+    double deformation = 0;  ///< displacements are drawn so many times larger
     std::optional<CutPlane> cut;
 };
 
@@ -49,7 +49,8 @@ void add_arrows(Scene& scene, const Model& model, const Shown& shown, bool veloc
 /// The principal stresses of zones as crosses: a line along each, as long as the stress is large. `scale` 0: the longest is about as long as a zone.
 void add_crosses(Scene& scene, const Model& model, const Shown& shown, double scale);
 /// Surfaces in zones on which a quantity has a value. Of zones and blocks it is averaged to their gridpoints first, by volume.
-void add_iso_surfaces(Scene& scene, const Model& model, const Shown& shown, const ColourField& field, const std::vector<double>& levels);
+void add_iso_surfaces(Scene& scene, const Model& model, const Shown& shown, const ColourField& field,
+                      const std::vector<double>& levels);
 
 /// Directions in the lower hemisphere, by equal areas: x to the east, y to the north, in a circle of radius 1.
 std::array<double, 2> on_net(const Vec3& direction);

@@ -34,9 +34,13 @@ std::vector<float> at_gridpoints(const Model& model, const Shown& shown, Colouri
     std::vector<double> sum(model.gridpoints.size()), weight(model.gridpoints.size());
     each_zone(model, shown, [&](Row block, Row zone) {
         const double volume = zone_volume(model, zone);
-        const double value = colouring.table() == ObjectKind::gridpoint ? 0 : colouring.value(model, colouring.table() == ObjectKind::zone ? zone : block);
+        const double value = colouring.table() == ObjectKind::gridpoint
+                                 ? 0
+                                 : colouring.value(model, colouring.table() == ObjectKind::zone ? zone : block);
         for (const Row g : model.zones.gridpoints[zone]) {
-            sum[g] += colouring.table() == ObjectKind::gridpoint ? volume * static_cast<double>(colouring.value(model, g)) : volume * value;
+            sum[g] += colouring.table() == ObjectKind::gridpoint
+                          ? volume * static_cast<double>(colouring.value(model, g))
+                          : volume * value;
             weight[g] += volume;
         }
     });
@@ -51,10 +55,12 @@ Polygon level_in(const std::array<Corner, 4>& corners, double level) {
     Polygon polygon;
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = i + 1; j < 4; ++j) {
-            const double a = static_cast<double>(corners[i].value) - level, b = static_cast<double>(corners[j].value) - level;
+            const double a = static_cast<double>(corners[i].value) - level,
+                         b = static_cast<double>(corners[j].value) - level;
             if (!std::isfinite(a + b)) return {};
             if ((a < 0) == (b < 0)) continue;
-            polygon.push_back({corners[i].place + a / (a - b) * (corners[j].place - corners[i].place), static_cast<float>(level)});
+            polygon.push_back(
+                {corners[i].place + a / (a - b) * (corners[j].place - corners[i].place), static_cast<float>(level)});
         }
     if (polygon.size() < 3) return {};
     const Vec3 normal = (polygon[1].place - polygon[0].place).cross(polygon[2].place - polygon[0].place);
@@ -104,7 +110,8 @@ void add_crosses(Scene& scene, const Model& model, const Shown& shown, double sc
     push_layer(scene, std::move(layer), std::move(bar));
 }
 
-void add_iso_surfaces(Scene& scene, const Model& model, const Shown& shown, const ColourField& field, const std::vector<double>& levels) {
+void add_iso_surfaces(Scene& scene, const Model& model, const Shown& shown, const ColourField& field,
+                      const std::vector<double>& levels) {
     Colouring colouring(field);
     const auto values = at_gridpoints(model, shown, colouring);
     ColourBar bar = colouring.bar();

@@ -12,7 +12,9 @@ namespace kaya {
 std::string packed_bytes(std::string_view bytes) {
     uLongf size = ::compressBound(bytes.size());
     std::string small(size, '\0');
-    if (::compress2(reinterpret_cast<Bytef*>(small.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 6) != Z_OK) throw std::bad_alloc();
+    if (::compress2(reinterpret_cast<Bytef*>(small.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                    bytes.size(), 6) != Z_OK)
+        throw std::bad_alloc();
     small.resize(size);
     static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;

@@ -15,7 +15,8 @@ std::string packed_bytes(std::string_view bytes);
 std::string byte_planes(std::string_view bytes, std::size_t size);
 
 template <class Number> std::string packed(std::span<const Number> numbers) {
-    return packed_bytes(byte_planes({reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()}, sizeof(Number)));
+    return packed_bytes(
+        byte_planes({reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()}, sizeof(Number)));
 }
 
 /// To 16 bits: five digits, which is more than eyes see. NaN and infinity stay.

@@ -26,7 +26,8 @@ std::string of_kind(std::string_view kind) {
 std::string decks(const SaveExtras& extras) {
     std::string html;
     for (const auto& deck : extras.decks)
-        html += fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n", html_text(deck.name), html_text(deck.content));
+        html += fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n", html_text(deck.name),
+                            html_text(deck.content));
     return html.empty() ? "<p>None.</p>\n" : html;
 }
 
@@ -53,7 +54,8 @@ std::string warning_list(const std::vector<std::string>& warnings) {
     return html;
 }
 
-constexpr const char* view = R"(<div id="view"><canvas id="blocks" tabindex="0" aria-label="the blocks; drag to turn, wheel to come nearer"></canvas>
+constexpr const char* view =
+    R"(<div id="view"><canvas id="blocks" tabindex="0" aria-label="the blocks; drag to turn, wheel to come nearer"></canvas>
 <svg id="axes" viewBox="0 0 90 90"></svg><div id="coarse"></div><div id="legend"></div><div id="picked" role="status"></div></div>
 <div id="controls"><label id="states">state <input id="state" type="range" min="0" max="0" value="0"> <output id="state-value"></output></label>
 <label id="whats">show <select id="what"><option>blocks</option><option>joints</option></select></label>
@@ -70,23 +72,32 @@ constexpr const char* view = R"(<div id="view"><canvas id="blocks" tabindex="0" 
 
 std::string report_of(Model& model, const SaveExtras& extras, const ReportOrder& order) {
     const std::string title = html_text(extras.title.empty() ? order.file : extras.title);
-    std::string page = fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\"><title>{}</title>\n"
-                                   "<style>{}</style></head><body>\n<h1>{}</h1>\n",
-                                   title, of_kind("css"), title);
+    std::string page = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\"><title>{}</title>\n"
+        "<style>{}</style></head><body>\n<h1>{}</h1>\n",
+        title, of_kind("css"), title);
     page += section("run", "The run", run_table(model, extras, order));
-    page += section("model", "The model", view + block_table(model) + "<h3>Groups</h3>\n" + group_table(model) + zone_table(model));
-    if (!model.histories.all.empty()) page += section("histories", "Histories", "<div id=\"curves\"></div>\n<noscript><p>The curves need JavaScript.</p></noscript>\n");
+    page += section("model", "The model",
+                    view + block_table(model) + "<h3>Groups</h3>\n" + group_table(model) + zone_table(model));
+    if (!model.histories.all.empty())
+        page += section("histories", "Histories",
+                        "<div id=\"curves\"></div>\n<noscript><p>The curves need JavaScript.</p></noscript>\n");
     if (!order.warnings.empty()) page += section("warnings", "Warnings", warning_list(order.warnings));
-    if (!order.course.empty()) page += section("course", "The course of the run, by cycles", "<div id=\"course-curves\"></div>\n");
-    page += section("properties", "Properties", "<h3>Blocks</h3>\n" + material_table(model) + "<h3>Joints</h3>\n" + joint_table(model, order));
+    if (!order.course.empty())
+        page += section("course", "The course of the run, by cycles", "<div id=\"course-curves\"></div>\n");
+    page += section("properties", "Properties",
+                    "<h3>Blocks</h3>\n" + material_table(model) + "<h3>Joints</h3>\n" + joint_table(model, order));
     page += section("contacts", "Contacts", contact_table(model));
     page += section("boundary", "Boundary conditions", boundary_table(model));
     page += section("energy", "Energy", energy_table(model));
     page += section("decks", "Decks", decks(extras));
-    page += fmt::format("<script type=\"application/json\" id=\"scene-data\">{}</script>\n<script type=\"application/json\" id=\"history-data\">{}</script>\n", states_json(model, order),
-                        histories_json(model.histories));
-    page += fmt::format("<script type=\"application/json\" id=\"joint-data\">{}</script>\n", joint_scene_json(model, order.centre));
-    page += fmt::format("<script type=\"application/json\" id=\"course-data\">{}</script>\n", course_json(order.course));
+    page += fmt::format(
+        "<script type=\"application/json\" id=\"scene-data\">{}</script>\n<script type=\"application/json\" id=\"history-data\">{}</script>\n",
+        states_json(model, order), histories_json(model.histories));
+    page += fmt::format("<script type=\"application/json\" id=\"joint-data\">{}</script>\n",
+                        joint_scene_json(model, order.centre));
+    page +=
+        fmt::format("<script type=\"application/json\" id=\"course-data\">{}</script>\n", course_json(order.course));
     return page + "<script>\n'use strict';\n" + of_kind("js") + "</script>\n</body></html>\n";
 }
 

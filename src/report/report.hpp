@@ -38,7 +38,7 @@ struct ReportOrder {
     Vec3 centre = Vec3::Zero();      ///< of all of them
     std::vector<ReportCurve> course; ///< how the run went; none of a saved model
     std::vector<std::string> warnings;
-    std::string took;                ///< "4 min 21 s"; empty of a saved model
+    std::string took; ///< "4 min 21 s"; empty of a saved model
 };
 
 /// HTML with style, scripts and data in it: what was run, the model in numbers, properties, contacts, energy, histories as curves, and a

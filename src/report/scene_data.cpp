@@ -23,8 +23,8 @@ namespace {
 
 /// Corners on the surface, and the lines and triangles between them. Indices count within a block: they are small.
 struct Surface {
-    std::vector<float> places, displacements;    ///< three for each corner, of the place before it moved
-    std::vector<Row> gridpoints;                 ///< of each corner
+    std::vector<float> places, displacements;             ///< three for each corner, of the place before it moved
+    std::vector<Row> gridpoints;                          ///< of each corner
     std::vector<std::uint32_t> corners, triangles, lines; ///< counts, by block
     std::vector<std::uint32_t> triangle_corners, line_corners;
     std::vector<std::uint32_t> numbers; ///< of blocks
@@ -77,7 +77,9 @@ std::string packed_values(std::vector<float> numbers) {
     std::ranges::transform(numbers, numbers.begin(), rounded);
     return packed(std::span<const float>(numbers));
 }
-std::string column(const char* name, const std::vector<float>& numbers) { return fmt::format("\"{}\":\"{}\"", name, packed_values(numbers)); }
+std::string column(const char* name, const std::vector<float>& numbers) {
+    return fmt::format("\"{}\":\"{}\"", name, packed_values(numbers));
+}
 
 double length_of(const Model& model, const FieldValue& value) {
     if (const auto* v = std::get_if<Vec3>(&value)) return v->norm();
@@ -105,8 +107,8 @@ std::string field_json(const Model& model, const Field& field, const char* of, c
     }
     std::vector<std::string> quoted;
     for (const auto& name : names) quoted.push_back(json_text(name));
-    return fmt::format(R"({{"name":{},"unit":{},"of":"{}","names":[{}],"values":"{}"}})", json_text(field.name), json_text(field.unit), of, fmt::join(quoted, ","),
-                       packed_values(values));
+    return fmt::format(R"({{"name":{},"unit":{},"of":"{}","names":[{}],"values":"{}"}})", json_text(field.name),
+                       json_text(field.unit), of, fmt::join(quoted, ","), packed_values(values));
 }
 
 /// A corner of a deformable block sees the mean of the zones around it, weighted with their volumes.
@@ -118,8 +120,11 @@ std::string stress_json(const Model& model, const Surface& surface, const char* 
             weight[g] += model.zones.volume[zone];
         }
     std::vector<float> values;
-    for (const Row g : surface.gridpoints) values.push_back(weight[g] > 0 ? static_cast<float>(sum[g] / weight[g]) : std::numeric_limits<float>::quiet_NaN());
-    return fmt::format(R"({{"name":"{}","unit":"stress","of":"corner","names":[],"values":"{}"}})", name, packed_values(values));
+    for (const Row g : surface.gridpoints)
+        values.push_back(weight[g] > 0 ? static_cast<float>(sum[g] / weight[g])
+                                       : std::numeric_limits<float>::quiet_NaN());
+    return fmt::format(R"({{"name":"{}","unit":"stress","of":"corner","names":[],"values":"{}"}})", name,
+                       packed_values(values));
 }
 
 } // namespace
@@ -132,8 +137,10 @@ struct Box {
 
 Box box_of(const Model& model) {
     if (model.gridpoints.position.empty()) return {Vec3::Zero(), Vec3::Zero()};
-    Box box{Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(-std::numeric_limits<double>::infinity())};
-    for (const Vec3& place : model.gridpoints.position) box.low = box.low.cwiseMin(place), box.high = box.high.cwiseMax(place);
+    Box box{Vec3::Constant(std::numeric_limits<double>::infinity()),
+            Vec3::Constant(-std::numeric_limits<double>::infinity())};
+    for (const Vec3& place : model.gridpoints.position)
+        box.low = box.low.cwiseMin(place), box.high = box.high.cwiseMax(place);
     return box;
 }
 
@@ -144,15 +151,20 @@ Vec3 report_centre(const Model& model) {
     return 0.5 * (box.low + box.high);
 }
 
-ReportState report_state(const Model& model, const Vec3& centre) { return {model.clock.time, model.clock.cycle, scene_json(model, centre)}; }
+ReportState report_state(const Model& model, const Vec3& centre) {
+    return {model.clock.time, model.clock.cycle, scene_json(model, centre)};
+}
 
 namespace {
 
-std::string surface_json(const Surface& surface, const Vec3& centre, double size, const std::vector<std::string>& fields) {
-    return fmt::format(R"({{"centre":[{},{},{}],"size":{},{},{},{},{},{},{},{},{},"fields":[{}]}})", centre.x(), centre.y(), centre.z(), size,
-                       column("numbers", surface.numbers), column("corners", surface.corners), column("triangles", surface.triangles), column("lines", surface.lines),
-                       column("places", surface.places), column("displacements", surface.displacements), column("triangleCorners", surface.triangle_corners),
-                       column("lineCorners", surface.line_corners), fmt::join(fields, ","));
+std::string surface_json(const Surface& surface, const Vec3& centre, double size,
+                         const std::vector<std::string>& fields) {
+    return fmt::format(
+        R"({{"centre":[{},{},{}],"size":{},{},{},{},{},{},{},{},{},"fields":[{}]}})", centre.x(), centre.y(),
+        centre.z(), size, column("numbers", surface.numbers), column("corners", surface.corners),
+        column("triangles", surface.triangles), column("lines", surface.lines), column("places", surface.places),
+        column("displacements", surface.displacements), column("triangleCorners", surface.triangle_corners),
+        column("lineCorners", surface.line_corners), fmt::join(fields, ","));
 }
 
 void add_joint(const Model& model, Row contact, const Vec3& centre, Surface& surface) {
@@ -161,10 +173,12 @@ void add_joint(const Model& model, Row contact, const Vec3& centre, Surface& sur
         const auto count = static_cast<std::uint32_t>(polygon.size());
         for (std::uint32_t k = 0; k < count; ++k) {
             const Vec3 place = polygon[k] - centre;
-            for (int axis = 0; axis < 3; ++axis) surface.places.push_back(static_cast<float>(place[axis])), surface.displacements.push_back(0);
+            for (int axis = 0; axis < 3; ++axis)
+                surface.places.push_back(static_cast<float>(place[axis])), surface.displacements.push_back(0);
             surface.line_corners.insert(surface.line_corners.end(), {corners + k, corners + (k + 1) % count});
         }
-        for (std::uint32_t k = 2; k < count; ++k) surface.triangle_corners.insert(surface.triangle_corners.end(), {corners, corners + k - 1, corners + k});
+        for (std::uint32_t k = 2; k < count; ++k)
+            surface.triangle_corners.insert(surface.triangle_corners.end(), {corners, corners + k - 1, corners + k});
         corners += count, triangles += count - 2, lines += count;
     }
     surface.corners.push_back(corners);
@@ -180,10 +194,12 @@ std::string largest_json(const Model& model, const char* name, const char* title
     for (const Row contact : contacts) {
         double largest = -std::numeric_limits<double>::infinity();
         const Span span = model.contacts.sub_contacts[contact];
-        for (Row row = span.first; row < span.end(); ++row) largest = std::max(largest, length_of(model, field->get(model, row)));
+        for (Row row = span.first; row < span.end(); ++row)
+            largest = std::max(largest, length_of(model, field->get(model, row)));
         values.push_back(static_cast<float>(largest));
     }
-    return fmt::format(R"({{"name":{},"unit":{},"of":"block","names":[],"values":"{}"}})", json_text(title), json_text(field->unit), packed_values(values));
+    return fmt::format(R"({{"name":{},"unit":{},"of":"block","names":[],"values":"{}"}})", json_text(title),
+                       json_text(field->unit), packed_values(values));
 }
 
 } // namespace
@@ -194,17 +210,22 @@ std::string joint_scene_json(const Model& model, const Vec3& centre) {
     std::vector<Row> shown;
     for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact) {
         const auto& contacts = model.contacts;
-        if (contacts.sub_contacts[contact].count == 0 || model.blocks.hidden[contacts.block1[contact]] || model.blocks.hidden[contacts.block2[contact]]) continue;
+        if (contacts.sub_contacts[contact].count == 0 || model.blocks.hidden[contacts.block1[contact]] ||
+            model.blocks.hidden[contacts.block2[contact]])
+            continue;
         if (contacts.face1[contact] == no_row || contacts.face2[contact] == no_row) continue;
         add_joint(model, contact, centre, surface);
         shown.push_back(contact);
     }
     if (shown.empty()) return "null";
-    std::vector<std::string> fields{largest_json(model, "shear_displacement", "shear displacement", shown), largest_json(model, "normal_displacement", "opening", shown),
-                                    largest_json(model, "normal_stress", "normal stress", shown), largest_json(model, "shear_stress", "shear stress", shown),
+    std::vector<std::string> fields{largest_json(model, "shear_displacement", "shear displacement", shown),
+                                    largest_json(model, "normal_displacement", "opening", shown),
+                                    largest_json(model, "normal_stress", "normal stress", shown),
+                                    largest_json(model, "shear_stress", "shear stress", shown),
                                     largest_json(model, "state", "state", shown)};
     for (const char* name : {"area", "joint_set", "model", "block1", "block2"})
-        if (const Field* field = find_field(ObjectKind::contact, name)) fields.push_back(field_json(model, *field, "block", shown));
+        if (const Field* field = find_field(ObjectKind::contact, name))
+            fields.push_back(field_json(model, *field, "block", shown));
     return surface_json(surface, centre, (box.high - box.low).norm(), fields);
 }
 
@@ -216,15 +237,20 @@ std::string scene_json(const Model& model, const Vec3& centre) {
         if (!model.blocks.hidden[block]) add_block(model, block, centre, surface), blocks.push_back(block);
     std::vector<std::string> fields;
     for (const char* name : {"displacement", "velocity"})
-        if (const Field* field = find_field(ObjectKind::gridpoint, name)) fields.push_back(field_json(model, *field, "corner", surface.gridpoints));
+        if (const Field* field = find_field(ObjectKind::gridpoint, name))
+            fields.push_back(field_json(model, *field, "corner", surface.gridpoints));
     for (const char* name : {"z_displacement"})
-        if (const Field* field = find_field(ObjectKind::gridpoint, name)) fields.push_back(field_json(model, *field, "corner", surface.gridpoints));
+        if (const Field* field = find_field(ObjectKind::gridpoint, name))
+            fields.push_back(field_json(model, *field, "corner", surface.gridpoints));
     if (!model.zones.gridpoints.empty()) {
-        fields.push_back(stress_json(model, surface, "greatest compression", [](const Model& m, Row zone) { return -principal_stresses(m, zone)[0]; }));
-        fields.push_back(stress_json(model, surface, "least compression", [](const Model& m, Row zone) { return -principal_stresses(m, zone)[2]; }));
+        fields.push_back(stress_json(model, surface, "greatest compression",
+                                     [](const Model& m, Row zone) { return -principal_stresses(m, zone)[0]; }));
+        fields.push_back(stress_json(model, surface, "least compression",
+                                     [](const Model& m, Row zone) { return -principal_stresses(m, zone)[2]; }));
     }
     for (const char* name : {"group", "material", "region", "id", "volume", "type"})
-        if (const Field* field = find_field(ObjectKind::block, name)) fields.push_back(field_json(model, *field, "block", blocks));
+        if (const Field* field = find_field(ObjectKind::block, name))
+            fields.push_back(field_json(model, *field, "block", blocks));
     return surface_json(surface, centre, (box.high - box.low).norm(), fields);
 }
 

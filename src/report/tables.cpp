@@ -22,7 +22,8 @@ using Pairs = std::vector<std::pair<std::string, std::string>>;
 /// Names on the left, values on the right.
 std::string pair_table(const Pairs& pairs) {
     std::string html = "<table>\n";
-    for (const auto& [name, value] : pairs) html += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", html_text(name), html_text(value));
+    for (const auto& [name, value] : pairs)
+        html += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", html_text(name), html_text(value));
     return html + "</table>\n";
 }
 
@@ -48,7 +49,8 @@ double shape_of(const Model& model, Row zone) {
     const auto& g = model.zones.gridpoints[zone];
     double squares = 0;
     for (int i = 0; i < 4; ++i)
-        for (int k = i + 1; k < 4; ++k) squares += (model.gridpoints.position[g[i]] - model.gridpoints.position[g[k]]).squaredNorm();
+        for (int k = i + 1; k < 4; ++k)
+            squares += (model.gridpoints.position[g[i]] - model.gridpoints.position[g[k]]).squaredNorm();
     return 6 * std::sqrt(2.0) * zone_volume(model, zone) / std::pow(squares / 6, 1.5);
 }
 
@@ -57,17 +59,22 @@ double shape_of(const Model& model, Row zone) {
 std::string run_table(Model& model, const SaveExtras& extras, const ReportOrder& order) {
     std::string decks;
     for (const auto& deck : extras.decks) decks += (decks.empty() ? "" : ", ") + deck.name;
-    Pairs pairs{{order.source, order.file}, {"written by", "kaya " + extras.program_version}, {"report by", "kaya " + order.version}, {"decks", decks}};
+    Pairs pairs{{order.source, order.file},
+                {"written by", "kaya " + extras.program_version},
+                {"report by", "kaya " + order.version},
+                {"decks", decks}};
     if (!order.took.empty()) pairs.emplace_back("took", order.took);
     if (!extras.title.empty()) pairs.insert(pairs.begin(), {"title", extras.title});
     const auto& clock = model.clock;
-    pairs.insert(pairs.end(), {{"cycles", fmt::format("{}", clock.cycle)},
-                               {"time", fmt::format("{:.6g}{}", clock.time, model.settings.mass_scaling == MassScaling::none ? "" : " (density is scaled)")},
-                               {"time step", number(clock.time_step)},
-                               {"unbalanced force", number(clock.unbalanced_force)},
-                               {"average ratio of forces", number(clock.average_ratio)},
-                               {"gravity", place(model.settings.gravity)},
-                               {"state hash", fmt::format("{:016x}", state_hash(model))}});
+    pairs.insert(pairs.end(),
+                 {{"cycles", fmt::format("{}", clock.cycle)},
+                  {"time", fmt::format("{:.6g}{}", clock.time,
+                                       model.settings.mass_scaling == MassScaling::none ? "" : " (density is scaled)")},
+                  {"time step", number(clock.time_step)},
+                  {"unbalanced force", number(clock.unbalanced_force)},
+                  {"average ratio of forces", number(clock.average_ratio)},
+                  {"gravity", place(model.settings.gravity)},
+                  {"state hash", fmt::format("{:016x}", state_hash(model))}});
     return pair_table(pairs);
 }
 
@@ -85,8 +92,11 @@ std::string block_table(const Model& model) {
         if (most == no_row || blocks.volume[b] > blocks.volume[most]) most = b;
     }
     if (least == no_row) return "<p>There are no blocks.</p>\n";
-    const auto of = [&](Row b) { return fmt::format("{:.6g} (block {} at {})", blocks.volume[b], blocks.number[b], place(blocks.centroid[b])); };
-    return pair_table({{"blocks", fmt::format("{}, of them {} deformable{}", blocks.size(), deformable, hidden > 0 ? fmt::format(", {} hidden", hidden) : "")},
+    const auto of = [&](Row b) {
+        return fmt::format("{:.6g} (block {} at {})", blocks.volume[b], blocks.number[b], place(blocks.centroid[b]));
+    };
+    return pair_table({{"blocks", fmt::format("{}, of them {} deformable{}", blocks.size(), deformable,
+                                              hidden > 0 ? fmt::format(", {} hidden", hidden) : "")},
                        {"excavated", fmt::format("{}", model.excavated.blocks.size())},
                        {"gridpoints", fmt::format("{}", model.gridpoints.size())},
                        {"faces", fmt::format("{}", model.faces.size())},
@@ -135,19 +145,23 @@ std::string zone_table(const Model& model) {
     std::string laws;
     for (const auto& [name, count] : models)
         if (count > 0) laws += fmt::format("{}{} ({})", laws.empty() ? "" : ", ", name, count);
-    return "<h3>Zones</h3>\n" + pair_table({{"zones", fmt::format("{}", zones)},
-                                              {"zone models", laws},
-                                              {"smallest and largest volume", fmt::format("{:.6g} to {:.6g}", least, most)},
-                                              {"shape (1 is a regular tetrahedron)", fmt::format("worst {:.3f} in block {}, 5 % are below {:.3f}", bad,
-                                                                                                 model.blocks.number[model.zones.block[worst]], shapes[static_cast<std::size_t>(zones / 20)])},
-                                              {"zones with a state", fmt::format("{}", yielded)}});
+    return "<h3>Zones</h3>\n" +
+           pair_table(
+               {{"zones", fmt::format("{}", zones)},
+                {"zone models", laws},
+                {"smallest and largest volume", fmt::format("{:.6g} to {:.6g}", least, most)},
+                {"shape (1 is a regular tetrahedron)", fmt::format("worst {:.3f} in block {}, 5 % are below {:.3f}",
+                                                                   bad, model.blocks.number[model.zones.block[worst]],
+                                                                   shapes[static_cast<std::size_t>(zones / 20)])},
+                {"zones with a state", fmt::format("{}", yielded)}});
 }
 
 std::string material_table(const Model& model) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& [material, m] : model.materials) {
         std::string zone;
-        for (const auto& [name, value] : m.zone) zone += fmt::format("{}{} {:.6g}", zone.empty() ? "" : ", ", name, value);
+        for (const auto& [name, value] : m.zone)
+            zone += fmt::format("{}{} {:.6g}", zone.empty() ? "" : ", ", name, value);
         rows.push_back({fmt::format("{}", material), number(m.density), number(m.bulk), number(m.shear), zone});
     }
     return grid_table({"material", "density", "bulk modulus", "shear modulus", "of zone models"}, rows);
@@ -163,7 +177,8 @@ std::string joint_table(const Model& model, const ReportOrder& order) {
         const auto names = order.property_names ? order.property_names(set.model) : std::vector<std::string>{};
         std::string values;
         for (std::size_t k = 0; k < set.values.size(); ++k)
-            values += fmt::format("{}{}{:.6g}", values.empty() ? "" : ", ", k < names.size() ? names[k] + " " : "", set.values[k]);
+            values += fmt::format("{}{}{:.6g}", values.empty() ? "" : ", ", k < names.size() ? names[k] + " " : "",
+                                  set.values[k]);
         rows.push_back({set.model, fmt::format("{}", set.material), fmt::format("{}", contacts), values, set.place});
     }
     return grid_table({"joint model", "material", "contacts", "properties", "given in"}, rows);
@@ -197,7 +212,8 @@ std::string boundary_table(const Model& model) {
     std::size_t blocks = 0, points = 0, rollers = 0, loaded = 0;
     Vec3 load = Vec3::Zero();
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-        blocks += !model.blocks.deformable[b] && (model.blocks.fixed[b] != 0 || model.gridpoints.roller[model.blocks.gridpoints[b].first] != 0);
+        blocks += !model.blocks.deformable[b] &&
+                  (model.blocks.fixed[b] != 0 || model.gridpoints.roller[model.blocks.gridpoints[b].first] != 0);
         load += block_load(model, static_cast<Row>(b));
     }
     for (std::size_t g = 0; g < model.gridpoints.size(); ++g) {

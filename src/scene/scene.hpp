@@ -12,9 +12,11 @@ namespace kaya {
 struct ColourBar {
     std::string title; ///< quantity and unit: "displacement [length]"
     double low = 0, high = 1;
-    bool diverging = false; ///< zero is in the middle
+    bool diverging = false;         ///< zero is in the middle
     std::vector<std::string> names; ///< value k is the k-th name; none: a range of numbers
-    template <class Visit> void parts(Visit&& visit) { visit(title), visit(low), visit(high), visit(diverging), visit(names); }
+    template <class Visit> void parts(Visit&& visit) {
+        visit(title), visit(low), visit(high), visit(diverging), visit(names);
+    }
 };
 
 /// Things of one kind that are drawn alike. No point is shared.
@@ -28,7 +30,8 @@ struct Layer {
     float opacity = 1, width = 1;
     std::int32_t bar = -1; ///< index into Scene::bars
     template <class Visit> void parts(Visit&& visit) {
-        visit(kind), visit(points), visit(values), visit(vectors), visit(colour), visit(opacity), visit(width), visit(bar);
+        visit(kind), visit(points), visit(values), visit(vectors), visit(colour), visit(opacity), visit(width),
+            visit(bar);
     }
 };
 
@@ -44,7 +47,8 @@ struct Scene {
     std::vector<ColourBar> bars;
     std::vector<Layer> layers;
     template <class Visit> void parts(Visit&& visit) {
-        visit(title), visit(note), visit(width), visit(height), visit(dip), visit(dip_direction), visit(centre), visit(has_centre);
+        visit(title), visit(note), visit(width), visit(height), visit(dip), visit(dip_direction), visit(centre),
+            visit(has_centre);
         visit(magnification), visit(perspective), visit(axes), visit(bars), visit(layers);
     }
 };

@@ -44,8 +44,10 @@ struct Frame {
     double up(double value) const { return bottom - (value - y.low) / (y.high - y.low) * (bottom - top); }
 };
 
-std::string text_at(double x, double y, const std::string& text, const char* anchor, double size, const char* more = "") {
-    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{:.1f}\"{}>{}</text>\n", x, y, anchor, size, more, xml(text));
+std::string text_at(double x, double y, const std::string& text, const char* anchor, double size,
+                    const char* more = "") {
+    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{:.1f}\"{}>{}</text>\n", x, y,
+                       anchor, size, more, xml(text));
 }
 
 std::string grid(const Frame& f) {
@@ -61,8 +63,10 @@ std::string grid(const Frame& f) {
         line(f.left, f.up(value), f.right, f.up(value));
         svg += text_at(f.left - 0.5 * f.font, f.up(value) + 0.35 * f.font, f.y.label(value), "end", f.font);
     }
-    return svg + fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"#444\"/>\n", f.left,
-                             f.top, f.right - f.left, f.bottom - f.top);
+    return svg +
+           fmt::format(
+               "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"#444\"/>\n",
+               f.left, f.top, f.right - f.left, f.bottom - f.top);
 }
 
 /// A gap where a number is missing.
@@ -82,21 +86,27 @@ std::string marks_of(const Curve& curve, const Frame& f, const std::string& colo
     std::string svg;
     for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i)
         if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i]))
-            svg += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.1f}\" fill=\"{}\"/>\n", f.across(curve.x[i]), f.up(curve.y[i]), f.font / 3, colour);
+            svg += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.1f}\" fill=\"{}\"/>\n", f.across(curve.x[i]),
+                               f.up(curve.y[i]), f.font / 3, colour);
     return svg;
 }
 
 /// The circle with its four winds.
 std::string net_of(const Frame& f) {
     const double x = f.across(0), y = f.up(0), r = f.across(1) - x;
-    std::string svg = fmt::format("<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2:.1f}\" fill=\"none\" stroke=\"#444\"/>\n<path d=\"M{0:.1f} {1:.1f}m-6 0h12m-6 -6v12\" stroke=\"#999\"/>\n", x, y, r);
-    svg += text_at(x, y - r - 0.5 * f.font, "N", "middle", f.font) + text_at(x, y + r + 1.3 * f.font, "S", "middle", f.font);
-    return svg + text_at(x + r + 0.5 * f.font, y + 0.35 * f.font, "E", "start", f.font) + text_at(x - r - 0.5 * f.font, y + 0.35 * f.font, "W", "end", f.font);
+    std::string svg = fmt::format(
+        "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2:.1f}\" fill=\"none\" stroke=\"#444\"/>\n<path d=\"M{0:.1f} {1:.1f}m-6 0h12m-6 -6v12\" stroke=\"#999\"/>\n",
+        x, y, r);
+    svg += text_at(x, y - r - 0.5 * f.font, "N", "middle", f.font) +
+           text_at(x, y + r + 1.3 * f.font, "S", "middle", f.font);
+    return svg + text_at(x + r + 0.5 * f.font, y + 0.35 * f.font, "E", "start", f.font) +
+           text_at(x - r - 0.5 * f.font, y + 0.35 * f.font, "W", "end", f.font);
 }
 
 /// A square frame for a net, in the middle of the picture.
 Frame net_frame(const Chart& chart, double font) {
-    const double half = 0.5 * std::min(chart.width - 6 * font, chart.height - 11 * font), x = chart.width / 2.0, y = 5.5 * font + half;
+    const double half = 0.5 * std::min(chart.width - 6 * font, chart.height - 11 * font), x = chart.width / 2.0,
+                 y = 5.5 * font + half;
     Frame f{round_ticks(-1, 1, 2), round_ticks(-1, 1, 2), x - half, x + half, y - half, y + half, font};
     f.x.low = f.y.low = -1, f.x.high = f.y.high = 1;
     return f;
@@ -112,13 +122,22 @@ std::string svg_of(const Chart& chart) {
     }
     const double font = std::max(10.0, chart.width / 70.0);
     const bool legend = chart.curves.size() > 1 || chart.net;
-    const Frame f = chart.net ? net_frame(chart, font) : Frame{round_ticks(x.low, x.high, 7), round_ticks(y.low, y.high, 6), 7 * font, chart.width - 2 * font, 4 * font,
-                  chart.height - (legend ? 6.0 : 4.5) * font, font};
-    std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-                                  "font-family=\"sans-serif\" fill=\"#222\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
-                                  chart.width, chart.height);
-    svg += text_at(chart.width / 2.0, 2.3 * font, chart.title, "middle", 1.3 * font) + (chart.net ? net_of(f) : grid(f));
-    svg += text_at((f.left + f.right) / 2, f.bottom + (chart.net ? 2.8 : 3.2) * font, chart.x_label, "middle", 1.1 * font);
+    const Frame f = chart.net ? net_frame(chart, font)
+                              : Frame{round_ticks(x.low, x.high, 7),
+                                      round_ticks(y.low, y.high, 6),
+                                      7 * font,
+                                      chart.width - 2 * font,
+                                      4 * font,
+                                      chart.height - (legend ? 6.0 : 4.5) * font,
+                                      font};
+    std::string svg =
+        fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+                    "font-family=\"sans-serif\" fill=\"#222\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
+                    chart.width, chart.height);
+    svg +=
+        text_at(chart.width / 2.0, 2.3 * font, chart.title, "middle", 1.3 * font) + (chart.net ? net_of(f) : grid(f));
+    svg +=
+        text_at((f.left + f.right) / 2, f.bottom + (chart.net ? 2.8 : 3.2) * font, chart.x_label, "middle", 1.1 * font);
     const double middle = (f.top + f.bottom) / 2;
     svg += text_at(1.6 * font, middle, chart.y_label, "middle", 1.1 * font,
                    fmt::format(" transform=\"rotate(-90 {:.1f} {:.1f})\"", 1.6 * font, middle).c_str());
@@ -128,12 +147,17 @@ std::string svg_of(const Chart& chart) {
         const std::string colour = colour_text(i);
         if (curve.marks) svg += marks_of(curve, f, colour);
         else
-            svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.1f}\" stroke-linejoin=\"round\"/>\n", path_of(curve, f),
-                               colour, font / 7);
+            svg += fmt::format(
+                "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.1f}\" stroke-linejoin=\"round\"/>\n",
+                path_of(curve, f), colour, font / 7);
         if (!legend || curve.name.empty()) continue;
         const double base = chart.height - font;
-        if (curve.marks) svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\"/>\n", at + font, base - 0.35 * font, font / 3, colour);
-        else svg += fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}\" stroke=\"{}\" stroke-width=\"{:.1f}\"/>\n", at, base - 0.35 * font, 2 * font, colour, font / 4);
+        if (curve.marks)
+            svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\"/>\n", at + font,
+                               base - 0.35 * font, font / 3, colour);
+        else
+            svg += fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}\" stroke=\"{}\" stroke-width=\"{:.1f}\"/>\n", at,
+                               base - 0.35 * font, 2 * font, colour, font / 4);
         svg += text_at(at + 2.5 * font, base, curve.name, "start", font);
         at += (4.5 + 0.6 * static_cast<double>(curve.name.size())) * font;
     }

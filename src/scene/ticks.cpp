@@ -52,7 +52,8 @@ std::string Ticks::label(double value) const {
     if (value != 0 && (largest >= 1e6 || largest < 1e-3)) {
         const double whole = std::floor(std::log10(largest)), digits = whole - std::floor(std::log10(step) + 1e-9);
         const int power = static_cast<int>(whole);
-        return fmt::format("{:.{}f}e{}", value / std::pow(10, power), static_cast<int>(std::clamp(digits, 0.0, 9.0)), power);
+        return fmt::format("{:.{}f}e{}", value / std::pow(10, power), static_cast<int>(std::clamp(digits, 0.0, 9.0)),
+                           power);
     }
     const int places = static_cast<int>(std::clamp(-std::floor(std::log10(step) + 1e-9), 0.0, 12.0));
     return fmt::format("{:.{}f}", value, places);
@@ -73,8 +74,9 @@ Colour diverging_colour(double part) {
 }
 
 Colour named_colour(std::size_t index) {
-    static constexpr Colour colours[] = {{0.34, 0.71, 0.91}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45}, {0.94, 0.89, 0.26},
-                                         {0.00, 0.45, 0.70}, {0.84, 0.37, 0.00}, {0.80, 0.47, 0.65}, {0.55, 0.55, 0.55}};
+    static constexpr Colour colours[] = {{0.34, 0.71, 0.91}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45},
+                                         {0.94, 0.89, 0.26}, {0.00, 0.45, 0.70}, {0.84, 0.37, 0.00},
+                                         {0.80, 0.47, 0.65}, {0.55, 0.55, 0.55}};
     return colours[index % std::size(colours)];
 }
 

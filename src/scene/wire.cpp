@@ -21,8 +21,10 @@ struct Writer {
             const std::uint64_t count = value.size();
             raw(&count, sizeof count);
             if constexpr (std::is_same_v<T, std::string>) raw(value.data(), count);
-            else if constexpr (is_plain<typename T::value_type>) raw(value.data(), count * sizeof(typename T::value_type));
-            else for (auto& part : value) (*this)(part);
+            else if constexpr (is_plain<typename T::value_type>)
+                raw(value.data(), count * sizeof(typename T::value_type));
+            else
+                for (auto& part : value) (*this)(part);
         } else value.parts(*this);
     }
 };
@@ -52,7 +54,8 @@ struct Reader {
             if (!whole) return;
             value.resize(count);
             if constexpr (is_plain<Part>) raw(value.data(), count * sizeof(Part));
-            else for (auto& part : value) (*this)(part);
+            else
+                for (auto& part : value) (*this)(part);
         } else value.parts(*this);
     }
 };

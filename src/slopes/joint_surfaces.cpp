@@ -29,11 +29,13 @@ std::vector<Line> lines_of(const SlopeColumns& columns) {
     std::vector<Line> lines;
     for (const SectionJoint& joint : columns.section().joints) {
         Line line{joint.from, joint.to};
-        if (line.to.x() < line.from.x() || (line.to.x() == line.from.x() && line.to.y() < line.from.y())) std::swap(line.from, line.to);
+        if (line.to.x() < line.from.x() || (line.to.x() == line.from.x() && line.to.y() < line.from.y()))
+            std::swap(line.from, line.to);
         if (!(line.length() > near)) continue;
         const auto same = std::ranges::find_if(lines, [&](const Line& other) {
             const SectionPoint along = (other.to - other.from).normalized();
-            return std::abs(cross(along, line.from - other.from)) < near && std::abs(cross(along, line.to - other.from)) < near;
+            return std::abs(cross(along, line.from - other.from)) < near &&
+                   std::abs(cross(along, line.to - other.from)) < near;
         });
         if (same == lines.end()) {
             lines.push_back(line);
@@ -52,13 +54,17 @@ std::vector<Line> lines_of(const SlopeColumns& columns) {
 struct Leg {
     enum class Kind { daylight, joint, straight };
     Kind kind = Kind::straight;
-    SectionPoint corner = SectionPoint::Zero(), end = SectionPoint::Zero(); ///< where it leaves and where it comes to the ground; of a straight leg not known yet
+    SectionPoint
+        corner = SectionPoint::Zero(),
+        end =
+            SectionPoint::Zero(); ///< where it leaves and where it comes to the ground; of a straight leg not known yet
 };
 
 class JointSearch {
 public:
     JointSearch(const SlopeColumns& columns, double no_answer, const std::function<double(const SlipSurface&)>& factor)
-        : columns_(columns), no_answer_(no_answer), factor_(factor), lines_(lines_of(columns)), near_(1e-6 * (columns.right() - columns.left())) {}
+        : columns_(columns), no_answer_(no_answer), factor_(factor), lines_(lines_of(columns)),
+          near_(1e-6 * (columns.right() - columns.left())) {}
 
     std::optional<JointSurface> weakest() {
         for (const Line& base : lines_) {
@@ -85,9 +91,11 @@ private:
             const double part = cross(other.from - base.from, leg) / across;
             if (part < -1e-6 || part > 1 + 1e-6) continue;
             const SectionPoint corner = base.from + part * along, top = right ? other.to : other.from;
-            const auto height = columns_.ground_at(top.x(), right ? SlopeColumns::Side::left : SlopeColumns::Side::right);
+            const auto height =
+                columns_.ground_at(top.x(), right ? SlopeColumns::Side::left : SlopeColumns::Side::right);
             const bool onward = right ? top.x() > corner.x() + near_ : top.x() < corner.x() - near_;
-            if (onward && height && std::abs(*height - top.y()) < 1e3 * near_) all.push_back({Leg::Kind::joint, corner, SectionPoint(top.x(), *height)});
+            if (onward && height && std::abs(*height - top.y()) < 1e3 * near_)
+                all.push_back({Leg::Kind::joint, corner, SectionPoint(top.x(), *height)});
         }
         return all;
     }
@@ -106,13 +114,16 @@ private:
         };
         if (!place(a, false) || !place(b, true) || !(b.corner.x() - a.corner.x() > near_)) return std::nullopt;
         // An upright leg would be no part of the surface, which would then end below the ground.
-        const auto upright = [&](const Leg& leg) { return leg.kind != Leg::Kind::daylight && std::abs(leg.end.x() - leg.corner.x()) <= near_; };
+        const auto upright = [&](const Leg& leg) {
+            return leg.kind != Leg::Kind::daylight && std::abs(leg.end.x() - leg.corner.x()) <= near_;
+        };
         if (upright(a) || upright(b)) return std::nullopt;
         SlipSurface found;
         for (const SectionPoint& point : {a.end, a.corner, b.corner, b.end})
             if (found.points.empty() || point.x() - found.points.back().x() > near_) found.points.push_back(point);
         for (std::size_t k = 1; k + 1 < found.points.size(); ++k)
-            if (cross(found.points[k] - found.points[k - 1], found.points[k + 1] - found.points[k]) < -near_ * near_) return std::nullopt;
+            if (cross(found.points[k] - found.points[k - 1], found.points[k + 1] - found.points[k]) < -near_ * near_)
+                return std::nullopt;
         return found.points.size() < 2 ? std::nullopt : std::optional(found);
     }
 
@@ -155,7 +166,8 @@ private:
         if (start.empty()) return;
         const Objective objective = [&](const std::vector<double>& to) { return value(base, a, b, to); };
         nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(x.size()));
-        optimiser.set_min_objective([](const std::vector<double>& to, std::vector<double>&, void* data) { return (*static_cast<const Objective*>(data))(to); },
+        optimiser.set_min_objective([](const std::vector<double>& to, std::vector<double>&,
+                                       void* data) { return (*static_cast<const Objective*>(data))(to); },
                                     const_cast<Objective*>(&objective));
         optimiser.set_lower_bounds(low);
         optimiser.set_upper_bounds(high);
@@ -166,8 +178,7 @@ private:
         optimiser.set_ftol_rel(1e-5);
         try {
             optimiser.optimize(start, least);
-        } catch (const nlopt::roundoff_limited&) {
-        }
+        } catch (const nlopt::roundoff_limited&) {}
     }
 
     using Objective = std::function<double(const std::vector<double>&)>;
@@ -181,7 +192,8 @@ private:
 
 } // namespace
 
-std::optional<JointSurface> weakest_along_joints(const SlopeColumns& columns, double no_answer, const std::function<double(const SlipSurface&)>& factor) {
+std::optional<JointSurface> weakest_along_joints(const SlopeColumns& columns, double no_answer,
+                                                 const std::function<double(const SlipSurface&)>& factor) {
     return JointSearch(columns, no_answer, factor).weakest();
 }
 

@@ -16,6 +16,7 @@ struct JointSurface {
 /// The weakest of surfaces along one joint of the section that leave it at either end along another joint, on a straight leg to the
 /// ground, or where it comes to daylight. `factor` gives a surface's factor of safety, and `no_answer` or more when it has none. The longest
 /// joints are looked at.
-std::optional<JointSurface> weakest_along_joints(const SlopeColumns& columns, double no_answer, const std::function<double(const SlipSurface&)>& factor);
+std::optional<JointSurface> weakest_along_joints(const SlopeColumns& columns, double no_answer,
+                                                 const std::function<double(const SlipSurface&)>& factor);
 
 } // namespace kaya

@@ -27,7 +27,8 @@ public:
     Search(const SlopeColumns& columns, const SurfaceSearch& search) : columns_(columns), search_(search) {
         const double width = columns.right() - columns.left();
         double low = INFINITY, high = -INFINITY;
-        for (const SectionPoint& point : columns.ground()) low = std::min(low, point.y()), high = std::max(high, point.y());
+        for (const SectionPoint& point : columns.ground())
+            low = std::min(low, point.y()), high = std::max(high, point.y());
         size_ = high - low > 1e-3 * width ? high - low : width;
         least_depth_ = std::max(search.least_depth, 1e-3 * size_);
     }
@@ -36,7 +37,9 @@ public:
     std::vector<Ends> both_ends() const {
         const std::array<double, 2> all{columns_.left(), columns_.right()};
         const auto entry = search_.entry.value_or(all), exit = search_.exit.value_or(all);
-        const auto sorted = [](std::array<double, 2> pair) { return std::array{std::min(pair[0], pair[1]), std::max(pair[0], pair[1])}; };
+        const auto sorted = [](std::array<double, 2> pair) {
+            return std::array{std::min(pair[0], pair[1]), std::max(pair[0], pair[1])};
+        };
         return {{sorted(entry), sorted(exit)}, {sorted(exit), sorted(entry)}};
     }
     bool slides(const SlipSurface& surface, bool right) const {
@@ -46,8 +49,11 @@ public:
     /// Whether its ends and its depth are as asked for.
     bool allows(const SlipSurface& surface, bool right) const {
         const Ends ends = both_ends()[right ? 0 : 1];
-        const auto within = [](double x, const std::array<double, 2>& limits) { return x >= limits[0] && x <= limits[1]; };
-        return within(surface.points.front().x(), ends.left) && within(surface.points.back().x(), ends.right) && depth_of(surface) >= least_depth_;
+        const auto within = [](double x, const std::array<double, 2>& limits) {
+            return x >= limits[0] && x <= limits[1];
+        };
+        return within(surface.points.front().x(), ends.left) && within(surface.points.back().x(), ends.right) &&
+               depth_of(surface) >= least_depth_;
     }
 
     double factor(const SlipSurface& surface, SliceMethod method) const {
@@ -64,7 +70,8 @@ public:
         const auto z_left = columns_.ground_at(left), z_right = columns_.ground_at(right, SlopeColumns::Side::left);
         if (!z_left || !z_right || !(sag > 1e-4)) return std::nullopt;
         const SectionPoint a(left, *z_left), b(right, *z_right), chord = b - a;
-        const double length = chord.norm(), depth = sag * length, radius = (0.25 * length * length + depth * depth) / (2 * depth);
+        const double length = chord.norm(), depth = sag * length,
+                     radius = (0.25 * length * length + depth * depth) / (2 * depth);
         const SectionPoint normal(-chord.y() / length, chord.x() / length); // upward
         const SectionPoint centre = 0.5 * (a + b) + (radius - depth) * normal;
         // The lower half of the circle only: a surface has one height at each distance.
@@ -90,7 +97,8 @@ public:
         }
         // A body could not move over a corner that points upward.
         for (std::size_t k = 1; k + 1 < surface.points.size(); ++k) {
-            const SectionPoint before = surface.points[k] - surface.points[k - 1], after = surface.points[k + 1] - surface.points[k];
+            const SectionPoint before = surface.points[k] - surface.points[k - 1],
+                               after = surface.points[k + 1] - surface.points[k];
             if (before.x() * after.y() - before.y() * after.x() < -1e-9 * size_ * size_) return std::nullopt;
         }
         if (depth_of(surface) < least_depth_) return std::nullopt;
@@ -99,7 +107,8 @@ public:
 
     double depth_of(const SlipSurface& surface) const {
         double depth = 0;
-        for (const SectionPoint& point : surface.points) depth = std::max(depth, columns_.ground_at(point.x()).value_or(-INFINITY) - point.y());
+        for (const SectionPoint& point : surface.points)
+            depth = std::max(depth, columns_.ground_at(point.x()).value_or(-INFINITY) - point.y());
         return depth;
     }
 
@@ -129,7 +138,8 @@ std::vector<Candidate> circle_net(const Search& search, SliceMethod method) {
             stop_point();
             for (int j = 0; j <= steps; ++j)
                 for (int k = 0; k < sags; ++k) {
-                    std::vector<double> x{ends.left[0] + (ends.left[1] - ends.left[0]) * i / steps, ends.right[0] + (ends.right[1] - ends.right[0]) * j / steps,
+                    std::vector<double> x{ends.left[0] + (ends.left[1] - ends.left[0]) * i / steps,
+                                          ends.right[0] + (ends.right[1] - ends.right[0]) * j / steps,
                                           0.02 * std::pow(25.0, static_cast<double>(k) / (sags - 1))};
                     const auto surface = search.circle(x[0], x[1], x[2]);
                     if (!surface || !search.slides(*surface, right)) continue;
@@ -156,11 +166,13 @@ std::vector<Candidate> circle_net(const Search& search, SliceMethod method) {
 using Objective = std::function<double(const std::vector<double>&)>;
 
 /// Downhill without derivatives, anew from its end until that gives nothing more.
-Candidate downhill(Candidate from, const std::vector<double>& steps, const std::vector<double>& low, const std::vector<double>& high, const Objective& objective) {
+Candidate downhill(Candidate from, const std::vector<double>& steps, const std::vector<double>& low,
+                   const std::vector<double>& high, const Objective& objective) {
     for (int round = 0; round < 4; ++round) {
         const double before = from.factor;
         nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(from.x.size()));
-        optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&, void* data) { return (*static_cast<const Objective*>(data))(x); },
+        optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
+                                       void* data) { return (*static_cast<const Objective*>(data))(x); },
                                     const_cast<Objective*>(&objective));
         optimiser.set_lower_bounds(low);
         optimiser.set_upper_bounds(high);
@@ -199,11 +211,13 @@ std::optional<Candidate> best_circle(const Search& search, std::vector<Candidate
         const Ends& ends = both_ends[start.right ? 0 : 1];
         const Objective objective = [&](const std::vector<double>& x) {
             const auto surface = search.circle(x[0], x[1], x[2]);
-            return surface && search.slides(*surface, start.right) ? search.factor(*surface, search.asked().method) : no_answer;
+            return surface && search.slides(*surface, start.right) ? search.factor(*surface, search.asked().method)
+                                                                   : no_answer;
         };
         Candidate from = start;
         from.factor = objective(from.x);
-        from = downhill(from, {0.1 * search.size(), 0.1 * search.size(), 0.2 * from.x[2]}, {ends.left[0], ends.right[0], 1e-3}, {ends.left[1], ends.right[1], 0.5}, objective);
+        from = downhill(from, {0.1 * search.size(), 0.1 * search.size(), 0.2 * from.x[2]},
+                        {ends.left[0], ends.right[0], 1e-3}, {ends.left[1], ends.right[1], 0.5}, objective);
         if (from.factor >= no_answer) continue;
         if (all != nullptr) all->push_back(from);
         if (!best || from.factor < best->factor) best = from;
@@ -246,7 +260,8 @@ std::optional<FoundSurface> weakest_polyline(const SlopeColumns& columns, const 
             const auto surface = search.polyline(x);
             return surface && search.slides(*surface, right) ? search.factor(*surface, by_forces.method) : no_answer;
         };
-        std::vector<double> low{ends.left[0], ends.right[0]}, high{ends.left[1], ends.right[1]}, steps{0.1 * search.size(), 0.1 * search.size()};
+        std::vector<double> low{ends.left[0], ends.right[0]}, high{ends.left[1], ends.right[1]},
+            steps{0.1 * search.size(), 0.1 * search.size()};
         low.resize(inner + 2, 0.0);
         high.resize(inner + 2, 1.0);
         steps.resize(inner + 2, 0.03);
@@ -257,8 +272,10 @@ std::optional<FoundSurface> weakest_polyline(const SlopeColumns& columns, const 
             const SectionPoint a = surface->points.front(), b = surface->points.back();
             Candidate start{no_answer, {a.x(), b.x()}, right};
             for (std::size_t k = 1; k <= inner; ++k) {
-                const double part = static_cast<double>(k) / static_cast<double>(inner + 1), at = a.x() + part * (b.x() - a.x()), d = at - surface->circle->centre.x();
-                const double z = surface->circle->centre.y() - std::sqrt(std::max(0.0, surface->circle->radius * surface->circle->radius - d * d));
+                const double part = static_cast<double>(k) / static_cast<double>(inner + 1),
+                             at = a.x() + part * (b.x() - a.x()), d = at - surface->circle->centre.x();
+                const double z = surface->circle->centre.y() -
+                                 std::sqrt(std::max(0.0, surface->circle->radius * surface->circle->radius - d * d));
                 start.x.push_back((a.y() + part * (b.y() - a.y()) - z) / (b.x() - a.x()));
             }
             start.factor = objective(start.x);
@@ -269,7 +286,8 @@ std::optional<FoundSurface> weakest_polyline(const SlopeColumns& columns, const 
         for (int run = 0; run < 2 && !starts.empty(); ++run) {
             stop_point();
             nlopt::opt optimiser(nlopt::GN_CRS2_LM, static_cast<unsigned>(inner + 2));
-            optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&, void* data) { return (*static_cast<const Objective*>(data))(x); },
+            optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
+                                           void* data) { return (*static_cast<const Objective*>(data))(x); },
                                         const_cast<Objective*>(&objective));
             optimiser.set_lower_bounds(low);
             std::vector<double> reach = high;
@@ -282,8 +300,7 @@ std::optional<FoundSurface> weakest_polyline(const SlopeColumns& columns, const 
             for (std::size_t i = 0; i < start.x.size(); ++i) start.x[i] = std::clamp(start.x[i], low[i], reach[i]);
             try {
                 optimiser.optimize(start.x, start.factor);
-            } catch (const nlopt::roundoff_limited&) {
-            }
+            } catch (const nlopt::roundoff_limited&) {}
             start.factor = objective(start.x);
             starts.push_back(std::move(start));
         }

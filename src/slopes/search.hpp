@@ -11,7 +11,8 @@ namespace kaya {
 struct SurfaceSearch {
     SliceMethod method = SliceMethod::spencer; ///< of the last search; the first looks at circles with bishop
     int slices = 30;
-    std::optional<std::array<double, 2>> entry, exit; ///< where the upper and the lower end may lie, along the section; anywhere if not given
+    std::optional<std::array<double, 2>> entry,
+        exit;               ///< where the upper and the lower end may lie, along the section; anywhere if not given
     int corners = 8;        ///< of a polyline, the ends included
     double least_depth = 0; ///< length; surfaces that stay nearer to the ground do not count
 };

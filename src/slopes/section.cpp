@@ -50,7 +50,8 @@ SlopeColumns::SlopeColumns(const SlopeSection& section) : section_(section) {
     std::vector<std::vector<std::size_t>> cells_of(kept.size());
     for (std::size_t c = 0; c < section.cells.size(); ++c) {
         double from = INFINITY, to = -INFINITY;
-        for (const SectionPoint& corner : section.cells[c].corners) from = std::min(from, corner.x()), to = std::max(to, corner.x());
+        for (const SectionPoint& corner : section.cells[c].corners)
+            from = std::min(from, corner.x()), to = std::max(to, corner.x());
         const auto first = std::ranges::lower_bound(kept, from - 2 * near_) - kept.begin();
         for (std::size_t k = static_cast<std::size_t>(first); k + 1 < kept.size() && kept[k] < to - 2 * near_; ++k)
             if (0.5 * (kept[k] + kept[k + 1]) > from) cells_of[k].push_back(c);
@@ -60,7 +61,8 @@ SlopeColumns::SlopeColumns(const SlopeSection& section) : section_(section) {
         const double quarter = 0.25 * (strip.to - strip.from);
         for (const std::size_t c : cells_of[k]) {
             // Straight lines between corners: two places within the strip tell their ends, free of what rounding does at the corners.
-            const auto one = heights_at(section.cells[c].corners, strip.from + quarter), two = heights_at(section.cells[c].corners, strip.to - quarter);
+            const auto one = heights_at(section.cells[c].corners, strip.from + quarter),
+                       two = heights_at(section.cells[c].corners, strip.to - quarter);
             if (!one || !two) continue;
             const auto at = [](double a, double b) { return std::array{1.5 * a - 0.5 * b, 1.5 * b - 0.5 * a}; };
             const auto top = at((*one)[1], (*two)[1]), bottom = at((*one)[0], (*two)[0]);
@@ -68,15 +70,20 @@ SlopeColumns::SlopeColumns(const SlopeSection& section) : section_(section) {
         }
         if (strip.layers.empty()) {
             if (strips_.empty()) continue;
-            throw Diagnostic("the section has a gap", "slip surfaces need blocks from one end of the section to the other");
+            throw Diagnostic("the section has a gap",
+                             "slip surfaces need blocks from one end of the section to the other");
         }
-        std::ranges::sort(strip.layers, [](const Layer& a, const Layer& b) { return a.top_left + a.top_right > b.top_left + b.top_right; });
+        std::ranges::sort(strip.layers, [](const Layer& a, const Layer& b) {
+            return a.top_left + a.top_right > b.top_left + b.top_right;
+        });
         const Layer& top = strip.layers.front();
-        if (ground_.empty() || std::abs(ground_.back().y() - top.top_left) > near_) ground_.emplace_back(strip.from, top.top_left);
+        if (ground_.empty() || std::abs(ground_.back().y() - top.top_left) > near_)
+            ground_.emplace_back(strip.from, top.top_left);
         ground_.emplace_back(strip.to, top.top_right);
         strips_.push_back(std::move(strip));
     }
-    if (strips_.empty()) throw Diagnostic("the section cuts no block", "give another place or direction of the section");
+    if (strips_.empty())
+        throw Diagnostic("the section cuts no block", "give another place or direction of the section");
 }
 
 const SlopeColumns::Strip* SlopeColumns::strip_at(double distance) const {
@@ -90,7 +97,8 @@ std::optional<double> SlopeColumns::ground_at(double distance, Side side) const 
     if (strip == nullptr) return std::nullopt;
     if (side == Side::left && distance - strip->from < near_ && strip != &strips_.front()) --strip;
     const Layer& top = strip->layers.front();
-    return between(top.top_left, top.top_right, std::clamp((distance - strip->from) / (strip->to - strip->from), 0.0, 1.0));
+    return between(top.top_left, top.top_right,
+                   std::clamp((distance - strip->from) / (strip->to - strip->from), 0.0, 1.0));
 }
 
 SlopeColumns::Column SlopeColumns::column(const SectionPoint& base) const {
@@ -125,7 +133,8 @@ const Strength* SlopeColumns::strength_at(const SectionPoint& place, const Secti
     if (strip == nullptr) return nullptr;
     const double part = std::clamp((place.x() - strip->from) / (strip->to - strip->from), 0.0, 1.0);
     for (const Layer& layer : strip->layers)
-        if (place.y() >= between(layer.bottom_left, layer.bottom_right, part) - near_) return &section_.strengths[section_.cells[layer.cell].strength];
+        if (place.y() >= between(layer.bottom_left, layer.bottom_right, part) - near_)
+            return &section_.strengths[section_.cells[layer.cell].strength];
     return nullptr;
 }
 
@@ -148,7 +157,9 @@ std::optional<SlipSurface> circle_surface(const SlopeColumns& columns, const Sec
     // The part of the circle that lies deepest.
     std::optional<std::array<double, 2>> best;
     double deepest = 0;
-    const auto height = [&](double x) { return centre.y() - std::sqrt(std::max(0.0, radius * radius - (x - centre.x()) * (x - centre.x()))); };
+    const auto height = [&](double x) {
+        return centre.y() - std::sqrt(std::max(0.0, radius * radius - (x - centre.x()) * (x - centre.x())));
+    };
     for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
         double depth = 0;
         for (int k = 1; k < 8; ++k) {
@@ -177,11 +188,14 @@ namespace {
 double surface_height(const SlipSurface& surface, double x) {
     if (surface.circle) {
         const double d = x - surface.circle->centre.x();
-        return surface.circle->centre.y() - std::sqrt(std::max(0.0, surface.circle->radius * surface.circle->radius - d * d));
+        return surface.circle->centre.y() -
+               std::sqrt(std::max(0.0, surface.circle->radius * surface.circle->radius - d * d));
     }
     const auto& points = surface.points;
     const auto next = std::ranges::upper_bound(points, x, {}, [](const SectionPoint& p) { return p.x(); });
-    const std::size_t i = next == points.end() ? points.size() - 1 : std::max<std::size_t>(1, static_cast<std::size_t>(next - points.begin()));
+    const std::size_t i = next == points.end()
+                              ? points.size() - 1
+                              : std::max<std::size_t>(1, static_cast<std::size_t>(next - points.begin()));
     const SectionPoint &a = points[i - 1], &b = points[i];
     return b.x() == a.x() ? a.y() : between(a.y(), b.y(), (x - a.x()) / (b.x() - a.x()));
 }
@@ -190,10 +204,13 @@ double surface_height(const SlipSurface& surface, double x) {
 double crack_end(const SlopeColumns& columns, const SlipSurface& surface, double upper, double lower) {
     const double depth = columns.section().crack_depth;
     const SlopeColumns::Side side = upper < lower ? SlopeColumns::Side::right : SlopeColumns::Side::left;
-    const auto covered = [&](double x) { return columns.ground_at(x, side).value_or(-INFINITY) - surface_height(surface, x) >= depth; };
+    const auto covered = [&](double x) {
+        return columns.ground_at(x, side).value_or(-INFINITY) - surface_height(surface, x) >= depth;
+    };
     constexpr int steps = 400;
     for (int k = 1; k <= steps; ++k) {
-        double out = between(upper, lower, (k - 1.0) / steps), in = between(upper, lower, static_cast<double>(k) / steps);
+        double out = between(upper, lower, (k - 1.0) / steps),
+               in = between(upper, lower, static_cast<double>(k) / steps);
         if (!covered(in)) continue;
         for (int i = 0; i < 60; ++i) (covered(0.5 * (out + in)) ? in : out) = 0.5 * (out + in);
         return in;
@@ -227,10 +244,13 @@ std::optional<SlipBody> body_above(const SlopeColumns& columns, const SlipSurfac
     if (!surface.circle)
         for (const SectionPoint& point : surface.points) add(point.x());
     std::ranges::sort(marks);
-    marks.erase(std::unique(marks.begin(), marks.end(), [&](double a, double b) { return b - a < least; }), marks.end());
+    marks.erase(std::unique(marks.begin(), marks.end(), [&](double a, double b) { return b - a < least; }),
+                marks.end());
     marks.back() = last;
 
-    const auto pressure = [&](const SectionPoint& at) { return section.pore_pressure ? std::max(0.0, section.pore_pressure(at)) : 0.0; };
+    const auto pressure = [&](const SectionPoint& at) {
+        return section.pore_pressure ? std::max(0.0, section.pore_pressure(at)) : 0.0;
+    };
     const double sense = rightward ? 1 : -1;
     const SectionPoint chord(last - first, surface_height(surface, last) - surface_height(surface, first));
     double depth = 0;
@@ -239,7 +259,8 @@ std::optional<SlipBody> body_above(const SlopeColumns& columns, const SlipSurfac
         const SectionPoint a(from, surface_height(surface, from)), b(to, surface_height(surface, to));
         const SectionPoint base = 0.5 * (a + b);
         const auto top = columns.ground_at(middle);
-        if (!top || *top < base.y() - 1e-9 * chord.norm() || base.y() < columns.lowest() - 1e-9 * chord.norm()) return std::nullopt;
+        if (!top || *top < base.y() - 1e-9 * chord.norm() || base.y() < columns.lowest() - 1e-9 * chord.norm())
+            return std::nullopt;
         const SlopeColumns::Column column = columns.column(base);
         Slice slice;
         slice.width = to - from;
@@ -249,7 +270,8 @@ std::optional<SlipBody> body_above(const SlopeColumns& columns, const SlipSurfac
         slice.pore_pressure = pressure(base) + section.pressure_ratio * column.weight;
         slice.strength = columns.strength_at(base, surface.circle ? SectionPoint::Zero() : SectionPoint(b - a));
         if (slice.strength == nullptr) return std::nullopt;
-        const SectionPoint left_top(from, *columns.ground_at(from, SlopeColumns::Side::right)), right_top(to, *columns.ground_at(to, SlopeColumns::Side::left));
+        const SectionPoint left_top(from, *columns.ground_at(from, SlopeColumns::Side::right)),
+            right_top(to, *columns.ground_at(to, SlopeColumns::Side::left));
         // Open water lies on the ground: its pressure acts along the normal, into it.
         const double on_top = pressure(SectionPoint(middle, *top));
         slice.downward = on_top * slice.width;
@@ -260,7 +282,8 @@ std::optional<SlipBody> body_above(const SlopeColumns& columns, const SlipSurfac
         };
         push(sense * on_top * (right_top.y() - left_top.y()), *top);
         // Beside an upright part of the ground, on the slice that it bounds.
-        const double beyond_right = k + 2 < marks.size() ? *columns.ground_at(to, SlopeColumns::Side::right) : right_top.y();
+        const double beyond_right =
+            k + 2 < marks.size() ? *columns.ground_at(to, SlopeColumns::Side::right) : right_top.y();
         const double beyond_left = k > 0 ? *columns.ground_at(from, SlopeColumns::Side::left) : left_top.y();
         const auto limit_side = [&](double x, double high, double low, double direction) {
             if (!(high > low)) return;
@@ -281,7 +304,9 @@ std::optional<SlipBody> body_above(const SlopeColumns& columns, const SlipSurfac
         const double height = std::min(section.crack_water, section.crack_depth);
         body.water_force = 0.5 * section.water_weight * height * height;
         body.water_arm = height / 3;
-        if (surface.circle) body.water_height = surface.circle->centre.y() - (surface_height(surface, rightward ? first : last) + body.water_arm);
+        if (surface.circle)
+            body.water_height =
+                surface.circle->centre.y() - (surface_height(surface, rightward ? first : last) + body.water_arm);
     }
     if (!rightward) {
         std::ranges::reverse(body.slices);

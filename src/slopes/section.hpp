@@ -32,11 +32,11 @@ struct SlopeSection {
     std::vector<SectionJoint> joints;
     std::vector<Strength> strengths;
     std::function<double(const SectionPoint&)> pore_pressure; ///< stress; empty: none
-    double pressure_ratio = 0;   ///< pore pressure over the weight of what lies above, besides
-    double water_weight = 0;     ///< force/length^3, of water in a tension crack
-    double seismic = 0;          ///< horizontal acceleration over gravity, to where the body slides
-    double crack_depth = 0;      ///< a slip surface ends where it is so near below the ground
-    double crack_water = 0;      ///< height of water in the crack
+    double pressure_ratio = 0; ///< pore pressure over the weight of what lies above, besides
+    double water_weight = 0;   ///< force/length^3, of water in a tension crack
+    double seismic = 0;        ///< horizontal acceleration over gravity, to where the body slides
+    double crack_depth = 0;    ///< a slip surface ends where it is so near below the ground
+    double crack_water = 0;    ///< height of water in the crack
 };
 
 /// The section as columns: between two corners that follow each other along it, what lies above each other never changes.

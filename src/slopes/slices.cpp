@@ -61,9 +61,9 @@ private:
 
     const SlipBody& body_;
     std::vector<Coulomb> lines_;
-    std::vector<double> normal_;  ///< on the bases, force/length
-    std::vector<double> thrust_;  ///< between slices, positive in compression
-    std::vector<double> heights_; ///< of the line of thrust above the slip surface
+    std::vector<double> normal_;        ///< on the bases, force/length
+    std::vector<double> thrust_;        ///< between slices, positive in compression
+    std::vector<double> heights_;       ///< of the line of thrust above the slip surface
     std::vector<double> sine_, cosine_; ///< of the base angles
     std::vector<double> shapes_;
     double lambda_ = 0;
@@ -177,11 +177,15 @@ std::optional<double> Statics::balanced(double lambda) {
                 const std::optional<double> there = left_over(middle);
                 if (!there) bad = middle;
                 else if (*there > 0) good = middle, upper = there;
-                else return found(zero_between([&](double f) { return left_over(f).value_or(0); }, good, *upper, middle, *there));
+                else
+                    return found(
+                        zero_between([&](double f) { return left_over(f).value_or(0); }, good, *upper, middle, *there));
             }
             return std::nullopt;
         }
-        if (*value <= 0) return found(zero_between([&](double f) { return left_over(f).value_or(0); }, above, *upper, factor, *value));
+        if (*value <= 0)
+            return found(
+                zero_between([&](double f) { return left_over(f).value_or(0); }, above, *upper, factor, *value));
         above = factor;
         upper = value;
     }
@@ -227,7 +231,8 @@ std::optional<double> Statics::rigorous() {
         return Try{lambda, *factor, end_moment(lambda)};
     };
     std::optional<Try> last;
-    for (const double lambda : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.65, 0.8, 1.0, 1.25, 1.5, 2.0, 2.5, 3.5, 5.0, 0.0, -0.1, -0.2, -0.35, -0.5, -0.75, -1.0, -1.5}) {
+    for (const double lambda : {0.0, 0.1, 0.2, 0.3, 0.4,  0.5,  0.65,  0.8,  1.0,   1.25, 1.5, 2.0,
+                                2.5, 3.5, 5.0, 0.0, -0.1, -0.2, -0.35, -0.5, -0.75, -1.0, -1.5}) {
         const std::optional<Try> now = attempt(lambda);
         if (lambda == 0) last.reset(); // begins anew, the other way
         if (now && last && std::signbit(now->moment) != std::signbit(last->moment)) {
@@ -252,7 +257,8 @@ std::optional<double> Statics::rigorous() {
 /// Janbu, Bjerrum and Kjaernsli 1956: for the shear forces between slices that the method leaves out.
 double Statics::janbu_correction() const {
     bool cohesion = false, friction = false;
-    for (const Coulomb& line : lines_) cohesion = cohesion || line.cohesion > 0, friction = friction || line.tan_friction > 0;
+    for (const Coulomb& line : lines_)
+        cohesion = cohesion || line.cohesion > 0, friction = friction || line.tan_friction > 0;
     const double b = cohesion && friction ? 0.5 : cohesion ? 0.69 : 0.31;
     return 1 + b * (body_.depth_ratio - 1.4 * body_.depth_ratio * body_.depth_ratio);
 }
@@ -264,7 +270,8 @@ std::optional<SliceAnswer> Statics::solve(SliceMethod method) {
         driving += down(i) * sine(i) + right(i) * cosine(i);
     }
     if (!(driving > 0)) return std::nullopt; // nothing pulls it to the right
-    const bool linear = std::ranges::all_of(body_.slices, [](const Slice& slice) { return slice.strength != nullptr && slice.strength->is_linear(); });
+    const bool linear = std::ranges::all_of(
+        body_.slices, [](const Slice& slice) { return slice.strength != nullptr && slice.strength->is_linear(); });
     shape(method == SliceMethod::morgenstern_price);
     std::optional<double> factor;
     for (int round = 0; round < (linear ? 1 : 100); ++round) {
@@ -286,7 +293,8 @@ std::optional<SliceAnswer> Statics::solve(SliceMethod method) {
     SliceAnswer answer;
     answer.factor = *factor * (method == SliceMethod::janbu ? janbu_correction() : 1);
     answer.lambda = lambda_;
-    for (std::size_t i = 0; i < normal_.size(); ++i) answer.pulled += normal_[i] < body_.slices[i].pore_pressure * body_.slices[i].base_length() ? 1 : 0;
+    for (std::size_t i = 0; i < normal_.size(); ++i)
+        answer.pulled += normal_[i] < body_.slices[i].pore_pressure * body_.slices[i].base_length() ? 1 : 0;
     if (method == SliceMethod::spencer || method == SliceMethod::morgenstern_price) {
         const double most = *std::ranges::max_element(thrust_);
         for (std::size_t i = 1; i + 1 < heights_.size(); ++i) {
@@ -303,7 +311,8 @@ std::optional<SliceAnswer> Statics::solve(SliceMethod method) {
 double Slice::base_length() const { return width / std::cos(base_angle); }
 
 std::string_view name_of(SliceMethod method) {
-    static constexpr std::array<std::string_view, 5> names{"ordinary", "bishop", "janbu", "spencer", "morgenstern-price"};
+    static constexpr std::array<std::string_view, 5> names{"ordinary", "bishop", "janbu", "spencer",
+                                                           "morgenstern-price"};
     return names[static_cast<std::size_t>(method)];
 }
 

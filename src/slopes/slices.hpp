@@ -11,14 +11,14 @@ namespace kaya {
 
 /// One slice. It slides to the right; lengths and angles are seen so.
 struct Slice {
-    double width = 0;          ///< length
-    double base_angle = 0;     ///< radians, positive where the base goes down to the right
-    double weight = 0;         ///< force/length
-    double pore_pressure = 0;  ///< stress, at the middle of the base
-    double downward = 0;       ///< load on the top, force/length
-    double rightward = 0;      ///< load on the top or its side, force/length
-    double rightward_arm = 0;  ///< its height above the middle of the base
-    double centroid_arm = 0;   ///< height of the centre of weight above the middle of the base
+    double width = 0;         ///< length
+    double base_angle = 0;    ///< radians, positive where the base goes down to the right
+    double weight = 0;        ///< force/length
+    double pore_pressure = 0; ///< stress, at the middle of the base
+    double downward = 0;      ///< load on the top, force/length
+    double rightward = 0;     ///< load on the top or its side, force/length
+    double rightward_arm = 0; ///< its height above the middle of the base
+    double centroid_arm = 0;  ///< height of the centre of weight above the middle of the base
     const Strength* strength = nullptr;
 
     double base_length() const;
@@ -27,14 +27,15 @@ struct Slice {
 /// The body from its upper end on the left to its lower end on the right.
 struct SlipBody {
     std::vector<Slice> slices;
-    double seismic = 0;        ///< horizontal acceleration over gravity, to the right
-    double water_force = 0;    ///< of water in a tension crack at the left end, force/length
-    double water_arm = 0;      ///< its height above the slip surface there
+    double seismic = 0;           ///< horizontal acceleration over gravity, to the right
+    double water_force = 0;       ///< of water in a tension crack at the left end, force/length
+    double water_arm = 0;         ///< its height above the slip surface there
     std::optional<double> radius; ///< of a circle; a method of moments needs it
     /// Heights of the centre of the circle above the middles of the bases; of a circle only.
     std::vector<double> centre_heights;
-    double water_height = 0;   ///< of the centre above the water force
-    double depth_ratio = 0;    ///< greatest depth below the chord of the ends over the length of the chord (Janbu's correction)
+    double water_height = 0; ///< of the centre above the water force
+    double depth_ratio =
+        0; ///< greatest depth below the chord of the ends over the length of the chord (Janbu's correction)
 };
 
 enum class SliceMethod { ordinary, bishop, janbu, spencer, morgenstern_price };
@@ -45,9 +46,10 @@ bool needs_circle(SliceMethod method);
 
 struct SliceAnswer {
     double factor = 0;
-    double lambda = 0;          ///< of spencer and morgenstern-price: shear over normal force between slices where f = 1
-    int pulled = 0;             ///< slices whose base carries tension
-    bool thrust_inside = true;  ///< whether the line of thrust stays within the body (within a third of its height beyond)
+    double lambda = 0; ///< of spencer and morgenstern-price: shear over normal force between slices where f = 1
+    int pulled = 0;    ///< slices whose base carries tension
+    bool thrust_inside =
+        true; ///< whether the line of thrust stays within the body (within a third of its height beyond)
 };
 
 /// The factor by which the strength of all bases can be divided. Not given where the equations have no answer, and where

@@ -23,7 +23,8 @@ struct Plane {
 std::vector<Plane> planes_of(std::span<const HeldFace> faces) {
     std::vector<Plane> planes;
     for (std::size_t i = 0; i < faces.size(); ++i) {
-        const auto same = std::ranges::find_if(planes, [&](const Plane& plane) { return (plane.outward - faces[i].outward).norm() < tolerance; });
+        const auto same = std::ranges::find_if(
+            planes, [&](const Plane& plane) { return (plane.outward - faces[i].outward).norm() < tolerance; });
         if (same == planes.end()) planes.push_back({faces[i].outward, faces[i].area, {i}});
         else same->area += faces[i].area, same->faces.push_back(i);
     }
@@ -31,7 +32,8 @@ std::vector<Plane> planes_of(std::span<const HeldFace> faces) {
 }
 
 bool is_free(const Vec3& direction, const std::vector<Plane>& planes) {
-    return std::ranges::all_of(planes, [&](const Plane& plane) { return plane.outward.dot(direction) <= tolerance * direction.norm(); });
+    return std::ranges::all_of(
+        planes, [&](const Plane& plane) { return plane.outward.dot(direction) <= tolerance * direction.norm(); });
 }
 
 /// Whether any direction leaves all planes, or slides along them.
@@ -67,7 +69,8 @@ SlidingAnswer slide(const Vec3& force, std::span<const HeldFace> faces) {
     const double size = force.norm();
     if (!(size > 0)) return answer;
 
-    const auto moves = [&](SlidingMode mode, const Vec3& along, std::initializer_list<std::pair<const Plane*, double>> pressed) {
+    const auto moves = [&](SlidingMode mode, const Vec3& along,
+                           std::initializer_list<std::pair<const Plane*, double>> pressed) {
         answer.mode = mode;
         answer.direction = along.normalized();
         double holding = 0;
@@ -82,13 +85,15 @@ SlidingAnswer slide(const Vec3& force, std::span<const HeldFace> faces) {
     if (is_free(force, planes)) {
         // Along a plane that carries nothing it slides rather than falls.
         for (const Plane& plane : planes)
-            if (plane.outward.dot(force) > -tolerance * size) return moves(SlidingMode::one_plane, force, {{&plane, 0.0}});
+            if (plane.outward.dot(force) > -tolerance * size)
+                return moves(SlidingMode::one_plane, force, {{&plane, 0.0}});
         return moves(SlidingMode::falling, force, {});
     }
     for (const Plane& plane : planes) {
         const double normal = plane.outward.dot(force);
         const Vec3 along = force - normal * plane.outward;
-        if (normal > 0 && along.norm() > tolerance * size && is_free(along, planes)) return moves(SlidingMode::one_plane, along, {{&plane, normal}});
+        if (normal > 0 && along.norm() > tolerance * size && is_free(along, planes))
+            return moves(SlidingMode::one_plane, along, {{&plane, normal}});
     }
     for (std::size_t i = 0; i < planes.size(); ++i)
         for (std::size_t j = i + 1; j < planes.size(); ++j) {
@@ -101,9 +106,11 @@ SlidingAnswer slide(const Vec3& force, std::span<const HeldFace> faces) {
             // force - along = x a + y b, both pressed
             const Vec3 rest = force - along;
             const double c = a.dot(b), determinant = 1 - c * c;
-            const double x = (rest.dot(a) - c * rest.dot(b)) / determinant, y = (rest.dot(b) - c * rest.dot(a)) / determinant;
+            const double x = (rest.dot(a) - c * rest.dot(b)) / determinant,
+                         y = (rest.dot(b) - c * rest.dot(a)) / determinant;
             if (x >= -tolerance * size && y >= -tolerance * size)
-                return moves(SlidingMode::two_planes, along, {{&planes[i], std::max(0.0, x)}, {&planes[j], std::max(0.0, y)}});
+                return moves(SlidingMode::two_planes, along,
+                             {{&planes[i], std::max(0.0, x)}, {&planes[j], std::max(0.0, y)}});
         }
     return answer;
 }

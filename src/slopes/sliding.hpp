@@ -19,18 +19,18 @@ struct HeldFace {
 };
 
 enum class SlidingMode {
-    held,       ///< no direction is free: the block is tapered or enclosed
-    at_rest,    ///< it could leave, but the force presses it against its faces
-    falling,    ///< away from all faces
+    held,    ///< no direction is free: the block is tapered or enclosed
+    at_rest, ///< it could leave, but the force presses it against its faces
+    falling, ///< away from all faces
     one_plane,
     two_planes, ///< along their line of intersection
 };
 
 struct SlidingAnswer {
     SlidingMode mode = SlidingMode::held;
-    Vec3 direction = Vec3::Zero();   ///< unit, in which it goes without friction
-    std::vector<std::size_t> faces;  ///< on which it slides
-    std::optional<double> factor;    ///< strength over what drives it; 0 when it falls; none where nothing drives it
+    Vec3 direction = Vec3::Zero();  ///< unit, in which it goes without friction
+    std::vector<std::size_t> faces; ///< on which it slides
+    std::optional<double> factor;   ///< strength over what drives it; 0 when it falls; none where nothing drives it
 };
 
 /// A block under a force (weight, water on its faces, loads). Moments are left out: a block that would topple is not seen.

@@ -31,14 +31,17 @@ struct EnvelopePoint {
 EnvelopePoint hoek_brown_point(const Strength::HoekBrown& rock, double minor) {
     const double base = std::max(rock.mb * minor / rock.strength + rock.s, 1e-30);
     const double major = minor + rock.strength * std::pow(base, rock.a);
-    const double ratio = 1 + rock.a * rock.mb * std::pow(base, rock.a - 1); // of the increments of major and minor stress
+    const double ratio =
+        1 + rock.a * rock.mb * std::pow(base, rock.a - 1); // of the increments of major and minor stress
     const double normal = minor + (major - minor) / (ratio + 1);
     return {normal, (normal - minor) * std::sqrt(ratio), (ratio - 1) / (2 * std::sqrt(ratio))};
 }
 
 Coulomb hoek_brown_tangent(const Strength::HoekBrown& rock, double normal_stress) {
-    double low = -rock.s * rock.strength / rock.mb, high = normal_stress; // the minor stress; the normal stress grows with it
-    for (int i = 0; i < 200 && high - low > 1e-14 * std::max({std::abs(low), std::abs(high), 1e-12 * rock.strength}); ++i) {
+    double low = -rock.s * rock.strength / rock.mb,
+           high = normal_stress; // the minor stress; the normal stress grows with it
+    for (int i = 0; i < 200 && high - low > 1e-14 * std::max({std::abs(low), std::abs(high), 1e-12 * rock.strength});
+         ++i) {
         const double middle = 0.5 * (low + high);
         (hoek_brown_point(rock, middle).normal < normal_stress ? low : high) = middle;
     }

@@ -14,9 +14,11 @@ namespace kaya {
 
 CommandOutput output_of(const std::vector<std::string>& words) {
     int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0) throw Diagnostic(fmt::format("cannot make a pipe: {}", std::strerror(errno)), {}, Fault::run);
+    if (::pipe2(ends, O_CLOEXEC) != 0)
+        throw Diagnostic(fmt::format("cannot make a pipe: {}", std::strerror(errno)), {}, Fault::run);
     std::vector<char*> arguments;
-    for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str())); // posix_spawn does not change them
+    for (const auto& word : words)
+        arguments.push_back(const_cast<char*>(word.c_str())); // posix_spawn does not change them
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);

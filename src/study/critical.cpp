@@ -28,9 +28,12 @@ public:
         for (std::size_t i = 0; i < cases.size(); ++i) {
             const double result = number_of(result_of(outcomes[i], study_.critical->of));
             if (outcomes[i].end != Outcome::End::done || std::isnan(result))
-                throw Diagnostic(fmt::format("run {} ({} = {}) has no result: {}", cases[i].number, study_.critical->parameter, values[i],
-                                             outcomes[i].message.empty() ? study_.critical->of + " is no number" : outcomes[i].message),
-                                 "a search needs each of its runs", Fault::run).at(study_.critical->place);
+                throw Diagnostic(fmt::format("run {} ({} = {}) has no result: {}", cases[i].number,
+                                             study_.critical->parameter, values[i],
+                                             outcomes[i].message.empty() ? study_.critical->of + " is no number"
+                                                                         : outcomes[i].message),
+                                 "a search needs each of its runs", Fault::run)
+                    .at(study_.critical->place);
             truths.push_back(result > 0);
         }
         answer_.cases.insert(answer_.cases.end(), cases.begin(), cases.end());
@@ -53,7 +56,8 @@ CriticalAnswer find_critical(const Study& study, Runs& runs) {
     double low = asked.from, high = asked.to;
     const auto ends = search.at({low, high});
     if (ends[0] == ends[1])
-        throw Diagnostic(fmt::format("'{}' is the same at {} = {} and {}", asked.of, asked.parameter, low, high), "the critical value lies elsewhere: widen 'from' and 'to'")
+        throw Diagnostic(fmt::format("'{}' is the same at {} = {} and {}", asked.of, asked.parameter, low, high),
+                         "the critical value lies elsewhere: widen 'from' and 'to'")
             .at(asked.place);
     for (int step = 0; high - low > asked.tolerance && step < most_steps; ++step) {
         const double third = (high - low) / 3;

@@ -39,7 +39,8 @@ Table triangle_of(const Study& study) {
     const Eigen::LLT<Table> factored(correlation);
     if (factored.info() != Eigen::Success || factored.matrixL().toDenseMatrix().diagonal().minCoeff() < 1e-6)
         throw Diagnostic("these correlations cannot hold together: their matrix is not positive definite",
-                         "if a goes with b and b with c, a goes with c as well").at(study.factors[study.design.correlations.back().one].place);
+                         "if a goes with b and b with c, a goes with c as well")
+            .at(study.factors[study.design.correlations.back().one].place);
     return factored.matrixL();
 }
 
@@ -49,7 +50,8 @@ Table latin_parts(std::size_t samples, std::size_t columns, std::mt19937_64& gen
     for (std::size_t j = 0; j < columns; ++j) {
         const auto order = shuffled(samples, generator);
         for (std::size_t i = 0; i < samples; ++i)
-            parts(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = (static_cast<double>(order[i]) + part(generator)) / static_cast<double>(samples);
+            parts(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+                (static_cast<double>(order[i]) + part(generator)) / static_cast<double>(samples);
     }
     return parts;
 }
@@ -74,7 +76,8 @@ void correlate_ranks(Table& parts, const Table& triangle, std::mt19937_64& gener
     for (Eigen::Index j = 0; j < parts.cols(); ++j) {
         const auto order = shuffled(static_cast<std::size_t>(rows), generator);
         for (Eigen::Index i = 0; i < rows; ++i)
-            scores(i, j) = normal_quantile((static_cast<double>(order[static_cast<std::size_t>(i)]) + 0.5) / static_cast<double>(rows));
+            scores(i, j) = normal_quantile((static_cast<double>(order[static_cast<std::size_t>(i)]) + 0.5) /
+                                           static_cast<double>(rows));
     }
     const Table own = scores.transpose() * scores / static_cast<double>(rows);
     const Eigen::LLT<Table> factored(own);
@@ -89,7 +92,8 @@ void correlate_normal(Table& parts, const Table& triangle) {
         Eigen::VectorXd normal(parts.cols());
         for (Eigen::Index j = 0; j < parts.cols(); ++j) normal(j) = normal_quantile(parts(i, j));
         normal = triangle * normal;
-        for (Eigen::Index j = 0; j < parts.cols(); ++j) parts(i, j) = std::clamp(normal_part(normal(j)), 1e-300, 1 - 1e-16);
+        for (Eigen::Index j = 0; j < parts.cols(); ++j)
+            parts(i, j) = std::clamp(normal_part(normal(j)), 1e-300, 1 - 1e-16);
     }
 }
 
@@ -103,7 +107,8 @@ Table sobol_parts(std::size_t samples, std::size_t columns, std::mt19937_64& gen
     for (std::size_t i = 0; i < samples; ++i)
         for (std::size_t j = 0; j < columns; ++j) {
             const double moved = (static_cast<double>(sequence()) + 0.5) / range + shift[j];
-            parts(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = std::clamp(moved - std::floor(moved), 1e-15, 1 - 1e-15);
+            parts(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+                std::clamp(moved - std::floor(moved), 1e-15, 1 - 1e-15);
         }
     return parts;
 }
@@ -129,7 +134,8 @@ std::vector<Case> sampled(const Study& study) {
     for (std::size_t i = 0; i < samples; ++i)
         for (std::size_t j = 0; j < columns; ++j)
             cases[i].values.emplace_back(study.factors[j].name,
-                                         study.factors[j].distribution->quantile(parts(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j))));
+                                         study.factors[j].distribution->quantile(
+                                             parts(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j))));
     return cases;
 }
 
@@ -137,7 +143,10 @@ std::vector<Case> sampled(const Study& study) {
 /// (1 + sum over pairs of correlation times both signs) / 2^n.
 std::vector<Case> point_estimate(const Study& study) {
     const std::size_t n = study.factors.size();
-    if (n > most_estimated) throw Diagnostic(fmt::format("a point estimate of {} parameters takes 2^{} runs", n, n), "use a Latin hypercube", Fault::deck).at(study.factors.back().place);
+    if (n > most_estimated)
+        throw Diagnostic(fmt::format("a point estimate of {} parameters takes 2^{} runs", n, n),
+                         "use a Latin hypercube", Fault::deck)
+            .at(study.factors.back().place);
     if (!study.design.correlations.empty()) triangle_of(study);
     std::vector<Case> cases;
     for (std::size_t corner = 0; corner < (std::size_t{1} << n); ++corner) {
@@ -145,7 +154,8 @@ std::vector<Case> point_estimate(const Study& study) {
         Case one;
         for (std::size_t j = 0; j < n; ++j) {
             const auto& d = *study.factors[j].distribution;
-            one.values.emplace_back(study.factors[j].name, std::clamp(d.mean() + sign(j) * d.deviation(), d.least, d.most));
+            one.values.emplace_back(study.factors[j].name,
+                                    std::clamp(d.mean() + sign(j) * d.deviation(), d.least, d.most));
         }
         double weight = 1;
         for (const auto& c : study.design.correlations) weight += c.value * sign(c.one) * sign(c.other);
@@ -159,7 +169,10 @@ std::vector<Case> grid(const Study& study) {
     std::size_t count = 1;
     for (const auto& factor : study.factors) {
         count *= factor.values.size();
-        if (count > most_runs) throw Diagnostic(fmt::format("this grid has more than {} runs", most_runs), "take fewer values, or a Latin hypercube").at(factor.place);
+        if (count > most_runs)
+            throw Diagnostic(fmt::format("this grid has more than {} runs", most_runs),
+                             "take fewer values, or a Latin hypercube")
+                .at(factor.place);
     }
     std::vector<Case> cases(count);
     for (std::size_t i = 0; i < count; ++i) {

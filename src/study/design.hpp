@@ -10,9 +10,9 @@ namespace kaya {
 
 /// One run. It has the same number and values each time that the study is called.
 struct Case {
-    std::size_t number = 1;                                  ///< from 1 on
-    std::vector<std::pair<std::string, StudyValue>> values;  ///< by parameter
-    double weight = 1;                                       ///< of a point estimate; 1 otherwise
+    std::size_t number = 1;                                 ///< from 1 on
+    std::vector<std::pair<std::string, StudyValue>> values; ///< by parameter
+    double weight = 1;                                      ///< of a point estimate; 1 otherwise
 };
 
 /// Grid: all combinations, the first parameter slowest. Latin hypercube: Iman and Conover (1982) for correlated parameters; random and

@@ -37,8 +37,12 @@ template <class Use> auto with(const Distribution& d, Use&& use) {
 }
 
 /// From the numbers of Boost's distribution to those of ours.
-double scaled(const Distribution& d, double x) { return d.kind == Distribution::Kind::beta ? d.a + (d.b - d.a) * x : x; }
-double unscaled(const Distribution& d, double x) { return d.kind == Distribution::Kind::beta ? (x - d.a) / (d.b - d.a) : x; }
+double scaled(const Distribution& d, double x) {
+    return d.kind == Distribution::Kind::beta ? d.a + (d.b - d.a) * x : x;
+}
+double unscaled(const Distribution& d, double x) {
+    return d.kind == Distribution::Kind::beta ? (x - d.a) / (d.b - d.a) : x;
+}
 
 /// The part of all numbers below `x`, which may lie outside of where there are any.
 double part_below(const Distribution& d, double x) {
@@ -55,7 +59,8 @@ double Distribution::quantile(double p) const {
     const double below = std::isfinite(least) ? part_below(*this, least) : 0;
     const double above = std::isfinite(most) ? part_below(*this, most) : 1;
     const double part = below + p * (above - below);
-    const double value = with(*this, [&](const auto& dist) { return bm::quantile(dist, std::clamp(part, 1e-300, 1 - 1e-16)); });
+    const double value =
+        with(*this, [&](const auto& dist) { return bm::quantile(dist, std::clamp(part, 1e-300, 1 - 1e-16)); });
     return std::clamp(scaled(*this, value), least, most);
 }
 
@@ -74,7 +79,8 @@ std::string Distribution::mistake() const {
     if (std::isnan(least) || std::isnan(most)) return "its limits must be numbers";
     const bool has_deviation = kind == Kind::normal || kind == Kind::lognormal || kind == Kind::gamma;
     if (has_deviation && !(b > 0)) return "the deviation must be above 0";
-    if ((kind == Kind::lognormal || kind == Kind::gamma || kind == Kind::exponential) && !(a > 0)) return "the mean must be above 0";
+    if ((kind == Kind::lognormal || kind == Kind::gamma || kind == Kind::exponential) && !(a > 0))
+        return "the mean must be above 0";
     if (kind == Kind::weibull && !(a > 0 && b > 0)) return "shape and scale must be above 0";
     const bool has_ends = kind == Kind::uniform || kind == Kind::triangular || kind == Kind::beta;
     if (has_ends && !(a < b)) return "'from' must be below 'to'";
@@ -88,7 +94,8 @@ std::string Distribution::mistake() const {
 }
 
 const std::vector<std::string>& distribution_names() {
-    static const std::vector<std::string> names{"normal", "lognormal", "uniform", "triangular", "exponential", "weibull", "gamma", "beta"};
+    static const std::vector<std::string> names{"normal",      "lognormal", "uniform", "triangular",
+                                                "exponential", "weibull",   "gamma",   "beta"};
     return names;
 }
 

@@ -16,20 +16,23 @@ namespace {
 constexpr double derivative_step = 1e-2; ///< in parts of the bounds: results of a run scatter by its own tolerance
 constexpr double near_bound = 1e-6;
 
-constexpr double wide = 5; ///< bounds whose ratio is above this are walked by their logarithm: a stiffness is known by its power of ten
+constexpr double wide =
+    5; ///< bounds whose ratio is above this are walked by their logarithm: a stiffness is known by its power of ten
 constexpr int most_polishes = 3;
 
 /// Parameters go from 0 to 1 here: NLopt's methods want them alike.
 class Fitting {
 public:
-    Fitting(const Study& study, Runs& runs, FitAnswer& answer) : fit_(*study.fit), study_(study), runs_(runs), answer_(answer) {}
+    Fitting(const Study& study, Runs& runs, FitAnswer& answer)
+        : fit_(*study.fit), study_(study), runs_(runs), answer_(answer) {}
 
     std::vector<Outcome> at(const std::vector<std::vector<double>>& points) {
         std::vector<Case> cases;
         for (const auto& point : points) {
             Case one;
             one.number = answer_.cases.size() + cases.size() + 1;
-            for (std::size_t j = 0; j < point.size(); ++j) one.values.emplace_back(fit_.unknowns[j].parameter, value(point, j));
+            for (std::size_t j = 0; j < point.size(); ++j)
+                one.values.emplace_back(fit_.unknowns[j].parameter, value(point, j));
             one.values.insert(one.values.end(), study_.fixed.begin(), study_.fixed.end());
             cases.push_back(std::move(one));
         }
@@ -43,7 +46,8 @@ public:
 
     double value(const std::vector<double>& point, std::size_t j) const {
         const auto& unknown = fit_.unknowns[j];
-        if (is_wide(unknown)) return std::clamp(unknown.from * std::pow(unknown.to / unknown.from, point[j]), unknown.from, unknown.to);
+        if (is_wide(unknown))
+            return std::clamp(unknown.from * std::pow(unknown.to / unknown.from, point[j]), unknown.from, unknown.to);
         return unknown.from + point[j] * (unknown.to - unknown.from);
     }
     static double coordinate(const Fit::Unknown& unknown, double value) {
@@ -61,7 +65,8 @@ public:
         Eigen::VectorXd rows(static_cast<Eigen::Index>(fit_.observations.size()));
         for (std::size_t i = 0; i < fit_.observations.size(); ++i) {
             const auto& seen = fit_.observations[i];
-            const double found = outcome.end == Outcome::End::done ? number_of(result_of(outcome, seen.result)) : std::nan("");
+            const double found =
+                outcome.end == Outcome::End::done ? number_of(result_of(outcome, seen.result)) : std::nan("");
             rows(static_cast<Eigen::Index>(i)) = (found - seen.value) / scale(seen);
         }
         return rows;
@@ -83,14 +88,17 @@ public:
             return sum;
         }
         if (best_point_.empty())
-            throw Diagnostic(fmt::format("the run at the start has no results: {}", outcomes[0].message), "choose another 'start'", Fault::run).at(fit_.place);
+            throw Diagnostic(fmt::format("the run at the start has no results: {}", outcomes[0].message),
+                             "choose another 'start'", Fault::run)
+                .at(fit_.place);
         return 10 * worst_ + 1;
     }
 
     void search() {
         nlopt::algorithm method = nlopt::LN_BOBYQA;
         if (fit_.method == "cobyla") method = nlopt::LN_COBYLA;
-        if (fit_.method == "sbplx" || (method == nlopt::LN_BOBYQA && fit_.unknowns.size() < 2)) method = nlopt::LN_SBPLX; // BOBYQA needs two
+        if (fit_.method == "sbplx" || (method == nlopt::LN_BOBYQA && fit_.unknowns.size() < 2))
+            method = nlopt::LN_SBPLX; // BOBYQA needs two
         nlopt::opt optimiser(method, static_cast<unsigned>(fit_.unknowns.size()));
         optimiser.set_lower_bounds(0.0);
         optimiser.set_upper_bounds(1.0);
@@ -133,9 +141,11 @@ public:
             points.push_back(std::move(less)), points.push_back(std::move(more));
         }
         const auto outcomes = at(points);
-        Eigen::MatrixXd result(static_cast<Eigen::Index>(fit_.observations.size()), static_cast<Eigen::Index>(points.size() / 2));
+        Eigen::MatrixXd result(static_cast<Eigen::Index>(fit_.observations.size()),
+                               static_cast<Eigen::Index>(points.size() / 2));
         for (std::size_t j = 0; j < widths.size(); ++j)
-            result.col(static_cast<Eigen::Index>(j)) = (differences(outcomes[2 * j + 1]) - differences(outcomes[2 * j])) / widths[j];
+            result.col(static_cast<Eigen::Index>(j)) =
+                (differences(outcomes[2 * j + 1]) - differences(outcomes[2 * j])) / widths[j];
         return result;
     }
 
@@ -149,7 +159,8 @@ public:
             const Eigen::VectorXd move = derivatives.completeOrthogonalDecomposition().solve(-rest);
             if (move.cwiseAbs().maxCoeff() < 0.1 * fit_.tolerance) break;
             std::vector<double> point = best_point_;
-            for (std::size_t j = 0; j < point.size(); ++j) point[j] = std::clamp(point[j] + move(static_cast<Eigen::Index>(j)), 0.0, 1.0);
+            for (std::size_t j = 0; j < point.size(); ++j)
+                point[j] = std::clamp(point[j] + move(static_cast<Eigen::Index>(j)), 0.0, 1.0);
             const double before = best_;
             if (point == best_point_ || !(objective(point) < before)) break;
             derivatives = slopes();
@@ -159,22 +170,28 @@ public:
 
     void uncertainty(const Eigen::MatrixXd& derivatives) {
         const std::size_t n = fit_.unknowns.size(), m = fit_.observations.size();
-        const bool measured = std::ranges::all_of(fit_.observations, [](const auto& seen) { return seen.deviation > 0; });
+        const bool measured =
+            std::ranges::all_of(fit_.observations, [](const auto& seen) { return seen.deviation > 0; });
         const double variance = measured ? 1 : m > n ? best_ / static_cast<double>(m - n) : std::nan("");
         const Eigen::MatrixXd normal = derivatives.transpose() * derivatives;
         const Eigen::FullPivLU<Eigen::MatrixXd> factored(normal);
         const bool told = normal.allFinite() && factored.isInvertible();
-        const Eigen::MatrixXd covariance = told ? Eigen::MatrixXd(factored.inverse() * variance) : Eigen::MatrixXd::Constant(normal.rows(), normal.cols(), std::nan(""));
+        const Eigen::MatrixXd covariance = told ? Eigen::MatrixXd(factored.inverse() * variance)
+                                                : Eigen::MatrixXd::Constant(normal.rows(), normal.cols(), std::nan(""));
         for (std::size_t j = 0; j < n; ++j) {
             const auto jj = static_cast<Eigen::Index>(j);
-            answer_.found.push_back({fit_.unknowns[j].parameter, value(best_point_, j), rate(best_point_, j) * std::sqrt(covariance(jj, jj)),
+            answer_.found.push_back({fit_.unknowns[j].parameter, value(best_point_, j),
+                                     rate(best_point_, j) * std::sqrt(covariance(jj, jj)),
                                      best_point_[j] < near_bound || best_point_[j] > 1 - near_bound});
             answer_.correlation.emplace_back();
             for (Eigen::Index k = 0; k < covariance.cols(); ++k)
-                answer_.correlation.back().push_back(covariance(jj, k) / std::sqrt(covariance(jj, jj) * covariance(k, k)));
+                answer_.correlation.back().push_back(covariance(jj, k) /
+                                                     std::sqrt(covariance(jj, jj) * covariance(k, k)));
         }
         for (const auto& seen : fit_.observations)
-            answer_.compared.push_back({seen.result, seen.value, number_of(result_of(answer_.outcomes[best_run_], seen.result)), seen.deviation});
+            answer_.compared.push_back({seen.result, seen.value,
+                                        number_of(result_of(answer_.outcomes[best_run_], seen.result)),
+                                        seen.deviation});
     }
 
 private:

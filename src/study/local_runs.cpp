@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_losses = 3;       ///< then a run that is killed is a row of its own
-constexpr double patience = 5;       ///< seconds from the wish to end to the end
+constexpr int most_losses = 3; ///< then a run that is killed is a row of its own
+constexpr double patience = 5; ///< seconds from the wish to end to the end
 constexpr timespec poll{0, 50'000'000};
 constexpr const char* output_file = "output.txt";
 
@@ -63,15 +63,16 @@ private:
     sigset_t set_, before_{};
 };
 
-[[noreturn]] void child(const RunCase& run, const Case& one, const fs::path& folder, const fs::path& outcome, const RunLimits& limits, pid_t parent) {
+[[noreturn]] void child(const RunCase& run, const Case& one, const fs::path& folder, const fs::path& outcome,
+                        const RunLimits& limits, pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL); // a study that is killed leaves no runs behind
     if (::getppid() != parent) std::_Exit(1);
     const sigset_t set = own_signals();
     ::sigprocmask(SIG_UNBLOCK, &set, nullptr);
     const int output = ::open((folder / output_file).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     const int nothing = ::open("/dev/null", O_RDONLY);
-    if (output < 0 || nothing < 0 || ::dup2(output, STDOUT_FILENO) < 0 || ::dup2(output, STDERR_FILENO) < 0 || ::dup2(nothing, STDIN_FILENO) < 0 ||
-        ::chdir(folder.c_str()) != 0)
+    if (output < 0 || nothing < 0 || ::dup2(output, STDOUT_FILENO) < 0 || ::dup2(output, STDERR_FILENO) < 0 ||
+        ::dup2(nothing, STDIN_FILENO) < 0 || ::chdir(folder.c_str()) != 0)
         std::_Exit(1);
     ::close(output), ::close(nothing);
     if (limits.megabytes > 0) {
@@ -84,9 +85,7 @@ private:
         status = run(one, outcome);
     } catch (const Diagnostic& problem) { // an outcome that could not be written
         std::fputs((render(problem) + "\n").c_str(), stderr);
-    } catch (const std::exception& problem) {
-        std::fprintf(stderr, "error: %s\n", problem.what());
-    }
+    } catch (const std::exception& problem) { std::fprintf(stderr, "error: %s\n", problem.what()); }
     std::fflush(nullptr);
     std::_Exit(status);
 }
@@ -100,14 +99,18 @@ LocalRuns::Start LocalRuns::start(const Case& one) {
     const fs::path folder = folder_.run(one.number);
     std::error_code failed;
     fs::create_directories(folder, failed);
-    if (failed) throw Diagnostic(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()), "runs that are done are kept", Fault::run);
+    if (failed)
+        throw Diagnostic(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()),
+                         "runs that are done are kept", Fault::run);
     FileLock lock = FileLock::of(folder / ".lock", FileLock::Kind::alone);
     if (!lock.is_held()) return Start::elsewhere;
     if (folder_.outcome(one)) return Start::done;
     std::fflush(nullptr); // or both processes write what is there
     const pid_t parent = ::getpid();
     const pid_t id = ::fork();
-    if (id < 0) throw Diagnostic(fmt::format("cannot start a process: {}", std::strerror(errno)), "runs that are done are kept", Fault::run);
+    if (id < 0)
+        throw Diagnostic(fmt::format("cannot start a process: {}", std::strerror(errno)), "runs that are done are kept",
+                         Fault::run);
     // The child has the lock from now on.
     if (id == 0) child(run_, one, folder, folder_.outcome_file(one.number), options_.limits, parent);
     children_[id] = Child{&one, now(), {}, false};
@@ -122,8 +125,12 @@ void LocalRuns::sweep(const fs::path& folder) const {
     std::vector<fs::path> unwanted;
     for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
         const std::string name = entry.path().filename().string();
-        if (!entry.is_regular_file(ignored) || name == "outcome.toml" || name == output_file || entry.path().extension() == ".journal") continue;
-        const auto wanted = [&](const std::string& pattern) { return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0; };
+        if (!entry.is_regular_file(ignored) || name == "outcome.toml" || name == output_file ||
+            entry.path().extension() == ".journal")
+            continue;
+        const auto wanted = [&](const std::string& pattern) {
+            return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+        };
         if (std::ranges::none_of(*options_.kept, wanted)) unwanted.push_back(entry.path());
     }
     for (const auto& path : unwanted) fs::remove(path, ignored);
@@ -135,13 +142,15 @@ void LocalRuns::finish(const Child& child, int status, double seconds) {
     if (outcome && outcome->end != Outcome::End::done && is_full(folder_.path())) {
         std::error_code ignored;
         fs::remove(folder_.outcome_file(one.number), ignored); // it says nothing about the run
-        throw Diagnostic(fmt::format("the disk is full: {}", folder_.path().string()), "make room; the same command does what is left", Fault::run);
+        throw Diagnostic(fmt::format("the disk is full: {}", folder_.path().string()),
+                         "make room; the same command does what is left", Fault::run);
     }
     if (!outcome) {
         outcome.emplace();
         outcome->seconds = seconds;
         const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-        const bool from_outside = signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP || (WIFEXITED(status) && WEXITSTATUS(status) != 3);
+        const bool from_outside = signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP ||
+                                  (WIFEXITED(status) && WEXITSTATUS(status) != 3);
         if (child.over_time) {
             outcome->end = Outcome::End::limit;
             outcome->message = fmt::format("took more than {} s", options_.limits.seconds);
@@ -151,7 +160,8 @@ void LocalRuns::finish(const Child& child, int status, double seconds) {
         } else {
             outcome->end = from_outside ? Outcome::End::lost : Outcome::End::crashed;
             outcome->message = signal != 0 ? fmt::format("ended by signal {} ({})", signal, ::strsignal(signal))
-                                           : fmt::format("ended without an outcome; see {}", (folder_.run(one.number) / output_file).string());
+                                           : fmt::format("ended without an outcome; see {}",
+                                                         (folder_.run(one.number) / output_file).string());
         }
         write_outcome(folder_.outcome_file(one.number), one, *outcome);
     }
@@ -200,7 +210,7 @@ std::vector<Outcome> LocalRuns::all(const std::vector<Case>& cases) {
     for (const auto& one : cases)
         if (!folder_.outcome(one)) left.push_back(&one);
     progress_.begin(cases.size(), cases.size() - left.size());
-    std::ranges::reverse(left); // taken from the end
+    std::ranges::reverse(left);         // taken from the end
     std::vector<const Case*> elsewhere; // somebody else does them
     const Blocked blocked;
     const auto stop = [&](int signal) {
@@ -208,7 +218,8 @@ std::vector<Outcome> LocalRuns::all(const std::vector<Case>& cases) {
         progress_.end();
         std::size_t done = 0;
         for (const auto& one : cases) done += folder_.outcome(one) ? 1 : 0;
-        throw Diagnostic(fmt::format("stopped: {} of {} runs are done", done, cases.size()), "the same command does what is left", Fault::run);
+        throw Diagnostic(fmt::format("stopped: {} of {} runs are done", done, cases.size()),
+                         "the same command does what is left", Fault::run);
     };
     try {
         while (!left.empty() || !children_.empty() || !elsewhere.empty() || !again_.empty()) {
@@ -222,10 +233,12 @@ std::vector<Outcome> LocalRuns::all(const std::vector<Case>& cases) {
                 if (started == Start::done) progress_.one_done(true);
             }
             siginfo_t heard{};
-            if (const int signal = ::sigtimedwait(&blocked.set(), &heard, &poll); signal > 0 && signal != SIGCHLD) stop(signal);
+            if (const int signal = ::sigtimedwait(&blocked.set(), &heard, &poll); signal > 0 && signal != SIGCHLD)
+                stop(signal);
             reap();
             end_late_ones();
-            if (left.empty() && children_.empty()) std::swap(left, elsewhere); // done by now, or given up by who did them
+            if (left.empty() && children_.empty())
+                std::swap(left, elsewhere); // done by now, or given up by who did them
         }
     } catch (...) {
         stop_all(SIGTERM);

@@ -20,7 +20,7 @@ using RunCase = std::function<int(const Case& one, const std::filesystem::path& 
 class LocalRuns : public Runs {
 public:
     struct Options {
-        int at_once = 1;    ///< runs at one time
+        int at_once = 1;     ///< runs at one time
         bool shared = false; ///< other processes do runs of this study as well; theirs are waited for
         RunLimits limits;
         std::optional<std::vector<std::string>> kept; ///< patterns of files that stay
@@ -32,7 +32,7 @@ public:
 private:
     struct Child {
         const Case* one = nullptr;
-        timespec began{}, asked{};  ///< when it was asked to end
+        timespec began{}, asked{}; ///< when it was asked to end
         bool over_time = false;
     };
     enum class Start { started, elsewhere, done };

@@ -30,10 +30,12 @@ toml::array array_of(const std::vector<std::pair<std::string, StudyValue>>& valu
 }
 
 Diagnostic damaged(const std::filesystem::path& file) {
-    return Diagnostic(fmt::format("{} is damaged", file.string()), "remove its folder: the run is done again", Fault::run);
+    return Diagnostic(fmt::format("{} is damaged", file.string()), "remove its folder: the run is done again",
+                      Fault::run);
 }
 
-std::vector<std::pair<std::string, StudyValue>> values_of(const toml::node_view<const toml::node>& node, const std::filesystem::path& file) {
+std::vector<std::pair<std::string, StudyValue>> values_of(const toml::node_view<const toml::node>& node,
+                                                          const std::filesystem::path& file) {
     const auto* all = node.as_array();
     if (all == nullptr) throw damaged(file);
     std::vector<std::pair<std::string, StudyValue>> values;
@@ -57,9 +59,7 @@ std::vector<std::pair<std::string, StudyValue>> values_of(const toml::node_view<
 toml::table read_table(const std::filesystem::path& file) {
     try {
         return toml::parse(read_whole_file(file.string()), file.string());
-    } catch (const toml::parse_error&) {
-        throw damaged(file);
-    }
+    } catch (const toml::parse_error&) { throw damaged(file); }
 }
 
 std::string text_of_table(const toml::table& table) {
@@ -106,7 +106,8 @@ std::optional<Outcome> read_outcome(const std::filesystem::path& file, const Cas
     outcome.hash = table["hash"].value_or(std::string());
     outcome.results = values_of(table["results"], file);
     if (values_of(table["values"], file) != one.values)
-        throw Diagnostic(fmt::format("{} is of a run with other values", file.string()), "go on in another folder: --into", Fault::run);
+        throw Diagnostic(fmt::format("{} is of a run with other values", file.string()),
+                         "go on in another folder: --into", Fault::run);
     return outcome;
 }
 
@@ -123,7 +124,8 @@ std::optional<Case> read_case(const std::filesystem::path& file) {
 void write_cases(const std::filesystem::path& file, const std::vector<Case>& cases) {
     toml::array all;
     for (const auto& one : cases)
-        all.push_back(toml::table{{"run", static_cast<std::int64_t>(one.number)}, {"weight", one.weight}, {"values", array_of(one.values)}});
+        all.push_back(toml::table{
+            {"run", static_cast<std::int64_t>(one.number)}, {"weight", one.weight}, {"values", array_of(one.values)}});
     write_whole_file(file.string(), text_of_table(toml::table{{"cases", std::move(all)}}));
 }
 

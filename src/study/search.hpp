@@ -10,9 +10,9 @@
 namespace kaya {
 
 struct CriticalAnswer {
-    double value = 0;          ///< the middle of both
+    double value = 0;            ///< the middle of both
     double below = 0, above = 0; ///< the result differs between these
-    std::vector<Case> cases;   ///< in the order of their runs
+    std::vector<Case> cases;     ///< in the order of their runs
     std::vector<Outcome> outcomes;
 };
 /// In each step two runs, at the thirds of what is left. Throws Diagnostic when a run fails, or the result is the same at both ends.
@@ -32,7 +32,7 @@ struct FitAnswer {
     std::vector<Found> found;
     std::vector<Compared> compared;
     std::vector<std::vector<double>> correlation; ///< of the parameters found
-    bool converged = true; ///< otherwise the runs that are allowed were not enough
+    bool converged = true;                        ///< otherwise the runs that are allowed were not enough
     std::vector<Case> cases;
     std::vector<Outcome> outcomes;
 };

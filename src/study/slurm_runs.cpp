@@ -19,10 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_losses = 5;          ///< batches after which nothing more is there than before
-constexpr double poll_interval = 0.5;      ///< seconds between two looks at the outcomes
-constexpr int polls_per_question = 4;   ///< and so many of them to one question to the queue
-constexpr double patience = 300;        ///< seconds for which sbatch may find nobody
+constexpr int most_losses = 5;            ///< batches after which nothing more is there than before
+constexpr double poll_interval = 0.5;     ///< seconds between two looks at the outcomes
+constexpr int polls_per_question = 4;     ///< and so many of them to one question to the queue
+constexpr double patience = 300;          ///< seconds for which sbatch may find nobody
 constexpr std::size_t usual_tasks = 1000; ///< of an array, where Slurm does not say
 
 /// In quotes for sh.
@@ -33,8 +33,9 @@ std::string quoted(const std::string& word) {
 }
 
 bool nobody_answers(const std::string& said) {
-    static const std::regex words("unable to contact|connection refused|connection timed out|socket timed out|communication connection failure|temporarily|zero bytes were transmitted",
-                                  std::regex::icase);
+    static const std::regex words(
+        "unable to contact|connection refused|connection timed out|socket timed out|communication connection failure|temporarily|zero bytes were transmitted",
+        std::regex::icase);
     return std::regex_search(said, words);
 }
 
@@ -46,10 +47,14 @@ std::string without_end(std::string text) {
 } // namespace
 
 SlurmRuns::SlurmRuns(const StudyFolder& folder, Options options, StudyProgress& progress)
-    : folder_(folder), options_(std::move(options)), progress_(progress), name_("kaya-" + sha256(folder.path().string()).substr(0, 16)) {
+    : folder_(folder), options_(std::move(options)), progress_(progress),
+      name_("kaya-" + sha256(folder.path().string()).substr(0, 16)) {
     std::error_code failed;
     fs::create_directories(folder_.path() / "slurm", failed);
-    if (failed) throw Diagnostic(fmt::format("cannot make the folder {}: {}", (folder_.path() / "slurm").string(), failed.message()), {}, Fault::run);
+    if (failed)
+        throw Diagnostic(
+            fmt::format("cannot make the folder {}: {}", (folder_.path() / "slurm").string(), failed.message()), {},
+            Fault::run);
 }
 
 std::vector<Case> SlurmRuns::left_of(const std::vector<Case>& cases) const {
@@ -70,8 +75,10 @@ std::size_t SlurmRuns::most_tasks() const {
 void SlurmRuns::wait(double seconds, const std::vector<Case>& cases) {
     for (double waited = 0; waited < seconds; waited += 0.1) {
         if (options_.stop != nullptr && *options_.stop)
-            throw Diagnostic(fmt::format("stopped: {} of {} runs are done, and the jobs go on", cases.size() - left_of(cases).size(), cases.size()),
-                             fmt::format("the same command follows them; scancel --name={} ends them", name_), Fault::run);
+            throw Diagnostic(fmt::format("stopped: {} of {} runs are done, and the jobs go on",
+                                         cases.size() - left_of(cases).size(), cases.size()),
+                             fmt::format("the same command follows them; scancel --name={} ends them", name_),
+                             Fault::run);
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
 }
@@ -82,14 +89,21 @@ void SlurmRuns::submit(const std::vector<Case>& left) {
     while (fs::exists(folder_.path() / "slurm" / fmt::format("batch-{}.toml", number), ignored)) ++number;
     const std::string batch = fmt::format("batch-{}", number);
     write_cases(folder_.path() / "slurm" / (batch + ".toml"), left);
-    const std::size_t per_task = (left.size() + most_tasks() - 1) / most_tasks(), tasks = (left.size() + per_task - 1) / per_task;
+    const std::size_t per_task = (left.size() + most_tasks() - 1) / most_tasks(),
+                      tasks = (left.size() + per_task - 1) / per_task;
     std::string words;
     for (const auto& word : options_.program) words += quoted(word) + " ";
     const fs::path script = folder_.path() / "slurm" / (batch + ".sh");
-    write_whole_file(script.string(), fmt::format("#!/bin/sh\nexec {}study work {} {} \"$SLURM_ARRAY_TASK_ID\" --per-task {}\n", words, quoted(folder_.path().string()),
-                                                  batch, per_task));
-    std::vector<std::string> command{"sbatch", "--parsable", "--job-name=" + name_, fmt::format("--array=1-{}", tasks), "--cpus-per-task=1",
-                                     "--output=" + (folder_.path() / "slurm" / (batch + "-%a.txt")).string(), "--chdir=" + folder_.path().string()};
+    write_whole_file(script.string(),
+                     fmt::format("#!/bin/sh\nexec {}study work {} {} \"$SLURM_ARRAY_TASK_ID\" --per-task {}\n", words,
+                                 quoted(folder_.path().string()), batch, per_task));
+    std::vector<std::string> command{"sbatch",
+                                     "--parsable",
+                                     "--job-name=" + name_,
+                                     fmt::format("--array=1-{}", tasks),
+                                     "--cpus-per-task=1",
+                                     "--output=" + (folder_.path() / "slurm" / (batch + "-%a.txt")).string(),
+                                     "--chdir=" + folder_.path().string()};
     command.insert(command.end(), options_.sbatch.begin(), options_.sbatch.end());
     command.push_back(script.string());
     for (double waited = 0;; waited += 2) {
@@ -98,15 +112,18 @@ void SlurmRuns::submit(const std::vector<Case>& left) {
             progress_.say(fmt::format("submitted {} runs as job {}", left.size(), without_end(said.output)));
             return;
         }
-        if (said.status == 127) throw Diagnostic("there is no sbatch here", "leave --slurm away to run on this machine", Fault::run);
-        if (!nobody_answers(said.output) || waited > patience) throw Diagnostic("sbatch: " + without_end(said.output), "the runs that are done are kept", Fault::run);
+        if (said.status == 127)
+            throw Diagnostic("there is no sbatch here", "leave --slurm away to run on this machine", Fault::run);
+        if (!nobody_answers(said.output) || waited > patience)
+            throw Diagnostic("sbatch: " + without_end(said.output), "the runs that are done are kept", Fault::run);
         wait(2, left);
     }
 }
 
 bool SlurmRuns::has_jobs() {
     const auto said = output_of({"squeue", "--noheader", "--name=" + name_, "--format=%i"});
-    if (said.status == 127) throw Diagnostic("there is no squeue here", "leave --slurm away to run on this machine", Fault::run);
+    if (said.status == 127)
+        throw Diagnostic("there is no squeue here", "leave --slurm away to run on this machine", Fault::run);
     if (said.status != 0) { // it is being restarted, as a rule: jobs go on without it
         if (!deaf_) progress_.say("the queue does not answer: " + without_end(said.output));
         deaf_ = true;
@@ -161,11 +178,13 @@ std::vector<Outcome> SlurmRuns::all(const std::vector<Case>& cases) {
     return outcomes;
 }
 
-std::vector<Case> cases_of_task(const StudyFolder& folder, const std::string& batch, std::size_t task, std::size_t per_task) {
+std::vector<Case> cases_of_task(const StudyFolder& folder, const std::string& batch, std::size_t task,
+                                std::size_t per_task) {
     const auto all = read_cases(folder.path() / "slurm" / (batch + ".toml"));
     const std::size_t first = (task - 1) * per_task;
     if (task < 1 || first >= all.size()) throw Diagnostic(fmt::format("{} has no task {}", batch, task));
-    return {all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), first + per_task))};
+    return {all.begin() + static_cast<std::ptrdiff_t>(first),
+            all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), first + per_task))};
 }
 
 } // namespace kaya

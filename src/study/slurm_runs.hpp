@@ -14,8 +14,8 @@ namespace kaya {
 class SlurmRuns : public Runs {
 public:
     struct Options {
-        std::vector<std::string> program;  ///< that does the tasks of a batch, and its first words
-        std::vector<std::string> sbatch;   ///< further options of the user
+        std::vector<std::string> program;        ///< that does the tasks of a batch, and its first words
+        std::vector<std::string> sbatch;         ///< further options of the user
         const std::atomic<bool>* stop = nullptr; ///< somebody wants this to end; the jobs go on
     };
     SlurmRuns(const StudyFolder& folder, Options options, StudyProgress& progress);
@@ -33,11 +33,12 @@ private:
     const StudyFolder& folder_;
     Options options_;
     StudyProgress& progress_;
-    std::string name_; ///< of the jobs: the same in each call
+    std::string name_;  ///< of the jobs: the same in each call
     bool deaf_ = false; ///< the queue does not answer at present, which was said
 };
 
 /// The cases of one task of a batch; tasks count from 1. Throws Diagnostic.
-std::vector<Case> cases_of_task(const StudyFolder& folder, const std::string& batch, std::size_t task, std::size_t per_task);
+std::vector<Case> cases_of_task(const StudyFolder& folder, const std::string& batch, std::size_t task,
+                                std::size_t per_task);
 
 } // namespace kaya

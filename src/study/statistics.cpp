@@ -29,7 +29,8 @@ std::vector<double> ranks_of(const std::vector<double>& numbers) {
 
 double correlation(const std::vector<double>& x, const std::vector<double>& y) {
     const double n = static_cast<double>(x.size());
-    const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n, mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
+    const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n,
+                 mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
     double xx = 0, yy = 0, xy = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         xx += (x[i] - mean_x) * (x[i] - mean_x);
@@ -46,13 +47,15 @@ std::vector<std::size_t> numeric_columns(const std::vector<Case>& cases) {
     for (std::size_t j = 0; j < cases[0].values.size(); ++j) {
         const auto number = [&](const Case& one) { return number_of(one.values[j].second); };
         const bool all = std::ranges::all_of(cases, [&](const Case& one) { return !std::isnan(number(one)); });
-        const bool varies = std::ranges::any_of(cases, [&](const Case& one) { return number(one) != number(cases[0]); });
+        const bool varies =
+            std::ranges::any_of(cases, [&](const Case& one) { return number(one) != number(cases[0]); });
         if (all && varies) columns.push_back(j);
     }
     return columns;
 }
 
-std::vector<Bar> bars_one_at_a_time(const Study& study, const std::vector<Case>& cases, const std::vector<Outcome>& outcomes) {
+std::vector<Bar> bars_one_at_a_time(const Study& study, const std::vector<Case>& cases,
+                                    const std::vector<Outcome>& outcomes) {
     std::vector<Bar> bars;
     for (std::size_t j = 0; j < study.factors.size(); ++j) {
         const auto& factor = study.factors[j];
@@ -60,12 +63,14 @@ std::vector<Bar> bars_one_at_a_time(const Study& study, const std::vector<Case>&
             for (std::size_t i = 0; i < cases.size(); ++i) {
                 const auto& values = cases[i].values;
                 bool wanted = values[j].second == value;
-                for (std::size_t k = 0; k < study.factors.size() && wanted; ++k) wanted = k == j || values[k].second == *study.factors[k].base;
+                for (std::size_t k = 0; k < study.factors.size() && wanted; ++k)
+                    wanted = k == j || values[k].second == *study.factors[k].base;
                 if (wanted) return number_of(result_of(outcomes[i], study.tornado_of));
             }
             return std::numeric_limits<double>::quiet_NaN();
         };
-        const Bar bar{factor.name, result_at(factor.values.front()), result_at(factor.values.back()), text_of(factor.values.front()), text_of(factor.values.back())};
+        const Bar bar{factor.name, result_at(factor.values.front()), result_at(factor.values.back()),
+                      text_of(factor.values.front()), text_of(factor.values.back())};
         if (!std::isnan(bar.low) && !std::isnan(bar.high)) bars.push_back(bar);
     }
     return bars;
@@ -142,7 +147,8 @@ std::vector<Bar> tornado_of(const Study& study, const std::vector<Case>& cases, 
     return bars;
 }
 
-std::optional<Response> response_of(const std::string& result, const std::vector<Case>& cases, const std::vector<Outcome>& outcomes) {
+std::optional<Response> response_of(const std::string& result, const std::vector<Case>& cases,
+                                    const std::vector<Outcome>& outcomes) {
     const auto columns = numeric_columns(cases);
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < cases.size(); ++i)
@@ -157,22 +163,32 @@ std::optional<Response> response_of(const std::string& result, const std::vector
         for (std::size_t k = j; k < n; ++k) products.emplace_back(j, k);
     Eigen::MatrixXd matrix(rows.size(), products.size());
     Eigen::VectorXd right(rows.size());
-    const auto number = [&](std::size_t row, std::size_t j) { return j == n ? 1.0 : number_of(cases[row].values[columns[j]].second); };
+    const auto number = [&](std::size_t row, std::size_t j) {
+        return j == n ? 1.0 : number_of(cases[row].values[columns[j]].second);
+    };
     for (std::size_t i = 0; i < rows.size(); ++i) {
         right(static_cast<Eigen::Index>(i)) = number_of(result_of(outcomes[rows[i]], result));
         for (std::size_t t = 0; t < products.size(); ++t)
-            matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(t)) = number(rows[i], products[t].first) * number(rows[i], products[t].second);
+            matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(t)) =
+                number(rows[i], products[t].first) * number(rows[i], products[t].second);
     }
     // Columns of one size: a modulus in Pa stands next to a friction angle. What the runs do not tell apart gets the least factors.
     const Eigen::VectorXd scale = matrix.colwise().norm().cwiseMax(1e-300);
-    const Eigen::VectorXd solution = (matrix * scale.cwiseInverse().asDiagonal()).completeOrthogonalDecomposition().solve(right).cwiseQuotient(scale);
+    const Eigen::VectorXd solution = (matrix * scale.cwiseInverse().asDiagonal())
+                                         .completeOrthogonalDecomposition()
+                                         .solve(right)
+                                         .cwiseQuotient(scale);
     const auto name = [&](std::size_t j) { return cases[0].values[columns[j]].first; };
     for (std::size_t t = 0; t < products.size(); ++t) {
         const auto [one, other] = products[t];
-        const std::string text = one == n ? "1" : other == n ? name(one) : one == other ? name(one) + "^2" : name(one) + " " + name(other);
+        const std::string text = one == n       ? "1"
+                                 : other == n   ? name(one)
+                                 : one == other ? name(one) + "^2"
+                                                : name(one) + " " + name(other);
         response.terms.push_back({text, solution(static_cast<Eigen::Index>(t))});
     }
-    const double rest = (matrix * solution - right).squaredNorm(), all = (right.array() - right.mean()).matrix().squaredNorm();
+    const double rest = (matrix * solution - right).squaredNorm(),
+                 all = (right.array() - right.mean()).matrix().squaredNorm();
     response.determination = all > 0 ? 1 - rest / all : 1;
     return response;
 }

@@ -13,7 +13,8 @@ namespace kaya {
 /// Of numbers with weights; quantiles take the weights for parts.
 struct Moments {
     std::size_t count = 0;
-    double mean = 0, deviation = 0, least = 0, most = 0, low = 0, median = 0, high = 0; ///< low and high: 5 and 95 % of all are below
+    double mean = 0, deviation = 0, least = 0, most = 0, low = 0, median = 0,
+           high = 0; ///< low and high: 5 and 95 % of all are below
 };
 Moments moments_of(const std::vector<double>& numbers, const std::vector<double>& weights);
 
@@ -48,6 +49,7 @@ struct Response {
     double determination = 0; ///< R squared
 };
 /// Nothing when there are too few runs for it.
-std::optional<Response> response_of(const std::string& result, const std::vector<Case>& cases, const std::vector<Outcome>& outcomes);
+std::optional<Response> response_of(const std::string& result, const std::vector<Case>& cases,
+                                    const std::vector<Outcome>& outcomes);
 
 } // namespace kaya

@@ -95,7 +95,7 @@ struct Study {
     std::vector<std::pair<std::string, StudyValue>> fixed; ///< parameters that do not vary
     Design design;
     RunLimits limits;
-    std::optional<std::vector<std::string>> kept; ///< patterns of files that stay behind a run; none: all
+    std::optional<std::vector<std::string>> kept;        ///< patterns of files that stay behind a run; none: all
     std::string probability_of, tornado_of, response_of; ///< names of results; "" when not asked
     std::optional<Critical> critical;
     std::optional<Fit> fit;

@@ -26,7 +26,8 @@ std::string ends_text(const std::vector<Outcome>& outcomes) {
     for (const auto& outcome : outcomes) ++count[static_cast<std::size_t>(outcome.end)];
     std::string text = fmt::format("{} runs: {} done", outcomes.size(), count[0]);
     for (std::size_t i = 1; i < count.size(); ++i)
-        if (count[i] > 0) text += fmt::format(", {} {}", count[i], i == 2 ? "over a limit" : name_of(static_cast<Outcome::End>(i)));
+        if (count[i] > 0)
+            text += fmt::format(", {} {}", count[i], i == 2 ? "over a limit" : name_of(static_cast<Outcome::End>(i)));
     return text + '\n';
 }
 
@@ -35,13 +36,15 @@ std::string messages_text(const StudyAnswers& answers) {
     std::vector<std::tuple<std::string, std::size_t, std::size_t>> said; // message, times, first run
     for (std::size_t i = 0; i < answers.outcomes.size(); ++i) {
         if (answers.outcomes[i].end == Outcome::End::done) continue;
-        const auto found = std::ranges::find(said, answers.outcomes[i].message, [](const auto& one) { return std::get<0>(one); });
+        const auto found =
+            std::ranges::find(said, answers.outcomes[i].message, [](const auto& one) { return std::get<0>(one); });
         if (found != said.end()) ++std::get<1>(*found);
         else said.emplace_back(answers.outcomes[i].message, 1, answers.cases[i].number);
     }
     std::string text;
     for (const auto& [message, times, first] : said)
-        text += times == 1 ? fmt::format("  run {}: {}\n", first, message) : fmt::format("  {} runs, the first is {}: {}\n", times, first, message);
+        text += times == 1 ? fmt::format("  run {}: {}\n", first, message)
+                           : fmt::format("  {} runs, the first is {}: {}\n", times, first, message);
     return text;
 }
 
@@ -55,8 +58,10 @@ std::string fit_text(const FitAnswer& fit) {
     for (std::size_t j = 0; j < fit.correlation.size(); ++j)
         for (std::size_t k = j + 1; k < fit.correlation.size(); ++k)
             if (!std::isnan(fit.correlation[j][k]))
-                text += fmt::format("  correlation of {} and {}: {:.2f}\n", fit.found[j].parameter, fit.found[k].parameter, fit.correlation[j][k]);
-    for (const auto& one : fit.compared) text += fmt::format("  {}: measured {:.6g}, found {:.6g}\n", one.result, one.measured, one.found);
+                text += fmt::format("  correlation of {} and {}: {:.2f}\n", fit.found[j].parameter,
+                                    fit.found[k].parameter, fit.correlation[j][k]);
+    for (const auto& one : fit.compared)
+        text += fmt::format("  {}: measured {:.6g}, found {:.6g}\n", one.result, one.measured, one.found);
     return text;
 }
 
@@ -79,7 +84,8 @@ StudyAnswers answer(const Study& study, Runs& runs) {
         const auto moments = moments_of(numbers_of(answers.outcomes, asked.name), weights);
         if (moments.count > 0) answers.moments.emplace_back(asked.name, moments);
     }
-    if (!study.probability_of.empty()) answers.probability = probability_of(numbers_of(answers.outcomes, study.probability_of), weights);
+    if (!study.probability_of.empty())
+        answers.probability = probability_of(numbers_of(answers.outcomes, study.probability_of), weights);
     if (!study.tornado_of.empty()) answers.tornado = tornado_of(study, answers.cases, answers.outcomes);
     if (!study.response_of.empty()) answers.response = response_of(study.response_of, answers.cases, answers.outcomes);
     return answers;
@@ -88,29 +94,34 @@ StudyAnswers answer(const Study& study, Runs& runs) {
 std::string summary_text(const Study& study, const StudyAnswers& answers) {
     std::string text = ends_text(answers.outcomes) + messages_text(answers);
     if (answers.critical)
-        text += fmt::format("'{}' changes at {} = {:.6g} (between {:.6g} and {:.6g})\n", study.critical->of, study.critical->parameter, answers.critical->value,
-                            answers.critical->below, answers.critical->above);
+        text += fmt::format("'{}' changes at {} = {:.6g} (between {:.6g} and {:.6g})\n", study.critical->of,
+                            study.critical->parameter, answers.critical->value, answers.critical->below,
+                            answers.critical->above);
     if (answers.fit) text += fit_text(*answers.fit);
     if (!answers.critical && !answers.fit)
         for (const auto& [name, m] : answers.moments)
-            text += fmt::format("{}: mean {:.6g}, deviation {:.4g}, {:.6g} to {:.6g}, median {:.6g}\n", name, m.mean, m.deviation, m.least, m.most, m.median);
+            text += fmt::format("{}: mean {:.6g}, deviation {:.4g}, {:.6g} to {:.6g}, median {:.6g}\n", name, m.mean,
+                                m.deviation, m.least, m.most, m.median);
     if (answers.probability) {
         text += fmt::format("probability of '{}': {:.4g}", study.probability_of, answers.probability->value);
         if (answers.probability->has_interval)
-            text += fmt::format(" ({} of {} runs), between {:.4g} and {:.4g} with 95 %", answers.probability->hits, answers.probability->count, answers.probability->low,
-                                answers.probability->high);
+            text += fmt::format(" ({} of {} runs), between {:.4g} and {:.4g} with 95 %", answers.probability->hits,
+                                answers.probability->count, answers.probability->low, answers.probability->high);
         text += '\n';
     }
     if (!answers.tornado.empty()) {
         text += fmt::format("what '{}' depends on:\n", study.tornado_of);
         for (const auto& bar : answers.tornado)
             text += bar.low_text.empty() ? fmt::format("  {}: rank correlation {:.3f}\n", bar.parameter, bar.high)
-                                         : fmt::format("  {}: {:.6g} at {} to {:.6g} at {}\n", bar.parameter, bar.low, bar.low_text, bar.high, bar.high_text);
+                                         : fmt::format("  {}: {:.6g} at {} to {:.6g} at {}\n", bar.parameter, bar.low,
+                                                       bar.low_text, bar.high, bar.high_text);
     }
-    if (!study.response_of.empty() && !answers.response) text += fmt::format("too few runs for a response surface of '{}'\n", study.response_of);
+    if (!study.response_of.empty() && !answers.response)
+        text += fmt::format("too few runs for a response surface of '{}'\n", study.response_of);
     if (answers.response) {
         text += fmt::format("'{}' is about, with R^2 = {:.4f}:\n", study.response_of, answers.response->determination);
-        for (const auto& term : answers.response->terms) text += fmt::format("  {:+.6g} * {}\n", term.factor, term.name);
+        for (const auto& term : answers.response->terms)
+            text += fmt::format("  {:+.6g} * {}\n", term.factor, term.name);
     }
     return text;
 }

@@ -34,7 +34,8 @@ void FileLock::release() {
 FileLock FileLock::of(const fs::path& file, Kind kind) {
     FileLock lock;
     lock.descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (lock.descriptor_ < 0) throw Diagnostic(fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)), {}, Fault::run);
+    if (lock.descriptor_ < 0)
+        throw Diagnostic(fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)), {}, Fault::run);
     // Of the open file, not of the process: it lives on in a child, and other machines see it on shared file systems.
     struct flock order {};
     order.l_type = kind == Kind::alone ? F_WRLCK : F_RDLCK;
@@ -50,7 +51,9 @@ constexpr const char* another = "go on in another folder: --into FOLDER; --anew 
 void make_folder(const fs::path& folder) {
     std::error_code failed;
     fs::create_directories(folder, failed);
-    if (failed) throw Diagnostic(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()), {}, Fault::run);
+    if (failed)
+        throw Diagnostic(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()), {},
+                         Fault::run);
 }
 
 toml::table about(const Study& study, const std::string& version) {
@@ -71,20 +74,29 @@ toml::table read_about(const fs::path& folder) {
 
 void require_same(const fs::path& folder, const toml::table& now) {
     const toml::table then = read_about(folder);
-    const auto differs = [&](const char* key) { return then[key].value_or(std::string()) != now[key].value_or(std::string("?")); };
-    if (differs("study_sha256")) throw Diagnostic(fmt::format("{} holds runs of another study, or the study file has changed", folder.string()), another);
-    if (differs("deck_sha256")) throw Diagnostic(fmt::format("the deck has changed since the runs in {} began", folder.string()), another);
+    const auto differs = [&](const char* key) {
+        return then[key].value_or(std::string()) != now[key].value_or(std::string("?"));
+    };
+    if (differs("study_sha256"))
+        throw Diagnostic(fmt::format("{} holds runs of another study, or the study file has changed", folder.string()),
+                         another);
+    if (differs("deck_sha256"))
+        throw Diagnostic(fmt::format("the deck has changed since the runs in {} began", folder.string()), another);
     if (differs("version"))
-        throw Diagnostic(fmt::format("the runs in {} were begun by {}", folder.string(), then["version"].value_or(std::string("another version"))), another);
+        throw Diagnostic(fmt::format("the runs in {} were begun by {}", folder.string(),
+                                     then["version"].value_or(std::string("another version"))),
+                         another);
 }
 
 } // namespace
 
-StudyFolder::StudyFolder(fs::path folder, const Study& study, const std::string& version, bool ranks) : folder_(fs::absolute(std::move(folder))) {
+StudyFolder::StudyFolder(fs::path folder, const Study& study, const std::string& version, bool ranks)
+    : folder_(fs::absolute(std::move(folder))) {
     make_folder(folder_ / "runs");
     lock_ = FileLock::of(folder_ / ".lock", ranks ? FileLock::Kind::shared : FileLock::Kind::alone);
     if (!lock_.is_held())
-        throw Diagnostic(fmt::format("another kaya study is at work in {}", folder_.string()), "wait for it, or give another folder: --into FOLDER", Fault::run);
+        throw Diagnostic(fmt::format("another kaya study is at work in {}", folder_.string()),
+                         "wait for it, or give another folder: --into FOLDER", Fault::run);
     const toml::table now = about(study, version);
     std::error_code ignored;
     if (fs::exists(folder_ / "about.toml", ignored)) {
@@ -99,7 +111,8 @@ StudyFolder::StudyFolder(fs::path folder, const Study& study, const std::string&
 
 StudyFolder::StudyFolder(fs::path folder) : folder_(fs::absolute(std::move(folder))) {
     std::error_code ignored;
-    if (!fs::exists(folder_ / "about.toml", ignored)) throw Diagnostic(fmt::format("{} is no folder of a study", folder_.string()));
+    if (!fs::exists(folder_ / "about.toml", ignored))
+        throw Diagnostic(fmt::format("{} is no folder of a study", folder_.string()));
 }
 
 fs::path StudyFolder::run(std::size_t number) const { return folder_ / "runs" / fmt::format("{:06}", number); }

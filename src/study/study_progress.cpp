@@ -43,7 +43,9 @@ void StudyProgress::show(bool last) {
     const double spent = std::chrono::duration<double>(now - began_).count();
     std::string line = fmt::format("{} of {} runs", done, runs_);
     if (failed_ > 0) line += fmt::format(", {} not done", failed_);
-    if (!last && done_ > 0) line += fmt::format(", {} left", duration(spent / static_cast<double>(done_) * static_cast<double>(runs_ - done)));
+    if (!last && done_ > 0)
+        line +=
+            fmt::format(", {} left", duration(spent / static_cast<double>(done_) * static_cast<double>(runs_ - done)));
     if (terminal_) fmt::print(stderr, "\r\033[K{}", line);
     else fmt::print(stderr, "{}\n", line);
     std::fflush(stderr);

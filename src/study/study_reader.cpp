@@ -37,16 +37,19 @@ void check_name(const TomlSection& in, const std::string& name, const char* what
     if (is_property(name) && std::string_view(what) == "parameter") return;
     const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) != 0 || !std::ranges::all_of(name, allowed))
-        in.fail(in.place_of(name), fmt::format("'{}' is no name of a {}", name, what), "a name has letters, digits and _, and does not begin with a digit");
+        in.fail(in.place_of(name), fmt::format("'{}' is no name of a {}", name, what),
+                "a name has letters, digits and _, and does not begin with a digit");
 }
 
-template <class Names> std::size_t index_of_name(TomlSection& in, std::string_view key, const std::string& word, const Names& names) {
+template <class Names>
+std::size_t index_of_name(TomlSection& in, std::string_view key, const std::string& word, const Names& names) {
     const auto found = std::ranges::find(names, word);
     if (found == names.end()) {
         const std::vector<std::string_view> candidates(names.begin(), names.end());
         const auto near = did_you_mean(word, candidates);
         in.fail(in.place_of(*in.find(key)), fmt::format("there is no {} '{}'", key, word),
-                near.empty() ? fmt::format("known are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
+                near.empty() ? fmt::format("known are {}", fmt::join(names, ", "))
+                             : fmt::format("did you mean '{}'?", near));
     }
     return static_cast<std::size_t>(found - names.begin());
 }
@@ -80,18 +83,21 @@ std::vector<StudyValue> read_span(TomlSection& in, double from, double to) {
     if (count && by) in.fail(in.place_of("by"), "a parameter takes 'count' or 'by', not both");
     std::size_t steps = 0;
     if (count) {
-        if (*count < 2 || static_cast<std::size_t>(*count) > most_grid_values) in.fail(in.place_of("count"), fmt::format("'count' must be 2 to {}", most_grid_values));
+        if (*count < 2 || static_cast<std::size_t>(*count) > most_grid_values)
+            in.fail(in.place_of("count"), fmt::format("'count' must be 2 to {}", most_grid_values));
         steps = static_cast<std::size_t>(*count) - 1;
     } else if (by) {
         const double parts = (to - from) / *by;
-        if (!(parts > 0) || parts > static_cast<double>(most_grid_values)) in.fail(in.place_of("by"), "'by' must lead from 'from' to 'to'");
+        if (!(parts > 0) || parts > static_cast<double>(most_grid_values))
+            in.fail(in.place_of("by"), "'by' must lead from 'from' to 'to'");
         steps = static_cast<std::size_t>(std::floor(parts + 1e-9));
     } else {
         return {};
     }
     std::vector<StudyValue> values;
     for (std::size_t i = 0; i <= steps; ++i)
-        values.emplace_back(by ? from + static_cast<double>(i) * *by : from + (to - from) * static_cast<double>(i) / static_cast<double>(steps));
+        values.emplace_back(by ? from + static_cast<double>(i) * *by
+                               : from + (to - from) * static_cast<double>(i) / static_cast<double>(steps));
     return values;
 }
 
@@ -106,7 +112,8 @@ void read_factor_table(TomlSection in, Factor& factor) {
         even.kind = Distribution::Kind::uniform, even.a = *from, even.b = to;
         factor.distribution = even;
     } else if (const auto* list = in.find("values")) {
-        if (!list->is_array() || list->as_array()->empty()) in.fail(in.place_of(*list), "'values' must be a list that is not empty");
+        if (!list->is_array() || list->as_array()->empty())
+            in.fail(in.place_of(*list), "'values' must be a list that is not empty");
         for (const auto& node : *list->as_array()) factor.values.push_back(needed_value(in, node));
     }
     if (const auto* base = in.find("base")) factor.base = needed_value(in, *base);
@@ -150,7 +157,8 @@ void read_results(TomlSection in, Study& study) {
             asked.lua = true;
             own.finish();
         }
-        if (asked.expression.find_first_not_of(" \t@") == std::string::npos) in.fail(in.place_of(node), fmt::format("the expression of '{}' is empty", name));
+        if (asked.expression.find_first_not_of(" \t@") == std::string::npos)
+            in.fail(in.place_of(node), fmt::format("the expression of '{}' is empty", name));
         study.asked.push_back(std::move(asked));
     });
 }
@@ -161,7 +169,8 @@ std::size_t factor_named(const TomlSection& in, const Place& place, const Study&
         std::vector<std::string_view> names;
         for (const auto& factor : study.factors) names.push_back(factor.name);
         const auto near = did_you_mean(name, names);
-        in.fail(place, fmt::format("there is no parameter '{}' that varies", name), near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+        in.fail(place, fmt::format("there is no parameter '{}' that varies", name),
+                near.empty() ? "" : fmt::format("did you mean '{}'?", near));
     }
     return static_cast<std::size_t>(found - study.factors.begin());
 }
@@ -173,7 +182,8 @@ void read_correlations(TomlSection& in, Study& study) {
     if (!list->is_array()) in.fail(in.place_of(*list), "'correlation' must be a list", form);
     for (const auto& node : *list->as_array()) {
         const auto* row = node.as_array();
-        if (row == nullptr || row->size() != 3 || !(*row)[0].is_string() || !(*row)[1].is_string() || !(*row)[2].is_number())
+        if (row == nullptr || row->size() != 3 || !(*row)[0].is_string() || !(*row)[1].is_string() ||
+            !(*row)[2].is_number())
             in.fail(in.place_of(node), "a correlation is two names and a number", form);
         Design::Correlation c;
         c.one = factor_named(in, in.place_of((*row)[0]), study, *(*row)[0].value<std::string>());
@@ -182,7 +192,8 @@ void read_correlations(TomlSection& in, Study& study) {
         if (c.one == c.other) in.fail(in.place_of(node), "a parameter is not correlated with itself");
         if (!(c.value > -1 && c.value < 1)) in.fail(in.place_of((*row)[2]), "a correlation lies between -1 and 1");
         for (const std::size_t i : {c.one, c.other})
-            if (!study.factors[i].distribution) in.fail(in.place_of(node), fmt::format("'{}' has no distribution", study.factors[i].name));
+            if (!study.factors[i].distribution)
+                in.fail(in.place_of(node), fmt::format("'{}' has no distribution", study.factors[i].name));
         study.design.correlations.push_back(c);
     }
 }
@@ -195,13 +206,15 @@ void read_design(std::optional<TomlSection> found, Study& study) {
         if (scatters && !study.factors.empty()) {
             const auto& factor = *std::ranges::find_if(study.factors, [](const Factor& f) { return f.values.empty(); });
             throw Diagnostic(fmt::format("'{}' scatters, and no [design] says how it is sampled", factor.name),
-                             "give [design] with method = \"latin-hypercube\" and samples = 200").at(factor.place);
+                             "give [design] with method = \"latin-hypercube\" and samples = 200")
+                .at(factor.place);
         }
         return;
     }
     TomlSection& in = *found;
     design.method = static_cast<Method>(index_of_name(in, "method", in.needed_text("method"), method_names()));
-    const bool samples = design.method == Method::latin_hypercube || design.method == Method::sobol || design.method == Method::random;
+    const bool samples =
+        design.method == Method::latin_hypercube || design.method == Method::sobol || design.method == Method::random;
     if (samples) {
         design.samples = static_cast<std::size_t>(in.needed_number("samples"));
         const auto whole = in.count("samples");
@@ -211,16 +224,21 @@ void read_design(std::optional<TomlSection> found, Study& study) {
     for (const auto& factor : study.factors) {
         const bool needs_distribution = samples || design.method == Method::point_estimate;
         if (needs_distribution && !factor.distribution)
-            in.fail(factor.place, fmt::format("method \"{}\" needs a distribution of '{}'", method_names()[static_cast<std::size_t>(design.method)], factor.name),
+            in.fail(factor.place,
+                    fmt::format("method \"{}\" needs a distribution of '{}'",
+                                method_names()[static_cast<std::size_t>(design.method)], factor.name),
                     "give distribution = \"normal\" with mean and deviation, or from and to");
         if (!needs_distribution && factor.values.empty())
-            in.fail(factor.place, fmt::format("method \"{}\" needs values of '{}'", method_names()[static_cast<std::size_t>(design.method)], factor.name),
+            in.fail(factor.place,
+                    fmt::format("method \"{}\" needs values of '{}'",
+                                method_names()[static_cast<std::size_t>(design.method)], factor.name),
                     "give values = [...], or from, to and count");
         if (design.method == Method::one_at_a_time && !factor.base)
-            in.fail(factor.place, fmt::format("method \"one-at-a-time\" needs the base of '{}'", factor.name), "give base = 30 next to its values");
+            in.fail(factor.place, fmt::format("method \"one-at-a-time\" needs the base of '{}'", factor.name),
+                    "give base = 30 next to its values");
         if (design.method == Method::list && factor.values.size() != study.factors.front().values.size())
-            in.fail(factor.place, fmt::format("a list needs as many values of '{}' as of '{}': {}", factor.name, study.factors.front().name,
-                                              study.factors.front().values.size()));
+            in.fail(factor.place, fmt::format("a list needs as many values of '{}' as of '{}': {}", factor.name,
+                                              study.factors.front().name, study.factors.front().values.size()));
     }
     read_correlations(in, study);
     in.finish();
@@ -245,7 +263,8 @@ void check_result(const TomlSection& in, const Place& place, const Study& study,
     for (const auto& asked : study.asked) names.push_back(asked.name);
     if (std::ranges::find(names, name) != names.end()) return;
     const auto near = did_you_mean(name, names);
-    in.fail(place, fmt::format("there is no result '{}'", name), near.empty() ? "results stand in [results]" : fmt::format("did you mean '{}'?", near));
+    in.fail(place, fmt::format("there is no result '{}'", name),
+            near.empty() ? "results stand in [results]" : fmt::format("did you mean '{}'?", near));
 }
 
 void read_critical(std::optional<TomlSection> found, Study& study) {
@@ -265,7 +284,8 @@ void read_critical(std::optional<TomlSection> found, Study& study) {
     study.critical = std::move(c);
 }
 
-Fit::Observation read_observation(TomlSection& in, const std::string& name, const toml::node& node, const Study& study) {
+Fit::Observation read_observation(TomlSection& in, const std::string& name, const toml::node& node,
+                                  const Study& study) {
     check_result(in, in.place_of(name), study, name);
     Fit::Observation seen{.result = name, .value = 0, .deviation = 0};
     if (node.is_number()) {
@@ -296,20 +316,26 @@ void read_fit(std::optional<TomlSection> found, Study& study) {
     if (const auto runs = in.count("runs")) fit.most_runs = static_cast<std::size_t>(*runs);
     auto parameters = in.section("parameters");
     auto observed = in.section("observed");
-    if (!parameters || !observed) in.fail(in.place(), "[fit] needs 'parameters' and 'observed'",
-                                          "write [fit.parameters] with friction = { from = 10, to = 50 }, and [fit.observed] with slip = 0.012");
+    if (!parameters || !observed)
+        in.fail(in.place(), "[fit] needs 'parameters' and 'observed'",
+                "write [fit.parameters] with friction = { from = 10, to = 50 }, and [fit.observed] with slip = 0.012");
     parameters->each([&](const std::string& name, const toml::node& node) {
         check_name(*parameters, name, "parameter");
         TomlSection own = parameters->section_of(name, node);
-        Fit::Unknown unknown{.parameter = name, .from = own.needed_number("from"), .to = own.needed_number("to"), .start = 0};
+        Fit::Unknown unknown{
+            .parameter = name, .from = own.needed_number("from"), .to = own.needed_number("to"), .start = 0};
         if (!(unknown.from < unknown.to)) own.fail(own.place_of("to"), "'to' must be above 'from'");
         unknown.start = own.number("start").value_or(0.5 * (unknown.from + unknown.to));
-        if (unknown.start < unknown.from || unknown.start > unknown.to) own.fail(own.place_of("start"), "'start' must lie between 'from' and 'to'");
+        if (unknown.start < unknown.from || unknown.start > unknown.to)
+            own.fail(own.place_of("start"), "'start' must lie between 'from' and 'to'");
         own.finish();
         fit.unknowns.push_back(unknown);
     });
-    observed->each([&](const std::string& name, const toml::node& node) { fit.observations.push_back(read_observation(*observed, name, node, study)); });
-    if (fit.unknowns.empty() || fit.observations.empty()) in.fail(in.place(), "[fit] needs a parameter and an observation");
+    observed->each([&](const std::string& name, const toml::node& node) {
+        fit.observations.push_back(read_observation(*observed, name, node, study));
+    });
+    if (fit.unknowns.empty() || fit.observations.empty())
+        in.fail(in.place(), "[fit] needs a parameter and an observation");
     in.finish();
     study.fit = std::move(fit);
 }
@@ -331,10 +357,12 @@ void read_questions(TomlSection& in, Study& study) {
     if (auto ask = in.section("ask")) read_ask(*ask, study);
     read_critical(in.section("critical"), study);
     read_fit(in.section("fit"), study);
-    if (study.critical && study.fit) in.fail(study.fit->place, "a study looks for a critical value or fits parameters, not both");
+    if (study.critical && study.fit)
+        in.fail(study.fit->place, "a study looks for a critical value or fits parameters, not both");
     if (!study.critical && !study.fit) return;
-    if (!study.factors.empty()) in.fail(study.factors.front().place, fmt::format("'{}' varies besides a search", study.factors.front().name),
-                                        "a study with [critical] or [fit] gives its other parameters one value each");
+    if (!study.factors.empty())
+        in.fail(study.factors.front().place, fmt::format("'{}' varies besides a search", study.factors.front().name),
+                "a study with [critical] or [fit] gives its other parameters one value each");
 }
 
 /// Nothing may be given twice: a parameter that varies and is searched for.
@@ -342,7 +370,8 @@ void check_once(const TomlSection& in, const Study& study) {
     std::vector<std::string> names;
     for (const auto& [name, value] : study.fixed) names.push_back(name);
     if (study.critical && std::ranges::find(names, study.critical->parameter) != names.end())
-        in.fail(study.critical->place, fmt::format("'{}' has a value in [parameters] and is searched for", study.critical->parameter));
+        in.fail(study.critical->place,
+                fmt::format("'{}' has a value in [parameters] and is searched for", study.critical->parameter));
     if (!study.fit) return;
     for (const auto& unknown : study.fit->unknowns)
         if (std::ranges::find(names, unknown.parameter) != names.end())
@@ -351,10 +380,13 @@ void check_once(const TomlSection& in, const Study& study) {
 
 } // namespace
 
-bool is_property(const std::string& name) { return name.find(' ') != std::string::npos && name.find('\'') == std::string::npos; }
+bool is_property(const std::string& name) {
+    return name.find(' ') != std::string::npos && name.find('\'') == std::string::npos;
+}
 
 const std::vector<std::string>& method_names() {
-    static const std::vector<std::string> names{"grid", "list", "one-at-a-time", "latin-hypercube", "sobol", "random", "point-estimate"};
+    static const std::vector<std::string> names{"grid",  "list",   "one-at-a-time", "latin-hypercube",
+                                                "sobol", "random", "point-estimate"};
     return names;
 }
 
@@ -392,22 +424,31 @@ Study read_study(const std::string& file, const std::string& text) {
     if (!deck) in.fail(in.place(), "a study needs its deck", "write deck = \"slope.3dd\" in its first lines");
     study.deck = (fs::path(file).parent_path() / *deck).string();
     std::error_code ignored;
-    if (!fs::is_regular_file(study.deck, ignored)) in.fail(in.place_of(*in.find("deck")), fmt::format("there is no deck '{}'", *deck), "the deck is looked for next to the study file");
+    if (!fs::is_regular_file(study.deck, ignored))
+        in.fail(in.place_of(*in.find("deck")), fmt::format("there is no deck '{}'", *deck),
+                "the deck is looked for next to the study file");
     study.title = in.text("title").value_or("");
     if (auto parameters = in.section("parameters")) read_parameters(*parameters, study);
     auto results = in.section("results");
-    if (!results) in.fail(in.place(), "a study needs results", "write [results] with slip = \"@max_slip\": a variable or function of the deck");
+    if (!results)
+        in.fail(in.place(), "a study needs results",
+                "write [results] with slip = \"@max_slip\": a variable or function of the deck");
     read_results(*results, study);
-    if (study.asked.empty()) in.fail(results->place(), "[results] is empty", "write slip = \"@max_slip\": a variable or function of the deck");
+    if (study.asked.empty())
+        in.fail(results->place(), "[results] is empty",
+                "write slip = \"@max_slip\": a variable or function of the deck");
     read_questions(in, study);
-    if (!study.critical && !study.fit && study.factors.empty()) in.fail(in.place(), "no parameter varies", "write [parameters] with friction = [20, 25, 30]");
+    if (!study.critical && !study.fit && study.factors.empty())
+        in.fail(in.place(), "no parameter varies", "write [parameters] with friction = [20, 25, 30]");
     read_design(in.section("design"), study);
     read_limits(in.section("limits"), study);
     if (const auto* kept = in.find("keep")) {
-        if (!kept->is_array()) in.fail(in.place_of(*kept), "'keep' must be a list of patterns", "write keep = [\"*.png\", \"*.csv\"]");
+        if (!kept->is_array())
+            in.fail(in.place_of(*kept), "'keep' must be a list of patterns", "write keep = [\"*.png\", \"*.csv\"]");
         study.kept.emplace();
         for (const auto& node : *kept->as_array()) {
-            if (!node.is_string()) in.fail(in.place_of(node), "a pattern is a text", "write keep = [\"*.png\", \"*.csv\"]");
+            if (!node.is_string())
+                in.fail(in.place_of(node), "a pattern is a text", "write keep = [\"*.png\", \"*.csv\"]");
             study.kept->push_back(*node.value<std::string>());
         }
     }

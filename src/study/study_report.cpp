@@ -26,7 +26,9 @@ std::string html(const std::string& text) {
     return result;
 }
 
-std::string rgb(const Colour& c) { return fmt::format("rgb({:.0f},{:.0f},{:.0f})", 255 * c[0], 255 * c[1], 255 * c[2]); }
+std::string rgb(const Colour& c) {
+    return fmt::format("rgb({:.0f},{:.0f},{:.0f})", 255 * c[0], 255 * c[1], 255 * c[2]);
+}
 
 /// The columns of the table that are numbers and differ: parameters first, then results.
 struct Axis {
@@ -60,7 +62,9 @@ std::vector<Axis> axes_of(const Study& study, const StudyAnswers& answers) {
 }
 
 std::string svg_begin(int width, int height) {
-    return fmt::format("<svg viewBox=\"0 0 {} {}\" width=\"{}\" font-family=\"sans-serif\" font-size=\"13\" role=\"img\">\n", width, height, width);
+    return fmt::format(
+        "<svg viewBox=\"0 0 {} {}\" width=\"{}\" font-family=\"sans-serif\" font-size=\"13\" role=\"img\">\n", width,
+        height, width);
 }
 
 /// One line for each run through all axes, coloured by the last of them.
@@ -74,14 +78,18 @@ std::string parallel_lines(const std::vector<Axis>& axes) {
     for (std::size_t i = 0; i < runs; i += every) {
         if (std::ranges::any_of(axes, [&](const Axis& axis) { return !std::isfinite(axis.numbers[i]); })) continue;
         std::string path;
-        for (std::size_t k = 0; k < axes.size(); ++k) path += fmt::format("{}{:.0f} {:.1f}", k == 0 ? 'M' : 'L', across(k), up(axes[k].part(i)));
-        svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-opacity=\"0.5\"/>\n", path, rgb(sequential_colour(axes.back().part(i))));
+        for (std::size_t k = 0; k < axes.size(); ++k)
+            path += fmt::format("{}{:.0f} {:.1f}", k == 0 ? 'M' : 'L', across(k), up(axes[k].part(i)));
+        svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-opacity=\"0.5\"/>\n", path,
+                           rgb(sequential_colour(axes.back().part(i))));
     }
     for (std::size_t k = 0; k < axes.size(); ++k) {
-        svg += fmt::format("<path d=\"M{0:.0f} 50V340\" stroke=\"#333\"/><text x=\"{0:.0f}\" y=\"20\" text-anchor=\"middle\" font-weight=\"bold\">{1}</text>\n", across(k),
-                           html(axes[k].name));
-        svg += fmt::format("<text x=\"{0:.0f}\" y=\"40\" text-anchor=\"middle\">{1:.4g}</text><text x=\"{0:.0f}\" y=\"362\" text-anchor=\"middle\">{2:.4g}</text>\n",
-                           across(k), axes[k].high, axes[k].low);
+        svg += fmt::format(
+            "<path d=\"M{0:.0f} 50V340\" stroke=\"#333\"/><text x=\"{0:.0f}\" y=\"20\" text-anchor=\"middle\" font-weight=\"bold\">{1}</text>\n",
+            across(k), html(axes[k].name));
+        svg += fmt::format(
+            "<text x=\"{0:.0f}\" y=\"40\" text-anchor=\"middle\">{1:.4g}</text><text x=\"{0:.0f}\" y=\"362\" text-anchor=\"middle\">{2:.4g}</text>\n",
+            across(k), axes[k].high, axes[k].low);
     }
     return svg + "</svg>\n";
 }
@@ -93,15 +101,20 @@ std::string scatter(const Axis& x, const Axis& y) {
     const auto up = [&](double v) { return 210 - 190 * (v - ty.low) / (ty.high - ty.low); };
     std::string svg = svg_begin(width, height);
     for (const double v : tx.values())
-        svg += fmt::format("<path d=\"M{0:.1f} 20V210\" stroke=\"#ddd\"/><text x=\"{0:.1f}\" y=\"226\" text-anchor=\"middle\" font-size=\"11\">{1}</text>\n", across(v),
-                           tx.label(v));
+        svg += fmt::format(
+            "<path d=\"M{0:.1f} 20V210\" stroke=\"#ddd\"/><text x=\"{0:.1f}\" y=\"226\" text-anchor=\"middle\" font-size=\"11\">{1}</text>\n",
+            across(v), tx.label(v));
     for (const double v : ty.values())
-        svg += fmt::format("<path d=\"M60 {0:.1f}H325\" stroke=\"#ddd\"/><text x=\"55\" y=\"{1:.1f}\" text-anchor=\"end\" font-size=\"11\">{2}</text>\n", up(v), up(v) + 4,
-                           ty.label(v));
+        svg += fmt::format(
+            "<path d=\"M60 {0:.1f}H325\" stroke=\"#ddd\"/><text x=\"55\" y=\"{1:.1f}\" text-anchor=\"end\" font-size=\"11\">{2}</text>\n",
+            up(v), up(v) + 4, ty.label(v));
     for (std::size_t i = 0; i < x.numbers.size(); i += x.numbers.size() / most_lines + 1)
         if (std::isfinite(x.numbers[i]) && std::isfinite(y.numbers[i]))
-            svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.2\" fill=\"#0072b2\" fill-opacity=\"0.6\"/>\n", across(x.numbers[i]), up(y.numbers[i]));
-    svg += fmt::format("<text x=\"192\" y=\"250\" text-anchor=\"middle\">{}</text><text x=\"60\" y=\"13\">{}</text>\n", html(x.name), html(y.name));
+            svg +=
+                fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.2\" fill=\"#0072b2\" fill-opacity=\"0.6\"/>\n",
+                            across(x.numbers[i]), up(y.numbers[i]));
+    svg += fmt::format("<text x=\"192\" y=\"250\" text-anchor=\"middle\">{}</text><text x=\"60\" y=\"13\">{}</text>\n",
+                       html(x.name), html(y.name));
     return svg + "</svg>\n";
 }
 
@@ -135,12 +148,17 @@ std::string tornado(const std::vector<Bar>& bars) {
         const auto& bar = bars[i];
         const int y = 10 + 34 * static_cast<int>(i);
         const double left = across(std::min(bar.low, bar.high)), right = across(std::max(bar.low, bar.high));
-        svg += fmt::format("<text x=\"190\" y=\"{}\" text-anchor=\"end\">{}</text><rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"22\" fill=\"{}\"/>\n", y + 16,
-                           html(bar.parameter), left, y, std::max(1.0, right - left), bar.high >= bar.low ? "#0072b2" : "#d55e00");
-        const std::string text = bar.low_text.empty() ? fmt::format("{:.3f}", bar.high) : fmt::format("{} to {}", bar.low_text, bar.high_text);
+        svg += fmt::format(
+            "<text x=\"190\" y=\"{}\" text-anchor=\"end\">{}</text><rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"22\" fill=\"{}\"/>\n",
+            y + 16, html(bar.parameter), left, y, std::max(1.0, right - left),
+            bar.high >= bar.low ? "#0072b2" : "#d55e00");
+        const std::string text = bar.low_text.empty() ? fmt::format("{:.3f}", bar.high)
+                                                      : fmt::format("{} to {}", bar.low_text, bar.high_text);
         svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\">{}</text>\n", right + 6, y + 16, html(text));
     }
-    svg += fmt::format("<text x=\"200\" y=\"{0}\" text-anchor=\"middle\">{1:.4g}</text><text x=\"620\" y=\"{0}\" text-anchor=\"middle\">{2:.4g}</text>\n", height - 6, low, high);
+    svg += fmt::format(
+        "<text x=\"200\" y=\"{0}\" text-anchor=\"middle\">{1:.4g}</text><text x=\"620\" y=\"{0}\" text-anchor=\"middle\">{2:.4g}</text>\n",
+        height - 6, low, high);
     return svg + "</svg>\n";
 }
 
@@ -148,7 +166,8 @@ std::string tornado(const std::vector<Bar>& bars) {
 std::string table(const StudyAnswers& answers, const std::vector<Asked>& asked) {
     const std::size_t rows = std::min(most_rows, answers.cases.size());
     const std::vector<Case> cases(answers.cases.begin(), answers.cases.begin() + static_cast<std::ptrdiff_t>(rows));
-    const std::vector<Outcome> outcomes(answers.outcomes.begin(), answers.outcomes.begin() + static_cast<std::ptrdiff_t>(rows));
+    const std::vector<Outcome> outcomes(answers.outcomes.begin(),
+                                        answers.outcomes.begin() + static_cast<std::ptrdiff_t>(rows));
     std::string page = "<table><tr><th>run</th>";
     if (!cases.empty())
         for (const auto& [name, value] : cases[0].values) page += "<th>" + html(name) + "</th>";
@@ -158,27 +177,33 @@ std::string table(const StudyAnswers& answers, const std::vector<Asked>& asked) 
         page += fmt::format("<tr><td>{}</td>", cases[i].number);
         for (const auto& [name, value] : cases[i].values) page += "<td>" + html(text_of(value)) + "</td>";
         for (const auto& one : asked) page += "<td>" + html(text_of(result_of(outcomes[i], one.name))) + "</td>";
-        page += fmt::format("<td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>\n", name_of(outcomes[i].end), outcomes[i].cycles, html(outcomes[i].message));
+        page += fmt::format("<td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>\n", name_of(outcomes[i].end),
+                            outcomes[i].cycles, html(outcomes[i].message));
     }
     page += "</table>\n";
-    if (rows < answers.cases.size()) page += fmt::format("<p>{} more runs stand in results.csv.</p>\n", answers.cases.size() - rows);
+    if (rows < answers.cases.size())
+        page += fmt::format("<p>{} more runs stand in results.csv.</p>\n", answers.cases.size() - rows);
     return page;
 }
 
-constexpr const char* style = "body{font:16px/1.5 sans-serif;max-width:1100px;margin:2em auto;padding:0 1em;color:#222}"
-                              "pre{background:#f5f5f5;padding:1em;overflow:auto}table{border-collapse:collapse;font-size:13px}"
-                              "th,td{border-bottom:1px solid #ddd;padding:2px 8px;text-align:right}td.text{text-align:left}"
-                              "div.wide{overflow:auto}svg{max-width:100%;height:auto}";
+constexpr const char* style =
+    "body{font:16px/1.5 sans-serif;max-width:1100px;margin:2em auto;padding:0 1em;color:#222}"
+    "pre{background:#f5f5f5;padding:1em;overflow:auto}table{border-collapse:collapse;font-size:13px}"
+    "th,td{border-bottom:1px solid #ddd;padding:2px 8px;text-align:right}td.text{text-align:left}"
+    "div.wide{overflow:auto}svg{max-width:100%;height:auto}";
 
 } // namespace
 
 std::string report_page(const Study& study, const StudyAnswers& answers, const std::string& version) {
     const std::string title = html(study.title.empty() ? study.file : study.title);
-    std::string page = fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}</title><style>{}</style></head><body>\n<h1>{}</h1>\n", title,
-                                   style, title);
-    page += fmt::format("<p>Study {} of the deck {}, run by kaya {}.</p>\n", html(study.file), html(study.deck), html(version));
+    std::string page = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}</title><style>{}</style></head><body>\n<h1>{}</h1>\n",
+        title, style, title);
+    page += fmt::format("<p>Study {} of the deck {}, run by kaya {}.</p>\n", html(study.file), html(study.deck),
+                        html(version));
     page += "<h2>Results</h2>\n<pre>" + html(summary_text(study, answers)) + "</pre>\n";
-    if (!answers.tornado.empty()) page += fmt::format("<h2>What {} depends on</h2>\n{}", html(study.tornado_of), tornado(answers.tornado));
+    if (!answers.tornado.empty())
+        page += fmt::format("<h2>What {} depends on</h2>\n{}", html(study.tornado_of), tornado(answers.tornado));
     const auto axes = axes_of(study, answers);
     if (axes.size() >= 2) page += "<h2>All runs</h2>\n<div class=\"wide\">" + parallel_lines(axes) + "</div>\n";
     std::string scatters;
@@ -191,7 +216,8 @@ std::string report_page(const Study& study, const StudyAnswers& answers, const s
     for (const auto& axis : axes)
         if (axis.is_result) curves += distribution_curve(axis);
     if (!curves.empty()) page += "<h2>Distributions</h2>\n" + curves;
-    page += "<h2>Runs</h2>\n<div class=\"wide\">" + table(answers, study.asked) + "</div>\n<h2>The study</h2>\n<pre>" + html(study.text) + "</pre>\n</body></html>\n";
+    page += "<h2>Runs</h2>\n<div class=\"wide\">" + table(answers, study.asked) + "</div>\n<h2>The study</h2>\n<pre>" +
+            html(study.text) + "</pre>\n</body></html>\n";
     return page;
 }
 

@@ -18,15 +18,18 @@ struct Column {
     std::function<std::string(std::size_t row)> text;
 };
 
-std::vector<Column> columns_of(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes, const std::vector<Asked>& asked) {
+std::vector<Column> columns_of(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes,
+                               const std::vector<Asked>& asked) {
     std::vector<Column> columns;
     columns.push_back({"run", [&](std::size_t i) { return fmt::format("{}", cases[i].number); }});
     if (!cases.empty())
         for (std::size_t j = 0; j < cases[0].values.size(); ++j)
-            columns.push_back({cases[0].values[j].first, [&, j](std::size_t i) { return text_of(cases[i].values[j].second); }});
+            columns.push_back(
+                {cases[0].values[j].first, [&, j](std::size_t i) { return text_of(cases[i].values[j].second); }});
     if (std::ranges::any_of(cases, [](const Case& one) { return one.weight != 1; }))
         columns.push_back({"weight", [&](std::size_t i) { return text_of(cases[i].weight); }});
-    for (const auto& one : asked) columns.push_back({one.name, [&](std::size_t i) { return text_of(result_of(outcomes[i], one.name)); }});
+    for (const auto& one : asked)
+        columns.push_back({one.name, [&](std::size_t i) { return text_of(result_of(outcomes[i], one.name)); }});
     columns.push_back({"end", [&](std::size_t i) { return std::string(name_of(outcomes[i].end)); }});
     columns.push_back({"cycles", [&](std::size_t i) { return fmt::format("{}", outcomes[i].cycles); }});
     columns.push_back({"seconds", [&](std::size_t i) { return fmt::format("{:.3f}", outcomes[i].seconds); }});
@@ -38,7 +41,8 @@ std::vector<Column> columns_of(const std::vector<Case>& cases, const std::vector
 
 /// Numbers as a column of numbers, anything else as lines.
 void write_values(TreeWriter& tree, const std::string& name, const std::vector<StudyValue>& values) {
-    const bool texts = std::ranges::any_of(values, [](const StudyValue& v) { return std::holds_alternative<std::string>(v); });
+    const bool texts =
+        std::ranges::any_of(values, [](const StudyValue& v) { return std::holds_alternative<std::string>(v); });
     if (!texts) {
         std::vector<double> numbers;
         for (const auto& value : values) numbers.push_back(number_of(value));
@@ -63,7 +67,8 @@ template <class Take> void write_column(TreeWriter& tree, const char* name, std:
 
 } // namespace
 
-std::string csv_of(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes, const std::vector<Asked>& asked) {
+std::string csv_of(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes,
+                   const std::vector<Asked>& asked) {
     const auto columns = columns_of(cases, outcomes, asked);
     std::string text;
     std::vector<std::string> cells;
@@ -77,7 +82,8 @@ std::string csv_of(const std::vector<Case>& cases, const std::vector<Outcome>& o
     return text;
 }
 
-std::string hdf5_of(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes, const std::vector<Asked>& asked) {
+std::string hdf5_of(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes,
+                    const std::vector<Asked>& asked) {
     TreeWriter tree;
     const std::size_t rows = cases.size();
     tree.open_group("parameters");
@@ -110,7 +116,8 @@ std::string hdf5_of(const std::vector<Case>& cases, const std::vector<Outcome>& 
     return tree.image();
 }
 
-std::string table_text(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes, const std::vector<Asked>& asked, std::size_t most) {
+std::string table_text(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes,
+                       const std::vector<Asked>& asked, std::size_t most) {
     const auto columns = columns_of(cases, outcomes, asked);
     const std::size_t rows = std::min(most, cases.size());
     std::vector<std::vector<std::string>> cells(columns.size());

@@ -55,12 +55,14 @@ toml::table parse_toml(const std::shared_ptr<const SourceText>& source, const st
         return toml::parse(text, source->name);
     } catch (const toml::parse_error& error) {
         std::string said(error.description());
-        throw Diagnostic(fmt::format("this is no TOML: {}", said), "strings stand in quotes, lists in [ ], tables begin with [name]")
+        throw Diagnostic(fmt::format("this is no TOML: {}", said),
+                         "strings stand in quotes, lists in [ ], tables begin with [name]")
             .at(place_in(source, error.source()));
     }
 }
 
-TomlSection::TomlSection(const toml::table& table, std::shared_ptr<const SourceText> source, std::string name, Place place)
+TomlSection::TomlSection(const toml::table& table, std::shared_ptr<const SourceText> source, std::string name,
+                         Place place)
     : table_(&table), source_(std::move(source)), name_(std::move(name)), place_(std::move(place)) {}
 
 void TomlSection::fail(const Place& place, const std::string& message, const std::string& hint) const {
@@ -93,14 +95,16 @@ std::optional<std::int64_t> TomlSection::count(std::string_view key) {
     const auto* node = find(key);
     if (node == nullptr) return std::nullopt;
     const auto value = node->value_exact<std::int64_t>();
-    if (!value || *value < 0) fail(place_of(*node), fmt::format("'{}' must be a whole number that is not negative", key));
+    if (!value || *value < 0)
+        fail(place_of(*node), fmt::format("'{}' must be a whole number that is not negative", key));
     return value;
 }
 
 std::optional<std::string> TomlSection::text(std::string_view key) {
     const auto* node = find(key);
     if (node == nullptr) return std::nullopt;
-    if (!node->is_string()) fail(place_of(*node), fmt::format("expected a text for '{}', found {}", key, kind_of(*node)));
+    if (!node->is_string())
+        fail(place_of(*node), fmt::format("expected a text for '{}', found {}", key, kind_of(*node)));
     return node->value<std::string>();
 }
 
@@ -111,7 +115,9 @@ std::optional<TomlSection> TomlSection::section(std::string_view key) {
 }
 
 TomlSection TomlSection::section_of(const std::string& key, const toml::node& value) const {
-    if (!value.is_table()) fail(place_of(value), fmt::format("expected a table for '{}', found {}", key, kind_of(value)), fmt::format("write {} = {{ ... }}", key));
+    if (!value.is_table())
+        fail(place_of(value), fmt::format("expected a table for '{}', found {}", key, kind_of(value)),
+             fmt::format("write {} = {{ ... }}", key));
     return TomlSection(*value.as_table(), source_, key, place_of(key));
 }
 
@@ -139,8 +145,10 @@ void TomlSection::finish() const {
         if (std::ranges::find(known_, key->str()) != known_.end()) continue;
         const std::vector<std::string_view> candidates(known_.begin(), known_.end());
         const auto near = did_you_mean(key->str(), candidates);
-        fail(place_in(source_, key->source()), fmt::format("{} has no '{}'", name_.empty() ? "a study" : "'" + name_ + "'", key->str()),
-             near.empty() ? fmt::format("known are {}", fmt::join(known_, ", ")) : fmt::format("did you mean '{}'?", near));
+        fail(place_in(source_, key->source()),
+             fmt::format("{} has no '{}'", name_.empty() ? "a study" : "'" + name_ + "'", key->str()),
+             near.empty() ? fmt::format("known are {}", fmt::join(known_, ", "))
+                          : fmt::format("did you mean '{}'?", near));
     }
 }
 

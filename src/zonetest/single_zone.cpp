@@ -50,7 +50,8 @@ public:
         Matrix m = Matrix::Zero(count(), count());
         for (Eigen::Index i = 0; i < count(); ++i)
             for (Eigen::Index k = 0; k < count(); ++k) {
-                const bool both_normal = unknown_[static_cast<std::size_t>(i)] < 3 && unknown_[static_cast<std::size_t>(k)] < 3;
+                const bool both_normal =
+                    unknown_[static_cast<std::size_t>(i)] < 3 && unknown_[static_cast<std::size_t>(k)] < 3;
                 if (both_normal) m(i, k) = moduli.bulk - 2.0 / 3.0 * moduli.shear;
                 if (i == k) m(i, k) += 2 * moduli.shear;
             }
@@ -131,7 +132,8 @@ void SingleZone::strain_by(const SixNumbers& increment, double time) {
         batch.stress[k] = &stress[k];
     }
     if (const auto failure = model->run(batch))
-        throw Diagnostic(failure->message, fmt::format("the strain so far is {:g}", fmt::join(strain, ", ")), Fault::run);
+        throw Diagnostic(failure->message, fmt::format("the strain so far is {:g}", fmt::join(strain, ", ")),
+                         Fault::run);
     for (std::size_t k = 0; k < 6; ++k) {
         strain[k] += increment[k];
         put_in += (k < 3 ? 0.5 : 1) * (before[k] + stress[k]) * increment[k];
@@ -156,8 +158,9 @@ SixNumbers SingleZone::step(const ZoneStep& step) {
             std::vector<std::string> wanted;
             for (std::size_t k = 0; k < 6; ++k)
                 if (step.is_stress[k]) wanted.push_back(fmt::format("{} {:g}", component_names[k], step.value[k]));
-            throw Diagnostic(fmt::format("zone model {} cannot carry the stress {} here", model->name, fmt::join(wanted, ", ")),
-                             "beyond its strength no strain does: prescribe a strain there", Fault::run);
+            throw Diagnostic(
+                fmt::format("zone model {} cannot carry the stress {} here", model->name, fmt::join(wanted, ", ")),
+                "beyond its strength no strain does: prescribe a strain there", Fault::run);
         }
         increment = equations.increment(x);
     }

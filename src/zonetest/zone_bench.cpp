@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// How much the answer depends on the number of steps: the same path in half as many.
-std::string step_text(const ZoneModel& model, const std::vector<double>& values, const ZonePath& path, ZoneCurveSettings settings,
-                      const SingleZone& last) {
+std::string step_text(const ZoneModel& model, const std::vector<double>& values, const ZonePath& path,
+                      ZoneCurveSettings settings, const SingleZone& last) {
     if (settings.steps < 2) return "not tried: the path has one step";
     settings.steps /= 2;
     const ZoneCurve coarse = follow_zone_path(model, values, path, settings);
@@ -32,9 +32,12 @@ std::string report_of(const ZoneCurve& curve, const std::string& steps) {
     const auto greatest = std::ranges::max_element(curve.points, {}, &SingleZone::deviator);
     const auto& last = curve.points.back();
     std::string text;
-    const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<18}{}\n", what, value); };
-    line("deviator", fmt::format("greatest {:.6g} at time {:.6g}; {:.6g} at the end", greatest->deviator(),
-                                 curve.time[static_cast<std::size_t>(greatest - curve.points.begin())], last.deviator()));
+    const auto line = [&](const char* what, const std::string& value) {
+        text += fmt::format("  {:<18}{}\n", what, value);
+    };
+    line("deviator",
+         fmt::format("greatest {:.6g} at time {:.6g}; {:.6g} at the end", greatest->deviator(),
+                     curve.time[static_cast<std::size_t>(greatest - curve.points.begin())], last.deviator()));
     const auto six = [](const SixNumbers& v) {
         std::string out;
         for (std::size_t k = 0; k < 6; ++k)
@@ -47,7 +50,8 @@ std::string report_of(const ZoneCurve& curve, const std::string& steps) {
     line("energy per volume", fmt::format("{:.6g} put in, {:.6g} taken up by flow", last.put_in, last.dissipated));
     line("steps", steps);
     for (const auto& f : curve.findings) line("found", fmt::format("step {}: {}", f.step, f.text));
-    if (curve.findings.empty()) line("found", "no work from flow, no stiffness above moduli(), rows do not touch each other");
+    if (curve.findings.empty())
+        line("found", "no work from flow, no stiffness above moduli(), rows do not touch each other");
     return text;
 }
 
@@ -70,9 +74,11 @@ ZoneBenchReport run_zone_bench(ZoneModels& models, const ZoneBenchOrder& order) 
     std::ofstream figure(report.figure);
     figure << zone_curve_figure(curve, fmt::format("{} along {}", model.name, order.path.stem().string()));
     figure.close();
-    if (!figure) throw Diagnostic(fmt::format("{} could not be written", report.figure.string()), "is there room?", Fault::run);
+    if (!figure)
+        throw Diagnostic(fmt::format("{} could not be written", report.figure.string()), "is there room?", Fault::run);
     report.odd = !curve.findings.empty();
-    report.text = fmt::format("{} {} along {}: {} points\n", model.name, model.version, order.path.filename().string(), path.points.size()) +
+    report.text = fmt::format("{} {} along {}: {} points\n", model.name, model.version, order.path.filename().string(),
+                              path.points.size()) +
                   report_of(curve, step_text(model, values, path, order.settings, curve.points.back())) +
                   fmt::format("  wrote {}, {}", table.string(), report.figure.string());
     return report;

@@ -11,8 +11,8 @@
 namespace kaya {
 
 struct ZoneBenchOrder {
-    std::string model;          ///< name or file
-    std::filesystem::path path; ///< CSV file of the path
+    std::string model;                                  ///< name or file
+    std::filesystem::path path;                         ///< CSV file of the path
     std::vector<std::pair<std::string, double>> values; ///< property words and values
     ZoneCurveSettings settings;
     std::filesystem::path output; ///< files are OUTPUT.csv and OUTPUT.gp; empty: PATH-MODEL in the working folder

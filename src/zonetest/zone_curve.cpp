@@ -15,10 +15,12 @@ class ProgressCallback {
 public:
     explicit ProgressCallback(std::vector<ZoneFinding>& findings) : findings_(findings) {}
 
-    void compare(std::size_t step, const SingleZone& before, const SingleZone& after, const SixNumbers& increment, double time) {
+    void compare(std::size_t step, const SingleZone& before, const SingleZone& after, const SixNumbers& increment,
+                 double time) {
         const double size = std::abs(before.put_in) + std::abs(after.put_in) + 1e-300;
         if (after.dissipated - before.dissipated < -1e-9 * size)
-            found(negative_, step, fmt::format("plastic flow gives out work: {:.3g} per volume", before.dissipated - after.dissipated));
+            found(negative_, step,
+                  fmt::format("plastic flow gives out work: {:.3g} per volume", before.dissipated - after.dissipated));
         const ZoneModuli moduli = after.moduli();
         double answered = 0, square = 0, trace = increment[0] + increment[1] + increment[2];
         for (std::size_t k = 0; k < 6; ++k) {
@@ -27,7 +29,9 @@ public:
         }
         const double elastic = 2 * moduli.shear * square + (moduli.bulk - 2.0 / 3.0 * moduli.shear) * trace * trace;
         if (answered > (1 + 1e-6) * elastic)
-            found(stiff_, step, fmt::format("the zone is {:.4g} times as stiff as moduli() says: the time step would be too large", answered / elastic));
+            found(stiff_, step,
+                  fmt::format("the zone is {:.4g} times as stiff as moduli() says: the time step would be too large",
+                              answered / elastic));
         if (step % 64 == 1) in_a_batch(step, before, after, increment, time);
     }
 
@@ -38,7 +42,8 @@ private:
     }
 
     /// The same zone as one row of many, whose neighbours do something else.
-    void in_a_batch(std::size_t step, const SingleZone& before, const SingleZone& after, const SixNumbers& increment, double time) {
+    void in_a_batch(std::size_t step, const SingleZone& before, const SingleZone& after, const SixNumbers& increment,
+                    double time) {
         constexpr std::size_t rows = 11, own = 6;
         double strain[6][rows], stress[6][rows], volume[rows], pressure[rows] = {}, dissipation[rows] = {};
         std::uint32_t state[rows];
@@ -72,7 +77,8 @@ private:
             return found(neighbours_, step, fmt::format("as one row of many it fails: {}", failure->message));
         bool same = state[own] == after.state;
         for (std::size_t k = 0; k < 6; ++k) same = same && stress[k][own] == after.stress[k];
-        for (std::size_t h = 0; h < before.model->history.size(); ++h) same = same && history[h][own] == after.history[h];
+        for (std::size_t h = 0; h < before.model->history.size(); ++h)
+            same = same && history[h][own] == after.history[h];
         if (!same) found(neighbours_, step, "what a row answers depends on the rows next to it");
     }
 
@@ -82,10 +88,12 @@ private:
 
 } // namespace
 
-ZoneCurve follow_zone_path(const ZoneModel& model, const std::vector<double>& values, const ZonePath& path, const ZoneCurveSettings& settings) {
+ZoneCurve follow_zone_path(const ZoneModel& model, const std::vector<double>& values, const ZonePath& path,
+                           const ZoneCurveSettings& settings) {
     SingleZone zone(model, values, settings.volume);
     zone.stress = settings.stress;
-    for (std::size_t k = 0; k < 6; ++k) (path.is_stress[k] ? zone.stress : zone.strain)[k] = path.points.front().value[k];
+    for (std::size_t k = 0; k < 6; ++k)
+        (path.is_stress[k] ? zone.stress : zone.strain)[k] = path.points.front().value[k];
     ZoneCurve curve;
     ProgressCallback progress(curve.findings);
     curve.points.push_back(zone);
@@ -106,7 +114,8 @@ ZoneCurve follow_zone_path(const ZoneModel& model, const std::vector<double>& va
                 const SixNumbers increment = zone.step(step);
                 progress.compare(curve.points.size(), before, zone, increment, step.time);
             } catch (Diagnostic& problem) {
-                throw problem.add(fmt::format("on the way to point {} of the path, in step {} of {}", p + 1, i, settings.steps));
+                throw problem.add(
+                    fmt::format("on the way to point {} of the path, in step {} of {}", p + 1, i, settings.steps));
             }
             curve.points.push_back(zone);
             curve.time.push_back(from.time + part * (to.time - from.time));
@@ -123,8 +132,10 @@ CsvTable zone_curve_table(const ZoneCurve& curve) {
         table.add(std::move(name), std::move(numbers));
     };
     table.add("time", curve.time);
-    for (std::size_t k = 0; k < 6; ++k) column(fmt::format("{}_strain", component_names[k]), [k](const SingleZone& z) { return z.strain[k]; });
-    for (std::size_t k = 0; k < 6; ++k) column(fmt::format("{}_stress", component_names[k]), [k](const SingleZone& z) { return z.stress[k]; });
+    for (std::size_t k = 0; k < 6; ++k)
+        column(fmt::format("{}_strain", component_names[k]), [k](const SingleZone& z) { return z.strain[k]; });
+    for (std::size_t k = 0; k < 6; ++k)
+        column(fmt::format("{}_stress", component_names[k]), [k](const SingleZone& z) { return z.stress[k]; });
     column("mean_stress", [](const SingleZone& z) { return z.mean_stress(); });
     column("deviator", [](const SingleZone& z) { return z.deviator(); });
     column("volume_strain", [](const SingleZone& z) { return z.volume_strain(); });
@@ -132,7 +143,8 @@ CsvTable zone_curve_table(const ZoneCurve& curve) {
     column("dissipated", [](const SingleZone& z) { return z.dissipated; });
     column("state", [](const SingleZone& z) { return static_cast<double>(z.state); });
     const auto& kept = curve.points.front().model->history;
-    for (std::size_t h = 0; h < kept.size(); ++h) column(kept[h].name, [h](const SingleZone& z) { return z.history[h]; });
+    for (std::size_t h = 0; h < kept.size(); ++h)
+        column(kept[h].name, [h](const SingleZone& z) { return z.history[h]; });
     return table;
 }
 
@@ -147,16 +159,18 @@ std::string zone_curve_figure(const ZoneCurve& curve, const std::string& title) 
     const std::size_t every = std::max<std::size_t>(1, curve.points.size() / most_points);
     for (std::size_t i = 0; i < curve.points.size(); i += every) {
         const auto& zone = curve.points[i];
-        script += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", zone.strain[axial], zone.deviator(), zone.mean_stress(), zone.volume_strain());
+        script += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", zone.strain[axial], zone.deviator(), zone.mean_stress(),
+                              zone.volume_strain());
     }
     std::string name;
     for (const char c : title)
         if (c != '"' && c != '\\') name += c;
-    return fmt::format("{}EOD\nset multiplot layout 2,1 title \"{}\"\nset xlabel \"{} strain\"\nset key outside top center horizontal\n"
-                       "set ylabel \"stress\"\nplot $curve using 1:2 with lines lw 2 title \"deviator\", "
-                       "$curve using 1:3 with lines lw 1.5 title \"mean\"\n"
-                       "set ylabel \"volume strain\"\nset key off\nplot $curve using 1:4 with lines lw 2\nunset multiplot\n",
-                       script, name, component_names[axial]);
+    return fmt::format(
+        "{}EOD\nset multiplot layout 2,1 title \"{}\"\nset xlabel \"{} strain\"\nset key outside top center horizontal\n"
+        "set ylabel \"stress\"\nplot $curve using 1:2 with lines lw 2 title \"deviator\", "
+        "$curve using 1:3 with lines lw 1.5 title \"mean\"\n"
+        "set ylabel \"volume strain\"\nset key off\nplot $curve using 1:4 with lines lw 2\nunset multiplot\n",
+        script, name, component_names[axial]);
 }
 
 } // namespace kaya

@@ -9,9 +9,9 @@
 namespace kaya {
 
 struct ZoneCurveSettings {
-    int steps = 1000;      ///< between two points of the path
-    double volume = 1;     ///< of the zone
-    SixNumbers stress{};   ///< that it starts with; what the path prescribes of its first point takes its place
+    int steps = 1000;    ///< between two points of the path
+    double volume = 1;   ///< of the zone
+    SixNumbers stress{}; ///< that it starts with; what the path prescribes of its first point takes its place
 };
 
 /// Something that a zone model should not do.
@@ -27,7 +27,8 @@ struct ZoneCurve {
 };
 
 /// Leads a zone along a path. Throws Diagnostic where the model fails or cannot carry a stress, with the point.
-ZoneCurve follow_zone_path(const ZoneModel& model, const std::vector<double>& values, const ZonePath& path, const ZoneCurveSettings& settings);
+ZoneCurve follow_zone_path(const ZoneModel& model, const std::vector<double>& values, const ZonePath& path,
+                           const ZoneCurveSettings& settings);
 
 /// All of it in columns: strains, stresses, mean stress, deviator, volume strain, work, states and what the model keeps.
 CsvTable zone_curve_table(const ZoneCurve& curve);

@@ -16,17 +16,20 @@ enum OwnProperty : std::size_t {
     crossing_residual,
 };
 
-constexpr auto all_properties = properties + std::to_array<kaya_jproperty>({
-    {"friction-2", "f2", "angle", "angle of friction of the second line before failure", NAN, 0, 90, 0},
-    {"cohesion-2", "c2", "stress", "cohesion of the second line before failure", NAN, 0, INFINITY, 0},
-    {"dilation-2", "d2", "angle", "angle of dilation on the second line", 0, 0, 89, 0},
-    {"friction-2-residual", "f2-residual", "angle",
-     "angle of friction of the second line after failure; not given: that before", NAN, 0, 90, 1},
-    {"cohesion-2-residual", "c2-residual", "stress", "cohesion of the second line after failure", 0, 0, INFINITY, 0},
-    {"nstress", "", "stress", "normal stress at which the second line begins; not given: where the lines cross", NAN,
-     0, INFINITY, 1},
-    {"nstress-residual", "", "stress", "the same after failure", NAN, 0, INFINITY, 1},
-});
+constexpr auto all_properties =
+    properties +
+    std::to_array<kaya_jproperty>({
+        {"friction-2", "f2", "angle", "angle of friction of the second line before failure", NAN, 0, 90, 0},
+        {"cohesion-2", "c2", "stress", "cohesion of the second line before failure", NAN, 0, INFINITY, 0},
+        {"dilation-2", "d2", "angle", "angle of dilation on the second line", 0, 0, 89, 0},
+        {"friction-2-residual", "f2-residual", "angle",
+         "angle of friction of the second line after failure; not given: that before", NAN, 0, 90, 1},
+        {"cohesion-2-residual", "c2-residual", "stress", "cohesion of the second line after failure", 0, 0, INFINITY,
+         0},
+        {"nstress", "", "stress", "normal stress at which the second line begins; not given: where the lines cross",
+         NAN, 0, INFINITY, 1},
+        {"nstress-residual", "", "stress", "the same after failure", NAN, 0, INFINITY, 1},
+    });
 
 /// Strength over normal stress: the first line below `crossing`, the second from there on.
 struct Lines {
@@ -39,7 +42,8 @@ struct RowLines {
     double bond[2], tangent[2], crossing;
 
     [[gnu::always_inline]] RowLines(const Lines& before, const Lines& after, bool failed, double area)
-        : bond{(failed ? after.cohesion[0] : before.cohesion[0]) * area, (failed ? after.cohesion[1] : before.cohesion[1]) * area},
+        : bond{(failed ? after.cohesion[0] : before.cohesion[0]) * area,
+               (failed ? after.cohesion[1] : before.cohesion[1]) * area},
           tangent{failed ? after.tangent[0] : before.tangent[0], failed ? after.tangent[1] : before.tangent[1]},
           crossing((failed ? after.crossing : before.crossing) * area) {}
 
@@ -66,9 +70,7 @@ Lines lines(double c1, double phi1, double c2, double phi2, double given_crossin
 
 double or_else(double value, double otherwise) { return std::isnan(value) ? otherwise : value; }
 
-Lines peak_lines(const double* p) {
-    return lines(p[cohesion], p[friction], p[cohesion_2], p[friction_2], p[crossing]);
-}
+Lines peak_lines(const double* p) { return lines(p[cohesion], p[friction], p[cohesion_2], p[friction_2], p[crossing]); }
 
 Lines residual_lines(const double* p) {
     return lines(p[cohesion_residual], or_else(p[friction_residual], p[friction]), p[cohesion_2_residual],

@@ -9,8 +9,8 @@
 namespace {
 
 using namespace kaya::joints;
-using coulomb::Shear;
 using coulomb::length;
+using coulomb::Shear;
 
 enum Property {
     stiffness_normal,
@@ -35,8 +35,8 @@ constexpr kaya_jproperty properties[] = {
      INFINITY, 0},
     {"exponent-normal", "jen", "-", "e_n: power of the normal stress in the normal stiffness", 0, 0, 1, 0},
     {"exponent-shear", "jes", "-", "e_s: power of the normal stress in the shear stiffness", 0, 0, 1, 0},
-    {"kn-minimum", "", "stress/length",
-     "least normal stiffness; not given: none, but exponent-normal 1 needs one", NAN, 0, INFINITY, 1},
+    {"kn-minimum", "", "stress/length", "least normal stiffness; not given: none, but exponent-normal 1 needs one", NAN,
+     0, INFINITY, 1},
     {"kn-maximum", "", "stress/length", "greatest normal stiffness; not given: no limit", NAN, 0, INFINITY, 1},
     {"ks-minimum", "", "stress/length", "least shear stiffness; not given: none", NAN, 0, INFINITY, 1},
     {"ks-maximum", "", "stress/length", "greatest shear stiffness; not given: no limit", NAN, 0, INFINITY, 1},
@@ -90,8 +90,8 @@ struct Advance {
 
 /// (2), (3) and (5) integrated over the step: for a fixed bound the stress nears it exponentially, and for a known
 /// plastic displacement so does the angle; two passes with the mean angle make the step of second order. The bound is above 0.
-[[gnu::always_inline]] inline Advance advance(double start, double motion, double ks, double ratio, double normal, double angle,
-                                              double intrinsic, double per_roughness) {
+[[gnu::always_inline]] inline Advance advance(double start, double motion, double ks, double ratio, double normal,
+                                              double angle, double intrinsic, double per_roughness) {
     Advance a{start, 0, angle, normal};
 #pragma GCC unroll 2
     for (int pass = 0; pass < 2; ++pass) {
@@ -117,10 +117,12 @@ template <int passes> void run_rows(kaya_jbatch* batch) {
     const double at_first = coulomb::tan_degrees(p[friction_initial]);
 
     const double *area_of = batch->area, *openings = batch->normal_disp_inc;
-    const double *motion_x = batch->shear_disp_inc[0], *motion_y = batch->shear_disp_inc[1], *motion_z = batch->shear_disp_inc[2];
+    const double *motion_x = batch->shear_disp_inc[0], *motion_y = batch->shear_disp_inc[1],
+                 *motion_z = batch->shear_disp_inc[2];
     double *normal_force = batch->normal_force, *force_x = batch->shear_force[0], *force_y = batch->shear_force[1],
            *force_z = batch->shear_force[2], *work = batch->frictional_work;
-    double *closures = batch->history[closure], *angles = batch->history[friction_mobilised], *plastics = batch->history[plastic];
+    double *closures = batch->history[closure], *angles = batch->history[friction_mobilised],
+           *plastics = batch->history[plastic];
     double *ratios = batch->history[reversal_ratio], *heads = batch->history[heading];
     double *normal_stiffness = batch->normal_stiffness, *shear_stiffness = batch->shear_stiffness;
     std::uint32_t* states = batch->state;
@@ -129,7 +131,8 @@ template <int passes> void run_rows(kaya_jbatch* batch) {
     for (std::size_t i = 0; i < n; ++i) {
         const double area = area_of[i], per_area = area > 0 ? 1 / area : 0;
         const double angle = angles[i], ratio = ratios[i], head = heads[i], tangent = tangent_of_degrees(angle);
-        const double old_normal = normal_force[i] * per_area, old_ks = shear.at(old_normal), old_bound = old_normal * tangent;
+        const double old_normal = normal_force[i] * per_area, old_ks = shear.at(old_normal),
+                     old_bound = old_normal * tangent;
         const double closed = closures[i] - openings[i];
 
         // Resistance on the side that is moved: minus the force on block 2.
@@ -191,10 +194,12 @@ template <int passes> void run_rows(kaya_jbatch* batch) {
         const double lifted = 0.5 * (old_normal + new_normal) * lifting;
         work[i] += area * (worked - stored - lifted);
 
-        const double cosine = (fresh.x * motion.x + fresh.y * motion.y + fresh.z * motion.z) * per_travel / std::max(new_size, tiny);
+        const double cosine =
+            (fresh.x * motion.x + fresh.y * motion.y + fresh.z * motion.z) * per_travel / std::max(new_size, tiny);
         const double new_head = travel > 0 && new_size > 0 ? cosine : head;
         const double new_angle = step.friction;
-        const bool past_peak = step.stress > 0 && step.stress >= new_normal * tangent_of_degrees(new_angle) && step.plastic > 0;
+        const bool past_peak =
+            step.stress > 0 && step.stress >= new_normal * tangent_of_degrees(new_angle) && step.plastic > 0;
         closures[i] = new_closed;
         angles[i] = new_angle;
         ratios[i] = bears ? new_ratio : 0;
@@ -228,9 +233,7 @@ const char* check(const double* p) {
     return springs_of(p).fault();
 }
 
-void max_stiffness(const double* p, double* normal, double* shear) {
-    springs_of(p).largest_at_start(normal, shear);
-}
+void max_stiffness(const double* p, double* normal, double* shear) { springs_of(p).largest_at_start(normal, shear); }
 
 constexpr kaya_jmodel descriptor = {
     KAYA_JMODEL_INTERFACE,

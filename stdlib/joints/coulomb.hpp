@@ -67,7 +67,8 @@ inline constexpr std::array<kaya_jhistory, 4> history_of_dilation = {{
 
 /// The rows that are shared, and after them those of a model.
 template <class Row, std::size_t shared, std::size_t own>
-constexpr std::array<Row, shared + own> operator+(const std::array<Row, shared>& first, const std::array<Row, own>& more) {
+constexpr std::array<Row, shared + own> operator+(const std::array<Row, shared>& first,
+                                                  const std::array<Row, own>& more) {
     std::array<Row, shared + own> rows{};
     std::copy(first.begin(), first.end(), rows.begin());
     std::copy(more.begin(), more.end(), rows.begin() + shared);
@@ -143,15 +144,18 @@ struct Values {
     double dilatancy, last_dilation;
 
     explicit Values(const double* p)
-        : kn(p[stiffness_normal]), ks(p[stiffness_shear]), tension{p[coulomb::tension], p[tension_residual]},
-          cohesion{p[coulomb::cohesion], p[cohesion_residual]},
+        : kn(p[stiffness_normal]),
+          ks(p[stiffness_shear]), tension{p[coulomb::tension], p[tension_residual]}, cohesion{p[coulomb::cohesion],
+                                                                                              p[cohesion_residual]},
           tangent{tan_degrees(p[friction]),
                   tan_degrees(std::isnan(p[friction_residual]) ? p[friction] : p[friction_residual])},
           dilatancy(tan_degrees(p[dilation])), last_dilation(p[dilation_zero] > 0 ? p[dilation_zero] : INFINITY) {}
 
     /// A choice, not a look into a table: it becomes a vector instruction.
     [[gnu::always_inline]] static double of(const double (&pair)[2], bool failed) { return failed ? pair[1] : pair[0]; }
-    [[gnu::always_inline]] Line line(bool failed, double area) const { return {of(cohesion, failed) * area, of(tangent, failed)}; }
+    [[gnu::always_inline]] Line line(bool failed, double area) const {
+        return {of(cohesion, failed) * area, of(tangent, failed)};
+    }
     [[gnu::always_inline]] Limits limits(bool failed) const {
         return {of(tension, failed), tension[1], dilatancy, last_dilation};
     }
@@ -172,9 +176,11 @@ struct Climb {
     double end;
 
     /// `way` is the unit vector of the step's slip.
-    [[gnu::always_inline]] static Climb of(const Columns& c, std::size_t i, const Shear& travel, double dilatancy, double end) {
+    [[gnu::always_inline]] static Climb of(const Columns& c, std::size_t i, const Shear& travel, double dilatancy,
+                                           double end) {
         const double along = c.travel_x[i] * travel.x + c.travel_y[i] * travel.y + c.travel_z[i] * travel.z;
-        const double distance2 = c.travel_x[i] * c.travel_x[i] + c.travel_y[i] * c.travel_y[i] + c.travel_z[i] * c.travel_z[i];
+        const double distance2 =
+            c.travel_x[i] * c.travel_x[i] + c.travel_y[i] * c.travel_y[i] + c.travel_z[i] * c.travel_z[i];
         const double height = std::min(std::sqrt(distance2), end);
         const double fall = c.dilated[i] / std::max(height, std::numeric_limits<double>::min());
         return {along, std::max(0.0, distance2 - along * along), height, dilatancy, fall, end};
@@ -215,9 +221,8 @@ struct Outcome {
 /// One row, one step. `strength.at(normal force)` is the shear force that it carries and `strength.slope` its
 /// derivative; `creep.relaxed(force)` is what is left of an elastic shear force at the end of the step.
 template <bool dilates, class Strength, class Creep = Rigid>
-[[gnu::always_inline]] inline Outcome step(const Columns& c, std::size_t i, double kn, double ks,
-                                           const Limits& limits, const Strength& strength,
-                                           const Creep& creep = Creep()) {
+[[gnu::always_inline]] inline Outcome step(const Columns& c, std::size_t i, double kn, double ks, const Limits& limits,
+                                           const Strength& strength, const Creep& creep = Creep()) {
     const double area = c.area[i], old_gap = c.gaps[i], old_normal = c.normal_force[i];
     const double per_area = area > 0 ? 1 / area : 0;
 
@@ -247,8 +252,8 @@ template <bool dilates, class Strength, class Creep = Rigid>
         // method, which is exact where the sides climb or come down evenly; what is left of it follows at the new limit (6).
         // Where coming down takes strength faster than the spring takes force the two do not meet: the step then goes as far
         // as the limit at its start says, and the next ones go on.
-        const auto climb = Climb::of(c, i, {-trial_x / divisor, -trial_y / divisor, -trial_z / divisor}, limits.dilatancy,
-                                     limits.last_dilation);
+        const auto climb = Climb::of(c, i, {-trial_x / divisor, -trial_y / divisor, -trial_z / divisor},
+                                     limits.dilatancy, limits.last_dilation);
         const double stiffness = kn * strength.slope(elastic_normal);
         const bool meet = climb.slope(0) * stiffness > -0.9 * ks;
         const double alone = excess * per_area / ks;
@@ -336,24 +341,14 @@ inline void max_stiffness(const double* p, double* normal, double* shear) {
 
 /// A model of the family: its tables begin with the shared rows.
 template <std::size_t property_rows, std::size_t history_rows>
-constexpr kaya_jmodel model(const char* name, const char* title, const std::array<kaya_jproperty, property_rows>& its_properties,
+constexpr kaya_jmodel model(const char* name, const char* title,
+                            const std::array<kaya_jproperty, property_rows>& its_properties,
                             const std::array<kaya_jhistory, history_rows>& its_history, ptrdiff_t (*run)(kaya_jbatch*),
                             const char* (*check_values)(const double*) = check,
                             ptrdiff_t (*begin)(kaya_jbatch*) = initialise) {
-    return {KAYA_JMODEL_INTERFACE,
-            sizeof(kaya_jmodel),
-            name,
-            title,
-            "1.0",
-            its_properties.data(),
-            property_rows,
-            its_history.data(),
-            history_rows,
-            state_names,
-            begin,
-            run,
-            check_values,
-            max_stiffness};
+    return {KAYA_JMODEL_INTERFACE, sizeof(kaya_jmodel), name,         title,       "1.0", its_properties.data(),
+            property_rows,         its_history.data(),  history_rows, state_names, begin, run,
+            check_values,          max_stiffness};
 }
 
 } // namespace kaya::joints::coulomb

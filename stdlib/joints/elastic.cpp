@@ -10,8 +10,7 @@ enum Property { stiffness_normal, stiffness_shear, property_count };
 
 constexpr kaya_jproperty properties[] = {
     {"stiffness-normal", "jkn kn", "stress/length", "normal stress per closure", NAN, 0, INFINITY, 0},
-    {"stiffness-shear", "jks ks", "stress/length", "shear stress per shear displacement", NAN, 0, INFINITY,
-     0},
+    {"stiffness-shear", "jks ks", "stress/length", "shear stress per shear displacement", NAN, 0, INFINITY, 0},
 };
 static_assert(std::size(properties) == property_count);
 
@@ -38,8 +37,7 @@ ptrdiff_t run(kaya_jbatch* batch) {
 }
 
 const char* check(const double* values) {
-    return values[stiffness_normal] > 0 ? nullptr
-                                        : "stiffness-normal (jkn) is 0: give the joint a normal stiffness";
+    return values[stiffness_normal] > 0 ? nullptr : "stiffness-normal (jkn) is 0: give the joint a normal stiffness";
 }
 
 void max_stiffness(const double* values, double* normal, double* shear) {

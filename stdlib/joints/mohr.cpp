@@ -12,7 +12,8 @@ template <bool dilates> void run_rows(kaya_jbatch* batch, const coulomb::Values&
 #pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
         const bool failed = columns.states[i] != 0;
-        coulomb::step<dilates>(columns, i, values.kn, values.ks, values.limits(failed), values.line(failed, columns.area[i]));
+        coulomb::step<dilates>(columns, i, values.kn, values.ks, values.limits(failed),
+                               values.line(failed, columns.area[i]));
     }
 }
 
@@ -25,9 +26,8 @@ ptrdiff_t run(kaya_jbatch* batch) {
 
 constexpr auto history = coulomb::operator+(coulomb::history, coulomb::history_of_dilation);
 
-constexpr kaya_jmodel descriptor =
-    coulomb::model("mohr", "Coulomb slip with tension cut-off, dilation and residual strength", coulomb::properties,
-                   history, run);
+constexpr kaya_jmodel descriptor = coulomb::model(
+    "mohr", "Coulomb slip with tension cut-off, dilation and residual strength", coulomb::properties, history, run);
 
 } // namespace
 

@@ -10,8 +10,8 @@ namespace {
 using namespace kaya::joints;
 using coulomb::Climb;
 using coulomb::Columns;
-using coulomb::Shear;
 using coulomb::length;
+using coulomb::Shear;
 using coulomb::tan_degrees;
 
 enum Property {
@@ -38,8 +38,8 @@ constexpr kaya_jproperty properties[] = {
      INFINITY, 0},
     {"stiffness-shear", "jks ks ks-initial", "stress/length", "shear stiffness at a normal stress of 1", NAN, 0,
      INFINITY, 0},
-    {"kn-minimum", "", "stress/length",
-     "least normal stiffness; not given: none, but exponent-normal 1 needs one", NAN, 0, INFINITY, 1},
+    {"kn-minimum", "", "stress/length", "least normal stiffness; not given: none, but exponent-normal 1 needs one", NAN,
+     0, INFINITY, 1},
     {"kn-maximum", "", "stress/length", "greatest normal stiffness; not given: no limit", NAN, 0, INFINITY, 1},
     {"exponent-normal", "jen", "-", "power of the normal stress in the normal stiffness", 0, 0, 1, 0},
     {"ks-minimum", "", "stress/length",
@@ -58,10 +58,12 @@ static_assert(std::size(properties) == property_count);
 
 enum History : std::size_t { closure, slip, dilation_at };
 
-constexpr auto history = coulomb::operator+(std::to_array<kaya_jhistory>({
-    {"closure", "length", "closure of the joint; negative: how far it is open"},
-    coulomb::history[coulomb::slip],
-}), coulomb::history_of_dilation);
+constexpr auto history =
+    coulomb::operator+(std::to_array<kaya_jhistory>({
+                           {"closure", "length", "closure of the joint; negative: how far it is open"},
+                           coulomb::history[coulomb::slip],
+                       }),
+                       coulomb::history_of_dilation);
 
 PowerSprings springs_of(const double* p) {
     PowerStiffness shear(p[stiffness_shear], p[exponent_shear], p[ks_minimum], p[ks_maximum]);
@@ -90,7 +92,7 @@ struct Trials {
     Numbers cohesion, tangent;                 ///< what holds for the row
     Numbers along, across2, height, fall;      ///< of its Climb
     Numbers alone;                             ///< slip without dilation, where that is all of the step; else below 0
-    Numbers kept, broken, slipped;             ///< 0 for a row that carries no shear, else 1; 1 for one that breaks; slip
+    Numbers kept, broken, slipped; ///< 0 for a row that carries no shear, else 1; 1 for one that breaks; slip
 
     [[gnu::always_inline]] Climb climb(std::size_t j, double rise, double end) const {
         return {along[j], across2[j], height[j], rise, fall[j], end};
@@ -126,13 +128,15 @@ template <bool dilates> void run_rows(kaya_jbatch* batch) {
     const PowerSpring normal_spring = springs.normal;
     const PowerStiffness shear_spring = springs.shear;
     const double friction_before = tan_degrees(p[friction]);
-    const double friction_after = std::isnan(p[friction_residual]) ? friction_before : tan_degrees(p[friction_residual]);
+    const double friction_after =
+        std::isnan(p[friction_residual]) ? friction_before : tan_degrees(p[friction_residual]);
     const double cohesion_before = p[cohesion], cohesion_after = p[cohesion_residual], tension_before = p[tension];
     const double dilatancy = tan_degrees(p[dilation]);
     const bool bonded = tension_before > 0;
     const double last_dilation = p[dilation_zero] > 0 ? p[dilation_zero] : INFINITY;
 
-    const bool springs_at_rest = shear_spring.exponent == 0 || shear_spring.least > 0; // what nothing presses resists shear
+    const bool springs_at_rest =
+        shear_spring.exponent == 0 || shear_spring.least > 0; // what nothing presses resists shear
 
     const Columns c(*batch, dilation_at); // its gap is the closure here
     double *kn = batch->normal_stiffness, *ks = batch->shear_stiffness;
@@ -153,7 +157,8 @@ template <bool dilates> void run_rows(kaya_jbatch* batch) {
             t.kept[j] = (failed && closed < 0) || (normal == 0 && !springs_at_rest) ? 0 : unbroken;
             t.broken[j] = 1 - unbroken;
             // A falling normal stress takes shear force with its stiffness; a rising one adds none (2).
-            const double k = shear_spring.at(normal), kept = std::min(1.0, k / shear_spring.at(c.normal_force[i] * per_area)) * per_area;
+            const double k = shear_spring.at(normal),
+                         kept = std::min(1.0, k / shear_spring.at(c.normal_force[i] * per_area)) * per_area;
             t.ks[j] = k;
             t.x[j] = c.force_x[i] * kept - k * c.shear_x[i];
             t.y[j] = c.force_y[i] * kept - k * c.shear_y[i];
@@ -163,7 +168,8 @@ template <bool dilates> void run_rows(kaya_jbatch* batch) {
             t.tangent[j] = failed ? friction_after : friction_before;
             if constexpr (dilates) {
                 const double per_size = -1 / std::max(t.size[j], std::numeric_limits<double>::min());
-                const auto climb = Climb::of(c, i, {t.x[j] * per_size, t.y[j] * per_size, t.z[j] * per_size}, dilatancy, last_dilation);
+                const auto climb = Climb::of(c, i, {t.x[j] * per_size, t.y[j] * per_size, t.z[j] * per_size}, dilatancy,
+                                             last_dilation);
                 t.along[j] = climb.along;
                 t.across2[j] = climb.across2;
                 t.height[j] = climb.height;
@@ -188,11 +194,13 @@ template <bool dilates> void run_rows(kaya_jbatch* batch) {
             const double dilated = climbed < 0 ? std::max(on_curve, std::min(0.0, t.normal[j])) : on_curve;
             const double normal = slides ? dilated : t.normal[j];
             const double normal_of_limit = dilates && t.alone[j] >= 0 ? t.normal[j] : normal;
-            const double most = slides ? std::min(t.size[j], strength(t, j, normal_of_limit)) : t.size[j], limit = t.kept[j] * most;
+            const double most = slides ? std::min(t.size[j], strength(t, j, normal_of_limit)) : t.size[j],
+                         limit = t.kept[j] * most;
             const double scale = limit / std::max(t.size[j], std::numeric_limits<double>::min());
             const Shear old = {c.force_x[i] * per_area, c.force_y[i] * per_area, c.force_z[i] * per_area};
             const Shear now = {t.x[j] * scale, t.y[j] * scale, t.z[j] * scale};
-            const double sheared = -0.5 * ((old.x + now.x) * c.shear_x[i] + (old.y + now.y) * c.shear_y[i] + (old.z + now.z) * c.shear_z[i]);
+            const double sheared = -0.5 * ((old.x + now.x) * c.shear_x[i] + (old.y + now.y) * c.shear_y[i] +
+                                           (old.z + now.z) * c.shear_z[i]);
 
             // What is put in and neither stored in the springs nor spent on dilation (4), and the energy of a bond that breaks.
             const double new_ks = shear_spring.at(normal), old_size = length(old);
@@ -237,9 +245,7 @@ const char* check(const double* p) {
     return coulomb::fault_of_residuals(p[tension], 0, p[cohesion], p[cohesion_residual]);
 }
 
-void max_stiffness(const double* p, double* normal, double* shear) {
-    springs_of(p).largest_at_start(normal, shear);
-}
+void max_stiffness(const double* p, double* normal, double* shear) { springs_of(p).largest_at_start(normal, shear); }
 
 constexpr kaya_jmodel descriptor = {
     KAYA_JMODEL_INTERFACE,

@@ -19,24 +19,27 @@ enum OwnProperty : std::size_t {
     stress_2,
 };
 
-constexpr auto all_properties = properties + std::to_array<kaya_jproperty>({
-    {"dilation-residual", "jrdilation", "angle", "angle of dilation after failure; not given: that before", NAN, 0, 89,
-     1},
-    {"constant-1", "", "length/time/stress^exponent-1", "speed of the first creep at a shear stress of 1", 0, 0,
-     INFINITY, 0},
-    {"exponent-1", "", "-", "power of the shear stress in the first creep", 1, 1, 50, 0},
-    {"stress-1", "", "stress", "shear stress from which the first creep acts", 0, 0, INFINITY, 0},
-    {"constant-2", "", "length/time/stress^exponent-2", "speed of the second creep at a shear stress of 1", 0, 0,
-     INFINITY, 0},
-    {"exponent-2", "", "-", "power of the shear stress in the second creep", 1, 1, 50, 0},
-    {"stress-2", "", "stress", "shear stress from which the second creep acts", 0, 0, INFINITY, 0},
-});
+constexpr auto all_properties =
+    properties + std::to_array<kaya_jproperty>({
+                     {"dilation-residual", "jrdilation", "angle",
+                      "angle of dilation after failure; not given: that before", NAN, 0, 89, 1},
+                     {"constant-1", "", "length/time/stress^exponent-1",
+                      "speed of the first creep at a shear stress of 1", 0, 0, INFINITY, 0},
+                     {"exponent-1", "", "-", "power of the shear stress in the first creep", 1, 1, 50, 0},
+                     {"stress-1", "", "stress", "shear stress from which the first creep acts", 0, 0, INFINITY, 0},
+                     {"constant-2", "", "length/time/stress^exponent-2",
+                      "speed of the second creep at a shear stress of 1", 0, 0, INFINITY, 0},
+                     {"exponent-2", "", "-", "power of the shear stress in the second creep", 1, 1, 50, 0},
+                     {"stress-2", "", "stress", "shear stress from which the second creep acts", 0, 0, INFINITY, 0},
+                 });
 
 enum OwnHistory : std::size_t { creep = history_count, dilation_at };
 
-constexpr auto all_history = history + std::to_array<kaya_jhistory>({
-    {"creep", "length", "the part of the slip that is creep"},
-}) + history_of_dilation;
+constexpr auto all_history = history +
+                             std::to_array<kaya_jhistory>({
+                                 {"creep", "length", "the part of the slip that is creep"},
+                             }) +
+                             history_of_dilation;
 
 /// One of the two creep speeds: constant * stress^exponent from `from` on. By logarithms, so that a large power of a
 /// stress in Pa does not overflow before the small constant brings it back.
@@ -136,7 +139,8 @@ template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values, 
             limits.dilatancy = failed ? residual_dilatancy : values.dilatancy;
             const double area = columns.area[i];
             const Relaxed relaxed{area * stresses[j], any_creep && area > 0};
-            const auto outcome = step<dilates>(columns, i, values.kn, values.ks, limits, values.line(failed, area), relaxed);
+            const auto outcome =
+                step<dilates>(columns, i, values.kn, values.ks, limits, values.line(failed, area), relaxed);
             crept[i] += outcome.excess > 0 ? 0 : outcome.slipped;
         }
     }

@@ -43,8 +43,8 @@ class PowerSpring {
 public:
     explicit PowerSpring(const PowerStiffness& stiffness)
         : stiffness_(stiffness), first_(stiffness.exponent == 0 ? stiffness.at(0) : stiffness.least),
-          constant_(stiffness.exponent == 0 ? 1 : 0),
-          exponential_(stiffness.exponent == 1 ? 1 : 0), power_from_(stiffness.stress_of(stiffness.least)),
+          constant_(stiffness.exponent == 0 ? 1 : 0), exponential_(stiffness.exponent == 1 ? 1 : 0),
+          power_from_(stiffness.stress_of(stiffness.least)),
           closure_from_(power_from_ > 0 ? power_from_ / stiffness.least : 0) {
         const double e = stiffness.exponent;
         factor_ = stiffness.at_one * (exponential_ > 0 ? 1 : 1 - e);
@@ -98,7 +98,8 @@ private:
     [[gnu::always_inline]] double pressed(double closure) const {
         const double along = factor_ * std::max(0.0, closure - closure_from_);
         const double logarithm_of_stress =
-            exponential_ > 0 ? begin_ + along : inverse_ * logarithm(std::max(begin_ + along, PowerStiffness::no_stress));
+            exponential_ > 0 ? begin_ + along
+                             : inverse_ * logarithm(std::max(begin_ + along, PowerStiffness::no_stress));
         const double curved = exponential(std::min(700.0, std::max(-700.0, logarithm_of_stress)));
         const double on_curve = constant_ > 0 ? power_from_ + along : curved;
         const double beyond = power_to_ + last_ * (closure - closure_to_);
@@ -125,10 +126,9 @@ private:
     double power_from_, closure_from_; ///< where the power begins
     double factor_, begin_, inverse_;  ///< on it: stress = (begin + factor closure)^inverse, or e to that sum
     double energy_begin_;              ///< what the power of its energy begins with
-    double grows_from_ = 0, growth_ = 0; ///< least that is reported, over the area
+    double grows_from_ = 0, growth_ = 0;                            ///< least that is reported, over the area
     double power_to_ = INFINITY, closure_to_ = INFINITY, last_ = 0; ///< where it ends, and the tangent beyond
 };
-
 
 /// The springs of a joint.
 struct PowerSprings {
@@ -141,7 +141,8 @@ struct PowerSprings {
         if (kn.exponent == 1 && !(kn.least > 0))
             return "exponent-normal is 1, with which no closure leads from a normal stress of 0 to another: give kn-minimum, "
                    "the stiffness at first touch";
-        if (!(kn.greatest > 0) || !(shear.greatest > 0)) return "kn-maximum or ks-maximum is 0: leave it out for no limit";
+        if (!(kn.greatest > 0) || !(shear.greatest > 0))
+            return "kn-maximum or ks-maximum is 0: leave it out for no limit";
         if (kn.least > kn.greatest) return "kn-minimum is above kn-maximum: exchange them";
         return shear.least > shear.greatest ? "ks-minimum is above ks-maximum: exchange them" : nullptr;
     }

@@ -11,20 +11,24 @@ using kaya::joints::power;
 
 enum OwnProperty : std::size_t { slip_distance = property_count, exponent, healing, healing_time };
 
-constexpr auto all_properties = properties + std::to_array<kaya_jproperty>({
-    {"dc", "slip-distance", "length", "slip over which strength falls to its residual value", NAN, 0, INFINITY, 0},
-    {"alpha", "", "-", "exponent of the fall; 1: straight", 1, 0.1, 10, 0},
-    {"healing", "", "-", "1: friction is back at its peak when the joint has come to rest", 1, 0, 1, 0},
-    {"healing-time", "", "time", "rest that healing needs", 0, 0, INFINITY, 0},
-});
+constexpr auto all_properties =
+    properties +
+    std::to_array<kaya_jproperty>({
+        {"dc", "slip-distance", "length", "slip over which strength falls to its residual value", NAN, 0, INFINITY, 0},
+        {"alpha", "", "-", "exponent of the fall; 1: straight", 1, 0.1, 10, 0},
+        {"healing", "", "-", "1: friction is back at its peak when the joint has come to rest", 1, 0, 1, 0},
+        {"healing-time", "", "time", "rest that healing needs", 0, 0, INFINITY, 0},
+    });
 
 enum OwnHistory : std::size_t { weakening = history_count, rest, friction_current, dilation_at };
 
-constexpr auto all_history = history + std::to_array<kaya_jhistory>({
-    {"weakening", "length", "slip since the joint last healed"},
-    {"rest", "time", "time since the last slip"},
-    {"friction-current", "angle", "angle of friction at this slip"},
-}) + history_of_dilation;
+constexpr auto all_history = history +
+                             std::to_array<kaya_jhistory>({
+                                 {"weakening", "length", "slip since the joint last healed"},
+                                 {"rest", "time", "time since the last slip"},
+                                 {"friction-current", "angle", "angle of friction at this slip"},
+                             }) +
+                             history_of_dilation;
 
 /// What is left between peak and residual strength after a slip (1).
 struct Fall {
@@ -41,7 +45,8 @@ template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values) 
     const double peak = values.tangent[0], residual = values.tangent[1];
     const Fall fall{1 / p[slip_distance], p[exponent]};
     // A joint that slips has not rested at all.
-    const double rest_needed = p[healing] != 0 ? std::max(p[healing_time], std::numeric_limits<double>::min()) : INFINITY;
+    const double rest_needed =
+        p[healing] != 0 ? std::max(p[healing_time], std::numeric_limits<double>::min()) : INFINITY;
     const double time_step = batch->time_step;
 
     const Columns columns(*batch, dilation_at);
@@ -59,8 +64,8 @@ template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values) 
         const double cohesive = values.cohesion[1] + (values.cohesion[0] - values.cohesion[1]) * bonded;
         const double tensile = values.tension[1] + (values.tension[0] - values.tension[1]) * bonded;
         const auto outcome = step<dilates>(columns, i, values.kn, values.ks,
-                                  {tensile, values.tension[1], values.dilatancy, values.last_dilation},
-                                  Line{cohesive * columns.area[i], tangent});
+                                           {tensile, values.tension[1], values.dilatancy, values.last_dilation},
+                                           Line{cohesive * columns.area[i], tangent});
         const double rested = outcome.excess > 0 ? 0 : rest_before + time_step;
         const bool healed = rested >= rest_needed;
         const double weakened = healed ? 0 : weak_before + outcome.slipped;

@@ -12,12 +12,14 @@ using kaya::joints::power;
 enum OwnProperty : std::size_t { exponent = property_count, reference_velocity, use_plastic };
 
 constexpr auto all_properties = [] {
-    auto rows = properties + std::to_array<kaya_jproperty>({
-        {"exponent", "", "-", "power of the speed in the fall of friction", 1, 0.1, 10, 0},
-        {"reference-velocity", "", "length/time", "speed at which half of the fall is done", NAN, 0, INFINITY, 0},
-        {"use-plastic", "", "-",
-         "1: speed counts only while the joint slips, a joint that sticks has its friction at rest", 0, 0, 1, 0},
-    });
+    auto rows =
+        properties +
+        std::to_array<kaya_jproperty>({
+            {"exponent", "", "-", "power of the speed in the fall of friction", 1, 0.1, 10, 0},
+            {"reference-velocity", "", "length/time", "speed at which half of the fall is done", NAN, 0, INFINITY, 0},
+            {"use-plastic", "", "-",
+             "1: speed counts only while the joint slips, a joint that sticks has its friction at rest", 0, 0, 1, 0},
+        });
     // What is before failure and after it in the others is slow and fast here.
     rows[friction] = {"friction-static", "friction jfriction fric", "angle", "angle of friction at rest", 0, 0, 90, 0};
     rows[friction_residual] = {
@@ -27,10 +29,12 @@ constexpr auto all_properties = [] {
 
 enum OwnHistory : std::size_t { velocity = history_count, friction_current, dilation_at };
 
-constexpr auto all_history = history + std::to_array<kaya_jhistory>({
-    {"velocity", "length/time", "speed of the two sides along the joint in the last step"},
-    {"friction-current", "angle", "angle of friction in the last step"},
-}) + history_of_dilation;
+constexpr auto all_history = history +
+                             std::to_array<kaya_jhistory>({
+                                 {"velocity", "length/time", "speed of the two sides along the joint in the last step"},
+                                 {"friction-current", "angle", "angle of friction in the last step"},
+                             }) +
+                             history_of_dilation;
 
 template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values) {
     const double* p = batch->properties;
@@ -46,14 +50,15 @@ template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values) 
 #pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
         const bool failed = columns.states[i] != 0;
-        const double moved = std::sqrt(columns.shear_x[i] * columns.shear_x[i] + columns.shear_y[i] * columns.shear_y[i] +
-                                       columns.shear_z[i] * columns.shear_z[i]);
+        const double moved =
+            std::sqrt(columns.shear_x[i] * columns.shear_x[i] + columns.shear_y[i] * columns.shear_y[i] +
+                      columns.shear_z[i] * columns.shear_z[i]);
         const bool sticks = plastic && (columns.states[i] & slip_now) == 0;
         const double speed = moved * per_time, part = sticks ? 0 : speed * per_velocity;
         const double fall = power(std::max(part, 1e-300), power_of_speed);
         const double tangent = fast + (at_rest - fast) / (1 + (part > 0 ? fall : 0)); // (1)
         step<dilates>(columns, i, values.kn, values.ks, values.limits(failed),
-             Line{Values::of(values.cohesion, failed) * columns.area[i], tangent});
+                      Line{Values::of(values.cohesion, failed) * columns.area[i], tangent});
         speeds[i] = speed;
         angle[i] = arctangent_in_degrees(tangent);
     }

@@ -8,15 +8,29 @@ namespace {
 
 using namespace kaya::zones;
 
-enum Property : std::size_t { young_plane, young_normal, poisson_plane, poisson_normal, shear_normal, dip, dip_direction };
+enum Property : std::size_t {
+    young_plane,
+    young_normal,
+    poisson_plane,
+    poisson_normal,
+    shear_normal,
+    dip,
+    dip_direction
+};
 constexpr std::array properties{
-    kaya_zproperty{"young-plane", "eplane", "stress", "Young's modulus along the planes", NAN, 0, INFINITY, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"young-normal", "enormal", "stress", "Young's modulus across the planes", NAN, 0, INFINITY, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"poisson-plane", "nuplane", "-", "strain along the planes for a load along them", 0, -1, 1, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"poisson-normal", "nunormal", "-", "strain along the planes for a load across them", 0, -10, 10, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"shear-normal", "gnormal", "stress", "shear modulus along the planes; as (3) if not given", NAN, 0, INFINITY, 1, KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"young-plane", "eplane", "stress", "Young's modulus along the planes", NAN, 0, INFINITY, 0,
+                   KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"young-normal", "enormal", "stress", "Young's modulus across the planes", NAN, 0, INFINITY, 0,
+                   KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"poisson-plane", "nuplane", "-", "strain along the planes for a load along them", 0, -1, 1, 0,
+                   KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"poisson-normal", "nunormal", "-", "strain along the planes for a load across them", 0, -10, 10, 0,
+                   KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"shear-normal", "gnormal", "stress", "shear modulus along the planes; as (3) if not given", NAN, 0,
+                   INFINITY, 1, KAYA_ZREDUCE_NONE},
     kaya_zproperty{"dip", "", "angle", "dip of the planes", 0, 0, 90, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"dip-direction", "dd", "angle", "dip direction of the planes, clockwise from y", 0, 0, 360, 0, KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"dip-direction", "dd", "angle", "dip direction of the planes, clockwise from y", 0, 0, 360, 0,
+                   KAYA_ZREDUCE_NONE},
 };
 constexpr std::array<kaya_jhistory, 0> history{};
 
@@ -50,7 +64,8 @@ ptrdiff_t run(kaya_zbatch* batch) {
     constexpr int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
     for (std::size_t i = 0; i < batch->n; ++i) {
         const Tensor e = strain_of(*batch, i);
-        const double v[3] = {e[0] * n[0] + e[3] * n[1] + e[4] * n[2], e[3] * n[0] + e[1] * n[1] + e[5] * n[2], e[4] * n[0] + e[5] * n[1] + e[2] * n[2]};
+        const double v[3] = {e[0] * n[0] + e[3] * n[1] + e[4] * n[2], e[3] * n[0] + e[1] * n[1] + e[5] * n[2],
+                             e[4] * n[0] + e[5] * n[1] + e[2] * n[2]};
         const double volume = e[0] + e[1] + e[2], opens = v[0] * n[0] + v[1] * n[1] + v[2] * n[2];
         const double on_normal = couple * volume + straight * opens;
         Tensor stress = stress_of(*batch, i);
@@ -67,7 +82,8 @@ ptrdiff_t run(kaya_zbatch* batch) {
 const char* check(const double* p) {
     if (!(p[young_plane] > 0 && p[young_normal] > 0)) return "young-plane and young-normal must be above 0";
     if (!(std::abs(p[poisson_plane]) < 1)) return "poisson-plane must lie between -1 and 1";
-    if (!(rest_of(p) > 0)) return "deforming would give out work: 1 - poisson-plane must be above 2 poisson-normal^2 young-plane / young-normal; give a smaller poisson-normal";
+    if (!(rest_of(p) > 0))
+        return "deforming would give out work: 1 - poisson-plane must be above 2 poisson-normal^2 young-plane / young-normal; give a smaller poisson-normal";
     if (!(Stiffness(p).across > 0)) return "shear-normal must be above 0";
     return nullptr;
 }
@@ -75,7 +91,8 @@ const char* check(const double* p) {
 /// An isotropic stiffness that takes at least the energy of this one for every strain (5).
 void bounding_moduli(const double* p, double* bulk, double* shear) {
     const Stiffness c(p);
-    const double mean = (2 * c.c11 + 2 * c.c12 + 4 * c.c13 + c.c33) / 3, deviator = (c.c11 + c.c12 - 4 * c.c13 + 2 * c.c33) / 3;
+    const double mean = (2 * c.c11 + 2 * c.c12 + 4 * c.c13 + c.c33) / 3,
+                 deviator = (c.c11 + c.c12 - 4 * c.c13 + 2 * c.c33) / 3;
     const double both = std::sqrt(2.0) / 3 * (c.c13 + c.c33 - c.c11 - c.c12);
     const double twice = std::max({deviator + std::abs(both) / std::sqrt(2.0), 2 * c.along, 2 * c.across});
     const double more = both == 0 ? 0 : both * both / (twice - deviator);
@@ -83,8 +100,8 @@ void bounding_moduli(const double* p, double* bulk, double* shear) {
     *shear = twice / 2;
 }
 
-constexpr kaya_zmodel descriptor = model("anisotropic-elastic", "linear elasticity, isotropic in a plane", properties, history, "", false,
-                                         run, check, bounding_moduli);
+constexpr kaya_zmodel descriptor = model("anisotropic-elastic", "linear elasticity, isotropic in a plane", properties,
+                                         history, "", false, run, check, bounding_moduli);
 
 } // namespace
 

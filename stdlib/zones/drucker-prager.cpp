@@ -66,12 +66,13 @@ ptrdiff_t run(kaya_zbatch* batch) {
 }
 
 const char* check(const double* p) {
-    if (p[q_dilation] > p[q_friction]) return "dilation-drucker is above friction-drucker: rock would make energy; give a smaller one";
+    if (p[q_dilation] > p[q_friction])
+        return "dilation-drucker is above friction-drucker: rock would make energy; give a smaller one";
     return nullptr;
 }
 
-constexpr kaya_zmodel descriptor = model("drucker-prager", "Drucker-Prager plasticity with a tension cut-off", properties, history,
-                                         states_of_flow, true, run, check);
+constexpr kaya_zmodel descriptor = model("drucker-prager", "Drucker-Prager plasticity with a tension cut-off",
+                                         properties, history, states_of_flow, true, run, check);
 
 } // namespace
 

@@ -10,16 +10,25 @@ namespace {
 
 using namespace kaya::zones;
 
-enum Property : std::size_t { constant_sci = moduli_count, constant_mb, constant_s, constant_a, dilation, strength_factor };
+enum Property : std::size_t {
+    constant_sci = moduli_count,
+    constant_mb,
+    constant_s,
+    constant_a,
+    dilation,
+    strength_factor
+};
 constexpr std::array properties{
     bulk_property,
     shear_property,
-    kaya_zproperty{"constant-sci", "sigci hbs_ci", "stress", "uniaxial strength of intact rock", NAN, 0, INFINITY, 0, KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"constant-sci", "sigci hbs_ci", "stress", "uniaxial strength of intact rock", NAN, 0, INFINITY, 0,
+                   KAYA_ZREDUCE_NONE},
     kaya_zproperty{"constant-mb", "mb hb_m", "-", "m_b of the rock mass", NAN, 0, INFINITY, 0, KAYA_ZREDUCE_NONE},
     kaya_zproperty{"constant-s", "hb_s", "-", "s of the rock mass", NAN, 0, 1, 0, KAYA_ZREDUCE_NONE},
     kaya_zproperty{"constant-a", "hb_a", "-", "exponent of the rock mass", 0.5, 0.1, 1, 0, KAYA_ZREDUCE_NONE},
     kaya_zproperty{"dilation", "bdilation", "angle", "angle of dilation", 0, 0, 89.9, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"strength-factor", "", "-", "the shear strength is divided by it; solve fos sets it", 1, 1e-6, 1e6, 0, KAYA_ZREDUCE_MULTIPLY},
+    kaya_zproperty{"strength-factor", "", "-", "the shear strength is divided by it; solve fos sets it", 1, 1e-6, 1e6,
+                   0, KAYA_ZREDUCE_MULTIPLY},
 };
 
 enum History : std::size_t { plastic_shear, plastic_tension };
@@ -61,7 +70,8 @@ public:
         const double s3 = -greatest_tension, s1 = -least_tension;
         if (s3 < tip()) return false;
         // The curve is convex: what lies below a chord lies below the curve, and most zones do.
-        const auto next = std::upper_bound(known_.begin(), known_.end(), s3, [](double s, const Circle& known) { return s < known.least; });
+        const auto next = std::upper_bound(known_.begin(), known_.end(), s3,
+                                           [](double s, const Circle& known) { return s < known.least; });
         if (next != known_.begin() && next != known_.end()) {
             const Circle &a = *(next - 1), &b = *next;
             if (s1 <= a.greatest + (s3 - a.least) / (b.least - a.least) * (b.greatest - a.greatest)) return true;
@@ -77,14 +87,18 @@ private:
     Circle circle(double first) const {
         const double k = curve_.slope(first), root = std::sqrt(k), range = curve_.greatest(first) - first;
         const double normal = first + range / (k + 1), shear = (normal - first) * root / factor_;
-        const double tangent = (k - 1) / (2 * root) / factor_, secant = std::sqrt(1 + tangent * tangent), sine = tangent / secant;
+        const double tangent = (k - 1) / (2 * root) / factor_, secant = std::sqrt(1 + tangent * tangent),
+                     sine = tangent / secant;
         const double centre = normal + shear * tangent, radius = shear * secant;
         return {centre - radius, centre + radius, (1 + sine) / (1 - sine)};
     }
-    double place(std::size_t k) const { return curve_.tip() + first_place * curve_.sci * std::pow(known_ratio, static_cast<double>(k)); }
+    double place(std::size_t k) const {
+        return curve_.tip() + first_place * curve_.sci * std::pow(known_ratio, static_cast<double>(k));
+    }
     /// The circle with this least stress; the least stress grows along the curve.
     Circle at(double s3) const {
-        const auto next = std::upper_bound(known_.begin(), known_.end(), s3, [](double s, const Circle& known) { return s < known.least; });
+        const auto next = std::upper_bound(known_.begin(), known_.end(), s3,
+                                           [](double s, const Circle& known) { return s < known.least; });
         const auto k = static_cast<std::size_t>(next - known_.begin());
         double low = curve_.tip(), high = place(std::min(k, known_.size() - 1));
         double below = circle(low).least - s3;
@@ -97,7 +111,9 @@ private:
         }
         double above = found.least - s3;
         // Regula falsi with the Illinois rule.
-        for (int round = 0; round < 100 && high - low > 1e-13 * curve_.sci && std::abs(found.least - s3) > 1e-13 * curve_.sci; ++round) {
+        for (int round = 0;
+             round < 100 && high - low > 1e-13 * curve_.sci && std::abs(found.least - s3) > 1e-13 * curve_.sci;
+             ++round) {
             const double middle = above > below ? (low * above - high * below) / (above - below) : 0.5 * (low + high);
             const bool was_above = found.least > s3;
             found = circle(middle);
@@ -175,8 +191,8 @@ const char* check(const double* p) {
     return nullptr;
 }
 
-constexpr kaya_zmodel descriptor = model("hoek-brown", "generalised Hoek-Brown plasticity", properties, history, states_of_flow, true,
-                                         run, check);
+constexpr kaya_zmodel descriptor =
+    model("hoek-brown", "generalised Hoek-Brown plasticity", properties, history, states_of_flow, true, run, check);
 
 } // namespace
 

@@ -43,12 +43,13 @@ ptrdiff_t run(kaya_zbatch* batch) {
 }
 
 const char* check(const double* p) {
-    if (p[dilation] > p[friction]) return "the dilation is above the friction: rock would make energy; give a smaller dilation";
+    if (p[dilation] > p[friction])
+        return "the dilation is above the friction: rock would make energy; give a smaller dilation";
     return nullptr;
 }
 
-constexpr kaya_zmodel descriptor = model("mohr-coulomb", "Mohr-Coulomb plasticity with a tension cut-off", properties, history,
-                                         states_of_flow, true, run, check);
+constexpr kaya_zmodel descriptor = model("mohr-coulomb", "Mohr-Coulomb plasticity with a tension cut-off", properties,
+                                         history, states_of_flow, true, run, check);
 
 } // namespace
 

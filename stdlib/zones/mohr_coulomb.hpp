@@ -18,9 +18,9 @@ inline double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1
 
 /// k s1 - s3 = q, flow m s1 - s3, and s1 <= tension: stresses are tension positive, s1 is the greatest.
 struct Strength {
-    double slope;   ///< k = (1 + sin phi)/(1 - sin phi)
+    double slope;    ///< k = (1 + sin phi)/(1 - sin phi)
     double uniaxial; ///< q = 2 c sqrt(k)
-    double flow;    ///< m, of the dilation angle
+    double flow;     ///< m, of the dilation angle
     double tension;
 
     static double slope_of(double degrees) {
@@ -34,14 +34,16 @@ struct Strength {
         if (s.slope > 1) s.tension = std::min(tension, s.uniaxial / (s.slope - 1));
         return s;
     }
-    bool holds(double greatest, double least) const { return slope * greatest - least <= uniaxial && greatest <= tension; }
+    bool holds(double greatest, double least) const {
+        return slope * greatest - least <= uniaxial && greatest <= tension;
+    }
 };
 
 /// What a step of flow has done.
 struct Flow {
-    Vector3 strain{};          ///< plastic, in principal axes
+    Vector3 strain{}; ///< plastic, in principal axes
     bool shear = false, tension = false;
-    double along_tension = 0;  ///< plastic strain by the cut-off
+    double along_tension = 0; ///< plastic strain by the cut-off
 };
 
 /// A plane of the surface: (a . s) <= r, flow along b.
@@ -54,8 +56,9 @@ struct Plane {
 /// The planes that meet where s1 >= s2 >= s3.
 inline std::array<Plane, 6> planes_of(const Strength& s) {
     const double k = s.slope, m = s.flow, q = s.uniaxial, t = s.tension;
-    return {Plane{{k, 0, -1}, {m, 0, -1}, q, false}, Plane{{k, -1, 0}, {m, -1, 0}, q, false}, Plane{{0, k, -1}, {0, m, -1}, q, false},
-            Plane{{1, 0, 0}, {1, 0, 0}, t, true},    Plane{{0, 1, 0}, {0, 1, 0}, t, true},    Plane{{0, 0, 1}, {0, 0, 1}, t, true}};
+    return {Plane{{k, 0, -1}, {m, 0, -1}, q, false}, Plane{{k, -1, 0}, {m, -1, 0}, q, false},
+            Plane{{0, k, -1}, {0, m, -1}, q, false}, Plane{{1, 0, 0}, {1, 0, 0}, t, true},
+            Plane{{0, 1, 0}, {0, 1, 0}, t, true},    Plane{{0, 0, 1}, {0, 0, 1}, t, true}};
 }
 
 /// Which planes flow at once: faces, edges, corners, in the order in which they are tried. Numbers are those of planes_of.
@@ -63,9 +66,9 @@ struct ActiveSet {
     int count;
     int plane[3];
 };
-inline constexpr ActiveSet active_sets[] = {{1, {0}},       {1, {3}},       {2, {0, 2}},    {2, {0, 1}},    {2, {0, 3}},    {2, {3, 4}},
-                                            {3, {0, 1, 3}}, {3, {0, 3, 4}}, {3, {0, 2, 3}}, {3, {0, 2, 4}}, {3, {2, 3, 4}}, {3, {3, 4, 5}},
-                                            {3, {0, 1, 2}}};
+inline constexpr ActiveSet active_sets[] = {
+    {1, {0}},       {1, {3}},       {2, {0, 2}},    {2, {0, 1}},    {2, {0, 3}},    {2, {3, 4}},   {3, {0, 1, 3}},
+    {3, {0, 3, 4}}, {3, {0, 2, 3}}, {3, {0, 2, 4}}, {3, {2, 3, 4}}, {3, {3, 4, 5}}, {3, {0, 1, 2}}};
 
 /// Solves n equations (n <= 3) by elimination with pivots; false where they are not independent.
 inline bool solve(int n, double (&m)[3][3], double (&x)[3]) {
@@ -96,7 +99,8 @@ inline Flow return_to(const Strength& strength, const Moduli& moduli, Vector3& s
     const auto planes = planes_of(strength);
     const auto stress_of = [&](const Vector3& strain) {
         const double volume = moduli.lame() * (strain[0] + strain[1] + strain[2]);
-        return Vector3{volume + 2 * moduli.shear * strain[0], volume + 2 * moduli.shear * strain[1], volume + 2 * moduli.shear * strain[2]};
+        return Vector3{volume + 2 * moduli.shear * strain[0], volume + 2 * moduli.shear * strain[1],
+                       volume + 2 * moduli.shear * strain[2]};
     };
     const double size = std::max({std::abs(s[0]), std::abs(s[2]), strength.uniaxial});
     const double outside = 1e-10 * size; // room for rounding
@@ -114,7 +118,8 @@ inline Flow return_to(const Strength& strength, const Moduli& moduli, Vector3& s
         for (int i = 0; i < count; ++i)
             for (int k = 0; k < 3; ++k) strain[k] += std::max(amount[i], 0.0) * planes[active[i]].b[k];
         const Vector3 back = stress_of(strain), tried{s[0] - back[0], s[1] - back[1], s[2] - back[2]};
-        if (std::any_of(planes.begin(), planes.end(), [&](const Plane& p) { return dot(p.a, tried) - p.r > outside * (1 + strength.slope); }))
+        if (std::any_of(planes.begin(), planes.end(),
+                        [&](const Plane& p) { return dot(p.a, tried) - p.r > outside * (1 + strength.slope); }))
             continue;
         s = tried;
         flow.strain = strain;
@@ -127,7 +132,8 @@ inline Flow return_to(const Strength& strength, const Moduli& moduli, Vector3& s
     }
     // Beyond every corner: the tip.
     const double tip = std::isfinite(strength.tension) ? strength.tension : 0;
-    const double young = 9 * moduli.bulk * moduli.shear / (3 * moduli.bulk + moduli.shear), poisson = 0.5 - young / (6 * moduli.bulk);
+    const double young = 9 * moduli.bulk * moduli.shear / (3 * moduli.bulk + moduli.shear),
+                 poisson = 0.5 - young / (6 * moduli.bulk);
     Vector3 lost{s[0] - tip, s[1] - tip, s[2] - tip};
     const double sum = lost[0] + lost[1] + lost[2];
     for (int k = 0; k < 3; ++k) flow.strain[k] = ((1 + poisson) * lost[k] - poisson * sum) / young;
@@ -148,7 +154,9 @@ inline std::uint32_t state_after(std::uint32_t before, bool shear, bool tension)
     return state | (shear ? shear_now : 0u) | (tension ? tension_now : 0u);
 }
 
-inline std::uint32_t bits_of(const Flow& flow) { return (flow.shear ? shear_now : 0u) | (flow.tension ? tension_now : 0u); }
+inline std::uint32_t bits_of(const Flow& flow) {
+    return (flow.shear ? shear_now : 0u) | (flow.tension ? tension_now : 0u);
+}
 
 /// What flowed in the step before has flowed.
 inline void forget_flow(kaya_zbatch& batch) {

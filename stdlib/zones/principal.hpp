@@ -20,7 +20,7 @@ template <int N> struct Rotations {
         for (int k = 0; k < 9; ++k)
             for (int l = 0; l < N; ++l) axis[k][l] = k % 4 == 0 ? 1 : 0;
         constexpr int most_sweeps = 12; // it converges quadratically: five are enough
-        double turns[N]; // 0 for those that are done: they stay as they are
+        double turns[N];                // 0 for those that are done: they stay as they are
         for (int sweep = 0; sweep < most_sweeps; ++sweep) {
             double any = 0;
             for (int l = 0; l < N; ++l) {
@@ -114,7 +114,8 @@ template <class Holds, class Each> void for_rows_that_may_yield(const kaya_zbatc
             const double xx = batch.stress[0][r], yy = batch.stress[1][r], zz = batch.stress[2][r];
             const double xy = batch.stress[3][r], xz = batch.stress[4][r], yz = batch.stress[5][r];
             const double mean = (xx + yy + zz) / 3;
-            const double second = ((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx)) / 6 + xy * xy + xz * xz + yz * yz;
+            const double second = ((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx)) / 6 +
+                                  xy * xy + xz * xz + yz * yz;
             const double reach = (1 + rounding) * 2 * std::sqrt(second / 3) + rounding * std::abs(mean);
             high[i] = mean + reach;
             low[i] = mean - reach;

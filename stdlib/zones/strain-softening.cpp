@@ -10,21 +10,41 @@ namespace {
 using namespace kaya::zones;
 
 enum Property : std::size_t {
-    cohesion = moduli_count, friction, dilation, tension, cohesion_table, friction_table, dilation_table, tension_table,
+    cohesion = moduli_count,
+    friction,
+    dilation,
+    tension,
+    cohesion_table,
+    friction_table,
+    dilation_table,
+    tension_table,
     length_reference
 };
 constexpr std::array properties{
     bulk_property,
     shear_property,
-    kaya_zproperty{"cohesion", "bcohesion", "stress", "cohesion where there is no table", 0, 0, INFINITY, 0, KAYA_ZREDUCE_DIVIDE},
-    kaya_zproperty{"friction", "bfriction", "angle", "angle of internal friction where there is no table", 0, 0, 89.9, 0, KAYA_ZREDUCE_TANGENT},
-    kaya_zproperty{"dilation", "bdilation", "angle", "angle of dilation where there is no table", 0, 0, 89.9, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"tension", "btension", "stress", "tensile strength where there is no table", 0, 0, INFINITY, 0, KAYA_ZREDUCE_DIVIDE},
-    kaya_zproperty{"table-cohesion", "ctable", "-", "number of the table of cohesion over plastic shear strain; 0: none", 0, 0, 2147483647, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"table-friction", "ftable", "-", "number of the table of friction over plastic shear strain; 0: none", 0, 0, 2147483647, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"table-dilation", "dtable", "-", "number of the table of dilation over plastic shear strain; 0: none", 0, 0, 2147483647, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"table-tension", "ttable", "-", "number of the table of tensile strength over plastic tensile strain; 0: none", 0, 0, 2147483647, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"length-reference", "", "length", "size of zone for which the tables hold; 0: any", 0, 0, INFINITY, 0, KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"cohesion", "bcohesion", "stress", "cohesion where there is no table", 0, 0, INFINITY, 0,
+                   KAYA_ZREDUCE_DIVIDE},
+    kaya_zproperty{"friction", "bfriction", "angle", "angle of internal friction where there is no table", 0, 0, 89.9,
+                   0, KAYA_ZREDUCE_TANGENT},
+    kaya_zproperty{"dilation", "bdilation", "angle", "angle of dilation where there is no table", 0, 0, 89.9, 0,
+                   KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"tension", "btension", "stress", "tensile strength where there is no table", 0, 0, INFINITY, 0,
+                   KAYA_ZREDUCE_DIVIDE},
+    kaya_zproperty{"table-cohesion", "ctable", "-",
+                   "number of the table of cohesion over plastic shear strain; 0: none", 0, 0, 2147483647, 0,
+                   KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"table-friction", "ftable", "-",
+                   "number of the table of friction over plastic shear strain; 0: none", 0, 0, 2147483647, 0,
+                   KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"table-dilation", "dtable", "-",
+                   "number of the table of dilation over plastic shear strain; 0: none", 0, 0, 2147483647, 0,
+                   KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"table-tension", "ttable", "-",
+                   "number of the table of tensile strength over plastic tensile strain; 0: none", 0, 0, 2147483647, 0,
+                   KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"length-reference", "", "length", "size of zone for which the tables hold; 0: any", 0, 0, INFINITY,
+                   0, KAYA_ZREDUCE_NONE},
 };
 
 enum History : std::size_t { plastic_shear, plastic_tension };
@@ -51,7 +71,8 @@ bool take(Curve& curve, kaya_zbatch* batch, std::size_t value, std::size_t table
     curve.tables = batch->tables;
     curve.table = batch->tables ? batch->tables->find(batch->tables, name) : nullptr;
     if (curve.table) return true;
-    std::snprintf(batch->message, sizeof batch->message, "there is no table %s, which %s names", name, properties[table].name);
+    std::snprintf(batch->message, sizeof batch->message, "there is no table %s, which %s names", name,
+                  properties[table].name);
     return false;
 }
 
@@ -68,8 +89,10 @@ ptrdiff_t run(kaya_zbatch* batch) {
         batch->row = i;
         // Strain gathers in one layer of zones: the thinner they are the more of it for the same displacement (2).
         const double scale = p[length_reference] > 0 ? std::cbrt(batch->volume[i]) / p[length_reference] : 1;
-        const double friction_now = phi.at(scale * sheared[i]), dilation_now = std::min(psi.at(scale * sheared[i]), friction_now);
-        return Strength::of(std::max(0.0, c.at(scale * sheared[i])), friction_now, dilation_now, std::max(0.0, t.at(scale * opened[i])));
+        const double friction_now = phi.at(scale * sheared[i]),
+                     dilation_now = std::min(psi.at(scale * sheared[i]), friction_now);
+        return Strength::of(std::max(0.0, c.at(scale * sheared[i])), friction_now, dilation_now,
+                            std::max(0.0, t.at(scale * opened[i])));
     };
     add_elastic(*batch, moduli);
     forget_flow(*batch);
@@ -86,8 +109,8 @@ ptrdiff_t run(kaya_zbatch* batch) {
     return -1;
 }
 
-constexpr kaya_zmodel descriptor = model("strain-softening", "Mohr-Coulomb that softens or hardens with plastic strain", properties,
-                                         history, states_of_flow, true, run);
+constexpr kaya_zmodel descriptor = model("strain-softening", "Mohr-Coulomb that softens or hardens with plastic strain",
+                                         properties, history, states_of_flow, true, run);
 
 } // namespace
 

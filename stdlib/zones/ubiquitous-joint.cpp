@@ -8,22 +8,37 @@ namespace {
 using namespace kaya::zones;
 
 enum Property : std::size_t {
-    cohesion = moduli_count, friction, dilation, tension, joint_cohesion, joint_friction, joint_dilation, joint_tension, dip,
+    cohesion = moduli_count,
+    friction,
+    dilation,
+    tension,
+    joint_cohesion,
+    joint_friction,
+    joint_dilation,
+    joint_tension,
+    dip,
     dip_direction
 };
 constexpr std::array properties{
     bulk_property,
     shear_property,
     kaya_zproperty{"cohesion", "bcohesion", "stress", "cohesion of the rock", 0, 0, INFINITY, 0, KAYA_ZREDUCE_DIVIDE},
-    kaya_zproperty{"friction", "bfriction", "angle", "angle of internal friction of the rock", 0, 0, 89.9, 0, KAYA_ZREDUCE_TANGENT},
+    kaya_zproperty{"friction", "bfriction", "angle", "angle of internal friction of the rock", 0, 0, 89.9, 0,
+                   KAYA_ZREDUCE_TANGENT},
     kaya_zproperty{"dilation", "bdilation", "angle", "angle of dilation of the rock", 0, 0, 89.9, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"tension", "btension", "stress", "tensile strength of the rock", 0, 0, INFINITY, 0, KAYA_ZREDUCE_DIVIDE},
-    kaya_zproperty{"joint-cohesion", "jcohesion", "stress", "cohesion of the weak planes", 0, 0, INFINITY, 0, KAYA_ZREDUCE_DIVIDE},
-    kaya_zproperty{"joint-friction", "jfriction", "angle", "friction of the weak planes", 0, 0, 89.9, 0, KAYA_ZREDUCE_TANGENT},
-    kaya_zproperty{"joint-dilation", "jdilation", "angle", "dilation of the weak planes", 0, 0, 89.9, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"joint-tension", "jtension", "stress", "tensile strength across the weak planes", 0, 0, INFINITY, 0, KAYA_ZREDUCE_DIVIDE},
+    kaya_zproperty{"tension", "btension", "stress", "tensile strength of the rock", 0, 0, INFINITY, 0,
+                   KAYA_ZREDUCE_DIVIDE},
+    kaya_zproperty{"joint-cohesion", "jcohesion", "stress", "cohesion of the weak planes", 0, 0, INFINITY, 0,
+                   KAYA_ZREDUCE_DIVIDE},
+    kaya_zproperty{"joint-friction", "jfriction", "angle", "friction of the weak planes", 0, 0, 89.9, 0,
+                   KAYA_ZREDUCE_TANGENT},
+    kaya_zproperty{"joint-dilation", "jdilation", "angle", "dilation of the weak planes", 0, 0, 89.9, 0,
+                   KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"joint-tension", "jtension", "stress", "tensile strength across the weak planes", 0, 0, INFINITY, 0,
+                   KAYA_ZREDUCE_DIVIDE},
     kaya_zproperty{"dip", "", "angle", "dip of the weak planes", 0, 0, 90, 0, KAYA_ZREDUCE_NONE},
-    kaya_zproperty{"dip-direction", "dd", "angle", "dip direction of the weak planes, clockwise from y", 0, 0, 360, 0, KAYA_ZREDUCE_NONE},
+    kaya_zproperty{"dip-direction", "dd", "angle", "dip direction of the weak planes, clockwise from y", 0, 0, 360, 0,
+                   KAYA_ZREDUCE_NONE},
 };
 
 enum History : std::size_t { plastic_shear, plastic_tension, joint_shear };
@@ -33,7 +48,8 @@ constexpr std::array<kaya_jhistory, 3> history{{
     {"joint-shear", "-", "plastic shear strain along the weak planes so far"},
 }};
 
-constexpr const char* states = "shear-now tension-now shear-past tension-past joint-shear-now joint-tension-now joint-shear-past joint-tension-past";
+constexpr const char* states =
+    "shear-now tension-now shear-past tension-past joint-shear-now joint-tension-now joint-shear-past joint-tension-past";
 constexpr int joint_bits = 4;
 
 /// The weak planes and what they bear.
@@ -51,9 +67,11 @@ struct Weakness {
 };
 
 /// Brings the traction on the weak planes back to what they bear (2), (3). Returns the bits of the state.
-std::uint32_t yield_on(const Weakness& weak, const Moduli& moduli, Tensor& stress, double& slipped, double& dissipated) {
+std::uint32_t yield_on(const Weakness& weak, const Moduli& moduli, Tensor& stress, double& slipped,
+                       double& dissipated) {
     const Vector3& n = weak.normal;
-    const Vector3 traction{stress[0] * n[0] + stress[3] * n[1] + stress[4] * n[2], stress[3] * n[0] + stress[1] * n[1] + stress[5] * n[2],
+    const Vector3 traction{stress[0] * n[0] + stress[3] * n[1] + stress[4] * n[2],
+                           stress[3] * n[0] + stress[1] * n[1] + stress[5] * n[2],
                            stress[4] * n[0] + stress[5] * n[1] + stress[2] * n[2]};
     const double across = dot(traction, n);
     Vector3 along{traction[0] - across * n[0], traction[1] - across * n[1], traction[2] - across * n[2]};
@@ -82,7 +100,8 @@ std::uint32_t yield_on(const Weakness& weak, const Moduli& moduli, Tensor& stres
     for (int c = 0; c < 6; ++c) {
         const int i = row[c], j = column[c];
         const double one = i == j ? 1 : 0;
-        stress[c] -= less_tau * (n[i] * along[j] + along[i] * n[j]) + opening * (lame * one + (stiff - lame) * n[i] * n[j]);
+        stress[c] -=
+            less_tau * (n[i] * along[j] + along[i] * n[j]) + opening * (lame * one + (stiff - lame) * n[i] * n[j]);
     }
     return state;
 }
@@ -109,7 +128,8 @@ ptrdiff_t run(kaya_zbatch* batch) {
     });
     for (std::size_t i = 0; i < batch->n; ++i) {
         Tensor stress = stress_of(*batch, i);
-        const std::uint32_t on_planes = yield_on(weak, moduli, stress, batch->history[joint_shear][i], batch->dissipation[i]);
+        const std::uint32_t on_planes =
+            yield_on(weak, moduli, stress, batch->history[joint_shear][i], batch->dissipation[i]);
         if (on_planes == 0) continue;
         put_stress(*batch, i, stress);
         batch->state[i] |= on_planes << joint_bits;
@@ -118,14 +138,15 @@ ptrdiff_t run(kaya_zbatch* batch) {
 }
 
 const char* check(const double* p) {
-    if (p[dilation] > p[friction]) return "the dilation is above the friction: rock would make energy; give a smaller dilation";
+    if (p[dilation] > p[friction])
+        return "the dilation is above the friction: rock would make energy; give a smaller dilation";
     if (p[joint_dilation] > p[joint_friction])
         return "joint-dilation is above joint-friction: the planes would make energy; give a smaller one";
     return nullptr;
 }
 
-constexpr kaya_zmodel descriptor = model("ubiquitous-joint", "Mohr-Coulomb plasticity with planes of weakness", properties, history,
-                                         states, true, run, check);
+constexpr kaya_zmodel descriptor = model("ubiquitous-joint", "Mohr-Coulomb plasticity with planes of weakness",
+                                         properties, history, states, true, run, check);
 
 } // namespace
 

@@ -35,8 +35,10 @@ struct Moduli {
 
 /// The first properties of every isotropic zone model.
 inline constexpr std::size_t moduli_count = 2;
-inline constexpr kaya_zproperty bulk_property{"bulk", "k", "stress", "bulk modulus", NAN, 0, INFINITY, 0, KAYA_ZREDUCE_NONE};
-inline constexpr kaya_zproperty shear_property{"shear", "g", "stress", "shear modulus", NAN, 0, INFINITY, 0, KAYA_ZREDUCE_NONE};
+inline constexpr kaya_zproperty bulk_property{"bulk", "k",      "stress", "bulk modulus",   NAN,
+                                              0,      INFINITY, 0,        KAYA_ZREDUCE_NONE};
+inline constexpr kaya_zproperty shear_property{"shear", "g",      "stress", "shear modulus",  NAN,
+                                               0,       INFINITY, 0,        KAYA_ZREDUCE_NONE};
 
 inline void give_moduli(const double* properties, double* bulk, double* shear) {
     *bulk = properties[0];
@@ -47,7 +49,7 @@ inline void give_moduli(const double* properties, double* bulk, double* shear) {
 inline void add_elastic(kaya_zbatch& batch, const Moduli& moduli) {
     const double two_shear = 2 * moduli.shear, lame = moduli.lame();
     for (int k = 0; k < 3; ++k) {
-        double *__restrict normal = batch.stress[k], *__restrict shear = batch.stress[k + 3];
+        double* __restrict normal = batch.stress[k], * __restrict shear = batch.stress[k + 3];
         const double *xx = batch.strain_inc[0], *yy = batch.strain_inc[1], *zz = batch.strain_inc[2];
         const double *own = batch.strain_inc[k], *sheared = batch.strain_inc[k + 3];
         for (std::size_t i = 0; i < batch.n; ++i) {
@@ -75,12 +77,25 @@ inline void put_stress(const kaya_zbatch& batch, std::size_t i, const Tensor& t)
 
 /// The descriptor of a model from its tables.
 template <std::size_t Properties, std::size_t History>
-constexpr kaya_zmodel model(const char* name, const char* title, const std::array<kaya_zproperty, Properties>& properties,
+constexpr kaya_zmodel model(const char* name, const char* title,
+                            const std::array<kaya_zproperty, Properties>& properties,
                             const std::array<kaya_jhistory, History>& history, const char* states, bool flows,
                             ptrdiff_t (*run)(kaya_zbatch*), const char* (*check)(const double*) = nullptr,
                             void (*moduli)(const double*, double*, double*) = give_moduli) {
-    return {KAYA_ZMODEL_INTERFACE, sizeof(kaya_zmodel), name, title, "1.0", properties.data(), Properties, history.data(),
-            History, states, flows ? 1u : 0u, run, check, moduli};
+    return {KAYA_ZMODEL_INTERFACE,
+            sizeof(kaya_zmodel),
+            name,
+            title,
+            "1.0",
+            properties.data(),
+            Properties,
+            history.data(),
+            History,
+            states,
+            flows ? 1u : 0u,
+            run,
+            check,
+            moduli};
 }
 
 } // namespace kaya::zones

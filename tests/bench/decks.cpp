@@ -26,9 +26,8 @@ void deck(benchmark::State& state, const std::string& file, std::int64_t count, 
         state.ResumeTiming();
     }
     state.counters["cycles"] = static_cast<double>(count);
-    state.counters["per_cycle"] = benchmark::Counter(static_cast<double>(count),
-                                                     benchmark::Counter::kIsIterationInvariantRate |
-                                                         benchmark::Counter::kInvert);
+    state.counters["per_cycle"] = benchmark::Counter(
+        static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
     state.counters["zones"] = static_cast<double>(zones);
     state.counters["sub_contacts"] = static_cast<double>(sub_contacts);
 }

@@ -48,7 +48,8 @@ Paired against_kernel(Kernel& kernel, int kernel_steps, int turns, std::int64_t 
     for (int i = 0; i < turns; ++i) {
         const double k = timed([&] {
                              for (int s = 0; s < kernel_steps; ++s) kernel.step();
-                         }) / kernel_steps;
+                         }) /
+                         kernel_steps;
         const double o = timed(ours) / static_cast<double>(steps);
         ratios.push_back(o / k);
         mine.push_back(o);

@@ -26,7 +26,8 @@ class Rows {
 public:
     explicit Rows(const kaya::JointModel& model) : model_(model), objects_(model.keeps_objects() ? rows : 0) {
         for (const auto& property : model.properties) values_.push_back(property.initial);
-        const std::pair<const char*, double> given[] = {{"kn", 1e9}, {"ks", 5e8}, {"friction", 30}, {"friction-residual", 25}};
+        const std::pair<const char*, double> given[] = {
+            {"kn", 1e9}, {"ks", 5e8}, {"friction", 30}, {"friction-residual", 25}};
         for (const auto& [word, value] : given) values_[model.find_property(word).value()] = value;
         for (auto& column : columns_) column.assign(rows, 0);
         columns_[0].assign(rows, 0.01);

@@ -19,9 +19,7 @@ namespace {
 using kaya::JointModel;
 using Column = std::vector<double>;
 
-double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Best of some runs, so that what else the machine does counts little.
 template <class Call> double best_of(int runs, Call call) {
@@ -57,7 +55,8 @@ public:
         set("jks", 5e3);
         for (const auto& [word, value] : values_given.at(model.name)) set(word, value);
         if (const auto fault = model.check(values_); !fault.empty()) throw std::runtime_error(fault);
-        for (auto* column : {&area_, &opening_, &normal_disp_, &pressure_, &normal_, &normal_stiffness_, &shear_stiffness_, &work_})
+        for (auto* column :
+             {&area_, &opening_, &normal_disp_, &pressure_, &normal_, &normal_stiffness_, &shear_stiffness_, &work_})
             column->assign(n, 0);
         for (int k = 0; k < 3; ++k) way_[k].assign(n, 0), disp_[k].assign(n, 0), force_[k].assign(n, 0);
         for (std::size_t i = 0; i < n; ++i) area_[i] = 0.01, normal_[i] = 0.01;
@@ -148,12 +147,14 @@ int main() {
     constexpr std::size_t few = 512, many = 1'000'000;
     const double memory = triad(7 * many);
     fmt::print("a = b + s c over 170 MB: {:.1f} GB/s\n\n", memory / 1e9);
-    fmt::print("{:22} {:>24} {:>24} {:>12} {:>12}\n", "model", "512 rows, M updates/s", "1e6 rows, M updates/s", "GB/s", "of a=b+sc");
+    fmt::print("{:22} {:>24} {:>24} {:>12} {:>12}\n", "model", "512 rows, M updates/s", "1e6 rows, M updates/s", "GB/s",
+               "of a=b+sc");
     for (const auto& [name, values] : values_given) {
         const JointModel& model = registry.get(name);
         const double near = seconds_per_row(model, few, 400), far = seconds_per_row(model, many, 3);
         const double bytes = Rows(model, 1).traffic();
-        fmt::print("{:22} {:24.1f} {:24.1f} {:12.1f} {:12.2f}\n", name, 1e-6 / near, 1e-6 / far, bytes / far / 1e9, bytes / far / memory);
+        fmt::print("{:22} {:24.1f} {:24.1f} {:12.1f} {:12.2f}\n", name, 1e-6 / near, 1e-6 / far, bytes / far / 1e9,
+                   bytes / far / memory);
         std::fflush(stdout);
     }
     return 0;

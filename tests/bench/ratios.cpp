@@ -31,7 +31,8 @@ using bench::Row;
 using bench::Run;
 using bench::timed;
 
-bench::Paired against_kernel(bench::RigidKernel& kernel, int turns, std::int64_t steps, const std::function<void()>& ours) {
+bench::Paired against_kernel(bench::RigidKernel& kernel, int turns, std::int64_t steps,
+                             const std::function<void()>& ours) {
     return bench::against_kernel(kernel, 300, turns, steps, ours);
 }
 
@@ -58,11 +59,11 @@ void packed_cubes(std::vector<Row>& rows) {
     const double contacts = count(run.model().contacts.size()), subs = count(run.model().sub_contacts.size());
     const double pairs = count(kernel.pairs());
     const auto kept = against_kernel(kernel, 9, 200, [&] { run.cycles(200); });
-    rows.push_back({"cycle at rest, face pairs per second over the kernel's", contacts / kept.ratio / pairs, "", 1.0 / 3,
-                    0.5, true});
+    rows.push_back({"cycle at rest, face pairs per second over the kernel's", contacts / kept.ratio / pairs, "",
+                    1.0 / 3, 0.5, true});
     // The kernel's eight lie in four places, as corners of either cube; kaya makes one of two.
-    rows.push_back({"the same with kaya's four sub-contacts counted against the kernel's eight", subs / kept.ratio / (8 * pairs), "",
-                    0, 0, true});
+    rows.push_back({"the same with kaya's four sub-contacts counted against the kernel's eight",
+                    subs / kept.ratio / (8 * pairs), "", 0, 0, true});
     Run fine("packed-cubes-fine.3dd");
     fine.cycles(1000);
     const auto divided = against_kernel(kernel, 9, 200, [&] { fine.cycles(200); });
@@ -96,8 +97,8 @@ void growth(std::vector<Row>& rows) {
     rows.push_back({"time per block, 97,336 cubes over 1,000", median(ratios), "", 1.3, 1.1});
     const double blocks = count(run.model().blocks.size()), subs = count(run.model().sub_contacts.size());
     const double allowed = 3000 * blocks + 400 * subs;
-    rows.push_back({"memory of 97,336 cubes, part of 3 kB a block and 400 B a sub-contact",
-                    kept / allowed, "", 1, 0.5});
+    rows.push_back(
+        {"memory of 97,336 cubes, part of 3 kB a block and 400 B a sub-contact", kept / allowed, "", 1, 0.5});
 }
 
 void threads(std::vector<Row>& rows) {
@@ -146,7 +147,8 @@ void building(std::vector<Row>& rows) {
         lines << "poly brick " << i % 50 << ' ' << i % 50 + 1 << ' ' << i / 50 % 50 << ' ' << i / 50 % 50 + 1 << ' '
               << i / 2500 << ' ' << i / 2500 + 1 << '\n';
     const auto deck = written("kaya-bench-lines.3dd", lines.str());
-    rows.push_back({"100,000 lines of poly brick: read, bind and build", timed([&] { Run run(deck.string()); }), "s", 1, 0.3});
+    rows.push_back(
+        {"100,000 lines of poly brick: read, bind and build", timed([&] { Run run(deck.string()); }), "s", 1, 0.3});
     std::filesystem::remove(deck);
 }
 
@@ -154,7 +156,8 @@ void building(std::vector<Row>& rows) {
 void yade(std::vector<Row>& rows) {
     if (std::system("command -v yade > /dev/null 2>&1") != 0) return;
     const auto result = std::filesystem::temp_directory_path() / "kaya-bench-yade.txt";
-    const std::string command = "RESULT=" + result.string() + " yade -n -x -j1 " KAYA_BENCH_FOLDER "/yade_cubes.py > /dev/null 2>&1";
+    const std::string command =
+        "RESULT=" + result.string() + " yade -n -x -j1 " KAYA_BENCH_FOLDER "/yade_cubes.py > /dev/null 2>&1";
     Run run("packed-cubes-10.3dd");
     run.cycles(1000);
     const double ours = timed([&] { run.cycles(300); }) / 300;
@@ -188,14 +191,16 @@ int main(int argc, char** argv) {
         part(rows);
         for (std::size_t i = first; i < rows.size(); ++i)
             fmt::print("{:95} {:10.4g} {:3}{}\n", rows[i].figure, rows[i].value, rows[i].unit,
-                       rows[i].must == 0 ? "" : fmt::format(" must {:8.4g} aim {:8.4g}  {}", rows[i].must, rows[i].aim, rows[i].verdict()));
+                       rows[i].must == 0 ? ""
+                                         : fmt::format(" must {:8.4g} aim {:8.4g}  {}", rows[i].must, rows[i].aim,
+                                                       rows[i].verdict()));
         std::fflush(stdout);
     }
     const bool is_new = !std::filesystem::exists(csv);
     std::ofstream file(csv, std::ios::app);
     if (is_new) file << "processor,figure,value,unit,must,aim,verdict\n";
     for (const auto& row : rows)
-        file << fmt::format("\"{}\",\"{}\",{},{},{},{},{}\n", processor(), row.figure, row.value, row.unit, row.must, row.aim,
-                            row.verdict());
+        file << fmt::format("\"{}\",\"{}\",{},{},{},{},{}\n", processor(), row.figure, row.value, row.unit, row.must,
+                            row.aim, row.verdict());
     return 0; // it says what is missed, and fails nobody for a busy machine
 }

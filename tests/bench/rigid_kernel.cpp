@@ -8,7 +8,9 @@ namespace {
 
 constexpr double kn = 1e10, ks = 5e9, friction = 0.57735, cohesion = 1e5, damping = 0.8, mass = 2600;
 
-template <class Eight> double sum(const Eight& v) { return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7])); }
+template <class Eight> double sum(const Eight& v) {
+    return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
+}
 
 } // namespace
 
@@ -65,7 +67,8 @@ void RigidKernel::move(Body& b) const {
         b.force[k] = b.moment[k] = 0;
     }
     const auto& q = b.orientation;
-    const double hx = 0.5 * time_step_ * b.spin[0], hy = 0.5 * time_step_ * b.spin[1], hz = 0.5 * time_step_ * b.spin[2];
+    const double hx = 0.5 * time_step_ * b.spin[0], hy = 0.5 * time_step_ * b.spin[1],
+                 hz = 0.5 * time_step_ * b.spin[2];
     std::array<double, 4> r{q[0] - hx * q[1] - hy * q[2] - hz * q[3], q[1] + hx * q[0] + hy * q[3] - hz * q[2],
                             q[2] - hx * q[3] + hy * q[0] + hz * q[1], q[3] + hx * q[2] - hy * q[1] + hz * q[0]};
     const double length = std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
@@ -77,9 +80,12 @@ void RigidKernel::load(Pair& p) {
     const auto& n = p.n;
     const Eight ax = p.x - a.centre[0], ay = p.y - a.centre[1], az = p.z - a.centre[2];
     const Eight bx = p.x - b.centre[0], by = p.y - b.centre[1], bz = p.z - b.centre[2];
-    const Eight avx = a.velocity[0] + (a.spin[1] * az - a.spin[2] * ay), bvx = b.velocity[0] + (b.spin[1] * bz - b.spin[2] * by);
-    const Eight avy = a.velocity[1] + (a.spin[2] * ax - a.spin[0] * az), bvy = b.velocity[1] + (b.spin[2] * bx - b.spin[0] * bz);
-    const Eight avz = a.velocity[2] + (a.spin[0] * ay - a.spin[1] * ax), bvz = b.velocity[2] + (b.spin[0] * by - b.spin[1] * bx);
+    const Eight avx = a.velocity[0] + (a.spin[1] * az - a.spin[2] * ay),
+                bvx = b.velocity[0] + (b.spin[1] * bz - b.spin[2] * by);
+    const Eight avy = a.velocity[1] + (a.spin[2] * ax - a.spin[0] * az),
+                bvy = b.velocity[1] + (b.spin[2] * bx - b.spin[0] * bz);
+    const Eight avz = a.velocity[2] + (a.spin[0] * ay - a.spin[1] * ax),
+                bvz = b.velocity[2] + (b.spin[0] * by - b.spin[1] * bx);
     const double half = 0.5 * time_step_;
     p.x += (avx + bvx) * half;
     p.y += (avy + bvy) * half;

@@ -53,19 +53,26 @@ inline Eight join(const Four& a, const Four& b) { return __builtin_shufflevector
 inline Vector gather(const Four* rows, const int (&at)[8]) {
     const Eight a = join(rows[at[0]], rows[at[4]]), b = join(rows[at[1]], rows[at[5]]);
     const Eight c = join(rows[at[2]], rows[at[6]]), d = join(rows[at[3]], rows[at[7]]);
-    const Eight xz01 = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14), y01 = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
-    const Eight xz23 = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14), y23 = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
-    return {__builtin_shufflevector(xz01, xz23, 0, 1, 8, 9, 4, 5, 12, 13), __builtin_shufflevector(y01, y23, 0, 1, 8, 9, 4, 5, 12, 13),
+    const Eight xz01 = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14),
+                y01 = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Eight xz23 = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14),
+                y23 = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
+    return {__builtin_shufflevector(xz01, xz23, 0, 1, 8, 9, 4, 5, 12, 13),
+            __builtin_shufflevector(y01, y23, 0, 1, 8, 9, 4, 5, 12, 13),
             __builtin_shufflevector(xz01, xz23, 2, 3, 10, 11, 6, 7, 14, 15)};
 }
 
 /// The opposite, added; rows may repeat.
 inline void scatter(Four* rows, const int (&at)[8], const Vector& v) {
     const Eight zero{};
-    const Eight xy0 = __builtin_shufflevector(v.x, v.y, 0, 8, 2, 10, 4, 12, 6, 14), xy1 = __builtin_shufflevector(v.x, v.y, 1, 9, 3, 11, 5, 13, 7, 15);
-    const Eight z0 = __builtin_shufflevector(v.z, zero, 0, 8, 2, 10, 4, 12, 6, 14), z1 = __builtin_shufflevector(v.z, zero, 1, 9, 3, 11, 5, 13, 7, 15);
-    const Eight r02 = __builtin_shufflevector(xy0, z0, 0, 1, 8, 9, 2, 3, 10, 11), r46 = __builtin_shufflevector(xy0, z0, 4, 5, 12, 13, 6, 7, 14, 15);
-    const Eight r13 = __builtin_shufflevector(xy1, z1, 0, 1, 8, 9, 2, 3, 10, 11), r57 = __builtin_shufflevector(xy1, z1, 4, 5, 12, 13, 6, 7, 14, 15);
+    const Eight xy0 = __builtin_shufflevector(v.x, v.y, 0, 8, 2, 10, 4, 12, 6, 14),
+                xy1 = __builtin_shufflevector(v.x, v.y, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Eight z0 = __builtin_shufflevector(v.z, zero, 0, 8, 2, 10, 4, 12, 6, 14),
+                z1 = __builtin_shufflevector(v.z, zero, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Eight r02 = __builtin_shufflevector(xy0, z0, 0, 1, 8, 9, 2, 3, 10, 11),
+                r46 = __builtin_shufflevector(xy0, z0, 4, 5, 12, 13, 6, 7, 14, 15);
+    const Eight r13 = __builtin_shufflevector(xy1, z1, 0, 1, 8, 9, 2, 3, 10, 11),
+                r57 = __builtin_shufflevector(xy1, z1, 4, 5, 12, 13, 6, 7, 14, 15);
     rows[at[0]] += __builtin_shufflevector(r02, r02, 0, 1, 2, 3);
     rows[at[1]] += __builtin_shufflevector(r13, r13, 0, 1, 2, 3);
     rows[at[2]] += __builtin_shufflevector(r02, r02, 4, 5, 6, 7);
@@ -133,10 +140,20 @@ private:
 ZoneKernel::ZoneKernel(int blocks, int cells, const Strength& strength, bool joints) {
     constexpr double young = 10e9, poisson = 0.25;
     const double bulk = young / (3 * (1 - 2 * poisson)), shear = young / (2 * (1 + poisson));
-    const auto slope_of = [](double degrees) { return (1 + std::sin(degrees * radians)) / (1 - std::sin(degrees * radians)); };
+    const auto slope_of = [](double degrees) {
+        return (1 + std::sin(degrees * radians)) / (1 - std::sin(degrees * radians));
+    };
     const double phi = strength.friction * radians;
-    material_ = {bulk - 2 * shear / 3, 2 * shear, bulk + 4 * shear / 3, 2600, std::sin(phi), std::cos(phi), slope_of(strength.friction),
-                 slope_of(strength.dilation), strength.cohesion, std::min(strength.tension, strength.cohesion / std::tan(phi))};
+    material_ = {bulk - 2 * shear / 3,
+                 2 * shear,
+                 bulk + 4 * shear / 3,
+                 2600,
+                 std::sin(phi),
+                 std::cos(phi),
+                 slope_of(strength.friction),
+                 slope_of(strength.dilation),
+                 strength.cohesion,
+                 std::min(strength.tension, strength.cohesion / std::tan(phi))};
     time_step_ = 0.2 / cells / std::sqrt(material_.bulk_stiff / material_.density);
     blocks_ = static_cast<std::size_t>(blocks) * blocks * blocks;
     nodes_in_block_ = static_cast<std::size_t>(cells + 1) * (cells + 1) * (cells + 1);
@@ -161,7 +178,8 @@ void ZoneKernel::make_block(int blocks, int cells, int block) {
     for (int k = 0; k < n; ++k)
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i)
-                position_[node({i, j, k})] = Four{block % blocks + i * h, block / blocks % blocks + j * h, block / (blocks * blocks) + k * h, 0};
+                position_[node({i, j, k})] =
+                    Four{block % blocks + i * h, block / blocks % blocks + j * h, block / (blocks * blocks) + k * h, 0};
     // Neighbouring cubes in the lanes, so that corners of one kind are different gridpoints; groups in the order of their places.
     constexpr int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     constexpr bool turned[6] = {false, true, true, false, false, true};
@@ -180,7 +198,8 @@ void ZoneKernel::make_block(int blocks, int cells, int block) {
     while (zones.size() % 8 != 0) zones.push_back(zones.back());
     std::vector<std::size_t> sorted(groups_in_block_);
     std::iota(sorted.begin(), sorted.end(), std::size_t{0});
-    std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) { return zones[8 * a][0] < zones[8 * b][0]; });
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](std::size_t a, std::size_t b) { return zones[8 * a][0] < zones[8 * b][0]; });
     const double quarter = material_.density * h * h * h / 6 / 4;
     for (const std::size_t g : sorted) {
         Group group{};
@@ -197,7 +216,8 @@ void ZoneKernel::make_block(int blocks, int cells, int block) {
 void ZoneKernel::start(double speed) {
     for (std::size_t i = 0; i < position_.size(); ++i) {
         const Four& x = position_[i];
-        velocity_[i] = Four{speed * (std::sin(2 * x[1]) + 0.3 * x[2]), speed * std::cos(3 * x[2]), speed * (std::sin(1.7 * x[0]) - 0.2 * x[2]), 0};
+        velocity_[i] = Four{speed * (std::sin(2 * x[1]) + 0.3 * x[2]), speed * std::cos(3 * x[2]),
+                            speed * (std::sin(1.7 * x[0]) - 0.2 * x[2]), 0};
         force_[i] = Four{};
     }
     for (auto& group : groups_)
@@ -254,7 +274,8 @@ void ZoneKernel::load(Group& group) {
     // Certainly elastic: by the invariants, without the principal stresses.
     const Eight mean = (s[0] + s[1] + s[2]) * (1.0 / 3), u0 = s[0] - mean, u1 = s[1] - mean, u2 = s[2] - mean;
     const Eight second = 0.5 * (u0 * u0 + u1 * u1 + u2 * u2) + (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
-    const Eight shear_room = material_.cohesion * material_.cosine - mean * material_.sine, tension_room = material_.tension - mean;
+    const Eight shear_room = material_.cohesion * material_.cosine - mean * material_.sine,
+                tension_room = material_.tension - mean;
     const Eight shear_limit = shear_room * size_of(shear_room) * (1 / (1 + material_.sine * material_.sine / 3));
     const Eight tension_limit = tension_room * size_of(tension_room) * 0.75;
     const Mask yields = pick(shear_limit < tension_limit, shear_limit, tension_limit) < second;
@@ -269,7 +290,8 @@ void ZoneKernel::load(Group& group) {
     Eight z[6];
     for (int k = 0; k < 6; ++k) z[k] = s[k] * (-1.0 / 6);
     const auto force = [&](const Vector& c) {
-        return Vector{z[0] * c.x + z[3] * c.y + z[4] * c.z, z[3] * c.x + z[1] * c.y + z[5] * c.z, z[4] * c.x + z[5] * c.y + z[2] * c.z};
+        return Vector{z[0] * c.x + z[3] * c.y + z[4] * c.z, z[3] * c.x + z[1] * c.y + z[5] * c.z,
+                      z[4] * c.x + z[5] * c.y + z[2] * c.z};
     };
     const Vector f1 = force(c1), f2 = force(c2), f3 = force(c3);
     const Vector f0{-(f1.x + f2.x + f3.x), -(f1.y + f2.y + f3.y), -(f1.z + f2.z + f3.z)};
@@ -292,9 +314,12 @@ void ZoneKernel::bring_back(Eight (&stress)[6]) const {
     const Eight zero{};
     const double below = (a1 - a2 * m.flow) - (a2 - a1 * m.flow) * m.slope;
     const Eight ls = pick(slides, shear * (1 / below), zero), lt = pick(tears, -tension * (1 / a1), zero);
-    const Eight back[3] = {p[0] - ls * (a1 - a2 * m.flow) - lt * a2, p[1] - ls * (a2 * (1 - m.flow)) - lt * a2, p[2] - ls * (a2 - a1 * m.flow) - lt * a1};
+    const Eight back[3] = {p[0] - ls * (a1 - a2 * m.flow) - lt * a2, p[1] - ls * (a2 * (1 - m.flow)) - lt * a2,
+                           p[2] - ls * (a2 - a1 * m.flow) - lt * a1};
     const auto& q = principal.axis;
-    const auto component = [&](int i, int k) { return back[0] * q[i][0] * q[k][0] + back[1] * q[i][1] * q[k][1] + back[2] * q[i][2] * q[k][2]; };
+    const auto component = [&](int i, int k) {
+        return back[0] * q[i][0] * q[k][0] + back[1] * q[i][1] * q[k][1] + back[2] * q[i][2] * q[k][2];
+    };
     stress[0] = component(0, 0);
     stress[1] = component(1, 1);
     stress[2] = component(2, 2);
@@ -306,7 +331,8 @@ void ZoneKernel::bring_back(Eight (&stress)[6]) const {
 /// The face of a block with its neighbour in each direction: gridpoints of either side with triangles of the other.
 void ZoneKernel::join(int blocks, int cells, int block) {
     const int n = cells + 1;
-    const std::array<int, 3> at{block % blocks, block / blocks % blocks, block / (blocks * blocks)}, next{1, blocks, blocks * blocks};
+    const std::array<int, 3> at{block % blocks, block / blocks % blocks, block / (blocks * blocks)},
+        next{1, blocks, blocks * blocks};
     int lane = 0;
     const auto add = [&](const std::array<int, 4>& corner, int axis, double sign) {
         if (lane == 0) {
@@ -329,13 +355,15 @@ void ZoneKernel::join(int blocks, int cells, int block) {
             place[axis] = other ? 0 : cells;
             place[(axis + 1) % 3] = u;
             place[(axis + 2) % 3] = v;
-            return static_cast<int>(nodes_in_block_) * (block + (other ? next[axis] : 0)) + (place[2] * n + place[1]) * n + place[0];
+            return static_cast<int>(nodes_in_block_) * (block + (other ? next[axis] : 0)) +
+                   (place[2] * n + place[1]) * n + place[0];
         };
         for (const bool other : {false, true})
             for (int u = 0; u < n; ++u)
                 for (int v = 0; v < n; ++v) {
                     const int u2 = u < cells ? u + 1 : u - 1, v2 = v < cells ? v + 1 : v - 1;
-                    add({node(other, u, v), node(!other, u, v), node(!other, u2, v), node(!other, u, v2)}, axis, other ? 1 : -1);
+                    add({node(other, u, v), node(!other, u, v), node(!other, u2, v), node(!other, u, v2)}, axis,
+                        other ? 1 : -1);
                 }
     }
 }
@@ -343,13 +371,17 @@ void ZoneKernel::join(int blocks, int cells, int block) {
 void ZoneKernel::load(Joint& j) {
     constexpr double normal_stiffness = 1e10, shear_stiffness = 5e9, friction = 0.57735, cohesion = 1e5, tension = 5e4;
     const Vector a = gather(velocity_.data(), j.corner[0]);
-    const Vector b0 = gather(velocity_.data(), j.corner[1]), b1 = gather(velocity_.data(), j.corner[2]), b2 = gather(velocity_.data(), j.corner[3]);
+    const Vector b0 = gather(velocity_.data(), j.corner[1]), b1 = gather(velocity_.data(), j.corner[2]),
+                 b2 = gather(velocity_.data(), j.corner[3]);
     const Eight w0 = j.weight[0], w1 = j.weight[1], w2 = 1 - w0 - w1;
     const auto mean = [&](const Eight& x, const Eight& y, const Eight& z) { return w0 * x + w1 * y + w2 * z; };
-    const Vector u{(a.x - mean(b0.x, b1.x, b2.x)) * time_step_, (a.y - mean(b0.y, b1.y, b2.y)) * time_step_, (a.z - mean(b0.z, b1.z, b2.z)) * time_step_};
+    const Vector u{(a.x - mean(b0.x, b1.x, b2.x)) * time_step_, (a.y - mean(b0.y, b1.y, b2.y)) * time_step_,
+                   (a.z - mean(b0.z, b1.z, b2.z)) * time_step_};
     const Vector n{j.direction[0], j.direction[1], j.direction[2]}, before{j.shear[0], j.shear[1], j.shear[2]};
     const Eight along = dot(u, n), out = dot(before, n), ks = j.area * shear_stiffness;
-    const auto sheared = [&](const Eight& f, const Eight& d, const Eight& slip) { return f - out * d - ks * (slip - along * d); };
+    const auto sheared = [&](const Eight& f, const Eight& d, const Eight& slip) {
+        return f - out * d - ks * (slip - along * d);
+    };
     const Vector s{sheared(before.x, n.x, u.x), sheared(before.y, n.y, u.y), sheared(before.z, n.z, u.z)};
     const Eight zero{}, normal = j.normal - j.area * normal_stiffness * along;
     const Mask opens = normal < pick(j.intact, -tension * j.area, zero);

@@ -49,8 +49,8 @@ private:
     };
     /// Eight sub-contacts of a block's gridpoints with triangles of a neighbour, or the other way round.
     struct Joint {
-        int corner[4][8]; ///< of a gridpoint and of a triangle
-        Eight weight[2];  ///< of the first two corners of the triangle
+        int corner[4][8];   ///< of a gridpoint and of a triangle
+        Eight weight[2];    ///< of the first two corners of the triangle
         Eight direction[3]; ///< from the triangle to the gridpoint, unit
         Eight area, normal, shear[3];
         Mask intact;

@@ -11,7 +11,8 @@ namespace bench {
 namespace {
 
 constexpr std::uint32_t now = 3; ///< shear-now and tension-now in the states of the models that ship
-constexpr Strength unlimited{1e15, 35, 5, 1e15}, limited{1e6, 35, 5, 0.5e6}; ///< the second is that of zoned-plastic.3dd
+constexpr Strength unlimited{1e15, 35, 5, 1e15},
+    limited{1e6, 35, 5, 0.5e6}; ///< the second is that of zoned-plastic.3dd
 
 double count(std::size_t n) { return static_cast<double>(n); }
 
@@ -20,7 +21,8 @@ void start(Run& run, double speed) {
     auto& g = run.model().gridpoints;
     for (std::size_t i = 0; i < g.size(); ++i) {
         const kaya::Vec3& x = g.reference[i];
-        g.velocity[i] = speed * kaya::Vec3(std::sin(2 * x.y()) + 0.3 * x.z(), std::cos(3 * x.z()), std::sin(1.7 * x.x()) - 0.2 * x.z());
+        g.velocity[i] = speed * kaya::Vec3(std::sin(2 * x.y()) + 0.3 * x.z(), std::cos(3 * x.z()),
+                                           std::sin(1.7 * x.x()) - 0.2 * x.z());
         g.position[i] = x;
     }
     for (auto& stress : run.model().zones.stress) stress.setZero();
@@ -36,7 +38,9 @@ std::size_t zones_of(const ZoneKernel& kernel) { return kernel.zones(); }
 /// Part of the zones that flowed in the step that was last made.
 double yielding(Run& run) {
     const auto& state = run.model().zones.state;
-    return count(static_cast<std::size_t>(std::count_if(state.begin(), state.end(), [](auto s) { return (s & now) != 0; }))) / count(state.size());
+    return count(static_cast<std::size_t>(
+               std::count_if(state.begin(), state.end(), [](auto s) { return (s & now) != 0; }))) /
+           count(state.size());
 }
 double yielding(const ZoneKernel& kernel) { return kernel.yielding(); }
 
@@ -61,8 +65,9 @@ template <class Cycle> double time_of(Cycle& cycle, double speed, int steps) {
     start(cycle, speed);
     advance(cycle);
     return timed([&] {
-        for (int s = 0; s < steps; ++s) advance(cycle);
-    }) / steps / count(zones_of(cycle));
+               for (int s = 0; s < steps; ++s) advance(cycle);
+           }) /
+           steps / count(zones_of(cycle));
 }
 
 /// Zone-steps per second over the kernel's.
@@ -98,18 +103,19 @@ void elastic(std::vector<Row>& rows) {
     Run whole("zoned-block.3dd");
     rows.push_back({"one block of 146,334 elastic zones, zone-steps per second over the kernel's",
                     zones_against(block, speed, whole, speed, 9, 10), "", 0.4, 0.6, true});
-    rows.push_back({"its memory, all included, bytes per zone", (resident_bytes() - before) / count(zones_of(whole)), "", 200, 150});
+    rows.push_back({"its memory, all included, bytes per zone", (resident_bytes() - before) / count(zones_of(whole)),
+                    "", 200, 150});
 }
 
 void plastic(std::vector<Row>& rows) {
     constexpr int steps = 20;
     ZoneKernel elastic(1, 20, unlimited), kernel(1, 20, limited);
     Run run("zoned-plastic.3dd");
-    rows.push_back({"Mohr-Coulomb, nothing yields, averaged in cells, over the elastic kernel's", zones_against(elastic, 0.3, run, 1e-6, 9, steps),
-                    "", 0.25, 0.4, true});
+    rows.push_back({"Mohr-Coulomb, nothing yields, averaged in cells, over the elastic kernel's",
+                    zones_against(elastic, 0.3, run, 1e-6, 9, steps), "", 0.25, 0.4, true});
     const double theirs = speed_that_yields(kernel, 0.25, steps), ours = speed_that_yields(run, 0.25, steps);
-    rows.push_back({"Mohr-Coulomb, a quarter yields, averaged in cells, over the plastic kernel's", zones_against(kernel, theirs, run, ours, 9, steps),
-                    "", 0.3, 0.5, true});
+    rows.push_back({"Mohr-Coulomb, a quarter yields, averaged in cells, over the plastic kernel's",
+                    zones_against(kernel, theirs, run, ours, 9, steps), "", 0.3, 0.5, true});
 }
 
 /// The whole cycle of blocks that touch.
@@ -118,8 +124,10 @@ void jointed(std::vector<Row>& rows) {
     Run run("zoned-packed.3dd");
     run.cycles(20);
     const auto paired = against_kernel(kernel, 5, 9, 5, [&] { run.cycles(5); });
-    rows.push_back({"8,000 cubes of 48 zones with their joints, steps per second over the kernel's", 1 / paired.ratio, "", 0.4, 0.6, true});
-    rows.push_back({"their sub-contacts over the kernel's", count(run.model().sub_contacts.size()) / count(kernel.sub_contacts()), "", 0, 0});
+    rows.push_back({"8,000 cubes of 48 zones with their joints, steps per second over the kernel's", 1 / paired.ratio,
+                    "", 0.4, 0.6, true});
+    rows.push_back({"their sub-contacts over the kernel's",
+                    count(run.model().sub_contacts.size()) / count(kernel.sub_contacts()), "", 0, 0});
 }
 
 } // namespace

@@ -90,35 +90,21 @@ Expected read_expected(const Lines& deck) {
     for (std::size_t i = 0; i < deck.size(); ++i) {
         const std::string& line = deck[i];
         const int number = static_cast<int>(i) + 1;
-        if (auto text = behind(line, ";>"))
-            expected.printed[number].push_back(*text);
+        if (auto text = behind(line, ";>")) expected.printed[number].push_back(*text);
         else if (auto message = behind(line, ";!")) {
-            if (is_message(*message))
-                expected.messages.push_back({code_line, *message});
-            else
-                expected.hints.push_back(*message);
-        } else if (auto status = behind(line, ";status"))
-            expected.status = std::stoi(*status);
-        else if (auto limit = behind(line, ";limit"))
-            expected.limit = std::stoi(*limit);
-        else if (auto options = behind(line, ";options"))
-            expected.options = *options;
-        else if (auto needs = behind(line, ";needs"))
-            expected.needs.push_back(*needs);
-        else if (auto first_deck = behind(line, ";first"))
-            expected.first.push_back(*first_deck);
-        else if (auto then = behind(line, ";then"))
-            expected.then.push_back(*then);
-        else if (auto cut = behind(line, ";cut"))
-            expected.cuts.push_back(*cut);
-        else if (auto makes = behind(line, ";makes"))
-            expected.makes.push_back(*makes);
-        else if (auto lacks = behind(line, ";lacks"))
-            expected.lacks.push_back(*lacks);
-        else if (auto holds = behind(line, ";holds"))
-            expected.holds.push_back(*holds);
-        else if (const auto first = line.find_first_not_of(" \t");
-                 first != std::string::npos && line[first] != ';')
+            if (is_message(*message)) expected.messages.push_back({code_line, *message});
+            else expected.hints.push_back(*message);
+        } else if (auto status = behind(line, ";status")) expected.status = std::stoi(*status);
+        else if (auto limit = behind(line, ";limit")) expected.limit = std::stoi(*limit);
+        else if (auto options = behind(line, ";options")) expected.options = *options;
+        else if (auto needs = behind(line, ";needs")) expected.needs.push_back(*needs);
+        else if (auto first_deck = behind(line, ";first")) expected.first.push_back(*first_deck);
+        else if (auto then = behind(line, ";then")) expected.then.push_back(*then);
+        else if (auto cut = behind(line, ";cut")) expected.cuts.push_back(*cut);
+        else if (auto makes = behind(line, ";makes")) expected.makes.push_back(*makes);
+        else if (auto lacks = behind(line, ";lacks")) expected.lacks.push_back(*lacks);
+        else if (auto holds = behind(line, ";holds")) expected.holds.push_back(*holds);
+        else if (const auto first = line.find_first_not_of(" \t"); first != std::string::npos && line[first] != ';')
             code_line = number;
     }
     return expected;
@@ -150,11 +136,10 @@ Outcome run_program(const fs::path& program, const std::string& deck, const std:
                     const Folder& folder) {
     // What the program prints goes elsewhere, so that a limit on file sizes meets only what the deck writes.
     const Folder streams;
-    const std::string command = "cd '" + folder.path.string() + "' && " +
-                                (limit > 0 ? "ulimit -f " + std::to_string(limit) + " && " : "") + "'" +
-                                program.string() + "' --echo " + options + " '" + deck + "' > '" +
-                                (streams.path / "printed").string() + "' 2> '" +
-                                (streams.path / "messages").string() + "' < /dev/null";
+    const std::string command =
+        "cd '" + folder.path.string() + "' && " + (limit > 0 ? "ulimit -f " + std::to_string(limit) + " && " : "") +
+        "'" + program.string() + "' --echo " + options + " '" + deck + "' > '" + (streams.path / "printed").string() +
+        "' 2> '" + (streams.path / "messages").string() + "' < /dev/null";
     const int ended = std::system(("bash -c \"" + command + "\"").c_str());
     return {WIFEXITED(ended) ? WEXITSTATUS(ended) : 128, read_lines(streams.path / "printed"),
             read_lines(streams.path / "messages")};
@@ -167,16 +152,14 @@ Outcome run(const fs::path& program, const fs::path& deck, const Expected& expec
     const auto run_other = [&](const std::string& name) {
         fs::copy(beside / name, folder.path / fs::path(name).filename());
         const Outcome other = run_program(program, fs::path(name).filename().string(), "", 0, folder);
-        if (other.status != 0)
-            throw std::runtime_error(name + " ended with status " + std::to_string(other.status));
+        if (other.status != 0) throw std::runtime_error(name + " ended with status " + std::to_string(other.status));
     };
     for (const auto& name : expected.first) run_other(name);
     for (const auto& cut : expected.cuts) {
         const auto blank = cut.find(' ');
         fs::resize_file(folder.path / cut.substr(0, blank), std::stoul(cut.substr(blank + 1)));
     }
-    const Outcome outcome =
-        run_program(program, deck.filename().string(), expected.options, expected.limit, folder);
+    const Outcome outcome = run_program(program, deck.filename().string(), expected.options, expected.limit, folder);
     for (const auto& name : expected.then) run_other(name);
     return outcome;
 }
@@ -238,8 +221,7 @@ std::vector<Row> side_by_side(const Lines& expected, const Lines& printed) {
     while (i < n || j < m) {
         if (i < n && j < m && (matches(expected[i], printed[j]) || common[i + 1][j + 1] == common[i][j]))
             rows.push_back({&expected[i++], &printed[j++]});
-        else if (j < m && (i == n || common[i][j + 1] == common[i][j]))
-            rows.push_back({nullptr, &printed[j++]});
+        else if (j < m && (i == n || common[i][j + 1] == common[i][j])) rows.push_back({nullptr, &printed[j++]});
         else rows.push_back({&expected[i++], nullptr});
     }
     return rows;
@@ -277,8 +259,7 @@ void compare_messages(Comparison& comparison, const Expected& expected, const Li
     for (const auto& line : messages) {
         std::size_t at = std::string::npos;
         for (const char* kind : {"error: ", "warning: ", "note: "}) at = std::min(at, line.find(kind));
-        const bool starts_message = at != std::string::npos &&
-                                    (at == 0 || line.compare(at - 2, 2, ": ") == 0) &&
+        const bool starts_message = at != std::string::npos && (at == 0 || line.compare(at - 2, 2, ": ") == 0) &&
                                     line.find('|') == std::string::npos && !line.starts_with(' ');
         if (!starts_message) continue;
         if (found >= expected.messages.size()) {
@@ -295,8 +276,7 @@ void compare_messages(Comparison& comparison, const Expected& expected, const Li
         comparison.fail("no message at line " + std::to_string(expected.messages[found].line) + ": " +
                         expected.messages[found].text);
     for (const auto& hint : expected.hints)
-        if (std::ranges::none_of(messages,
-                                 [&](const auto& line) { return line.find(hint) != std::string::npos; }))
+        if (std::ranges::none_of(messages, [&](const auto& line) { return line.find(hint) != std::string::npos; }))
             comparison.fail("the messages do not say: " + hint);
 }
 
@@ -313,8 +293,7 @@ void compare_files(Comparison& comparison, const Expected& expected, const fs::p
             continue;
         }
         const auto lines = read_lines(folder / file);
-        if (std::ranges::none_of(lines,
-                                 [&](const auto& line) { return line.find(text) != std::string::npos; }))
+        if (std::ranges::none_of(lines, [&](const auto& line) { return line.find(text) != std::string::npos; }))
             comparison.fail(file + " does not hold: " + text);
     }
 }
@@ -328,8 +307,7 @@ std::string kept_pattern(const Expected& expected, const std::string& text) {
 }
 
 /// The deck with its `;>` lines written anew behind the commands that print.
-void bless(const fs::path& file, const Lines& deck, const Expected& expected,
-           const std::vector<Printed>& printed) {
+void bless(const fs::path& file, const Lines& deck, const Expected& expected, const std::vector<Printed>& printed) {
     std::map<int, Lines> behind_line;
     for (std::size_t i = 0; i < printed.size(); ++i) {
         const int until = i + 1 < printed.size() ? printed[i + 1].line : static_cast<int>(deck.size()) + 1;

@@ -64,7 +64,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 for (const lang::BareName& name : bound.bare) lang::read_as_name(statement, name);
                 late = bound.late;
                 (void)bound.text();
-            }) ? 0 : 1;
+            })
+                        ? 0
+                        : 1;
             if (late) survive([&] { (void)lang::bind_statement(language, statement, &values).text(); });
         }
     });

@@ -33,9 +33,7 @@ void commands(const std::string& text) {
             }
             (void)statement.raw(0);
         }
-    } catch (const Diagnostic& mistake) {
-        require(!render(mistake, true).empty());
-    }
+    } catch (const Diagnostic& mistake) { require(!render(mistake, true).empty()); }
 }
 
 void functions(const std::string& text) {
@@ -49,9 +47,7 @@ void functions(const std::string& text) {
             require(!tokens.empty() && tokens.back().kind == fish::TokenKind::end_of_line);
             if (tokens.front().is_name("command") && lexer.next_raw_line(raw)) (void)fish::end_of_code(raw.text);
         }
-    } catch (const Diagnostic& mistake) {
-        require(!mistake.message.empty());
-    }
+    } catch (const Diagnostic& mistake) { require(!mistake.message.empty()); }
 }
 
 } // namespace

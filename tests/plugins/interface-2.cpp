@@ -5,7 +5,8 @@
 
 namespace {
 
-constexpr kaya_jproperty properties[] = {{"stiffness", "k", "stress/length", "stiffness of both springs", 1, 0, INFINITY, 0}};
+constexpr kaya_jproperty properties[] = {
+    {"stiffness", "k", "stress/length", "stiffness of both springs", 1, 0, INFINITY, 0}};
 constexpr kaya_jhistory history[] = {{"steps", "-", "steps run"}};
 
 ptrdiff_t initialise(kaya_jbatch* batch) {
@@ -23,8 +24,20 @@ ptrdiff_t run(kaya_jbatch* batch) {
 
 void max_stiffness(const double* values, double* normal, double* shear) { *normal = *shear = values[0]; }
 
-constexpr kaya_jmodel model = {KAYA_JMODEL_INTERFACE, sizeof(kaya_jmodel), "interface-2", "for tests", "1.0", properties, 1, history, 1,
-                               "pushed", initialise, run, nullptr, max_stiffness};
+constexpr kaya_jmodel model = {KAYA_JMODEL_INTERFACE,
+                               sizeof(kaya_jmodel),
+                               "interface-2",
+                               "for tests",
+                               "1.0",
+                               properties,
+                               1,
+                               history,
+                               1,
+                               "pushed",
+                               initialise,
+                               run,
+                               nullptr,
+                               max_stiffness};
 static_assert(KAYA_JMODEL_INTERFACE == 2 && sizeof(kaya_jmodel) == 112);
 
 } // namespace

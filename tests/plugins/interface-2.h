@@ -58,7 +58,7 @@ typedef struct kaya_jproperty {
     double initial;      /* value before the user gives one; NAN: there is none */
     double minimum;      /* limits, inclusive; -INFINITY and INFINITY for none */
     double maximum;
-    uint32_t optional;   /* with an initial NAN: 0, the user must give a value; 1, the model gets NAN */
+    uint32_t optional; /* with an initial NAN: 0, the user must give a value; 1, the model gets NAN */
 } kaya_jproperty;
 
 /* A number that the model keeps per sub-contact from cycle to cycle; starts as 0. It is saved,
@@ -82,8 +82,7 @@ typedef struct kaya_jobject_functions {
     void (*destroy)(kaya_jobject* object);
     /* Calls write(sink, bytes, count), as often as it likes, with all that decides how the object goes
      * on. The same content must always give the same bytes: they are saved, and the hash is made of them. */
-    void (*save)(const kaya_jobject* object, void (*write)(void* sink, const void* bytes, size_t count),
-                 void* sink);
+    void (*save)(const kaya_jobject* object, void (*write)(void* sink, const void* bytes, size_t count), void* sink);
 } kaya_jobject_functions;
 
 /* The tables of the deck, as they were when the last command to cycle began. */
@@ -105,18 +104,18 @@ typedef struct kaya_jbatch {
     const double* normal_disp_inc; /* in: of this step */
     const double* shear_disp[3];   /* in: at the start of the step */
     const double* shear_disp_inc[3];
-    const double* pore_pressure; /* in: in the joint, compression positive; forces are effective */
-    double* normal_force;        /* in: old; out: new */
-    double* shear_force[3];      /* in: old; out: new */
-    double* normal_stiffness;    /* out: current tangent, stress/length; the time step uses it */
-    double* shear_stiffness;     /* out: likewise; leave both as they are if they are constant */
-    int stiffness_changed;       /* out: 1 when `run` wrote to a stiffness column; the host sets 0 */
-    double* frictional_work;     /* in, out: add what slip and breaking took up in this step */
-    uint32_t* state;             /* in, out: bit i belongs to the i-th name of state_names */
-    double* const* history;      /* in, out: history[k][i] is variable k of row i */
+    const double* pore_pressure;       /* in: in the joint, compression positive; forces are effective */
+    double* normal_force;              /* in: old; out: new */
+    double* shear_force[3];            /* in: old; out: new */
+    double* normal_stiffness;          /* out: current tangent, stress/length; the time step uses it */
+    double* shear_stiffness;           /* out: likewise; leave both as they are if they are constant */
+    int stiffness_changed;             /* out: 1 when `run` wrote to a stiffness column; the host sets 0 */
+    double* frictional_work;           /* in, out: add what slip and breaking took up in this step */
+    uint32_t* state;                   /* in, out: bit i belongs to the i-th name of state_names */
+    double* const* history;            /* in, out: history[k][i] is variable k of row i */
     char message[KAYA_JMODEL_MESSAGE]; /* out: why a row failed */
-    kaya_jobject** object; /* in, out: the object of row i or NULL; NULL for a model without `restore` */
-    const kaya_jtables* tables; /* in: may be NULL, when there is no deck */
+    kaya_jobject** object;             /* in, out: the object of row i or NULL; NULL for a model without `restore` */
+    const kaya_jtables* tables;        /* in: may be NULL, when there is no deck */
     size_t row; /* out: a model that works row by row writes here where it is; a crash is reported with it */
 } kaya_jbatch;
 
@@ -159,8 +158,7 @@ typedef struct kaya_jmodel {
 
     /* For a model that keeps objects: an object made from the bytes that its `save` gave, or NULL after
      * writing a sentence to message (KAYA_JMODEL_MESSAGE bytes). NULL: the model keeps no objects. */
-    kaya_jobject* (*restore)(const double* properties, const void* bytes, size_t count,
-                             char* message) KAYA_JMODEL_NONE;
+    kaya_jobject* (*restore)(const double* properties, const void* bytes, size_t count, char* message)KAYA_JMODEL_NONE;
 } kaya_jmodel;
 
 #if defined(_WIN32)

@@ -21,7 +21,8 @@ ptrdiff_t initialise(kaya_jbatch* batch) {
 
 ptrdiff_t run(kaya_jbatch* batch) {
     for (size_t i = 0; i < batch->n; ++i) {
-        batch->normal_force[i] -= batch->properties[KAYA_JMODEL_MAX_PROPERTIES - 1] * batch->area[i] * batch->normal_disp_inc[i];
+        batch->normal_force[i] -=
+            batch->properties[KAYA_JMODEL_MAX_PROPERTIES - 1] * batch->area[i] * batch->normal_disp_inc[i];
         batch->history[KAYA_JMODEL_MAX_HISTORY - 1][i] += 1;
         batch->state[i] |= 1u << (KAYA_JMODEL_MAX_STATES - 1);
     }
@@ -35,8 +36,8 @@ void max_stiffness(const double* values, double* normal, double* shear) {
 } // namespace
 
 const kaya_jmodel* kaya_joint_model(void) {
-    static const auto property_names = names("p", KAYA_JMODEL_MAX_PROPERTIES), kept = names("h", KAYA_JMODEL_MAX_HISTORY),
-                      bits = names("s", KAYA_JMODEL_MAX_STATES);
+    static const auto property_names = names("p", KAYA_JMODEL_MAX_PROPERTIES),
+                      kept = names("h", KAYA_JMODEL_MAX_HISTORY), bits = names("s", KAYA_JMODEL_MAX_STATES);
     static std::vector<kaya_jproperty> properties;
     static std::vector<kaya_jhistory> history;
     static std::string states;

@@ -14,8 +14,7 @@ inline constexpr kaya_jproperty properties[] = {
 inline constexpr kaya_jhistory history[] = {{"steps", "-", "steps run"}};
 
 inline ptrdiff_t set_stiffness(kaya_jbatch* batch) {
-    for (size_t i = 0; i < batch->n; ++i)
-        batch->normal_stiffness[i] = batch->shear_stiffness[i] = batch->properties[0];
+    for (size_t i = 0; i < batch->n; ++i) batch->normal_stiffness[i] = batch->shear_stiffness[i] = batch->properties[0];
     return -1;
 }
 
@@ -27,9 +26,7 @@ inline ptrdiff_t push(kaya_jbatch* batch) {
     return -1;
 }
 
-inline void report_stiffness(const double* values, double* normal, double* shear) {
-    *normal = *shear = values[0];
-}
+inline void report_stiffness(const double* values, double* normal, double* shear) { *normal = *shear = values[0]; }
 
 inline constexpr kaya_jmodel working(const char* name) {
     return {KAYA_JMODEL_INTERFACE,

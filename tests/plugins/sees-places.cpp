@@ -3,8 +3,8 @@
 
 namespace {
 
-constexpr kaya_jhistory kept[] = {{"steps", "-", ""},       {"seen-x", "length", ""},   {"seen-normal", "-", ""},
-                                  {"seen-block", "-", ""},  {"seen-heat", "-", ""},     {"seen-stiffness", "-", ""}};
+constexpr kaya_jhistory kept[] = {{"steps", "-", ""},      {"seen-x", "length", ""}, {"seen-normal", "-", ""},
+                                  {"seen-block", "-", ""}, {"seen-heat", "-", ""},   {"seen-stiffness", "-", ""}};
 constexpr kaya_jfield fields[] = {{"temperature", "K", "temperature of the rock", 283},
                                   {"stiffness", "stress/length", "stiffness of both springs, where it differs", 0}};
 

@@ -120,7 +120,9 @@ void set_property(JointModel& model, const Slot& slot, double value, UInt versio
     switch (slot.kind) {
     case Property::Kind::truth: property = Property(value != 0); break;
     case Property::Kind::whole: property = Property(static_cast<long long>(value)); break;
-    case Property::Kind::text: property = Property(std::isnan(value) ? std::string() : std::string(Property(value).toString())); break;
+    case Property::Kind::text:
+        property = Property(std::isnan(value) ? std::string() : std::string(Property(value).toString()));
+        break;
     case Property::Kind::vector: {
         DVect3 v = model.getProperty(slot.index).toVector();
         (slot.component == 0 ? v.rx() : slot.component == 1 ? v.ry() : v.rz()) = value;
@@ -217,8 +219,8 @@ Metadata read_metadata() {
     }
     for (std::size_t k = 0; k < m.slots.size(); ++k) {
         const double initial = std::isfinite(m.initial[k]) ? m.initial[k] : std::nan("");
-        m.properties.push_back({m.names[k].c_str(), m.aliases[k].c_str(), "-", m.help[k].c_str(), initial,
-                                -INFINITY, INFINITY, 1});
+        m.properties.push_back(
+            {m.names[k].c_str(), m.aliases[k].c_str(), "-", m.help[k].c_str(), initial, -INFINITY, INFINITY, 1});
         m.initial[k] = initial;
     }
     const auto states = items_of(model.getStates());
@@ -227,7 +229,8 @@ Metadata read_metadata() {
         m.states += (bit > 0 ? " " : "") + name;
     }
     for (const auto& words : items_of(m.pattern->getEnergies())) m.energy_names.push_back(lower(joined(words, '-')));
-    for (const auto& name : m.energy_names) m.energies.push_back({name.c_str(), "energy", "energy that the model reports"});
+    for (const auto& name : m.energy_names)
+        m.energies.push_back({name.c_str(), "energy", "energy that the model reports"});
     return m;
 }
 
@@ -322,7 +325,8 @@ void save_object(const kaya_jobject* head, void (*write)(void*, const void*, siz
     each_property([&](UInt index) { kaya_compat::write_property(writer, object.model->getProperty(index)); });
     for (const double value : object.kept.working) writer.plain(value);
     for (const Int value : object.kept.iworking) writer.plain(value);
-    for (std::size_t k = 0; k < metadata->energies.size(); ++k) writer.plain(object.model->getEnergy(static_cast<UInt>(k + 1)));
+    for (std::size_t k = 0; k < metadata->energies.size(); ++k)
+        writer.plain(object.model->getEnergy(static_cast<UInt>(k + 1)));
     writer.plain(metadata->minor);
     writer.text(own_bytes(*object.model));
 }
@@ -335,7 +339,8 @@ Object* read_object(Reader& reader) {
     std::vector<double> applied(metadata->slots.size());
     for (double& value : applied) value = reader.plain<double>();
     object->applied = values_like(applied.data());
-    each_property([&](UInt index) { object->model->setProperty(index, kaya_compat::read_property(reader), from_restore); });
+    each_property(
+        [&](UInt index) { object->model->setProperty(index, kaya_compat::read_property(reader), from_restore); });
     for (double& value : object->kept.working) value = reader.plain<double>();
     for (Int& value : object->kept.iworking) value = reader.plain<Int>();
     for (std::size_t k = 0; k < metadata->energies.size(); ++k)
@@ -357,17 +362,11 @@ template <class Work> bool guarded(char* message, Work work) {
     try {
         work();
         return true;
-    } catch (const std::exception& thrown) {
-        said = thrown.what();
-    } catch (const std::string& thrown) {
+    } catch (const std::exception& thrown) { said = thrown.what(); } catch (const std::string& thrown) {
         said = thrown;
-    } catch (const char* thrown) {
-        said = thrown ? thrown : "";
-    } catch (const wchar_t* thrown) {
+    } catch (const char* thrown) { said = thrown ? thrown : ""; } catch (const wchar_t* thrown) {
         said = kaya_compat::narrow(thrown);
-    } catch (int thrown) {
-        said = "it threw the number " + std::to_string(thrown);
-    } catch (...) {
+    } catch (int thrown) { said = "it threw the number " + std::to_string(thrown); } catch (...) {
         said = "it threw what is not a std::exception";
     }
     std::snprintf(message, KAYA_JMODEL_MESSAGE, "%s", said.empty() ? "it gives no reason" : said.c_str());

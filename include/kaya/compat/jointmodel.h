@@ -20,8 +20,8 @@ public:
 
     virtual String getName() const = 0; /* the keyword of `jmodel` */
     virtual String getFullName() const = 0;
-    virtual String getProperties() const = 0; /* commas between properties, blanks between their synonyms */
-    virtual String getStates() const = 0;     /* commas between names */
+    virtual String getProperties() const = 0;          /* commas between properties, blanks between their synonyms */
+    virtual String getStates() const = 0;              /* commas between names */
     virtual Variant getProperty(UInt index) const = 0; /* from 1 */
     virtual JointModel* clone() const = 0;
     virtual Double getMaxNormalStiffness() const = 0; /* stress/length; asked after each step */
@@ -69,7 +69,9 @@ public:
     virtual Double getEnergy(UInt) const { return 0; }
     virtual Double getEnergy(UInt index) { return static_cast<const JointModel*>(this)->getEnergy(index); }
     virtual bool getEnergyAccumulate(UInt) const { return false; }
-    virtual bool getEnergyAccumulate(UInt index) { return static_cast<const JointModel*>(this)->getEnergyAccumulate(index); }
+    virtual bool getEnergyAccumulate(UInt index) {
+        return static_cast<const JointModel*>(this)->getEnergyAccumulate(index);
+    }
     virtual void setEnergy(UInt, const Double&) {}
     virtual void activateEnergy() {}
     virtual bool getEnergyActivated() const { return false; }

@@ -65,10 +65,8 @@ public:
         char digits[96];
         if (kind_ == Kind::vector)
             std::snprintf(digits, sizeof digits, "(%.17g,%.17g,%.17g)", vector_.x(), vector_.y(), vector_.z());
-        else if (kind_ == Kind::none)
-            digits[0] = '\0';
-        else
-            std::snprintf(digits, sizeof digits, "%.17g", number_);
+        else if (kind_ == Kind::none) digits[0] = '\0';
+        else std::snprintf(digits, sizeof digits, "%.17g", number_);
         return digits;
     }
     DVect3 toVector() const { return vector_; }
@@ -77,7 +75,9 @@ public:
 
 private:
     long long whole() const { return static_cast<long long>(toDouble()); }
-    template <class T> T convert(T*) const { return static_cast<T>(std::is_floating_point<T>::value ? toDouble() : static_cast<double>(whole())); }
+    template <class T> T convert(T*) const {
+        return static_cast<T>(std::is_floating_point<T>::value ? toDouble() : static_cast<double>(whole()));
+    }
     bool convert(bool*) const { return toBool(); }
     std::string convert(std::string*) const { return toString(); }
     kaya_compat::text convert(kaya_compat::text*) const { return toString(); }

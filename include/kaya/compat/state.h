@@ -27,8 +27,8 @@ struct State {
     DVect3 shear_disp_inc_;
     Double normal_force_inc_ = 0; /* out */
     DVect3 shear_force_inc_;      /* out */
-    Double dnop_ = 0; /* out: part of the normal increment at which the joint opened; starts as all of it */
-    Double working_[max_working_] = {};   /* kept from call to call, and saved */
+    Double dnop_ = 0;             /* out: part of the normal increment at which the joint opened; starts as all of it */
+    Double working_[max_working_] = {}; /* kept from call to call, and saved */
     Int iworking_[max_iworking_] = {};
 
     Double getTimeStep() const { return time_step_; }

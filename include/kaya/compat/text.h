@@ -61,11 +61,17 @@ public:
         return *this;
     }
 
-    friend text operator+(const text& a, const text& b) { return text(static_cast<const std::string&>(a) + static_cast<const std::string&>(b)); }
+    friend text operator+(const text& a, const text& b) {
+        return text(static_cast<const std::string&>(a) + static_cast<const std::string&>(b));
+    }
     friend text operator+(const text& a, const char* b) { return text(static_cast<const std::string&>(a) + b); }
     friend text operator+(const char* a, const text& b) { return text(a + static_cast<const std::string&>(b)); }
-    friend text operator+(const text& a, const wchar_t* b) { return text(static_cast<const std::string&>(a) + narrow(b)); }
-    friend text operator+(const wchar_t* a, const text& b) { return text(narrow(a) + static_cast<const std::string&>(b)); }
+    friend text operator+(const text& a, const wchar_t* b) {
+        return text(static_cast<const std::string&>(a) + narrow(b));
+    }
+    friend text operator+(const wchar_t* a, const text& b) {
+        return text(narrow(a) + static_cast<const std::string&>(b));
+    }
     /* Without these a sum with a std::string could be made in two ways. */
     friend text operator+(const text& a, const std::string& b) { return text(static_cast<const std::string&>(a) + b); }
     friend text operator+(const text& a, std::string&& b) { return text(static_cast<const std::string&>(a) + b); }

@@ -80,7 +80,8 @@ template <std::size_t n>
     const double t = steep ? 1 / x : x;
     const bool beyond = t > std::numbers::sqrt2 - 1;
     const double u = beyond ? (t - 1) / (t + 1) : t, q = u * u;
-    constexpr auto arctan = series<22>([](std::size_t k) { return (k % 2 ? -1.0 : 1.0) / static_cast<double>(2 * k + 1); });
+    constexpr auto arctan =
+        series<22>([](std::size_t k) { return (k % 2 ? -1.0 : 1.0) / static_cast<double>(2 * k + 1); });
     const double near = u * polynomial(arctan, q) * (180 / std::numbers::pi);
     const double below = beyond ? 45 + near : near;
     return steep ? 90 - below : below;

@@ -26,8 +26,8 @@ struct Springs {
 
 /// Coulomb: strength = cohesion + normal tan_friction, not below 0. Plain arithmetic without a branch that stops a loop from
 /// becoming vector instructions.
-[[gnu::always_inline]] inline Returned return_to_coulomb(double trial_normal, double trial_shear, Springs k, double cohesion, double tan_friction,
-                                                         double tan_dilation) {
+[[gnu::always_inline]] inline Returned return_to_coulomb(double trial_normal, double trial_shear, Springs k,
+                                                         double cohesion, double tan_friction, double tan_dilation) {
     const double excess = trial_shear - std::max(0.0, cohesion + trial_normal * tan_friction);
     const double slip = std::max(0.0, excess) / (k.shear + k.normal * tan_friction * tan_dilation);
     // Beyond that the shear would turn round: the strength is 0 there.

@@ -45,7 +45,8 @@ template <class Function> Root bracketed_root(Function f, double a, double b, do
         const double along = (a - b) / (c - b), rise = (at_a - at_b) / (at_c - at_b);
         part = 0.5;
         if (1 - std::sqrt(1 - along) < rise && rise < std::sqrt(along))
-            part = at_a / (at_b - at_a) * at_c / (at_b - at_c) + (c - a) / (b - a) * at_a / (at_c - at_a) * at_b / (at_c - at_b);
+            part = at_a / (at_b - at_a) * at_c / (at_b - at_c) +
+                   (c - a) / (b - a) * at_a / (at_c - at_a) * at_b / (at_c - at_b);
         const double least = near / width;
         part = std::fmin(std::fmax(part, least), 1 - least);
     }

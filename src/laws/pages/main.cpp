@@ -37,8 +37,9 @@ std::string in_code(const std::string& words) { return words.empty() ? "" : fmt:
 Lines property_table(const LawTable& model) {
     Lines rows = {"| name | other words | unit | limits | initial | meaning |", "|---|---|---|---|---|---|"};
     for (const auto& p : model.properties)
-        rows.push_back(fmt::format("| `{}` | {} | {} | {} | {} | {} |", p.name, in_code(fmt::format("{}", fmt::join(p.aliases, " "))),
-                                   p.unit, limits_of(p), initial_of(p), p.help));
+        rows.push_back(fmt::format("| `{}` | {} | {} | {} | {} | {} |", p.name,
+                                   in_code(fmt::format("{}", fmt::join(p.aliases, " "))), p.unit, limits_of(p),
+                                   initial_of(p), p.help));
     return rows;
 }
 
@@ -61,7 +62,8 @@ Lines lines_of(const std::string& text) {
 Lines with_table(const Lines& page, const std::string& heading, const Lines& table, const fs::path& file) {
     const auto is_row = [](const std::string& line) { return line.starts_with("|"); };
     const auto head = std::find(page.begin(), page.end(), heading);
-    if (head == page.end()) throw kaya::Diagnostic(fmt::format("{} has no heading '{}'", file.string(), heading), "add it");
+    if (head == page.end())
+        throw kaya::Diagnostic(fmt::format("{} has no heading '{}'", file.string(), heading), "add it");
     const auto end = std::find_if(head + 1, page.end(), [](const std::string& l) { return l.starts_with("## "); });
     const auto first = std::find_if(head + 1, end, is_row);
     Lines made;

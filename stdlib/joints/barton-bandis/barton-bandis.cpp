@@ -36,10 +36,9 @@ enum Property {
 };
 
 constexpr kaya_jproperty properties[] = {
-    {"stiffness-normal", "jkn kn kni", "stress/length", "normal stiffness at first touch, k_ni", NAN, 0,
+    {"stiffness-normal", "jkn kn kni", "stress/length", "normal stiffness at first touch, k_ni", NAN, 0, INFINITY, 0},
+    {"stiffness-shear", "jks ks kj", "stress/length", "shear stiffness at a normal stress of 1 MPa, K_j", NAN, 0,
      INFINITY, 0},
-    {"stiffness-shear", "jks ks kj", "stress/length", "shear stiffness at a normal stress of 1 MPa, K_j", NAN,
-     0, INFINITY, 0},
     {"friction-residual", "resfriction jrfric", "angle", "residual angle of friction, phi_r", NAN, 0, 69, 0},
     {"jrco", "jrc", "-", "roughness coefficient of the laboratory sample, JRC_o", NAN, 0, INFINITY, 0},
     {"jcso", "jcs", "stress", "wall strength of the laboratory sample, JCS_o", NAN, 0, INFINITY, 0},
@@ -47,8 +46,7 @@ constexpr kaya_jproperty properties[] = {
     {"nj", "", "-", "exponent of normal stress in the shear stiffness", 0.8, 0, 4, 0},
     {"rf", "", "-", "failure ratio R_f of the unloading curve", 1, 0, 1, 0},
     {"lo", "", "length", "length of the laboratory sample; not given: 100 mm", NAN, 0, INFINITY, 1},
-    {"ln", "", "length", "length of the joint in the field; not given: that of the sample", NAN, 0, INFINITY,
-     1},
+    {"ln", "", "length", "length of the joint in the field; not given: that of the sample", NAN, 0, INFINITY, 1},
     {"large", "", "-", "1: jrco and jcso are those of the joint itself, without scaling", 0, 0, 1, 0},
     {"mpa", "", "stress", "1 MPa in the deck's unit of stress", 1, 0, INFINITY, 0},
     {"mm", "", "length", "1 mm in the deck's unit of length", 1e-3, 0, INFINITY, 0},
@@ -118,8 +116,7 @@ struct Strength {
     const double ruff = roughness_angle(law, log_stress, log_jcs);
     const double whole = stress * tangent_of_degrees(law.residual_friction + ruff);
     // K_j sigma_n^n_j (2.28), sigma_n in MPa; 0 when open, where the logarithm was cut.
-    const double power_of_stress =
-        exponential(law.stiffness_exponent * (log_stress + logarithm(law.per_mpa)));
+    const double power_of_stress = exponential(law.stiffness_exponent * (log_stress + logarithm(law.per_mpa)));
     const double given = stress > 0 ? law.shear_stiffness * power_of_stress : 0;
     // Unloading with (2.28) gives back at most 0.773 tau^2/K, loading along the curve takes at least
     // tau^2/(2 rise): with K at least twice the rise no cycle makes energy.
@@ -134,8 +131,8 @@ struct Path {
     double swing;                        ///< stress since the last reversal
     double stiffness;                    ///< K_j sigma_n^n_j before the step
     Mobilised before, after;             ///< if all of the motion is spent on the curve
-    double on_curve; ///< 1: the motion follows the mobilised curve; 0: unloading or reloading
-    double fallen;   ///< 1: the residual strength holds
+    double on_curve;                     ///< 1: the motion follows the mobilised curve; 0: unloading or reloading
+    double fallen;                       ///< 1: the residual strength holds
 };
 
 /// The elastic trial and what of the motion is spent on the mobilised curve.
@@ -149,9 +146,8 @@ struct Trial {
     double dilation; ///< tangent of the mean dilation angle
 };
 
-template <bool thesis>
-[[gnu::always_inline]] inline double mobilised_strength(const Law& law, const Strength& s, const Mobilised& m,
-                                                        double fallen) {
+template <bool thesis> [[gnu::always_inline]] inline double mobilised_strength(const Law& law, const Strength& s,
+                                                                               const Mobilised& m, double fallen) {
     const double angle = law.residual_friction * m.friction + s.ruff * m.roughness;
     if constexpr (thesis) return law.part * s.stress * tangent_of_degrees(fallen > 0 ? law.residual_friction : angle);
     return law.part * s.stress * tangent_of_degrees(angle);
@@ -169,11 +165,10 @@ template <bool thesis>
     const double slope = (t.limit1 - t.limit0) / std::max(path.motion, tiny);
     const double left = 1 - law.half_failure_ratio * path.swing * t.kept / std::max(s.peak, tiny);
     const double hyperbola = std::max(0.0, left);
-    t.stiffness =
-        path.on_curve > 0 ? std::max(s.stiffness, slope) : s.stiffness * hyperbola * hyperbola; // (2.28)
+    t.stiffness = path.on_curve > 0 ? std::max(s.stiffness, slope) : s.stiffness * hyperbola * hyperbola; // (2.28)
     if constexpr (thesis) {
-        const double start = t.kept * std::sqrt(path.start_x * path.start_x + path.start_y * path.start_y +
-                                                path.start_z * path.start_z);
+        const double start =
+            t.kept * std::sqrt(path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z);
         const double loading = std::max(0.0, 1 - 2 * law.half_failure_ratio * start / std::max(s.peak, tiny));
         t.stiffness = law.hyperbolic && path.on_curve > 0 ? s.stiffness * loading * loading : t.stiffness;
     }
@@ -230,8 +225,8 @@ template <bool thesis> void run_rows(kaya_jbatch* batch, const Law& law) {
         path.motion_x = shear_x[i];
         path.motion_y = shear_y[i];
         path.motion_z = shear_z[i];
-        path.motion = std::sqrt(path.motion_x * path.motion_x + path.motion_y * path.motion_y +
-                                path.motion_z * path.motion_z);
+        path.motion =
+            std::sqrt(path.motion_x * path.motion_x + path.motion_y * path.motion_y + path.motion_z * path.motion_z);
 
         // The motion turns back when it works against the stress that it has built up since the last
         // turn; the stress is then counted from here (Masing).
@@ -273,7 +268,8 @@ template <bool thesis> void run_rows(kaya_jbatch* batch, const Law& law) {
 
         // What is put in and neither stored in the springs nor spent on dilation.
         constexpr double tiny = std::numeric_limits<double>::min();
-        const double old_square = path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z;
+        const double old_square =
+            path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z;
         const double worked = -0.5 * ((path.start_x + end_x) * path.motion_x + (path.start_y + end_y) * path.motion_y +
                                       (path.start_z + end_z) * path.motion_z);
         // Where there is no spring nothing is stored, whatever force was put there.
@@ -334,14 +330,12 @@ ptrdiff_t initialise(kaya_jbatch* batch) {
         const double per_area = batch->area[i] > 0 ? 1 / batch->area[i] : 0;
         const double stress = batch->normal_force[i] * per_area;
         double& closed = batch->history[closure][i];
-        if (stress > 0)
-            closed = closure_of_stress(law, stress);
-        else
-            closed = std::min({0.0, closed, -batch->normal_disp[i]});
+        if (stress > 0) closed = closure_of_stress(law, stress);
+        else closed = std::min({0.0, closed, -batch->normal_disp[i]});
 
         const Strength strength = strength_at(law, log_jcs, closed);
-        const double shear_stress = per_area * std::hypot(batch->shear_force[0][i], batch->shear_force[1][i],
-                                                          batch->shear_force[2][i]);
+        const double shear_stress =
+            per_area * std::hypot(batch->shear_force[0][i], batch->shear_force[1][i], batch->shear_force[2][i]);
         // A shear force that is there must have been mobilised.
         double& spent = batch->history[mobilised][i];
         spent = std::max(spent, displacement_of_stress(law, strength, shear_stress));
@@ -356,8 +350,7 @@ const char* check(const double* p) {
         Property property;
         const char* message;
     } positive[] = {
-        {stiffness_normal,
-         "stiffness-normal (jkn, k_ni) is 0: give the stiffness of the joint at first touch"},
+        {stiffness_normal, "stiffness-normal (jkn, k_ni) is 0: give the stiffness of the joint at first touch"},
         {stiffness_shear, "stiffness-shear (jks, K_j) is 0: give the shear stiffness of the joint at 1 MPa"},
         {jrco, "jrco is 0: a joint without roughness has no closure curve, use jmodel mohr for it"},
         {jcso, "jcso is 0: give the wall strength of the joint"},

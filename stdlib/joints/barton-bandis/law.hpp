@@ -21,7 +21,7 @@ struct Given {
     bool peak_by_lab; ///< L_o instead of L_n in the root of the peak displacement
     double mpa, mm;   ///< 1 MPa in the deck's unit of stress, 1 mm in its unit of length
     bool stepped, hyperbolic, falls, contracts, dilates_by_lab; ///< choices of the thesis, see Law
-    double strength_factor = 1; ///< by which the shear strength is divided
+    double strength_factor = 1;                                 ///< by which the shear strength is divided
 };
 
 /// Aperture a_j in mm (2.26).
@@ -41,11 +41,11 @@ struct Law {
     double part; ///< of the shear strength that is left
     double peak_displacement, per_peak, radians_per_degree_and_peak;
     // What Koçal's listing does and this model does not unless it is told to.
-    bool stepped;            ///< B of Table 2.2 is held from each row to the next
-    bool hyperbolic;         ///< the stress climbs with (2.28) and not along the mobilised curve
-    bool falls;              ///< the strength is the residual one after the first slip
-    bool contracts;          ///< negative JRC_mob closes the joint
-    double more_dilation;    ///< degrees that JCS_o in place of JCS_n adds to RUFF in (2.20)
+    bool stepped;         ///< B of Table 2.2 is held from each row to the next
+    bool hyperbolic;      ///< the stress climbs with (2.28) and not along the mobilised curve
+    bool falls;           ///< the strength is the residual one after the first slip
+    bool contracts;       ///< negative JRC_mob closes the joint
+    double more_dilation; ///< degrees that JCS_o in place of JCS_n adds to RUFF in (2.20)
 
     bool plain() const { return !(stepped || hyperbolic || falls || contracts || more_dilation != 0); }
 
@@ -120,10 +120,8 @@ template <bool in_steps> [[gnu::always_inline]] inline double mobilised_roughnes
     double sum = 0;
 #pragma GCC unroll 16
     for (const auto& p : pieces) {
-        if constexpr (in_steps)
-            sum += x >= p.x + p.length ? p.rise : 0;
-        else
-            sum += std::clamp(x - p.x, 0.0, p.length) * (p.rise / p.length);
+        if constexpr (in_steps) sum += x >= p.x + p.length ? p.rise : 0;
+        else sum += std::clamp(x - p.x, 0.0, p.length) * (p.rise / p.length);
     }
     return std::max(0.0, sum);
 }

@@ -24,9 +24,10 @@ Diagnostic unknown_word(Place place) {
 }
 
 TEST(Render, ShowsFileLineColumnAndUnderline) {
-    EXPECT_EQ(render(unknown_word(place_in("poly brik 0,1", 6, 4))), "tunnel.3dd:1:6: error: 'brik' is not a kind of poly\n"
-                                                                     "     1 | poly brik 0,1\n"
-                                                                     "       |      ^^^^ did you mean 'brick'?");
+    EXPECT_EQ(render(unknown_word(place_in("poly brik 0,1", 6, 4))),
+              "tunnel.3dd:1:6: error: 'brik' is not a kind of poly\n"
+              "     1 | poly brik 0,1\n"
+              "       |      ^^^^ did you mean 'brick'?");
 }
 
 TEST(Render, WithoutAPlaceTheHintStandsBelow) {
@@ -72,12 +73,11 @@ TEST(Render, PlaceBehindTheEndOfTheLineIsUnderlined) {
 TEST(Render, LineThatIsNotThereShowsTheMessageOnly) {
     Place place = place_in("poly", 1, 1);
     place.line = 9;
-    EXPECT_EQ(render(unknown_word(place)), "tunnel.3dd:9:1: error: 'brik' is not a kind of poly\n  did you mean 'brick'?");
+    EXPECT_EQ(render(unknown_word(place)),
+              "tunnel.3dd:9:1: error: 'brik' is not a kind of poly\n  did you mean 'brick'?");
 }
 
-TEST(Render, ColourTouchesTheKindOnly) {
-    EXPECT_EQ(render(Diagnostic("no"), true), "\033[31merror\033[0m: no");
-}
+TEST(Render, ColourTouchesTheKindOnly) { EXPECT_EQ(render(Diagnostic("no"), true), "\033[31merror\033[0m: no"); }
 
 TEST(Diagnostic, FirstPlaceStays) {
     Diagnostic d("no");

@@ -22,7 +22,11 @@ protected:
         work = folder / "work";
         for (const auto* sub : {"work", "secret", "joints"}) fs::create_directory(folder / sub);
         write(folder / "secret/file");
-        gate.shut({.folders = {work}, .named = {}, .libraries = {folder / "joints"}, .digests = {sha256("\x7f" "ELF mine")},
+        gate.shut({.folders = {work},
+                   .named = {},
+                   .libraries = {folder / "joints"},
+                   .digests = {sha256("\x7f"
+                                      "ELF mine")},
                    .permissions = work / "allowed"});
     }
 
@@ -33,9 +37,7 @@ protected:
         try {
             ask();
             return {};
-        } catch (const Diagnostic& error) {
-            return error.code;
-        }
+        } catch (const Diagnostic& error) { return error.code; }
     }
     std::string read(const fs::path& file) {
         return refused([&] { gate.may_read(file); });
@@ -102,20 +104,23 @@ TEST_F(GateTest, WritesNoHiddenFileNoLibraryNoDeckInUse) {
     fs::create_symlink("deck.3dd", work / "other");
     EXPECT_EQ(written(work / "other"), "file-in-use");
     EXPECT_EQ(written(work / "allowed"), "file-in-use");
-    for (const auto* name : {".bashrc", ".git/hooks/x", "law.so", "law.so.1.2"}) EXPECT_EQ(written(work / name), "file-hidden") << name;
+    for (const auto* name : {".bashrc", ".git/hooks/x", "law.so", "law.so.1.2"})
+        EXPECT_EQ(written(work / name), "file-hidden") << name;
     EXPECT_EQ(written(work / "law.solo"), "");
     EXPECT_EQ(read(work / ".settings"), "");
 }
 
 TEST_F(GateTest, LoadsLibrariesOfItsFoldersAndThoseOfKnownDigest) {
     write(folder / "joints/law.so"), write(work / "law.so"), write(work / "picture.png");
-    write(work / "mine.so", "\x7f" "ELF mine");
+    write(work / "mine.so", "\x7f"
+                            "ELF mine");
     fs::create_symlink(work / "picture.png", folder / "joints/link.so");
     EXPECT_EQ(loaded(folder / "joints/law.so"), "");
     EXPECT_EQ(loaded(work / "mine.so"), "");
     EXPECT_EQ(loaded(work / "law.so"), "library-not-allowed");
     EXPECT_EQ(loaded(folder / "joints/link.so"), "library-not-allowed");
-    write(work / "mine.so", "\x7f" "ELF nine");
+    write(work / "mine.so", "\x7f"
+                            "ELF nine");
     EXPECT_EQ(loaded(work / "mine.so"), "library-not-allowed");
 }
 

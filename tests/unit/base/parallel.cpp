@@ -64,9 +64,7 @@ TEST(Parallel, ExceptionOfTheLowestChunkIsRethrown) {
         try {
             for_chunks(100, 10, fails_twice);
             FAIL() << "nothing was thrown";
-        } catch (const std::runtime_error& e) {
-            EXPECT_STREQ(e.what(), "chunk 30") << threads() << " threads";
-        }
+        } catch (const std::runtime_error& e) { EXPECT_STREQ(e.what(), "chunk 30") << threads() << " threads"; }
     });
 }
 

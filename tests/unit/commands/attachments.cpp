@@ -25,9 +25,8 @@ protected:
         const auto& points = model().sub_contacts;
         for (std::size_t s = 0; s < points.size(); ++s) {
             const Row contact = points.contact[s];
-            const std::pair<const Attachment*, Row> sides[] = {
-                {&points.side1[s], model().contacts.block1[contact]},
-                {&points.side2[s], model().contacts.block2[contact]}};
+            const std::pair<const Attachment*, Row> sides[] = {{&points.side1[s], model().contacts.block1[contact]},
+                                                               {&points.side2[s], model().contacts.block2[contact]}};
             for (const auto& [side, block] : sides) {
                 if (!side->attached()) continue;
                 ++count;

@@ -26,9 +26,14 @@ protected:
     }
     void three_sets(const std::string& seed) {
         run("poly brick 0 10 0 10 0 10\n"
-            "jset dip 70 5 dd 200 10 spacing 1 .2 num 15 org 5 5 5 seed " + seed + "\n"
-            "jset dip 40 5 dd 90 10 spacing 1 .2 num 15 org 5 5 5 persistence 0.8 seed " + seed + "\n"
-            "jset dip 20 5 dd 0 10 spacing 1 .2 num 15 org 5 5 5 seed " + seed + "\n");
+            "jset dip 70 5 dd 200 10 spacing 1 .2 num 15 org 5 5 5 seed " +
+            seed +
+            "\n"
+            "jset dip 40 5 dd 90 10 spacing 1 .2 num 15 org 5 5 5 persistence 0.8 seed " +
+            seed +
+            "\n"
+            "jset dip 20 5 dd 0 10 spacing 1 .2 num 15 org 5 5 5 seed " +
+            seed + "\n");
     }
 };
 

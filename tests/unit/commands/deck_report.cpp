@@ -63,15 +63,15 @@ TEST_F(DeckReportTest, CalledFilesAndCommandsInsideFunctionsAreLookedAt) {
                    "        poly brick [i] @j\n        save [name].sav\n      endcommand\n    endif\n  endloop\nend\n");
     write("b.3dd", "bound xvle 1\n");
     const DeckReport found = report("a.3dd");
-    EXPECT_EQ(found.text("a.3dd"),
-              "a.3dd:6:13: unknown: 'egde' is not a kind of generate; did you mean 'edge'?\n"
-              "b:1:7: unknown: 'xvle' is not a keyword of boundary; did you mean 'xvel'?\n"
-              "a.3dd: 6 statements: 4 run, 2 unknown");
+    EXPECT_EQ(found.text("a.3dd"), "a.3dd:6:13: unknown: 'egde' is not a kind of generate; did you mean 'edge'?\n"
+                                   "b:1:7: unknown: 'xvle' is not a keyword of boundary; did you mean 'xvel'?\n"
+                                   "a.3dd: 6 statements: 4 run, 2 unknown");
 }
 
 TEST_F(DeckReportTest, NamesThatNothingMakesAreUnknown) {
-    write("a.3dd", "def build_wall(n)\n  height = n\n  command\n    gen edge @n\n  endcommand\nend\nset @load = 1\n[depth = 3]\n"
-                   "@bulid_wall(2)\nprint @height @load @time @depth\ngravity 0 0 @g\nprint @heigth\n");
+    write("a.3dd",
+          "def build_wall(n)\n  height = n\n  command\n    gen edge @n\n  endcommand\nend\nset @load = 1\n[depth = 3]\n"
+          "@bulid_wall(2)\nprint @height @load @time @depth\ngravity 0 0 @g\nprint @heigth\n");
     const DeckReport found = report("a.3dd");
     EXPECT_EQ(found.text("a.3dd"),
               "a.3dd:9:1: unknown: there is no FISH variable or function 'bulid_wall'; did you mean '@build_wall'?\n"
@@ -81,9 +81,11 @@ TEST_F(DeckReportTest, NamesThatNothingMakesAreUnknown) {
 }
 
 TEST_F(DeckReportTest, WhatIsReadAndNeverSetOrSetAndNeverReadIsDoubtful) {
-    write("a.3dd", "def f\n  local here = frction\n  friction = 30\n  frictoin = 25\n  f = friction + here + depht(2)\n  intialise\nend\n"
-                   "def initialise\n  status = out('x')\n  global later\nend\nset @loadin = 3\nset @loading = 2\n"
-                   "print @f @loading @later\n");
+    write(
+        "a.3dd",
+        "def f\n  local here = frction\n  friction = 30\n  frictoin = 25\n  f = friction + here + depht(2)\n  intialise\nend\n"
+        "def initialise\n  status = out('x')\n  global later\nend\nset @loadin = 3\nset @loading = 2\n"
+        "print @f @loading @later\n");
     const DeckReport found = report("a.3dd");
     EXPECT_EQ(found.text("a.3dd"),
               "a.3dd:2:16: warning: nothing in this deck sets 'frction': it is 0; did you mean 'friction'?\n"
@@ -96,22 +98,25 @@ TEST_F(DeckReportTest, WhatIsReadAndNeverSetOrSetAndNeverReadIsDoubtful) {
 }
 
 TEST_F(DeckReportTest, CountersTargetsOfLoopsAndArraysAreSet) {
-    write("a.3dd", "def f\n  array store(3)\n  loop row (1, 3)\n    store(row) = count\n    count = count + 1\n  endloop\n"
-                   "  loop foreach block block.list\n    x1 = b_id(block)\n    x2 = 3\n  endloop\n  f = store(2) + x1\nend\n[f]\n");
+    write(
+        "a.3dd",
+        "def f\n  array store(3)\n  loop row (1, 3)\n    store(row) = count\n    count = count + 1\n  endloop\n"
+        "  loop foreach block block.list\n    x1 = b_id(block)\n    x2 = 3\n  endloop\n  f = store(2) + x1\nend\n[f]\n");
     EXPECT_EQ(report("a.3dd").text("a.3dd"), "a.3dd: 2 statements: 2 run");
 }
 
 TEST_F(DeckReportTest, CallsAreCounted) {
     write("a.3dd", "def f(a, b)\n  f = a + b\nend\ndef g\n  g = f(1) + cos(1, 2)\nend\n@f(1)\n@f(1, 2)\n[f(@g, 2)]\n");
-    EXPECT_EQ(report("a.3dd").text("a.3dd"),
-              "a.3dd:5:7: wrong: 'f' takes 2 arguments, here it is given 1\n"
-              "a.3dd:5:14: wrong: 'cos' takes 1 argument, here it is given 2\n"
-              "a.3dd:7:1: wrong: 'f' takes 2 arguments, here it is given 1\n"
-              "a.3dd: 5 statements: 2 run, 3 wrong");
+    EXPECT_EQ(report("a.3dd").text("a.3dd"), "a.3dd:5:7: wrong: 'f' takes 2 arguments, here it is given 1\n"
+                                             "a.3dd:5:14: wrong: 'cos' takes 1 argument, here it is given 2\n"
+                                             "a.3dd:7:1: wrong: 'f' takes 2 arguments, here it is given 1\n"
+                                             "a.3dd: 5 statements: 2 run, 3 wrong");
 }
 
 TEST_F(DeckReportTest, NamesInsideCommandBlocksAreLookedAt) {
-    write("a.3dd", "def f\n  local mine = 1\n  command\n    cycle @mine\n    cycle @sum\n    cycle @smu\n  endcommand\n  sum = 2\nend\n@f\n");
+    write(
+        "a.3dd",
+        "def f\n  local mine = 1\n  command\n    cycle @mine\n    cycle @sum\n    cycle @smu\n  endcommand\n  sum = 2\nend\n@f\n");
     EXPECT_EQ(report("a.3dd").text("a.3dd"),
               "a.3dd:6:11: unknown: there is no FISH variable or function 'smu'; did you mean '@sum'?\n"
               "a.3dd: 5 statements: 4 run, 1 unknown");
@@ -203,8 +208,8 @@ TEST(Decks, UseEveryCommand) {
     std::set<std::string> used;
     for (const auto& entry : fs::directory_iterator(KAYA_DECKS)) {
         if (entry.path().extension() != ".3dd") continue;
-        const lang::ReadDeck deck = lang::read_deck(lang::classic(), entry.path().string(),
-                                                    {KAYA_DECKS, fs::path(KAYA_DECKS) / "parts"});
+        const lang::ReadDeck deck =
+            lang::read_deck(lang::classic(), entry.path().string(), {KAYA_DECKS, fs::path(KAYA_DECKS) / "parts"});
         gather(*deck.file, deck.names, used);
     }
     for (const auto& family : lang::classic().families)

@@ -19,7 +19,8 @@ protected:
             if (!(s.area[i] > 0)) continue;
             const auto c = static_cast<std::size_t>(s.contact[i]);
             const double normal = s.normal_force[i];
-            sum += contacts.kind[c] == ContactKind::overlap ? normal * contacts.energy_length[c] : 0.5 * normal * normal / (1e8 * s.area[i]);
+            sum += contacts.kind[c] == ContactKind::overlap ? normal * contacts.energy_length[c]
+                                                            : 0.5 * normal * normal / (1e8 * s.area[i]);
             sum += 0.5 * s.shear_force[i].squaredNorm() / (1e8 * s.area[i]);
         }
         return sum;

@@ -89,9 +89,7 @@ hist xdis 0 0 1 unbal time zdis 0 0 1 ydis 0 0 1
 
 class ExamplesTest : public testing::Test {
 protected:
-    ExamplesTest() : before_(fs::current_path()) {
-        fs::current_path(folder_.path());
-    }
+    ExamplesTest() : before_(fs::current_path()) { fs::current_path(folder_.path()); }
     ~ExamplesTest() override { fs::current_path(before_); }
 
     static void write(const char* name, const std::string& text) { std::ofstream(name) << text; }
@@ -108,20 +106,23 @@ void write_inputs(const std::function<void(const char*, const std::string&)>& wr
     write("quake.tab", "quake\n3 0.1\n0\n1\n0\n");
     const std::string tetrahedron = "v 10 0 0\nv 11 0 0\nv 10 1 0\nv 10 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
     write("stones.obj", tetrahedron);
-    write("rock.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 10 0 0\n2 11 0 0\n3 10 1 0\n4 10 0 1\n$EndNodes\n$Elements\n1\n1 4 2 0 1 1 2 3 4\n$EndElements\n");
+    write(
+        "rock.msh",
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 10 0 0\n2 11 0 0\n3 10 1 0\n4 10 0 1\n$EndNodes\n$Elements\n1\n1 4 2 0 1 1 2 3 4\n$EndElements\n");
     const auto facet = [](const char* a, const char* b, const char* c) {
-        return fmt::format("facet normal 0 0 0\nouter loop\nvertex {}\nvertex {}\nvertex {}\nendloop\nendfacet\n", a, b, c);
+        return fmt::format("facet normal 0 0 0\nouter loop\nvertex {}\nvertex {}\nvertex {}\nendloop\nendfacet\n", a, b,
+                           c);
     };
     const char *o = "10 0 0", *x = "11 0 0", *y = "10 1 0", *z = "10 0 1";
-    write("vault.stl", "solid vault\n" + facet(o, y, x) + facet(o, x, z) + facet(o, z, y) + facet(x, y, z) + "endsolid vault\n");
+    write("vault.stl",
+          "solid vault\n" + facet(o, y, x) + facet(o, x, z) + facet(o, z, y) + facet(x, y, z) + "endsolid vault\n");
     write("shear.csv", "normal_stress,shear_displacement\n1,0\n1,0.001\n");
     write("average.lua", "average = 1\n");
 }
 
 /// What an example needs besides.
 std::string before(std::string_view example) {
-    if (example.find("jcso") != std::string_view::npos)
-        return "jmodel model barton-bandis\n";
+    if (example.find("jcso") != std::string_view::npos) return "jmodel model barton-bandis\n";
     if (example.starts_with("limit")) // a slope of its own
         return "delete\npoly brick 20 30 0 1 20 25\npoly prism a (30,0,20) (30,0,25) (50,0,35) (50,0,20) b (30,1,20) (30,1,25) (50,1,35) (50,1,20)\n"
                "poly brick 50 70 0 1 20 35\nprop mat 1 density 2000 bcoh 3e3 bfric 19.6\ngravity 0 0 -10\n";
@@ -151,13 +152,12 @@ TEST_F(ExamplesTest, RightExamplesRun) {
                 const auto run = [&](const std::string& text) { session.interpreter.run_text(text, "example"); };
                 try {
                     run(setting);
-                    if (!example.text.starts_with("join")) run("gen edge 1 range region 3\n"); // joined blocks are rigid
+                    if (!example.text.starts_with("join"))
+                        run("gen edge 1 range region 3\n"); // joined blocks are rigid
                     run("save settled\nsave 'two words'\n" + before(example.text));
                     run(std::string(example.text));
                     ++count;
-                } catch (const Diagnostic& problem) {
-                    ADD_FAILURE() << render(problem);
-                }
+                } catch (const Diagnostic& problem) { ADD_FAILURE() << render(problem); }
             }
     std::fclose(nowhere);
     EXPECT_GT(count, 150);

@@ -40,7 +40,7 @@ std::string proposal(const std::vector<script::FieldInfo>& fields, const std::st
 
 class FieldSlips : public Running {};
 
-TEST_F(FieldSlips, nine_of_ten_get_the_right_proposal) {
+TEST_F(FieldSlips, NineOfTenGetTheRightProposal) {
     int right = 0, all = 0;
     for (const auto& table : session().world.tables()) {
         std::set<std::string, std::less<>> known;

@@ -18,10 +18,14 @@ struct Section {
     ObjectKind table;
     const char* title;
 };
-constexpr Section sections[] = {
-    {ObjectKind::global, "The whole model"}, {ObjectKind::block, "Blocks"},     {ObjectKind::gridpoint, "Gridpoints"},
-    {ObjectKind::zone, "Zones"},             {ObjectKind::face, "Faces"},       {ObjectKind::contact, "Contacts"},
-    {ObjectKind::sub_contact, "Sub-contacts"}, {ObjectKind::corner, "Corners of faces"}};
+constexpr Section sections[] = {{ObjectKind::global, "The whole model"},
+                                {ObjectKind::block, "Blocks"},
+                                {ObjectKind::gridpoint, "Gridpoints"},
+                                {ObjectKind::zone, "Zones"},
+                                {ObjectKind::face, "Faces"},
+                                {ObjectKind::contact, "Contacts"},
+                                {ObjectKind::sub_contact, "Sub-contacts"},
+                                {ObjectKind::corner, "Corners of faces"}};
 
 constexpr const char* head =
     "# Fields of objects\n\n"
@@ -45,10 +49,12 @@ protected:
 
     std::string row(const Field& field, const std::map<std::string, std::string>& newer) {
         const auto modern = newer.find(std::string(field.classic));
-        const auto code = [](std::string_view word) { return word.empty() ? std::string() : fmt::format("`{}`", word); };
-        return fmt::format("| `{}`{} | {} | {} | {} | {} | {} |\n", field.name, field.set ? "*" : "", code(field.classic),
-                           modern == newer.end() ? "" : code(modern->second), kind_of(field.get(model(), 0)), field.unit,
-                           field.help);
+        const auto code = [](std::string_view word) {
+            return word.empty() ? std::string() : fmt::format("`{}`", word);
+        };
+        return fmt::format("| `{}`{} | {} | {} | {} | {} | {} |\n", field.name, field.set ? "*" : "",
+                           code(field.classic), modern == newer.end() ? "" : code(modern->second),
+                           kind_of(field.get(model(), 0)), field.unit, field.help);
     }
 
     std::string page() {
@@ -57,7 +63,8 @@ protected:
         for (const auto& [modern, classic] : session().scripts->newer_names()) newer.emplace(classic, modern);
         std::string text = head;
         for (const auto& section : sections) {
-            text += fmt::format("\n## {}\n\n| Lua | FISH | newer FISH | kind | unit | |\n|---|---|---|---|---|---|\n", section.title);
+            text += fmt::format("\n## {}\n\n| Lua | FISH | newer FISH | kind | unit | |\n|---|---|---|---|---|---|\n",
+                                section.title);
             for (const auto& field : fields())
                 if (field.kind == section.table) text += row(field, newer);
         }
@@ -65,7 +72,7 @@ protected:
     }
 };
 
-TEST_F(FieldsPage, lists_every_field) {
+TEST_F(FieldsPage, ListsEveryField) {
     const std::string wanted = page();
     if (std::getenv("KAYA_BLESS") != nullptr) std::ofstream(KAYA_FIELDS_PAGE) << wanted;
     std::ifstream stream(KAYA_FIELDS_PAGE);
@@ -74,7 +81,7 @@ TEST_F(FieldsPage, lists_every_field) {
     EXPECT_EQ(text.str(), wanted) << "run this test with KAYA_BLESS=1";
 }
 
-TEST_F(FieldsPage, fish_sees_the_kinds_that_the_page_names) {
+TEST_F(FieldsPage, FishSeesTheKindsThatThePageNames) {
     make_model();
     // type(): 1 integer, 2 real, 3 text, 4 pointer, 6 vector
     run("def f\n  local p = c_cx(contact_head)\n  a = type(cx_sforce(p)) * 100 + type(cx_sdis(p)) * 10 + type(cx_nforce(p))\n"

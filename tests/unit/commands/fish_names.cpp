@@ -29,7 +29,6 @@ std::string filled(const std::vector<std::string>& words) {
     return text + line + "\n";
 }
 
-
 std::string name_list(Session& session) {
     std::vector<std::string> classic, modern;
     for (const auto& [name, writable] : session.scripts->built_in_names())
@@ -60,7 +59,7 @@ std::string contents(const char* file) {
 
 class FishNames : public Running {};
 
-TEST_F(FishNames, the_page_lists_every_name) {
+TEST_F(FishNames, ThePageListsEveryName) {
     const std::string page = contents(KAYA_FISH_PAGE);
     const auto from = page.find(heading);
     ASSERT_NE(from, std::string::npos) << "the page has no list of names";
@@ -72,12 +71,12 @@ TEST_F(FishNames, the_page_lists_every_name) {
     EXPECT_EQ(listed, wanted) << "run this test with KAYA_BLESS=1";
 }
 
-TEST_F(FishNames, no_name_is_both_known_and_refused) {
+TEST_F(FishNames, NoNameIsBothKnownAndRefused) {
     for (const auto& [name, writable] : session().scripts->built_in_names())
         EXPECT_EQ(fish::find_reserved(name), nullptr) << name;
 }
 
-TEST_F(FishNames, every_refused_name_is_an_error_where_it_stands) {
+TEST_F(FishNames, EveryRefusedNameIsAnErrorWhereItStands) {
     for (const auto& reserved : fish::reserved_names()) {
         if (reserved.name.back() == '*') continue;
         const Diagnostic problem = mistake(fmt::format("def f\n  x = {}\nend\n", reserved.name));
@@ -101,7 +100,7 @@ std::vector<std::string> one_letter_off(const std::string& word) {
     return all;
 }
 
-TEST_F(FishNames, a_slip_of_one_letter_gets_the_right_proposal) {
+TEST_F(FishNames, ASlipOfOneLetterGetsTheRightProposal) {
     std::vector<std::string> names;
     for (const auto& [name, writable] : session().scripts->built_in_names()) names.push_back(name);
     const std::vector<std::string_view> candidates(names.begin(), names.end());

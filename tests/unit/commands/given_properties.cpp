@@ -26,7 +26,8 @@ TEST(GivenProperties, ReplaceValuesByAnySpellingOfTheWord) {
 }
 
 TEST(GivenProperties, OtherNamesAreRefused) {
-    for (const char* name : {"prop jfric", "prop 0 jfric", "prop x jfric", "prop 1 2 jfric", "jmodel 1 jfric", "boundary 1 x", " ", "prop 1.5 jfric"})
+    for (const char* name : {"prop jfric", "prop 0 jfric", "prop x jfric", "prop 1 2 jfric", "jmodel 1 jfric",
+                             "boundary 1 x", " ", "prop 1.5 jfric"})
         EXPECT_THROW(GivenProperties().give(name, 1, {}), Diagnostic) << name;
 }
 

@@ -94,7 +94,8 @@ TEST_F(Joined, BlocksWithZonesAreTiedAndAreAsLongAsOneBlock) {
             }
         return sum / count;
     };
-    run(std::string("poly brick 0 1 0 1 0 1\npoly brick 1 2 0 1 0 1\njoin\n") + pulled_bar + "jmodel jfric 10\nsolve ratio 1e-7");
+    run(std::string("poly brick 0 1 0 1 0 1\npoly brick 1 2 0 1 0 1\njoin\n") + pulled_bar +
+        "jmodel jfric 10\nsolve ratio 1e-7");
     // Young's modulus is 1.8e9.
     EXPECT_NEAR(elongation(), 1e6 * 2 / 1.8e9, 1e-3 * elongation());
     EXPECT_EQ(model().contacts.size(), 0u);
@@ -199,7 +200,8 @@ TEST_F(Joined, ABodyHasZonesAsAWholeOrNotAtAll) {
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{0, 0}));
     run("new\npoly brick 0 1\npoly brick 1 2 0 1 0 1\njoin");
     run("prop mat 1 dens 2000 k 1e9 g 1e9\ngen edge 1 range x 0 1"); // one part after the other
-    EXPECT_THAT(mistake("cycle 1").message, HasSubstr("block 1 has zones, and block 2, to which it is joined, has none"));
+    EXPECT_THAT(mistake("cycle 1").message,
+                HasSubstr("block 1 has zones, and block 2, to which it is joined, has none"));
     run("gen edge 1\ncycle 1");
 }
 

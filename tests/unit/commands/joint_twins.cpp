@@ -76,8 +76,20 @@ struct Rows {
         return failure;
     }
 
-    enum { area, opening, opening_inc, slip, slip_inc = slip + 3, shear = slip_inc + 3, pressure = shear + 3, normal,
-           kn, ks, work, count };
+    enum {
+        area,
+        opening,
+        opening_inc,
+        slip,
+        slip_inc = slip + 3,
+        shear = slip_inc + 3,
+        pressure = shear + 3,
+        normal,
+        kn,
+        ks,
+        work,
+        count
+    };
     const JointModel& model;
     std::vector<double> values;
     std::array<std::vector<double>, count> columns;
@@ -97,8 +109,9 @@ JointRegistry& registry() {
     return joints;
 }
 
-const std::map<std::string, double> values = {{"kn", 3e9},       {"ks", 1.3e9},     {"friction", 34.5}, {"friction-residual", 27.25},
-                                              {"cohesion", 2e4}, {"tension", 5e3},  {"dilation", 4}};
+const std::map<std::string, double> values = {
+    {"kn", 3e9},       {"ks", 1.3e9},    {"friction", 34.5}, {"friction-residual", 27.25},
+    {"cohesion", 2e4}, {"tension", 5e3}, {"dilation", 4}};
 
 TEST(JointTwins, NativeDialectAndLuaGiveTheSameCurve) {
     const char* const names[] = {"slip-native", "slip9", "slip-lua"};
@@ -109,17 +122,20 @@ TEST(JointTwins, NativeDialectAndLuaGiveTheSameCurve) {
     for (int i = 0; i < 3000; ++i) {
         // Closing, shear to and fro with a drift, pulled open at the end of each 1000 and closed again.
         const double open = i % 1000 < 100 ? -2e-6 : i % 1000 > 900 ? 4e-6 : 1e-8 * std::sin(0.1 * i);
-        for (auto& twin : twins) ASSERT_FALSE(twin->step(open, 1e-6 * std::cos(0.01 * i) + 1e-7, 3e-7 * std::sin(0.013 * i)));
+        for (auto& twin : twins)
+            ASSERT_FALSE(twin->step(open, 1e-6 * std::cos(0.01 * i) + 1e-7, 3e-7 * std::sin(0.013 * i)));
         const Rows& native = *twins[0];
         opened = opened || native.columns[Rows::normal][0] == 0;
         largest_shear = std::max(largest_shear, std::abs(native.columns[Rows::shear][0]));
         for (std::size_t t = 1; t < twins.size(); ++t)
-            for (const int c : {int(Rows::normal), int(Rows::shear), Rows::shear + 1, Rows::shear + 2, int(Rows::kn), int(Rows::ks)})
+            for (const int c :
+                 {int(Rows::normal), int(Rows::shear), Rows::shear + 1, Rows::shear + 2, int(Rows::kn), int(Rows::ks)})
                 for (std::size_t row = 0; row < 5; ++row)
                     ASSERT_NEAR(twins[t]->columns[c][row], native.columns[c][row],
                                 1e-12 * std::max(largest_shear, std::abs(native.columns[c][row])))
                         << names[t] << ", column " << c << ", step " << i;
-        for (std::size_t t = 1; t < twins.size(); ++t) ASSERT_EQ(twins[t]->state, native.state) << names[t] << ", step " << i;
+        for (std::size_t t = 1; t < twins.size(); ++t)
+            ASSERT_EQ(twins[t]->state, native.state) << names[t] << ", step " << i;
     }
     EXPECT_TRUE(opened);
     EXPECT_GT(largest_shear, 1e4);
@@ -150,9 +166,7 @@ public:
     std::string refusal() {
         try {
             load();
-        } catch (const Diagnostic& diagnostic) {
-            return diagnostic.message;
-        }
+        } catch (const Diagnostic& diagnostic) { return diagnostic.message; }
         return "it was loaded";
     }
 
@@ -169,7 +183,8 @@ std::string model_text(const std::string& run, const std::string& more = "") {
 }
 
 TEST(JointInLua, KeepsItsHistory) {
-    Written file(model_text("h.wear_depth = h.wear_depth + 1", "  check = function(p) return p.stiffness > 5 and 'too stiff' or nil end,\n"));
+    Written file(model_text("h.wear_depth = h.wear_depth + 1",
+                            "  check = function(p) return p.stiffness > 5 and 'too stiff' or nil end,\n"));
     const auto& model = file.load();
     EXPECT_EQ(model.history.at(0).name, "wear-depth");
     EXPECT_EQ(model.check({6}), "too stiff");
@@ -192,12 +207,15 @@ TEST(JointInLua, AWrongFileIsRefusedWithItsLine) {
         {"return {name = 'a'}", "'run' must be a function"},
         {"return {name = 'a', run = print, stiffness = print, check = 7}", "'check' must be a function"},
         {"return {name = 'A B', run = print, stiffness = print}", "'A B' cannot be typed"},
-        {"return {name = 'a', run = print, stiffness = print, properties = {7}}", "an entry of 'properties' must be a name or a table"},
-        {"return {name = 'a', run = print, stiffness = print, properties = {{'x', initial = 2, maximum = 1}}}", "outside its limits"},
+        {"return {name = 'a', run = print, stiffness = print, properties = {7}}",
+         "an entry of 'properties' must be a name or a table"},
+        {"return {name = 'a', run = print, stiffness = print, properties = {{'x', initial = 2, maximum = 1}}}",
+         "outside its limits"},
         {"\nos.exit(0)", "kaya-joint.lua:2: attempt to index a nil value (global 'os')"},
         {"local many = {} for k = 1, 65 do many[k] = 'h' .. k end return {name = 'a', run = print, stiffness = print, history = many}",
          "it has 65 history variables, 64 at most"},
-        {"return {name = 'a', run = print, stifness = print}", "the table of the model has no 'stifness'; did you mean 'stiffness'?"},
+        {"return {name = 'a', run = print, stifness = print}",
+         "the table of the model has no 'stifness'; did you mean 'stiffness'?"},
         {"return {name = 'a', run = print, stiffness = print, properties = {{'x', initail = 2}}}",
          "the entry of property 'x' has no 'initail'; did you mean 'initial'?"},
         {"return {name = 'a', run = print, stiffness = print, history = {{'x', unti = 'm'}}}",
@@ -252,7 +270,8 @@ TEST(JointInLua, NothingIsKeptInLocalVariablesOutsideOfItsFunctions) {
         {"local kept = {n = 0}\n@kept.n = kept.n + 1", "'n' is set in a table that is kept from call to call"},
         {"local kept = {deep = {1, 2}}\n@kept.deep[3] = 1", "'3' is set in a table that is kept from call to call"},
         {"local list = {}\n@table.insert(list, 1)", "'1' is set in a table that is kept from call to call"},
-        {"local n = 0\nlocal function more() n = n + 1 return n end\n@s.normal_force = more()", "'n' is changed by the functions of the model"},
+        {"local n = 0\nlocal function more() n = n + 1 return n end\n@s.normal_force = more()",
+         "'n' is changed by the functions of the model"},
     };
     for (const auto& wrong : cases) {
         const std::string text = wrong.text;
@@ -266,9 +285,11 @@ TEST(JointInLua, NothingIsKeptInLocalVariablesOutsideOfItsFunctions) {
 }
 
 TEST(JointInLua, ReadsLocalVariablesAndTablesOutsideOfItsFunctions) {
-    Written file("local list, none = {3, 4, name = {deep = 5}}, 0/0\nlocal function sum(t) local s = 0 for _, v in ipairs(t) do s = s + v end return s end\n" +
-                 model_text("local n = 0 for _ in pairs(list) do n = n + 1 end "
-                            "s.normal_force = sum(list) + #list + list.name.deep + n + (none ~= none and 100 or 0) + math.floor(2.5)"));
+    Written file(
+        "local list, none = {3, 4, name = {deep = 5}}, 0/0\nlocal function sum(t) local s = 0 for _, v in ipairs(t) do s = s + v end return s end\n" +
+        model_text(
+            "local n = 0 for _ in pairs(list) do n = n + 1 end "
+            "s.normal_force = sum(list) + #list + list.name.deep + n + (none ~= none and 100 or 0) + math.floor(2.5)"));
     Rows rows(file.load(), {{"k", 1}}, 2);
     const auto failure = rows.step(-1e-6, 0, 0);
     ASSERT_FALSE(failure) << failure->message;

@@ -29,11 +29,16 @@ protected:
     }
     using Form = script::RelationInfo::Form;
     Handle next(Handle object) {
-        return world().relate(static_cast<std::size_t>(script::find_relation(world(), Form::next, object.table, object.table)), object, {});
+        return world().relate(
+            static_cast<std::size_t>(script::find_relation(world(), Form::next, object.table, object.table)), object,
+            {});
     }
-    Handle first_of(Handle object, std::int32_t table) { return world().relate(script::list_of_parts(world(), object.table, table), object, {}); }
+    Handle first_of(Handle object, std::int32_t table) {
+        return world().relate(script::list_of_parts(world(), object.table, table), object, {});
+    }
     Handle nearest(std::int32_t table, const Vec3& place) {
-        return world().relate(static_cast<std::size_t>(script::find_relation(world(), Form::nearest, -1, table)), {}, place);
+        return world().relate(static_cast<std::size_t>(script::find_relation(world(), Form::nearest, -1, table)), {},
+                              place);
     }
     double number(Handle object, std::string_view name) {
         return std::get<double>(world().get(object, field(object.table, name)));
@@ -43,7 +48,8 @@ protected:
 TEST_F(ModelWorldTest, TablesAreNamedInTheOrderOfTheirNumbers) {
     std::vector<std::string_view> names;
     for (const auto& table : world().tables()) names.push_back(table.name);
-    EXPECT_THAT(names, ElementsAre("block", "gridpoint", "zone", "face", "contact", "sub_contact", "corner", "cable_node"));
+    EXPECT_THAT(names,
+                ElementsAre("block", "gridpoint", "zone", "face", "contact", "sub_contact", "corner", "cable_node"));
     for (const auto& table : world().tables()) EXPECT_FALSE(table.fields.empty()) << table.name;
 }
 
@@ -56,9 +62,7 @@ TEST_F(ModelWorldTest, NextWalksThroughAllBlocks) {
 
 TEST_F(ModelWorldTest, GridpointsAreWalkedThroughBlockByBlock) {
     int count = 0;
-    for (Handle p = first_of(world().at(block_table, 1), gridpoint_table); p.generation != 0;
-         p = next(p))
-        ++count;
+    for (Handle p = first_of(world().at(block_table, 1), gridpoint_table); p.generation != 0; p = next(p)) ++count;
     EXPECT_EQ(count, 8);
 }
 
@@ -76,9 +80,7 @@ TEST_F(ModelWorldTest, AHandleOfADeletedBlockSaysSo) {
     try {
         number(gone, "volume");
         ADD_FAILURE() << "a deleted block was read";
-    } catch (const Diagnostic& problem) {
-        EXPECT_EQ(problem.message, "this block no longer exists");
-    }
+    } catch (const Diagnostic& problem) { EXPECT_EQ(problem.message, "this block no longer exists"); }
 }
 
 TEST_F(ModelWorldTest, AHandleOfAGridpointDiesWhenRowsMove) {

@@ -27,9 +27,7 @@ protected:
     Diagnostic mistake(const std::string& text) {
         try {
             run(text);
-        } catch (const Diagnostic& problem) {
-            return problem;
-        }
+        } catch (const Diagnostic& problem) { return problem; }
         return Diagnostic("");
     }
 

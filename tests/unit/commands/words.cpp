@@ -19,23 +19,25 @@ Words words_of(const std::vector<std::string_view>& list) {
     return words;
 }
 
-TEST(words, history_records_fields_and_rates_of_them) {
+TEST(Words, HistoryRecordsFieldsAndRatesOfThem) {
     Words recorded = words_of(lang::recorded_words()), fields_with_words;
-    for (const std::string_view rate : {"xacc", "yacc", "zacc"}) EXPECT_EQ(recorded.erase(rate), 1u) << rate; // of xvel, yvel, zvel
+    for (const std::string_view rate : {"xacc", "yacc", "zacc"})
+        EXPECT_EQ(recorded.erase(rate), 1u) << rate; // of xvel, yvel, zvel
     for (const Field& field : fields())
         if (!field.history.empty()) fields_with_words.insert(field.history);
     // Components of shear have no keyword of their own.
-    for (const std::string_view part : {"xsdis", "ysdis", "zsdis", "xsfor", "ysfor", "zsfor"}) EXPECT_EQ(fields_with_words.erase(part), 1u) << part;
+    for (const std::string_view part : {"xsdis", "ysdis", "zsdis", "xsfor", "ysfor", "zsfor"})
+        EXPECT_EQ(fields_with_words.erase(part), 1u) << part;
     EXPECT_EQ(recorded, fields_with_words);
 }
 
-TEST(words, properties_of_structures_are_those_of_the_model) {
+TEST(Words, PropertiesOfStructuresAreThoseOfTheModel) {
     Words of_model;
     for (const auto& property : cable_properties()) of_model.insert(property.name);
     EXPECT_EQ(words_of(lang::structure_property_words()), of_model);
 }
 
-TEST(words, properties_of_joints_are_those_of_mohr) {
+TEST(Words, PropertiesOfJointsAreThoseOfMohr) {
     JointRegistry joints;
     joints.set_path({KAYA_TEST_JOINTS});
     const JointModel& mohr = joints.get("mohr");

@@ -43,9 +43,7 @@ Lines annotated(const Lines& deck) {
     std::vector<Diagnostic> mistakes;
     try {
         bind_text(classic(), source_from_text("deck", text), {folder}, &checks);
-    } catch (const DeckErrors& errors) {
-        mistakes = errors.all;
-    }
+    } catch (const DeckErrors& errors) { mistakes = errors.all; }
     Lines result;
     for (std::size_t i = 0; i < deck.size(); ++i) {
         result.push_back(deck[i]);
@@ -88,9 +86,7 @@ TEST(WrongDecks, GiveTheirMessages) {
                          [](const std::string& line) { return !is_expectation(line); });
             const Lines actual = annotated(deck);
             EXPECT_GT(actual.size(), deck.size()) << "no mistake was found in\n" << joined(deck);
-            if (!bless) {
-                EXPECT_EQ(joined(actual), joined(expected)) << file.filename();
-            }
+            if (!bless) { EXPECT_EQ(joined(actual), joined(expected)) << file.filename(); }
             if (!blessed.empty()) blessed += '\n';
             blessed += joined(actual);
             ++count;

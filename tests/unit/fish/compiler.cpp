@@ -15,10 +15,8 @@ Place place_of(const std::string& text, int line = 1) {
     source->lines.assign(static_cast<std::size_t>(line - 1), "; before");
     std::string rest;
     for (const char c : text + "\n") {
-        if (c == '\n')
-            source->lines.push_back(std::exchange(rest, {}));
-        else
-            rest += c;
+        if (c == '\n') source->lines.push_back(std::exchange(rest, {}));
+        else rest += c;
     }
     return {source, line, 1, 1};
 }
@@ -52,31 +50,25 @@ const Mistake mistakes[] = {
     {"f\nend", 1, 1, 1, "a FISH function begins with 'def'", ""},
     {"def f(a,a)\nend", 1, 9, 1, "the argument 'a' is named twice", ""},
     {"def f(f)\nend", 1, 7, 1, "an argument has the name of its function", "give it another name"},
-    {"def f(a\nend", 1, 8, 1, "expected ')' for the arguments of the function, found the end of the line",
-     ""},
-    {"def f x\nend", 1, 7, 1, "'x' is left over after the head of the function",
-     "one statement stands on one line"},
+    {"def f(a\nend", 1, 8, 1, "expected ')' for the arguments of the function, found the end of the line", ""},
+    {"def f x\nend", 1, 7, 1, "'x' is left over after the head of the function", "one statement stands on one line"},
     {"def f(x)\n whilestepping\nend", 1, 1, 3, "'f' runs in every cycle, so nobody gives it its arguments",
      "take the arguments away, or 'whilestepping'"},
     {"def f\nend\nmore", 3, 1, 4, "there is more text after the 'end' of the function", ""},
     {"def f\nend f", 2, 5, 1, "'f' is left over after 'end'", "one statement stands on one line"},
     {"def f\n a = (1 + 2\nend", 2, 12, 1, "expected ')' for the parenthesis, found the end of the line", ""},
-    {"def f\n a = 1 + 2)\nend", 2, 11, 1, "')' is left over after the assignment",
-     "one statement stands on one line"},
+    {"def f\n a = 1 + 2)\nend", 2, 11, 1, "')' is left over after the assignment", "one statement stands on one line"},
     {"def f\n a = 1 +\nend", 2, 9, 1, "expected a value, found the end of the line", ""},
     {"def f\n a =\nend", 2, 5, 1, "expected a value, found the end of the line", ""},
-    {"def f\n a = 1 2\nend", 2, 8, 1, "'2' is left over after the assignment",
-     "one statement stands on one line"},
+    {"def f\n a = 1 2\nend", 2, 8, 1, "'2' is left over after the assignment", "one statement stands on one line"},
     {"def f\n a = * 2\nend", 2, 6, 1, "expected a value, found '*'", ""},
     {"def f\n a = 1 < 2 < 3\nend", 2, 12, 1, "two comparisons in a row",
      "join them with '&', or put one in parentheses"},
     {"def f\n a = sin(1, )\nend", 2, 13, 1, "expected a value, found ')'", ""},
-    {"def f\n a = sin(1\nend", 2, 11, 1, "expected ')' for the arguments of 'sin', found the end of the line",
-     ""},
+    {"def f\n a = sin(1\nend", 2, 11, 1, "expected ')' for the arguments of 'sin', found the end of the line", ""},
     {"def f\n a = 'text\nend", 2, 6, 5, "the text has no closing quote", "put ' after it"},
     {"def f\n a = b ~ c\nend", 2, 8, 1, "'~' has no meaning in FISH", ""},
-    {"def f\n a = 12abc\nend", 2, 6, 2, "'12a' is neither a number nor a name",
-     "a name must not begin with a digit"},
+    {"def f\n a = 12abc\nend", 2, 6, 2, "'12a' is neither a number nor a name", "a name must not begin with a digit"},
     {"def f\n a = 1e999\nend", 2, 6, 5, "1e999 is beyond the range of numbers", ""},
     {"def f\n 3 = a\nend", 2, 2, 1, "expected a statement, found '3'", ""},
     {"def f\n b c\nend", 2, 4, 1, "expected '=' after 'b', found 'c'", ""},
@@ -89,17 +81,16 @@ const Mistake mistakes[] = {
     {"def f\n if a\n else\n else\n endif\nend", 4, 2, 4, "a second 'else' in one 'if'", ""},
     {"def f\n endif\nend", 2, 2, 5, "'endif' closes nothing: no block is open here", ""},
     {"def f\n then\nend", 2, 2, 4, "'then' cannot begin a statement", ""},
-    {"def f\n loop while a\n endif\nend", 3, 2, 5,
-     "'endif' stands where 'endloop' must close the 'loop' of line 2", ""},
+    {"def f\n loop while a\n endif\nend", 3, 2, 5, "'endif' stands where 'endloop' must close the 'loop' of line 2",
+     ""},
     {"def f\n loop while a\n", 2, 2, 4, "this 'loop' has no 'endloop'", ""},
-    {"def f\n loop i (1)\n endloop\nend", 2, 7, 1,
-     "a loop needs two limits, and a step if wanted; this one has 1",
+    {"def f\n loop i (1)\n endloop\nend", 2, 7, 1, "a loop needs two limits, and a step if wanted; this one has 1",
      "write: loop i (1, 10) or loop i (10, 1, -1)"},
     {"def f\n loop i 1,2\n endloop\nend", 2, 9, 1, "expected '(' for the limits of the loop, found '1'", ""},
     {"def f\n loop\n endloop\nend", 2, 6, 1,
      "expected the loop variable, 'while', 'foreach' or 'for', found the end of the line", ""},
-    {"def f\n loop for (i = 1, i < 3)\n endloop\nend", 2, 24, 1,
-     "expected ',' for the step of the loop, found ')'", ""},
+    {"def f\n loop for (i = 1, i < 3)\n endloop\nend", 2, 24, 1, "expected ',' for the step of the loop, found ')'",
+     ""},
     {"def f\n exit loop\nend", 2, 2, 4, "'exit loop' stands outside of any loop", ""},
     {"def f\n exit section\nend", 2, 2, 4, "'exit section' stands outside of any section", ""},
     {"def f\n continue\nend", 2, 2, 8, "'continue' stands outside of any loop", ""},
@@ -107,8 +98,8 @@ const Mistake mistakes[] = {
     {"def f\n command\n poly brick\nend", 2, 2, 7, "this 'command' has no 'endcommand'", ""},
     {"def f\n command\n poly brick [a\n endcommand\nend", 3, 13, 1, "the bracket is not closed",
      "put ] after the expression"},
-    {"def f\n command\n poly brick [a + ]\n endcommand\nend", 3, 17, 1,
-     "expected a value, found the end of the line", ""},
+    {"def f\n command\n poly brick [a + ]\n endcommand\nend", 3, 17, 1, "expected a value, found the end of the line",
+     ""},
     {"def f\n def g\n end\nend", 2, 2, 3, "a function begins inside of another one",
      "the function 'f' of line 1 has no 'end' yet"},
     {"def f\n array a\nend", 2, 8, 1, "the array 'a' has no size", "write a(n) or a(n,m)"},
@@ -127,7 +118,7 @@ const Mistake mistakes[] = {
     {"def f\n a() = 2\nend", 2, 2, 1, "'a()' names no element of an array", ""},
 };
 
-TEST(FishCompiler, every_mistake_has_a_place_and_words) {
+TEST(FishCompiler, EveryMistakeHasAPlaceAndWords) {
     for (const auto& mistake : mistakes) {
         try {
             compiled(mistake.text);
@@ -142,7 +133,7 @@ TEST(FishCompiler, every_mistake_has_a_place_and_words) {
     }
 }
 
-TEST(FishCompiler, places_count_from_the_line_of_the_deck) {
+TEST(FishCompiler, PlacesCountFromTheLineOfTheDeck) {
     const std::string text = "def f\n a = (\nend";
     try {
         read_function(text, place_of(text, 41));
@@ -154,19 +145,15 @@ TEST(FishCompiler, places_count_from_the_line_of_the_deck) {
     }
 }
 
-TEST(FishCompiler, too_deep_text_is_refused_before_lua_sees_it) {
+TEST(FishCompiler, TooDeepTextIsRefusedBeforeLuaSeesIt) {
     const auto message = [](const std::string& text) {
         try {
             compiled(text);
-        } catch (const Diagnostic& d) {
-            return d.message;
-        }
+        } catch (const Diagnostic& d) { return d.message; }
         return std::string("accepted");
     };
-    EXPECT_EQ(message("def f\n a = " + std::string(200, '(') + "1\nend"),
-              "the expression is nested too deeply");
-    EXPECT_EQ(message("def f\n a = " + std::string(5000, '-') + "1\nend"),
-              "the expression is nested too deeply");
+    EXPECT_EQ(message("def f\n a = " + std::string(200, '(') + "1\nend"), "the expression is nested too deeply");
+    EXPECT_EQ(message("def f\n a = " + std::string(5000, '-') + "1\nend"), "the expression is nested too deeply");
     std::string sum = "1";
     for (int i = 0; i < 1000; ++i) sum += i % 2 == 0 ? "+1" : "-1";
     EXPECT_EQ(message("def f\n a = " + sum + "\nend"), "accepted");
@@ -179,15 +166,13 @@ TEST(FishCompiler, too_deep_text_is_refused_before_lua_sees_it) {
     EXPECT_EQ(message(call + ")\nend"), "'max' is given more than 50 arguments");
 }
 
-TEST(FishCompiler, each_statement_stays_on_its_line) {
+TEST(FishCompiler, EachStatementStaysOnItsLine) {
     const std::string lua = compiled("def f\n\n a = 1\n ; comment\n if a &\n  > 0\n  a = 2\n endif\nend", 10);
     std::vector<std::string> lines;
     std::string rest;
     for (const char c : lua + "\n") {
-        if (c == '\n')
-            lines.push_back(std::exchange(rest, {}));
-        else
-            rest += c;
+        if (c == '\n') lines.push_back(std::exchange(rest, {}));
+        else rest += c;
     }
     ASSERT_EQ(lines.size(), 9);
     EXPECT_EQ(lines[2], "G.a = 1; ");
@@ -197,7 +182,7 @@ TEST(FishCompiler, each_statement_stays_on_its_line) {
     EXPECT_EQ(lines[8], "return v_return end");
 }
 
-TEST(FishCompiler, arithmetic_is_plain_lua_where_both_agree) {
+TEST(FishCompiler, ArithmeticIsPlainLuaWhereBothAgree) {
     const auto expression = [](const std::string& text) {
         return generate(read_expression(text, place_of(text)), meaning);
     };
@@ -208,16 +193,15 @@ TEST(FishCompiler, arithmetic_is_plain_lua_where_both_agree) {
     EXPECT_THAT(expression("while + time"), HasSubstr("return G[\"while\"] + A_time() end"));
 }
 
-TEST(FishCompiler, a_function_tells_what_it_uses) {
-    const std::string text =
-        "def f(a)\n local b\n b = c(1) + sin(a)\n command\n hist @d [g]\n endcommand\n f = e\nend";
+TEST(FishCompiler, AFunctionTellsWhatItUses) {
+    const std::string text = "def f(a)\n local b\n b = c(1) + sin(a)\n command\n hist @d [g]\n endcommand\n f = e\nend";
     const Function function = read_function(text, place_of(text));
     EXPECT_EQ(function.name, "f");
     EXPECT_THAT(function.arguments, ElementsAre("a"));
     EXPECT_THAT(function.mentions, ElementsAre("c", "e", "f", "g", "sin"));
 }
 
-TEST(FishCompiler, whilestepping_is_seen_in_both_spellings) {
+TEST(FishCompiler, WhilesteppingIsSeenInBothSpellings) {
     for (const std::string word : {"whilestepping", "while_stepping", "WhileStepping"}) {
         const std::string text = "def f\n" + word + "\nend";
         EXPECT_TRUE(read_function(text, place_of(text)).whilestepping);

@@ -27,15 +27,12 @@ Volumes volumes_of(const TunnelCut& cut) {
 }
 
 /// A pentagon, like a horseshoe, in the plane y.
-std::vector<Vec3> horseshoe(double y) {
-    return {{-1, y, -1}, {1, y, -1}, {1, y, 0.5}, {0, y, 1}, {-1, y, 0.5}};
-}
+std::vector<Vec3> horseshoe(double y) { return {{-1, y, -1}, {1, y, -1}, {1, y, 0.5}, {0, y, 1}, {-1, y, 0.5}}; }
 
 } // namespace
 
 TEST(CutTunnel, TakesTheOutlineOutOfOneBlock) {
-    const TunnelCut result =
-        cut_tunnel({make_brick({-5, 0, -5}, {5, 4, 5})}, {horseshoe(-1), horseshoe(5), false, 3});
+    const TunnelCut result = cut_tunnel({make_brick({-5, 0, -5}, {5, 4, 5})}, {horseshoe(-1), horseshoe(5), false, 3});
     const Volumes volumes = volumes_of(result);
     EXPECT_NEAR(volumes.inside, 4 * 3.5, 1e-12);
     EXPECT_NEAR(volumes.inside + volumes.outside, 400, 1e-10);
@@ -45,17 +42,15 @@ TEST(CutTunnel, TakesTheOutlineOutOfOneBlock) {
 }
 
 TEST(CutTunnel, LeavesBlocksWholeThatItDoesNotMeet) {
-    const std::vector<Polyhedron> blocks{
-        make_brick({5, 0, 5}, {6, 1, 6}), make_brick({-0.5, 0, -0.5}, {0.5, 1, 0}),
-        make_brick({0, 0, 0}, {3, 1, 0.5}), make_brick({1, 0, -1}, {2, 1, 0})};
+    const std::vector<Polyhedron> blocks{make_brick({5, 0, 5}, {6, 1, 6}), make_brick({-0.5, 0, -0.5}, {0.5, 1, 0}),
+                                         make_brick({0, 0, 0}, {3, 1, 0.5}), make_brick({1, 0, -1}, {2, 1, 0})};
     const TunnelCut result = cut_tunnel(blocks, {horseshoe(-1), horseshoe(5)});
     EXPECT_THAT(result.blocks.parents, ::testing::ElementsAre(2));
     EXPECT_THAT(result.swallowed, ::testing::ElementsAre(1));
 }
 
 TEST(CutTunnel, BlocksThatItOnlyScratchesStayOnTheSideOfTheirGreaterPart) {
-    const std::vector<Polyhedron> blocks{make_brick({0.999, 0, -1}, {2, 1, 0}),
-                                         make_brick({0, 0, -1}, {1.001, 1, 0})};
+    const std::vector<Polyhedron> blocks{make_brick({0.999, 0, -1}, {2, 1, 0}), make_brick({0, 0, -1}, {1.001, 1, 0})};
     const TunnelCut result = cut_tunnel(blocks, {horseshoe(-1), horseshoe(5)}, 0.01);
     EXPECT_TRUE(result.blocks.parents.empty());
     EXPECT_THAT(result.swallowed, ::testing::ElementsAre(1));
@@ -74,8 +69,7 @@ TEST(CutTunnel, ManyBlocksKeepTheirVolume) {
     const TunnelCut result = cut_tunnel(blocks, {horseshoe(-1), horseshoe(5)});
     double untouched = 0;
     for (std::size_t i = 0; i < blocks.size(); ++i)
-        if (!std::binary_search(result.blocks.parents.begin(), result.blocks.parents.end(),
-                                static_cast<int>(i)))
+        if (!std::binary_search(result.blocks.parents.begin(), result.blocks.parents.end(), static_cast<int>(i)))
             untouched += mass_properties(blocks[i]).volume;
     const Volumes volumes = volumes_of(result);
     EXPECT_NEAR(volumes.inside, 14, 1e-11);
@@ -91,8 +85,7 @@ TEST(CutTunnel, ConcaveOutlinesAndRadialJoints) {
     EXPECT_NEAR(volumes.inside + volumes.outside, 400, 1e-10);
 
     const TunnelCut plain = cut_tunnel({make_brick({-5, 0, -5}, {5, 4, 5})}, {horseshoe(-1), horseshoe(5)});
-    const TunnelCut radial =
-        cut_tunnel({make_brick({-5, 0, -5}, {5, 4, 5})}, {horseshoe(-1), horseshoe(5), true, 0});
+    const TunnelCut radial = cut_tunnel({make_brick({-5, 0, -5}, {5, 4, 5})}, {horseshoe(-1), horseshoe(5), true, 0});
     EXPECT_GT(radial.inside.size(), plain.inside.size());
     volumes = volumes_of(radial);
     EXPECT_NEAR(volumes.inside, 14, 1e-12);

@@ -30,8 +30,7 @@ inline double worst_bulge(const Polyhedron& p) {
     double worst = 0;
     for (const auto& face : p.faces) {
         const Vec3 normal = face_normal(p, face);
-        for (const Vec3& v : p.vertices)
-            worst = std::max(worst, normal.dot(v - p.vertices[face.vertices[0]]));
+        for (const Vec3& v : p.vertices) worst = std::max(worst, normal.dot(v - p.vertices[face.vertices[0]]));
     }
     return worst;
 }

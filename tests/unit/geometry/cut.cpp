@@ -118,8 +118,7 @@ TEST(Cut, RefusesAPieceThinnerThanAllowedAndLeavesTheBlockWhole) {
 
 TEST(Cut, ANeedleDeepBelowThePlaneIsASliver) {
     // The tip of a thin wedge, 0.1 long but 0.001 thick.
-    Polyhedron wedge =
-        cut(make_brick({0, 0, 0}, {1, 1, 1}), {Vec3(-0.01, 0, 1).normalized(), {0, 0, 0}}, 1).below;
+    Polyhedron wedge = cut(make_brick({0, 0, 0}, {1, 1, 1}), {Vec3(-0.01, 0, 1).normalized(), {0, 0, 0}}, 1).below;
     ASSERT_NEAR(thickness(wedge), 0.01, 1e-6);
     EXPECT_EQ(cut(wedge, {Vec3::UnitX(), {0.1, 0, 0}}, 1, 0.002).outcome, CutOutcome::sliver);
     EXPECT_EQ(cut(wedge, {Vec3::UnitX(), {0.1, 0, 0}}, 1, 0.0005).outcome, CutOutcome::cut);
@@ -155,8 +154,7 @@ TEST(Cut, KeepsVolumeAndMomentsThroughRandomCuts) {
         const Polyhedron brick = make_brick({-1, 0, 2}, {1, 1, 4});
         std::vector<Polyhedron> pieces{brick};
         for (int i = 0; i < 12; ++i)
-            cut_all(pieces,
-                    {random_unit(random), Vec3(0.8 * random.symmetric(), 0.5, 3 + 0.8 * random.symmetric())});
+            cut_all(pieces, {random_unit(random), Vec3(0.8 * random.symmetric(), 0.5, 3 + 0.8 * random.symmetric())});
         EXPECT_GT(pieces.size(), 50u);
         for (const auto& piece : pieces) {
             ASSERT_TRUE(closed(piece));

@@ -14,7 +14,8 @@ namespace {
 std::vector<Vec3> random_polygon(std::mt19937& random) {
     std::uniform_real_distribution<double> part(0, 1);
     const int corners = 3 + static_cast<int>(5 * part(random));
-    const double a = 0.5 + part(random), b = 0.5 + part(random), begin = part(random), x = 0.4 * part(random), y = 0.4 * part(random);
+    const double a = 0.5 + part(random), b = 0.5 + part(random), begin = part(random), x = 0.4 * part(random),
+                 y = 0.4 * part(random);
     std::vector<Vec3> polygon;
     for (int i = 0; i < corners; ++i) {
         const double angle = 2 * std::numbers::pi * (begin + i + 0.4 * part(random)) / corners;
@@ -36,7 +37,8 @@ struct Case {
         std::reverse(two.corners.begin(), two.corners.end());
         const Vec3 turn(tilt * part(random), tilt * part(random), part(random));
         move(two, Vec3(0.2 * part(random), 0.2 * part(random), 0.3 * tilt * part(random)), turn);
-        axes = Eigen::Quaterniond(part(random), part(random), part(random), part(random)).normalized().toRotationMatrix();
+        axes =
+            Eigen::Quaterniond(part(random), part(random), part(random), part(random)).normalized().toRotationMatrix();
         for (ConvexFace* face : {&one, &two}) move(*face, axes * Vec3(0.3, -0.2, 0.1), axes);
     }
     static void move(ConvexFace& face, const Vec3& way, const Mat3& turn) {
@@ -44,7 +46,9 @@ struct Case {
         face.outward = turn * face.outward;
     }
     static void move(ConvexFace& face, const Vec3& way, const Vec3& turn) {
-        move(face, way, turn.norm() > 0 ? Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() : Mat3(Mat3::Identity()));
+        move(face, way,
+             turn.norm() > 0 ? Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix()
+                             : Mat3(Mat3::Identity()));
     }
 };
 
@@ -65,7 +69,7 @@ void add_slab(ConvexClip& clip, const ConvexFace& face, const Vec3& upright) {
 
 class FlatOverlaps : public testing::TestWithParam<unsigned> {};
 
-TEST_P(FlatOverlaps, agree_with_the_clip_of_the_bodies) {
+TEST_P(FlatOverlaps, AgreeWithTheClipOfTheBodies) {
     const Case c(GetParam(), 1e-4);
     FlatOverlap flat;
     const bool found = flat.find(c.one, c.two);
@@ -94,7 +98,7 @@ TEST_P(FlatOverlaps, agree_with_the_clip_of_the_bodies) {
     }
 }
 
-TEST_P(FlatOverlaps, push_as_their_energy_changes) {
+TEST_P(FlatOverlaps, PushAsTheirEnergyChanges) {
     const Case c(GetParam(), 1e-4);
     FlatOverlap flat;
     if (!flat.find(c.one, c.two)) return;
@@ -112,10 +116,13 @@ TEST_P(FlatOverlaps, push_as_their_energy_changes) {
             volumes[side] = flat.volume().value;
             depths[side] = flat.depth().value;
         }
-        const double of_volume = k < 3 ? volume.force[k] : volume.moment[k - 3], of_depth = k < 3 ? depth.force[k] : depth.moment[k - 3];
+        const double of_volume = k < 3 ? volume.force[k] : volume.moment[k - 3],
+                     of_depth = k < 3 ? depth.force[k] : depth.moment[k - 3];
         // What is left out is as the closure over the size.
         EXPECT_NEAR((volumes[0] - volumes[1]) / (2 * step), of_volume, 3e-3 * volume.force.norm()) << k;
-        EXPECT_NEAR((depths[0] - depths[1]) / (2 * step), of_depth, 3e-3 * depth.force.norm() + 3 * step * step / deepest) << k;
+        EXPECT_NEAR((depths[0] - depths[1]) / (2 * step), of_depth,
+                    3e-3 * depth.force.norm() + 3 * step * step / deepest)
+            << k;
     }
 }
 

@@ -23,9 +23,7 @@ const std::string two_tetrahedra = "* two blocks, one rigid, one of zones\n"
 std::string message_of(const std::string& text) {
     try {
         read_grid3d(text, "a.3dgrid");
-    } catch (const Diagnostic& diagnostic) {
-        return diagnostic.message;
-    }
+    } catch (const Diagnostic& diagnostic) { return diagnostic.message; }
     return "accepted";
 }
 
@@ -84,20 +82,16 @@ TEST(Grid3d, SaysWhichLineIsWrong) {
     EXPECT_EQ(message_of("G 1 0 0\n"), "a.3dgrid, line 1: a coordinate is missing");
     EXPECT_EQ(message_of("G 1 0 0 0\nG 1 1 1 1\n"), "a.3dgrid, line 2: gridpoint 1 is defined twice");
     EXPECT_EQ(message_of("G 0 0 0 0\n"), "a.3dgrid, line 1: gridpoint is 0, and must be above 0");
-    EXPECT_EQ(message_of("G 1 0 0 0\nF 1 1 2 3\n"),
-              "a.3dgrid, line 2: gridpoint 2 has not been defined above");
+    EXPECT_EQ(message_of("G 1 0 0 0\nF 1 1 2 3\n"), "a.3dgrid, line 2: gridpoint 2 has not been defined above");
     EXPECT_EQ(message_of("G 1 0 0 0\nZ 1 1 1 1\n"), "a.3dgrid, line 2: zone 1 has 3 gridpoints");
     EXPECT_EQ(message_of("Q 1\n"), "a.3dgrid, line 1: a line cannot begin with 'Q'");
     EXPECT_EQ(message_of("G 1 0 0 0 0\n"), "a.3dgrid, line 1: '0' is one word too many");
     EXPECT_EQ(message_of("* nothing\n"), "a.3dgrid holds no blocks");
-    EXPECT_EQ(
-        message_of("B 1 0 X 1\n"),
-        "a.3dgrid, line 1: after the region of a block stands F with face numbers or Z with zone numbers");
+    EXPECT_EQ(message_of("B 1 0 X 1\n"),
+              "a.3dgrid, line 1: after the region of a block stands F with face numbers or Z with zone numbers");
     EXPECT_EQ(message_of("B 1 0 F\n"), "a.3dgrid, line 1: block 1 has neither faces nor zones");
-    EXPECT_EQ(message_of(two_tetrahedra + "JS 1 1+12\n"),
-              "a.3dgrid, line 20: '1+12' is not a pair of blocks like 3-7");
-    EXPECT_EQ(message_of(two_tetrahedra + "JS 1 1-13\n"),
-              "a.3dgrid, line 20: block 13 has not been defined above");
+    EXPECT_EQ(message_of(two_tetrahedra + "JS 1 1+12\n"), "a.3dgrid, line 20: '1+12' is not a pair of blocks like 3-7");
+    EXPECT_EQ(message_of(two_tetrahedra + "JS 1 1-13\n"), "a.3dgrid, line 20: block 13 has not been defined above");
 }
 
 TEST(Grid3d, DamagedTextEndsInAMessageNeverInACrash) {
@@ -114,9 +108,7 @@ TEST(Grid3d, DamagedTextEndsInAMessageNeverInACrash) {
                 const Solid solid = solid_from_surface(surface_of(grid, block));
                 if (!block.zones.empty()) zones_of(grid, block, solid.parts[0]);
             }
-        } catch (const Diagnostic&) {
-            ++refused;
-        }
+        } catch (const Diagnostic&) { ++refused; }
     }
     EXPECT_GT(refused, 300);
 }

@@ -23,7 +23,8 @@ template <class Height> Ground grid(std::size_t n, double size, Height height) {
     std::vector<std::array<int, 3>> triangles;
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t k = 0; k < n; ++k) {
-            const double x = size * (static_cast<double>(i) / static_cast<double>(n - 1) - 0.5), y = size * (static_cast<double>(k) / static_cast<double>(n - 1) - 0.5);
+            const double x = size * (static_cast<double>(i) / static_cast<double>(n - 1) - 0.5),
+                         y = size * (static_cast<double>(k) / static_cast<double>(n - 1) - 0.5);
             corners.emplace_back(x, y, height(x, y));
         }
     for (std::size_t i = 0; i + 1 < n; ++i)
@@ -56,7 +57,8 @@ Volumes cut_brick(const Ground& ground, const Vec3& low, const Vec3& high) {
         // No corner lies on the other side.
         for (const Vec3& v : piece.vertices) {
             const double over = v.z() - ground.height_beyond(v.x(), v.y());
-            EXPECT_GE(cut.above[i] ? over : -over, -1e-5 * (high - low).norm()) << "piece " << i << " corner " << v.transpose();
+            EXPECT_GE(cut.above[i] ? over : -over, -1e-5 * (high - low).norm())
+                << "piece " << i << " corner " << v.transpose();
         }
     }
     const double whole = mass_properties(brick).volume;
@@ -69,7 +71,8 @@ double volume_below(const Ground& ground, const Vec3& low, const Vec3& high, int
     double sum = 0;
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < n; ++k) {
-            const double x = low.x() + (high.x() - low.x()) * (i + 0.5) / n, y = low.y() + (high.y() - low.y()) * (k + 0.5) / n;
+            const double x = low.x() + (high.x() - low.x()) * (i + 0.5) / n,
+                         y = low.y() + (high.y() - low.y()) * (k + 0.5) / n;
             sum += std::clamp(ground.height_beyond(x, y), low.z(), high.z()) - low.z();
         }
     return sum * (high.x() - low.x()) * (high.y() - low.y()) / (n * n);
@@ -86,7 +89,8 @@ TEST(Ground, HeightsAreLinearInTrianglesAndGoOnBeyondTheRim) {
 }
 
 TEST(Ground, OfOverhangsTheHighestCounts) {
-    const Ground ground({{0, 0, 1}, {2, 0, 1}, {0, 2, 1}, {0, 0, 4}, {2, 0, 4}, {0, 2, 4}}, {{0, 1, 2}, {3, 4, 5}, {0, 1, 4}});
+    const Ground ground({{0, 0, 1}, {2, 0, 1}, {0, 2, 1}, {0, 0, 4}, {2, 0, 4}, {0, 2, 4}},
+                        {{0, 1, 2}, {3, 4, 5}, {0, 1, 4}});
     EXPECT_EQ(ground.triangles().size(), 2u); // the upright one is left out
     EXPECT_DOUBLE_EQ(*ground.height(0.5, 0.5), 4);
 }
@@ -112,7 +116,8 @@ TEST(Ground, CutsABrickAtAFlatSlopeAsASingleJointWould) {
 TEST(Ground, AnOpenCutNeedsFewPieces) {
     // Floor, slope and top: a profile along x. Deep rock stays whole.
     std::vector<std::vector<Vec3>> lines;
-    for (const double x : {-50.0, 0.0, 20.0, 60.0}) lines.push_back({{x, -50, x <= 0 ? 0.0 : 10}, {x, 50, x <= 0 ? 0.0 : 10}});
+    for (const double x : {-50.0, 0.0, 20.0, 60.0})
+        lines.push_back({{x, -50, x <= 0 ? 0.0 : 10}, {x, 50, x <= 0 ? 0.0 : 10}});
     const auto volumes = cut_brick(Ground::of_points(lines), {-30, -10, -40}, {50, 10, 25});
     EXPECT_LE(volumes.pieces, 8u);
     EXPECT_NEAR(volumes.below, 20 * (80 * 40 + 0.5 * 20 * 10 + 30 * 10), 1e-6);
@@ -123,11 +128,13 @@ TEST(Ground, RandomHillsFillTheirBlocks) {
     const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
     for (int k = 0; k < 25; ++k) {
         SCOPED_TRACE(k);
-        const double a = any(0, 4), b = any(0.05, 0.6), c = any(0, 6), d = any(-0.4, 0.4), unit = std::pow(10, any(-2, 3));
+        const double a = any(0, 4), b = any(0.05, 0.6), c = any(0, 6), d = any(-0.4, 0.4),
+                     unit = std::pow(10, any(-2, 3));
         const Ground ground = grid(3 + random() % 9, 24 * unit, [&](double x, double y) {
             return unit * (a * std::sin(b * x / unit + c) + 2 * std::cos(b * y / unit) + d * x / unit);
         });
-        const Vec3 low = unit * Vec3(any(-9, -1), any(-9, -1), any(-9, -2)), high = unit * Vec3(any(1, 9), any(1, 9), any(1, 9));
+        const Vec3 low = unit * Vec3(any(-9, -1), any(-9, -1), any(-9, -2)),
+                   high = unit * Vec3(any(1, 9), any(1, 9), any(1, 9));
         const auto volumes = cut_brick(ground, low, high);
         if (volumes.pieces == 0) continue;
         const double box = (high - low).prod();
@@ -162,28 +169,36 @@ TEST(Ground, NeighboursOfAPitOfBenchesFit) {
 
 TEST(Ground, FilesAreReadOrRefusedWithTheirLine) {
     EXPECT_EQ(ground_from_points("x,y,z\n0,0,1\n1,0,1\n0,1,2\n", "a.csv").triangles().size(), 1u);
-    const Ground grid = ground_from_grid("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9999\n5 6 -9999\n1 2 3\n", "a.asc");
+    const Ground grid = ground_from_grid(
+        "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9999\n5 6 -9999\n1 2 3\n", "a.asc");
     EXPECT_EQ(grid.triangles().size(), 2u);
     EXPECT_DOUBLE_EQ(*grid.height(5, 5), 1);
     EXPECT_DOUBLE_EQ(*grid.height(5, 15), 5);
     const auto refusal = [](auto read) -> std::string {
         try {
             read();
-        } catch (const Diagnostic& wrong) {
-            return wrong.message;
-        }
+        } catch (const Diagnostic& wrong) { return wrong.message; }
         return "read";
     };
-    EXPECT_THAT(refusal([] { ground_from_points("0 0 1\n1 0\n", "a.xyz"); }), HasSubstr("a.xyz:2: a point of a surface is three numbers"));
+    EXPECT_THAT(refusal([] { ground_from_points("0 0 1\n1 0\n", "a.xyz"); }),
+                HasSubstr("a.xyz:2: a point of a surface is three numbers"));
     EXPECT_THAT(refusal([] { ground_from_points("0 0 1\n1 0 nan\n", "a.xyz"); }), HasSubstr("a.xyz:2"));
     EXPECT_THAT(refusal([] { ground_from_points("", "a.xyz"); }), HasSubstr("0 points"));
     EXPECT_THAT(refusal([] { ground_from_points("0 0 1\n1 1 1\n2 2 1\n", "a.xyz"); }), HasSubstr("on one line"));
-    EXPECT_THAT(refusal([] { ground_from_points("0 0 0\n2 2 0\n\n0 2 1\n2 0 1\n", "a.xyz"); }), HasSubstr("cross each other"));
-    EXPECT_THAT(refusal([] { ground_from_grid("ncols 2\nnrows 2\ncellsize 1\n1 2 3 4\n", "a.asc"); }), HasSubstr("xllcorner"));
-    EXPECT_THAT(refusal([] { ground_from_grid("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n", "a.asc"); }), HasSubstr("3 heights"));
-    EXPECT_THAT(refusal([] { ground_from_grid("ncols 2e9\nnrows 2e9\nxllcorner 0\nyllcorner 0\ncellsize 1\n1\n", "a.asc"); }), HasSubstr("make no grid"));
+    EXPECT_THAT(refusal([] { ground_from_points("0 0 0\n2 2 0\n\n0 2 1\n2 0 1\n", "a.xyz"); }),
+                HasSubstr("cross each other"));
+    EXPECT_THAT(refusal([] { ground_from_grid("ncols 2\nnrows 2\ncellsize 1\n1 2 3 4\n", "a.asc"); }),
+                HasSubstr("xllcorner"));
+    EXPECT_THAT(
+        refusal([] { ground_from_grid("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n", "a.asc"); }),
+        HasSubstr("3 heights"));
+    EXPECT_THAT(
+        refusal([] { ground_from_grid("ncols 2e9\nnrows 2e9\nxllcorner 0\nyllcorner 0\ncellsize 1\n1\n", "a.asc"); }),
+        HasSubstr("make no grid"));
     const test::ScratchFolder folder;
-    test::put(folder / "a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 4 0 0\nvertex 0 4 4\nendloop\nendfacet\nendsolid\n");
+    test::put(
+        folder / "a.stl",
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 4 0 0\nvertex 0 4 4\nendloop\nendfacet\nendsolid\n");
     EXPECT_NEAR(*read_ground(folder / "a.stl").height(1, 1), 1, 1e-6);
     EXPECT_THAT(refusal([&] { read_ground(folder / "none.xyz"); }), HasSubstr("cannot be opened"));
 }

@@ -14,9 +14,7 @@ namespace {
 std::string message_of(const JointSet& set) {
     try {
         joint_planes(set);
-    } catch (const Diagnostic& diagnostic) {
-        return diagnostic.message;
-    }
+    } catch (const Diagnostic& diagnostic) { return diagnostic.message; }
     return {};
 }
 
@@ -26,10 +24,8 @@ void cut_in_place(std::vector<Polyhedron>& blocks, const JointSet& set) {
     std::vector<Polyhedron> next;
     std::size_t parent = 0;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-        if (parent < result.parents.size() && result.parents[parent] == static_cast<int>(i))
-            ++parent;
-        else
-            next.push_back(std::move(blocks[i]));
+        if (parent < result.parents.size() && result.parents[parent] == static_cast<int>(i)) ++parent;
+        else next.push_back(std::move(blocks[i]));
     }
     for (auto& piece : result.pieces) next.push_back(std::move(piece.polyhedron));
     blocks = std::move(next);

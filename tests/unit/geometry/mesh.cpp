@@ -55,9 +55,8 @@ void expect_sound(const Polyhedron& p, const TetMesh& m) {
         Vec3 whole = Vec3::Zero();
         const auto& loop = p.faces[f].vertices;
         for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-            whole += (p.vertices[loop[i]] - p.vertices[loop[0]])
-                         .cross(p.vertices[loop[i + 1]] - p.vertices[loop[0]]) /
-                     2;
+            whole +=
+                (p.vertices[loop[i]] - p.vertices[loop[0]]).cross(p.vertices[loop[i + 1]] - p.vertices[loop[0]]) / 2;
         EXPECT_LT((whole - area[f]).norm(), 1e-11 * std::max(1.0, whole.norm()));
     }
     std::set<std::array<double, 3>> points;
@@ -153,9 +152,7 @@ TEST(Mesh, WedgesDrumsAndTetrahedraAtSeveralSizes) {
             const auto angles = dihedral_angles(m);
             EXPECT_GT(angles.smallest, edge < 1 ? 20 : 10) << edge;
             EXPECT_LT(angles.largest, edge < 1 ? 145 : 155) << edge;
-            if (edge < 0.2) {
-                EXPECT_NEAR(mean_edge(m), edge, 0.25 * edge);
-            }
+            if (edge < 0.2) { EXPECT_NEAR(mean_edge(m), edge, 0.25 * edge); }
         }
 }
 
@@ -192,9 +189,7 @@ TEST(Mesh, RefusesEdgesThatMakeNoSense) {
     const auto message = [](double edge) -> std::string {
         try {
             make_mesh(wedge(), edge);
-        } catch (const Diagnostic& diagnostic) {
-            return diagnostic.message;
-        }
+        } catch (const Diagnostic& diagnostic) { return diagnostic.message; }
         return "accepted";
     };
     EXPECT_EQ(message(0), "the edge length of zones is 0, and must be above 0");

@@ -57,7 +57,8 @@ TEST(BalanceAreas, GivesTheCornersOfARectangleAQuarterEach) {
 
 TEST(BalanceAreas, KeepsSumAndCentreAndComesNearerToTheSecondMomentsOfTheOverlap) {
     // Two rectangles, one turned against the other: an octagon-like overlap with crossings of diagonals.
-    Overlay laid = laid_over(fan({{0, 0}, {2, 0}, {2, 1}, {0, 1}}), fan({{0.3, -0.4}, {1.9, 0.2}, {1.5, 1.4}, {-0.1, 0.8}}), 1e-9);
+    Overlay laid =
+        laid_over(fan({{0, 0}, {2, 0}, {2, 1}, {0, 1}}), fan({{0.3, -0.4}, {1.9, 0.2}, {1.5, 1.4}, {-0.1, 0.8}}), 1e-9);
     const Moments before(laid);
     balance_areas(laid);
     const Moments after(laid);

@@ -10,8 +10,7 @@ using namespace kaya;
 
 TEST(MassProperties, RegularTetrahedronOfEdgeOne) {
     const double h = std::sqrt(2.0 / 3), r = std::sqrt(1.0 / 3);
-    const Polyhedron p =
-        make_tetrahedron({Vec3(r, 0, 0), Vec3(-r / 2, 0.5, 0), Vec3(-r / 2, -0.5, 0), Vec3(0, 0, h)});
+    const Polyhedron p = make_tetrahedron({Vec3(r, 0, 0), Vec3(-r / 2, 0.5, 0), Vec3(-r / 2, -0.5, 0), Vec3(0, 0, h)});
     const MassProperties m = mass_properties(p);
     EXPECT_NEAR(m.volume, 1 / (6 * std::sqrt(2.0)), 1e-12 * m.volume);
     EXPECT_LT((m.centroid - Vec3(0, 0, h / 4)).norm(), 1e-15);

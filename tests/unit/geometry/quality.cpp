@@ -76,8 +76,8 @@ TEST(BlockQuality, FindsEachAilment) {
 }
 
 TEST(BlockQuality, EveryAilmentHasANameAndARemedy) {
-    for (const Ailment a : {Ailment::open, Ailment::inverted, Ailment::concave, Ailment::warped,
-                            Ailment::tiny, Ailment::needle, Ailment::thin, Ailment::short_edge}) {
+    for (const Ailment a : {Ailment::open, Ailment::inverted, Ailment::concave, Ailment::warped, Ailment::tiny,
+                            Ailment::needle, Ailment::thin, Ailment::short_edge}) {
         EXPECT_FALSE(name_of(a).empty());
         EXPECT_GT(remedy_for(a).size(), 20u);
     }
@@ -85,9 +85,9 @@ TEST(BlockQuality, EveryAilmentHasANameAndARemedy) {
 }
 
 TEST(OverlappingBlocks, FindsEqualAndPartlyCommonBlocksAndNotTouchingOnes) {
-    const std::vector<Polyhedron> blocks{
-        make_brick({0, 0, 0}, {1, 1, 1}), make_brick({1, 0, 0}, {2, 1, 1}), make_brick({0, 0, 0}, {1, 1, 1}),
-        make_brick({1.75, 0.5, 0}, {2.75, 1.5, 1}), make_drum({{5, 0, 0}, {5, 0, 1}, 1, 1, 8})};
+    const std::vector<Polyhedron> blocks{make_brick({0, 0, 0}, {1, 1, 1}), make_brick({1, 0, 0}, {2, 1, 1}),
+                                         make_brick({0, 0, 0}, {1, 1, 1}), make_brick({1.75, 0.5, 0}, {2.75, 1.5, 1}),
+                                         make_drum({{5, 0, 0}, {5, 0, 1}, 1, 1, 8})};
     const auto found = overlapping_blocks(blocks);
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found[0].first, 0);

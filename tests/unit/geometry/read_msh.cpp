@@ -11,15 +11,17 @@ using namespace kaya;
 
 namespace {
 
-const std::string two_tetrahedra = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
-                                   "$PhysicalNames\n2\n2 3 \"wall\"\n3 7 \"rock mass\"\n$EndPhysicalNames\n"
-                                   "$Entities\n0 0 1 1\n9 0 0 0 1 1 1 1 3 0\n5 0 0 0 1 1 1 1 7 1 9\n$EndEntities\n"
-                                   "$Nodes\n1 5 1 5\n3 5 0 5\n1\n2\n3\n4\n5\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n$EndNodes\n"
-                                   "$Elements\n2 3 1 3\n2 9 2 1\n1 1 2 3\n3 5 4 2\n2 1 2 3 4\n3 2 3 4 5\n$EndElements\n"
-                                   "$Periodic\nanything\n$EndPeriodic\n";
+const std::string two_tetrahedra =
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
+    "$PhysicalNames\n2\n2 3 \"wall\"\n3 7 \"rock mass\"\n$EndPhysicalNames\n"
+    "$Entities\n0 0 1 1\n9 0 0 0 1 1 1 1 3 0\n5 0 0 0 1 1 1 1 7 1 9\n$EndEntities\n"
+    "$Nodes\n1 5 1 5\n3 5 0 5\n1\n2\n3\n4\n5\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n$EndNodes\n"
+    "$Elements\n2 3 1 3\n2 9 2 1\n1 1 2 3\n3 5 4 2\n2 1 2 3 4\n3 2 3 4 5\n$EndElements\n"
+    "$Periodic\nanything\n$EndPeriodic\n";
 
 std::string old_file(const std::string& nodes, const std::string& elements) {
-    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + nodes + "$EndNodes\n$Elements\n" + elements + "$EndElements\n";
+    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + nodes + "$EndNodes\n$Elements\n" + elements +
+           "$EndElements\n";
 }
 const std::string cube = "8\n1 0 0 0\n2 2 0 0\n3 2 2 0\n4 0 2 0\n5 0 0 2\n6 2 0 2\n7 2 2 2\n8 0 2 2\n";
 
@@ -29,7 +31,10 @@ double volume_of(const Grid3d& grid) {
         for (const int zone : block.zones) {
             const auto& t = grid.zones.at(zone);
             const Vec3& a = grid.gridpoints.at(t[0]);
-            sum += std::abs((grid.gridpoints.at(t[1]) - a).cross(grid.gridpoints.at(t[2]) - a).dot(grid.gridpoints.at(t[3]) - a)) / 6;
+            sum += std::abs((grid.gridpoints.at(t[1]) - a)
+                                .cross(grid.gridpoints.at(t[2]) - a)
+                                .dot(grid.gridpoints.at(t[3]) - a)) /
+                   6;
         }
     return sum;
 }
@@ -37,9 +42,7 @@ double volume_of(const Grid3d& grid) {
 std::string message_of(const std::string& text) {
     try {
         read_msh(text, "a.msh");
-    } catch (const Diagnostic& diagnostic) {
-        return diagnostic.message;
-    }
+    } catch (const Diagnostic& diagnostic) { return diagnostic.message; }
     return "accepted";
 }
 
@@ -77,21 +80,27 @@ TEST(ReadMsh, MistakesAreNamedWithTheirLine) {
     EXPECT_EQ(message_of("$MeshFormat\n3 0 8\n"), "a.msh, line 2: the version is '3'; 2.2 and 4.1 are read");
     EXPECT_EQ(message_of("$MeshFormat\n4.1 1 8\n"), "a.msh, line 2: the file is binary, and is read as text only");
     EXPECT_EQ(message_of(old_file(tet, "0\n")), "a.msh, line 14: there is no tetrahedron and no hexahedron in it");
-    EXPECT_EQ(message_of(old_file(tet, "1\n1 4 2 0 1 1 2 3 9\n")), "a.msh, line 13: element 1 has node 9, which is not there");
+    EXPECT_EQ(message_of(old_file(tet, "1\n1 4 2 0 1 1 2 3 9\n")),
+              "a.msh, line 13: element 1 has node 9, which is not there");
     EXPECT_EQ(message_of(old_file(tet, "1\n1 4 2 0 1 1 2 3\n")), "a.msh, line 13: the number of a node is missing");
     EXPECT_EQ(message_of(old_file(tet, "1\n1 4 2 0 1 1 2 3 3\n")), "a.msh, line 13: tetrahedron 1 has no volume");
-    EXPECT_EQ(message_of(old_file(tet, "1\n1 11 2 0 1 1 2 3 4\n")), "a.msh, line 13: element 1 is a second-order tetrahedron");
-    EXPECT_EQ(message_of(old_file("1\n1 0 nan 0\n", "0\n")), "a.msh, line 6: 'nan' is not a number, where a coordinate should stand");
+    EXPECT_EQ(message_of(old_file(tet, "1\n1 11 2 0 1 1 2 3 4\n")),
+              "a.msh, line 13: element 1 is a second-order tetrahedron");
+    EXPECT_EQ(message_of(old_file("1\n1 0 nan 0\n", "0\n")),
+              "a.msh, line 6: 'nan' is not a number, where a coordinate should stand");
     EXPECT_EQ(message_of(old_file("2\n1 0 0 0\n1 0 0 1\n", "0\n")), "a.msh, line 7: node 1 is defined twice");
     EXPECT_EQ(message_of(old_file("-1\n", "0\n")), "a.msh, line 5: the number of nodes is -1");
-    EXPECT_EQ(message_of(old_file(cube, "1\n1 5 2 4 1 1 3 2 4 5 6 7 8\n")), "a.msh, line 17: hexahedron 1 has no volume");
+    EXPECT_EQ(message_of(old_file(cube, "1\n1 5 2 4 1 1 3 2 4 5 6 7 8\n")),
+              "a.msh, line 17: hexahedron 1 has no volume");
 }
 
 /// Every part of a file that is cut off, and files with numbers that were changed, are refused or read: nothing else.
 TEST(ReadMsh, BrokenFilesAreRefused) {
-    for (std::size_t size = 0; size + 40 < two_tetrahedra.size(); ++size) EXPECT_NE(message_of(two_tetrahedra.substr(0, size)), "accepted") << size;
+    for (std::size_t size = 0; size + 40 < two_tetrahedra.size(); ++size)
+        EXPECT_NE(message_of(two_tetrahedra.substr(0, size)), "accepted") << size;
     std::mt19937 random(3);
-    const std::string strange[] = {"-1", "0", "99999999999999999999", "9223372036854775807", "2147483648", "1e400", "$Nodes", "\"", "x", ""};
+    const std::string strange[] = {
+        "-1", "0", "99999999999999999999", "9223372036854775807", "2147483648", "1e400", "$Nodes", "\"", "x", ""};
     for (int i = 0; i < 3000; ++i) {
         std::string text = two_tetrahedra;
         for (int k = 0; k < 2; ++k) {

@@ -16,9 +16,7 @@ namespace {
 template <class Make> std::string message_of(Make&& make) {
     try {
         make();
-    } catch (const Diagnostic& diagnostic) {
-        return diagnostic.message;
-    }
+    } catch (const Diagnostic& diagnostic) { return diagnostic.message; }
     return "accepted";
 }
 
@@ -40,14 +38,13 @@ TEST(Shapes, PrismOverATriangle) {
     EXPECT_EQ(prism.parts[0].faces.size(), 5u);
     EXPECT_DOUBLE_EQ(volume_of(prism.parts), 1.5);
     // Either polygon may come first and run either way.
-    EXPECT_DOUBLE_EQ(
-        volume_of(make_prism({{0, 0, 3}, {0, 1, 3}, {1, 0, 3}}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}).parts),
-        1.5);
+    EXPECT_DOUBLE_EQ(volume_of(make_prism({{0, 0, 3}, {0, 1, 3}, {1, 0, 3}}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}).parts),
+                     1.5);
 }
 
 TEST(Shapes, PrismMayBeAWedge) {
-    const Solid wedge = make_prism({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}},
-                                   {{0, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 0, 1}});
+    const Solid wedge =
+        make_prism({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}, {{0, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 0, 1}});
     ASSERT_EQ(wedge.parts.size(), 1u);
     EXPECT_DOUBLE_EQ(volume_of(wedge.parts), 0.5);
 }
@@ -63,8 +60,7 @@ TEST(Shapes, WarpedSidesBecomeTrianglesThatNeighboursShare) {
     // The slab of 8 x 4 x 4 without the corner at its west side, which is 0.2*4*4/6 or twice that, as the
     // diagonal there runs. Whichever way it runs in the side between, the two must fill the rest exactly.
     const double missing = 128 - volume_of(left.parts) - volume_of(right.parts);
-    EXPECT_TRUE(std::abs(missing - 0.2 * 16 / 6) < 1e-12 || std::abs(missing - 0.2 * 16 / 3) < 1e-12)
-        << missing;
+    EXPECT_TRUE(std::abs(missing - 0.2 * 16 / 6) < 1e-12 || std::abs(missing - 0.2 * 16 / 3) < 1e-12) << missing;
     EXPECT_GT(left.parts.size() + right.parts.size(), 2u); // one of them is concave along that diagonal
 }
 
@@ -77,18 +73,17 @@ TEST(Shapes, PrismRefusesPolygonsThatDoNotMatch) {
                   make_prism({{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {1, 0, 1}});
               }),
               "the prism's polygons have 2 corners");
-    EXPECT_EQ(message_of([] {
-                  make_prism({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.4}, {0, 1, 0}},
-                             {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}});
-              }),
-              "the prism's first polygon is not flat: its corners lie up to 0.0962 off its mean plane");
+    EXPECT_EQ(
+        message_of([] {
+            make_prism({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.4}, {0, 1, 0}}, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}});
+        }),
+        "the prism's first polygon is not flat: its corners lie up to 0.0962 off its mean plane");
 }
 
 TEST(Shapes, PrismWithATwistIsRefused) {
     // The second polygon runs on from the opposite corner: the sides cross in the middle.
     const std::string message = message_of([] {
-        make_prism({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
-                   {{1, 1, 1}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}});
+        make_prism({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{1, 1, 1}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}});
     });
     EXPECT_NE(message, "accepted");
     EXPECT_NE(message.find("prism's"), std::string::npos) << message;
@@ -147,6 +142,5 @@ TEST(Shapes, TunnelFillsTheSquareAroundTheHole) {
     EXPECT_EQ(core.size(), 2u);
     EXPECT_NEAR(volume_of(core), 20 * hole, 1e-9);
     tunnel.axial = 0;
-    EXPECT_EQ(message_of([&] { make_tunnel(tunnel); }),
-              "the number of blocks along the axis is 0, less than 1");
+    EXPECT_EQ(message_of([&] { make_tunnel(tunnel); }), "the number of blocks along the axis is 0, less than 1");
 }

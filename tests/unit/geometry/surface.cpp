@@ -46,9 +46,7 @@ Loops extruded(const std::vector<Vec3>& floor, const Vec3& lift) {
 std::string message_of(const Loops& loops) {
     try {
         make_from_faces(loops);
-    } catch (const Diagnostic& diagnostic) {
-        return diagnostic.message;
-    }
+    } catch (const Diagnostic& diagnostic) { return diagnostic.message; }
     return "accepted";
 }
 
@@ -75,7 +73,8 @@ TEST(Surface, AFineNetOfSinglePrecisionIsOneConvexBlock) {
     const auto point = [](int i, int j) {
         const double a = i * std::numbers::pi / rings, b = 2 * std::numbers::pi * (j % sides) / sides;
         const double r = i == 0 || i == rings ? 0 : std::sin(a);
-        return Vec3(static_cast<float>(r * std::cos(b)), static_cast<float>(r * std::sin(b)), static_cast<float>(std::cos(a)));
+        return Vec3(static_cast<float>(r * std::cos(b)), static_cast<float>(r * std::sin(b)),
+                    static_cast<float>(std::cos(a)));
     };
     Loops triangles;
     for (int i = 0; i < rings; ++i)
@@ -117,8 +116,7 @@ TEST(Surface, InsideOutAndMixedFacesAreTurnedOutward) {
 TEST(Surface, NamesTheFaceThatIsWrong) {
     Loops open = cube();
     open.erase(open.begin() + 5);
-    EXPECT_EQ(message_of(open),
-              "the surface is open: the edge from (1, 1, 0) to (1, 0, 0) belongs to face 1 alone");
+    EXPECT_EQ(message_of(open), "the surface is open: the edge from (1, 1, 0) to (1, 0, 0) belongs to face 1 alone");
     Loops twice = cube();
     twice.push_back(twice[3]);
     EXPECT_EQ(message_of(twice), "face 7 has the same corners as face 4");

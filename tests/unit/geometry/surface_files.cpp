@@ -21,9 +21,7 @@ using Reader = std::vector<NamedSurface> (*)(std::string_view, const std::string
 std::string message_of(Reader read, std::string_view text) {
     try {
         read(text, "file");
-    } catch (const Diagnostic& diagnostic) {
-        return diagnostic.message;
-    }
+    } catch (const Diagnostic& diagnostic) { return diagnostic.message; }
     return "accepted";
 }
 
@@ -82,8 +80,8 @@ template <class T> void put(std::string& bytes, T value, bool big) {
 }
 
 std::string ply_binary(bool big) {
-    std::string bytes = std::string("ply\nformat ") + (big ? "binary_big_endian" : "binary_little_endian") +
-                        " 1.0\n" + ply_header;
+    std::string bytes =
+        std::string("ply\nformat ") + (big ? "binary_big_endian" : "binary_little_endian") + " 1.0\n" + ply_header;
     for (int i = 0; i < 4; ++i) {
         put(bytes, i == 1 ? 1.0f : 0.0f, big);
         put(bytes, i == 2 ? 1.0f : 0.0f, big);
@@ -162,30 +160,25 @@ TEST(SurfaceFiles, SayWhatIsWrongAndWhere) {
     EXPECT_EQ(message_of(read_stl, "solid a\nfacet\nouter loop\nvertex 0 0\n"),
               "file, line 5: a coordinate is missing");
     EXPECT_EQ(message_of(read_stl, "solid a\nendsolid a\n"), "file holds no faces");
-    EXPECT_EQ(
-        message_of(read_stl, stl_binary({0, 0, 0}, {1, 1, 1}).substr(0, 300)),
-        "file is not a whole STL file: it does not begin with 'solid', and its length is not that of its "
-        "number of triangles");
+    EXPECT_EQ(message_of(read_stl, stl_binary({0, 0, 0}, {1, 1, 1}).substr(0, 300)),
+              "file is not a whole STL file: it does not begin with 'solid', and its length is not that of its "
+              "number of triangles");
     EXPECT_EQ(message_of(read_obj, "v 0 0 0\nv 1 0 0\nf 1 2 3\n"),
               "file, line 3: vertex 3 is asked for, and 2 have been given so far");
     EXPECT_EQ(message_of(read_obj, "v 0 0 0\nf 1 -2 1\n"),
               "file, line 2: vertex -2 is asked for, and 1 have been given so far");
     EXPECT_EQ(message_of(read_obj, "v 0 0\nv 0 0 0\n"), "file, line 1: z is missing");
-    EXPECT_EQ(message_of(read_obj, "v 0 0 inf\n"),
-              "file, line 1: 'inf' is not a number, where z should stand");
+    EXPECT_EQ(message_of(read_obj, "v 0 0 inf\n"), "file, line 1: 'inf' is not a number, where z should stand");
     EXPECT_EQ(message_of(read_obj, ""), "file holds no faces");
     EXPECT_EQ(message_of(read_ply, "ply\nformat ascii 1.0\nelement vertex 99999999999\nend_header\n"),
               "file, line 3: 99999999999 elements 'vertex' are more than the file can hold");
-    EXPECT_EQ(message_of(read_ply, ply_binary(false).substr(0, 260)),
-              "file ends before all its elements are read");
-    EXPECT_EQ(message_of(read_ply, "nothing"),
-              "file is not a PLY file: it has no header from 'ply' to 'end_header'");
+    EXPECT_EQ(message_of(read_ply, ply_binary(false).substr(0, 260)), "file ends before all its elements are read");
+    EXPECT_EQ(message_of(read_ply, "nothing"), "file is not a PLY file: it has no header from 'ply' to 'end_header'");
     EXPECT_EQ(message_of(read_vrml, "#VRML V2.0\nTransform { translation 1 0 0 }"),
               "file, line 2: the translation of a transform is not applied by this reader");
     EXPECT_EQ(message_of(read_vrml, "#VRML V2.0\ncoordIndex [ 0 1 2 ]"),
               "file, line 2: point 0 is asked for, and the points are 0 to -1");
-    EXPECT_EQ(message_of(read_vrml, "#VRML V2.0\npoint [ 0 0 0"),
-              "file, line 2: the file ends within brackets");
+    EXPECT_EQ(message_of(read_vrml, "#VRML V2.0\npoint [ 0 0 0"), "file, line 2: the file ends within brackets");
     EXPECT_EQ(message_of(read_vrml, "hello"), "file, line 1: a VRML file begins with '#VRML'");
 }
 
@@ -203,16 +196,13 @@ TEST(SurfaceFiles, DamagedFilesEndInAMessageNeverInACrash) {
         for (int trial = 0; trial < 400; ++trial) {
             std::string damaged = whole;
             if (trial % 2)
-                damaged.resize(
-                    static_cast<std::size_t>(random.uniform() * static_cast<double>(whole.size())));
+                damaged.resize(static_cast<std::size_t>(random.uniform() * static_cast<double>(whole.size())));
             for (int i = 0; i < 3 && !damaged.empty(); ++i)
                 damaged[static_cast<std::size_t>(random.uniform() * static_cast<double>(damaged.size()))] =
                     static_cast<char>(random.bits() & 255);
             try {
                 for (const auto& surface : read(damaged, "file")) solid_from_surface(surface.surface);
-            } catch (const Diagnostic&) {
-                ++refused;
-            }
+            } catch (const Diagnostic&) { ++refused; }
         }
     EXPECT_GT(refused, 1000);
 }

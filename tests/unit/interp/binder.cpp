@@ -20,7 +20,9 @@ TEST(Binder, BrickLimitsDefaultToThoseOfX) {
 
 TEST(Binder, ATitleMayStandOnTheNextLine) {
     const auto deck = [](const std::string& text) { return bind_text(classic(), source_from_text("deck", text), {}); };
-    const auto title = [](const BoundFile& file) { return std::any_cast<Title>(file.steps.front().command.command).text; };
+    const auto title = [](const BoundFile& file) {
+        return std::any_cast<Title>(file.steps.front().command.command).text;
+    };
     const auto below = deck("title\n  Arch, second try\ncycle 1\n");
     EXPECT_EQ(title(*below), "Arch, second try");
     EXPECT_EQ(below->steps.size(), 2u);
@@ -215,8 +217,7 @@ TEST(Binder, NamesAreWildcardsUntilTheyHaveValues) {
     EXPECT_TRUE(bound("grav @g").late) << "may be a vector";
     EXPECT_TRUE(bound("grav @gx @gy @gz").late);
     EXPECT_TRUE(bound("hide range group @name").late);
-    EXPECT_EQ(mistake("gen egde @size").message, "'egde' is not a kind of generate")
-        << "the rest is still checked";
+    EXPECT_EQ(mistake("gen egde @size").message, "'egde' is not a kind of generate") << "the rest is still checked";
 }
 
 TEST(Binder, ValuesOfNames) {

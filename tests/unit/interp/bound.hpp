@@ -29,9 +29,7 @@ template <class Command> Command bound_as(const std::string& text, const ValueSo
 inline Diagnostic mistake(const std::string& text) {
     try {
         bound(text);
-    } catch (const Diagnostic& d) {
-        return d;
-    }
+    } catch (const Diagnostic& d) { return d; }
     ADD_FAILURE() << "'" << text << "' was accepted";
     return Diagnostic("");
 }

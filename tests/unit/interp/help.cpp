@@ -16,8 +16,7 @@ TEST(Help, UsageOfACommand) {
     std::map<std::string, std::string> usages;
     for (const auto& family : classic().families)
         for (const auto& command : family.commands) usages[command.name()] = usage(command);
-    EXPECT_EQ(usages["poly brick"],
-              "poly brick x1 x2 [y1 y2] [z1 z2] [region n] [material n] [constitutive n]");
+    EXPECT_EQ(usages["poly brick"], "poly brick x1 x2 [y1 y2] [z1 z2] [region n] [material n] [constitutive n]");
     EXPECT_EQ(usages["generate edge"], "generate edge edge [range ...]");
     EXPECT_EQ(usages["define"], "define name [argument ...] ... end");
 }
@@ -25,8 +24,7 @@ TEST(Help, UsageOfACommand) {
 TEST(Help, ListNamesEveryCommand) {
     const std::string list = help_list(classic());
     for (const auto& family : classic().families)
-        for (const auto& command : family.commands)
-            EXPECT_THAT(list, HasSubstr("    " + command.name() + " "));
+        for (const auto& command : family.commands) EXPECT_THAT(list, HasSubstr("    " + command.name() + " "));
 }
 
 TEST(Help, OnACommandInAnySpelling) {

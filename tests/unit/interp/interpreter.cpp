@@ -29,7 +29,8 @@ protected:
     void run(const BoundCommand& bound) override {
         const std::any& command = bound.command;
         if (const auto* title = std::any_cast<Title>(&command)) done.push_back(title->text);
-        else if (const auto* cycle = std::any_cast<CycleCommand>(&command)) done.push_back(fmt::format("cycle {}", *cycle->cycles));
+        else if (const auto* cycle = std::any_cast<CycleCommand>(&command))
+            done.push_back(fmt::format("cycle {}", *cycle->cycles));
         else if (std::any_cast<PolyBrick>(&command)) done.emplace_back("brick");
         else if (const auto* call = std::any_cast<FishCall>(&command)) on_call(call->expression);
         else if (std::any_cast<Pause>(&command)) throw Diagnostic("no key is there");
@@ -48,9 +49,7 @@ protected:
     Diagnostic failure(const std::string& name) {
         try {
             interpreter.run_file(name);
-        } catch (const Diagnostic& d) {
-            return d;
-        }
+        } catch (const Diagnostic& d) { return d; }
         ADD_FAILURE() << name << " ran to its end";
         return Diagnostic("");
     }
@@ -58,9 +57,7 @@ protected:
     std::vector<Diagnostic> mistakes(const std::string& text) {
         try {
             interpreter.run_text(text, "text");
-        } catch (const DeckErrors& errors) {
-            return errors.all;
-        }
+        } catch (const DeckErrors& errors) { return errors.all; }
         return {};
     }
 
@@ -279,8 +276,7 @@ TEST_F(Decks, MoreIsNeeded) {
 
 TEST_F(Decks, ManyLines) {
     std::string text;
-    for (int i = 0; i < 100000; ++i)
-        text += fmt::format("poly brick {},{} 0,1 0,1 region {}\n", i, i + 1, i % 7);
+    for (int i = 0; i < 100000; ++i) text += fmt::format("poly brick {},{} 0,1 0,1 region {}\n", i, i + 1, i % 7);
     const auto start = std::chrono::steady_clock::now();
     const auto bound = bind_text(classic(), source_from_text("many", text), {"."});
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -50,8 +50,8 @@ TEST(Lexer, Comments) {
 }
 
 TEST(Lexer, Continuation) {
-    for (const char* text : {"a b &\nc", "a b ...\nc", "a b&\nc", "a b...\nc", "a b & ; comment\n  c",
-                             "a b... ;x\nc", "a &\nb ...\n c", "a b)&\nc", "a b&\n ; a line taken out\nc"})
+    for (const char* text : {"a b &\nc", "a b ...\nc", "a b&\nc", "a b...\nc", "a b & ; comment\n  c", "a b... ;x\nc",
+                             "a &\nb ...\n c", "a b)&\nc", "a b&\n ; a line taken out\nc"})
         EXPECT_EQ(texts(text), (Texts{"a", "b", "c"})) << text;
     EXPECT_EQ(statements("a &\n\nb").size(), 2u) << "a blank line ends the statement";
     EXPECT_EQ(texts("a 3....\n5"), (Texts{"a", "3.", "5"}));
@@ -77,8 +77,7 @@ TEST(Lexer, Numbers) {
         EXPECT_DOUBLE_EQ(s.words[i].number, values[i]);
         EXPECT_EQ(s.words[i].whole, whole[i]) << s.words[i].text;
     }
-    for (const auto& w :
-         statement("inf nan -inf - + . 1e 1e+ 3dec 0x10 1-2 +-1 --1 1.2.3 building0513").words)
+    for (const auto& w : statement("inf nan -inf - + . 1e 1e+ 3dec 0x10 1-2 +-1 --1 1.2.3 building0513").words)
         EXPECT_EQ(w.kind, WordKind::word) << w.text;
     EXPECT_TRUE(std::isinf(statement("1e999").words[0].number));
     EXPECT_EQ(statement("1e-999").words[0].number, 0);

@@ -10,10 +10,10 @@ namespace kaya::lang {
 namespace {
 
 std::vector<std::string> dictionary() {
-    std::vector<std::string> words = {
-        "1",  "-0.5", "1e-6", "3.",  "1e999",  "@x",  "@f(1,2)",  "[a+b]", "'text'", "'open",
-        "\"", "[",    "@f(",  "@",   "&",      "...", ";",        "?",     "\n",     "=",
-        ",",  "(",    ")",    "end", "endlua", "\t",  "\xC3\xA9", "\xFF",  "''",     "range"};
+    std::vector<std::string> words = {"1",      "-0.5",  "1e-6",     "3.",   "1e999", "@x",   "@f(1,2)", "[a+b]",
+                                      "'text'", "'open", "\"",       "[",    "@f(",   "@",    "&",       "...",
+                                      ";",      "?",     "\n",       "=",    ",",     "(",    ")",       "end",
+                                      "endlua", "\t",    "\xC3\xA9", "\xFF", "''",    "range"};
     const auto add_keywords = [&](const auto& self, const std::vector<KeywordSpec>& keywords) -> void {
         for (const auto& keyword : keywords) {
             for (const Spelling& s : keyword.words) words.emplace_back(s.word);
@@ -83,8 +83,7 @@ TEST_F(RandomLines, CanBeCompletedAndAskedAbout) {
         (void)needs_more(classic(), text);
         try {
             (void)help_on(classic(), text);
-        } catch (const Diagnostic&) {
-        }
+        } catch (const Diagnostic&) {}
     }
 }
 

@@ -20,8 +20,8 @@ TEST(Range, NoPhraseMeansAllVisible) {
 }
 
 TEST(Range, Coordinates) {
-    for (const char* text : {"range z 0 .1", "range zr 0 0.1", "range z (0,0.1)", "z 0 .1", "ran z 0 .1",
-                             "range position-z 0 .1"}) {
+    for (const char* text :
+         {"range z 0 .1", "range zr 0 0.1", "range z (0,0.1)", "z 0 .1", "ran z 0 .1", "range position-z 0 .1"}) {
         const RangeElement e = element(text);
         EXPECT_EQ(e.kind, Kind::z) << text;
         EXPECT_EQ(e.low, 0);

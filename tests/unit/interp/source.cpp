@@ -30,9 +30,7 @@ std::vector<std::string> lines(std::string_view text) { return source_from_text(
 template <class Call> Diagnostic refused(Call call) {
     try {
         call();
-    } catch (const Diagnostic& d) {
-        return d;
-    }
+    } catch (const Diagnostic& d) { return d; }
     ADD_FAILURE() << "accepted";
     return Diagnostic("");
 }
@@ -65,19 +63,15 @@ TEST(Source, PieceOfAFileKeepsItsLineNumber) {
 
 TEST(Source, BinaryIsRefused) {
     using namespace std::string_literals;
-    EXPECT_EQ(refused([] { lines("new\n\0"s); }).message,
-              "'t' holds a byte 0 at position 4: it is not a text");
-    EXPECT_EQ(refused([] { lines("\x89HDF\r\n\x1a\n"); }).message,
-              "'t' is a saved model, not a command file");
+    EXPECT_EQ(refused([] { lines("new\n\0"s); }).message, "'t' holds a byte 0 at position 4: it is not a text");
+    EXPECT_EQ(refused([] { lines("\x89HDF\r\n\x1a\n"); }).message, "'t' is a saved model, not a command file");
     EXPECT_EQ(refused([] { lines("\xFF\xFEn\0e\0"s); }).message,
               "'t' is a UTF-16 text; a command file must be UTF-8 or ASCII");
 }
 
 TEST_F(Files, MissingFolderAndUnreadable) {
-    EXPECT_EQ(refused([&] { read_source(folder / "none.3dd", "none.3dd"); }).message,
-              "there is no file 'none.3dd'");
-    EXPECT_EQ(refused([&] { read_source(folder, "here"); }).message,
-              "'here' is a folder, not a command file");
+    EXPECT_EQ(refused([&] { read_source(folder / "none.3dd", "none.3dd"); }).message, "there is no file 'none.3dd'");
+    EXPECT_EQ(refused([&] { read_source(folder, "here"); }).message, "'here' is a folder, not a command file");
     const fs::path locked = write("locked.3dd", "new\n");
     fs::permissions(locked, fs::perms::none);
     if (std::ifstream(locked).good()) return; // the superuser reads everything

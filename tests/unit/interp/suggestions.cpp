@@ -33,8 +33,7 @@ struct Score {
 template <class Resolves>
 void measure(const std::vector<std::vector<std::string_view>>& entries, Resolves resolves, Score& score) {
     std::vector<std::string_view> candidates;
-    for (const auto& spellings : entries)
-        candidates.insert(candidates.end(), spellings.begin(), spellings.end());
+    for (const auto& spellings : entries) candidates.insert(candidates.end(), spellings.begin(), spellings.end());
     for (const auto& spellings : entries)
         for (const auto word : spellings) {
             if (word.size() < 3) continue; // at one letter from a short word lies nearly every other
@@ -70,8 +69,7 @@ TEST(Suggestions, OneLetterMisspellingsOfCommands) {
     std::set<std::string_view> seen;
     for (const auto& family : classic().families)
         for (const auto& command : family.commands)
-            if (seen.insert(command.words.front().word).second)
-                entries.push_back(spellings_of(command.words));
+            if (seen.insert(command.words.front().word).second) entries.push_back(spellings_of(command.words));
     const auto resolves = [&](const std::string& typed) {
         for (const auto& family : classic().families)
             for (const auto& command : family.commands)

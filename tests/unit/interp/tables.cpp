@@ -20,9 +20,7 @@ TEST(Tables, RightExamplesBindToTheirCommand) {
             SCOPED_TRACE(std::string(example.text));
             try {
                 EXPECT_EQ(bound(std::string(example.text)).spec, &command);
-            } catch (const Diagnostic& d) {
-                ADD_FAILURE() << render(d);
-            }
+            } catch (const Diagnostic& d) { ADD_FAILURE() << render(d); }
         }
     });
     EXPECT_GT(count, 80);
@@ -90,8 +88,7 @@ TEST(Tables, EverythingIsExplained) {
 void expect_distinct(const std::vector<KeywordSpec>& keywords, const std::string& where) {
     std::set<std::string_view> seen;
     for (const auto& keyword : keywords) {
-        for (const Spelling& s : keyword.words)
-            EXPECT_TRUE(seen.insert(s.word).second) << where << ": " << s.word;
+        for (const Spelling& s : keyword.words) EXPECT_TRUE(seen.insert(s.word).second) << where << ": " << s.word;
         expect_distinct(keyword.keywords, where + " " + std::string(keyword.words.front().word));
     }
 }
@@ -102,40 +99,112 @@ TEST(Tables, NoWordStandsTwice) {
 }
 
 TEST(Tables, ShortSpellingsResolveInTableOrder) {
+    // clang-format off: several to a line
     const std::pair<const char*, const char*> spellings[] = {
-        {"pro mat 1 k 1", "property"}, {"prop mat 1 k 1", "property"}, {"pri max", "list"},
-        {"chang mat 1", "change"}, {"grav 0 0 1", "gravity"}, {"his unbal", "history"},
-        {"hist unbal", "history"}, {"cyc 5", "cycle"}, {"st 5", "cycle"}, {"rest a", "restore"},
-        {"ret", "return"}, {"pl block", "plot"}, {"po br 0 1", "poly brick"}, {"ge ed 1", "generate edge"},
-        {"bo xv 0", "boundary"}, {"ini xv 0", "initialize"}, {"DAMP LOCAL", "damp"}, {"so", "solve"},
-        {"see", "seek"}, {"sho", "seek"}, {"se dyn on", "set"}, {"del", "delete"},
-        {"def f\nend", "define"}, {"jm jkn 1", "jmodel"}, {"hist wr a", "history write"},
+        {"pro mat 1 k 1", "property"},
+        {"prop mat 1 k 1", "property"},
+        {"pri max", "list"},
+        {"chang mat 1", "change"},
+        {"grav 0 0 1", "gravity"},
+        {"his unbal", "history"},
+        {"hist unbal", "history"},
+        {"cyc 5", "cycle"},
+        {"st 5", "cycle"},
+        {"rest a", "restore"},
+        {"ret", "return"},
+        {"pl block", "plot"},
+        {"po br 0 1", "poly brick"},
+        {"ge ed 1", "generate edge"},
+        {"bo xv 0", "boundary"},
+        {"ini xv 0", "initialize"},
+        {"DAMP LOCAL", "damp"},
+        {"so", "solve"},
+        {"see", "seek"},
+        {"sho", "seek"},
+        {"se dyn on", "set"},
+        {"del", "delete"},
+        {"def f\nend", "define"},
+        {"jm jkn 1", "jmodel"},
+        {"hist wr a", "history write"},
         {"ti x", "title"},
         // Spellings of users' decks, and the shortest forms of the other commands.
-        {"prop mat 1 dens 1", "property"}, {"property mat 1 density 1", "property"}, {"change mat 1", "change"},
-        {"DAMP LOCAL 0.8", "damp"}, {"damp auto", "damp"}, {"cycle 1", "cycle"}, {"step 1", "cycle"},
-        {"insitu str 0 0 0 0 0 0", "insitu"}, {"ins st 0 0 0 0 0 0", "insitu"}, {"bound stress 0 0 0 0 0 0", "boundary"},
-        {"bou str 0 0 0 0 0 0", "boundary"}, {"app xv 1", "apply"}, {"fr", "free"}, {"free", "free"}, {"fi", "fix"},
-        {"frac 0.3", "fraction"}, {"hi", "hide"}, {"hide", "hide"}, {"his wr", "history write"},
-        {"hist lab 1 a", "history label"}, {"res disp", "reset"}, {"reset disp", "reset"}, {"sa a", "save"},
-        {"sav a", "save"}, {"re disp", "reset"}, {"quit", "quit"}, {"qu", "quit"}, {"sto", "quit"}, {"ex", "quit"},
-        {"pa", "pause"}, {"ca a", "call"}, {"ne", "new"}, {"conf dyn", "config"}, {"co", "config"},
-        {"tab 1 0 0 1 1", "table"}, {"ta 1 clear", "table"}, {"js", "jset"}, {"jse dip 1", "jset"},
-        {"tu a 0 0 0 1 0 0 0 1 0 b 0 0 1 1 0 1 0 1 1", "tunnel"}, {"dens 2 2 2", "densify"}, {"mar reg 1", "mark region"},
-        {"joi", "join"}, {"join_c", "join_contact"}, {"fac rad8", "facetri rad8"}, {"fac rad", "facetri radial"}, {"gro bl a", "group block"},
-        {"gr block a", "group block"}, {"ra na a z 0", "range name"}, {"rem", "excavate"}, {"exc", "excavate"}, {"fil", "fill"}, {"gr jo a", "group joint"},
-        {"fin", "find"}, {"wat off", "water"}, {"wa off", "water"}, {"msc on", "mscale"}, {"ms on", "mscale"},
-        {"sol", "solve"}, {"lis max", "list"}, {"li max", "list"}, {"print max", "list"}, {"prin max", "list"},
-        {"vt wr a", "vtk write"}, {"mov on", "movie"}, {"lab a", "label"}, {"plo", "plot"},
-        {"pol prism a 0 0 0 1 0 0 0 1 0 b 0 0 1 1 0 1 0 1 1", "poly prism"}, {"poly fa @a @b @c fa @a @b @d fa @a @c @d fa @b @c @d", "poly face"},
-        {"imp a.stl", "import"}, {"exp a.3dgrid", "export"}, {"jmod model a", "jmodel model"},
+        {"prop mat 1 dens 1", "property"},
+        {"property mat 1 density 1", "property"},
+        {"change mat 1", "change"},
+        {"DAMP LOCAL 0.8", "damp"},
+        {"damp auto", "damp"},
+        {"cycle 1", "cycle"},
+        {"step 1", "cycle"},
+        {"insitu str 0 0 0 0 0 0", "insitu"},
+        {"ins st 0 0 0 0 0 0", "insitu"},
+        {"bound stress 0 0 0 0 0 0", "boundary"},
+        {"bou str 0 0 0 0 0 0", "boundary"},
+        {"app xv 1", "apply"},
+        {"fr", "free"},
+        {"free", "free"},
+        {"fi", "fix"},
+        {"frac 0.3", "fraction"},
+        {"hi", "hide"},
+        {"hide", "hide"},
+        {"his wr", "history write"},
+        {"hist lab 1 a", "history label"},
+        {"res disp", "reset"},
+        {"reset disp", "reset"},
+        {"sa a", "save"},
+        {"sav a", "save"},
+        {"re disp", "reset"},
+        {"quit", "quit"},
+        {"qu", "quit"},
+        {"sto", "quit"},
+        {"ex", "quit"},
+        {"pa", "pause"},
+        {"ca a", "call"},
+        {"ne", "new"},
+        {"conf dyn", "config"},
+        {"co", "config"},
+        {"tab 1 0 0 1 1", "table"},
+        {"ta 1 clear", "table"},
+        {"js", "jset"},
+        {"jse dip 1", "jset"},
+        {"tu a 0 0 0 1 0 0 0 1 0 b 0 0 1 1 0 1 0 1 1", "tunnel"},
+        {"dens 2 2 2", "densify"},
+        {"mar reg 1", "mark region"},
+        {"joi", "join"},
+        {"join_c", "join_contact"},
+        {"fac rad8", "facetri rad8"},
+        {"fac rad", "facetri radial"},
+        {"gro bl a", "group block"},
+        {"gr block a", "group block"},
+        {"ra na a z 0", "range name"},
+        {"rem", "excavate"},
+        {"exc", "excavate"},
+        {"fil", "fill"},
+        {"gr jo a", "group joint"},
+        {"fin", "find"},
+        {"wat off", "water"},
+        {"wa off", "water"},
+        {"msc on", "mscale"},
+        {"ms on", "mscale"},
+        {"sol", "solve"},
+        {"lis max", "list"},
+        {"li max", "list"},
+        {"print max", "list"},
+        {"prin max", "list"},
+        {"vt wr a", "vtk write"},
+        {"mov on", "movie"},
+        {"lab a", "label"},
+        {"plo", "plot"},
+        {"pol prism a 0 0 0 1 0 0 0 1 0 b 0 0 1 1 0 1 0 1 1", "poly prism"},
+        {"poly fa @a @b @c fa @a @b @d fa @a @c @d fa @b @c @d", "poly face"},
+        {"imp a.stl", "import"},
+        {"exp a.3dgrid", "export"},
+        {"jmod model a", "jmodel model"},
     };
+    // clang-format on
     for (const auto& [typed, meant] : spellings) {
         try {
             EXPECT_EQ(bound(typed).spec->name(), meant) << typed;
-        } catch (const Diagnostic& d) {
-            ADD_FAILURE() << typed << ": " << d.message;
-        }
+        } catch (const Diagnostic& d) { ADD_FAILURE() << typed << ": " << d.message; }
     }
 }
 
@@ -151,11 +220,29 @@ TEST(Tables, ShortKeywordsResolveInTableOrder) {
     EXPECT_EQ(bound_as<Solve>("solve rat 1e-3 fo 1 cyc 2 ti 3 cl 4").cycles, 2);
     EXPECT_EQ(bound_as<Boundary>("bound xlo 1 yl 2 zload 3").load[1], 2.0);
     EXPECT_EQ(bound_as<Boundary>("bou str 1 2 3 4 5 6 xgr 1 0 0 0 0 0").x_gradient[0], 1.0);
-    for (const char* word : {"jk", "jkn", "jf", "jfr", "jfric", "jfriction", "jco", "jcoh", "jte", "jten", "jdil", "zd"})
+    for (const char* word :
+         {"jk", "jkn", "jf", "jfr", "jfric", "jfriction", "jco", "jcoh", "jte", "jten", "jdil", "zd"})
         EXPECT_EQ(bound_as<Property>("prop jmat 1 " + std::string(word) + " 1").items.size(), 1u) << word;
-    for (const char* range : {"x 0 1", "xr 0 1", "zr 0", "mat 1", "reg 1", "gro a", "pos 0 0 0 1 1 1", "bid 1", "jma 1",
-                              "sph c 0 0 0 r 1", "cyl end1 0 0 0 end2 0 0 1 rad 1", "pl di 0 dd 0 or 0 0 0 ab", "un z 0 reg 1",
-                              "min 1 2", "rin 1 2", "nr a", "vol 0 1", "def", "ext z 0 1", "ann c 0 0 0 r 1 2"})
+    for (const char* range : {"x 0 1",
+                              "xr 0 1",
+                              "zr 0",
+                              "mat 1",
+                              "reg 1",
+                              "gro a",
+                              "pos 0 0 0 1 1 1",
+                              "bid 1",
+                              "jma 1",
+                              "sph c 0 0 0 r 1",
+                              "cyl end1 0 0 0 end2 0 0 1 rad 1",
+                              "pl di 0 dd 0 or 0 0 0 ab",
+                              "un z 0 reg 1",
+                              "min 1 2",
+                              "rin 1 2",
+                              "nr a",
+                              "vol 0 1",
+                              "def",
+                              "ext z 0 1",
+                              "ann c 0 0 0 r 1 2"})
         EXPECT_FALSE(bound_as<Hide>("hide range " + std::string(range)).range.elements.empty()) << range;
 }
 

@@ -33,9 +33,7 @@ Model sampled_model() {
 std::string error_of(const std::function<void()>& action) {
     try {
         action();
-    } catch (const Diagnostic& d) {
-        return d.message + " | " + d.hint;
-    }
+    } catch (const Diagnostic& d) { return d.message + " | " + d.hint; }
     return "nothing was thrown";
 }
 

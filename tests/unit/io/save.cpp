@@ -47,9 +47,7 @@ SaveExtras some_extras() {
 Diagnostic error_of(const std::function<void()>& action) {
     try {
         action();
-    } catch (const Diagnostic& d) {
-        return d;
-    }
+    } catch (const Diagnostic& d) { return d; }
     return Diagnostic("nothing was thrown");
 }
 
@@ -176,8 +174,7 @@ TEST(Restore, ForeignFiles) {
     foreign.open_group("VTKHDF");
     foreign.close_group();
     EXPECT_EQ(refused(foreign.image()).message, "'x.sav' is cut short, or another program wrote it");
-    EXPECT_EQ(refused(with_trailer(foreign.image())).message,
-              "'x.sav' cannot be restored: format_version is missing");
+    EXPECT_EQ(refused(with_trailer(foreign.image())).message, "'x.sav' cannot be restored: format_version is missing");
     EXPECT_EQ(refused(with_trailer("\x89HDF\r\n\x1a\n and no more")).message,
               "'x.sav' cannot be restored: it is no HDF5 file");
     EXPECT_EQ(refused("x").fault, Fault::run);
@@ -212,8 +209,8 @@ TEST(Restore, AFileOfAnotherFormatNamesBoth) {
     const std::int32_t later = save_format_version + 1;
     tree.attribute("format_version", &later, 1);
     EXPECT_EQ(refused(with_trailer(tree.image())).message,
-              fmt::format("'x.sav' cannot be restored: it has format {}, and this program reads formats 10 to {}", later,
-                          save_format_version));
+              fmt::format("'x.sav' cannot be restored: it has format {}, and this program reads formats 10 to {}",
+                          later, save_format_version));
 }
 
 TEST(Restore, ModelsWhoseTablesDoNotFitTogetherAreRefused) {

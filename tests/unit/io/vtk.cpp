@@ -152,30 +152,38 @@ TEST(VtkSubContacts, AContactWithoutModelHasTheEmptyName) {
 }
 
 TEST(VtkArrays, CarryTheKindOfTheirQuantity) {
-    const auto unit = [](vtkDataArray* array) { return std::string(array->GetInformation()->Get(vtkDataArray::UNITS_LABEL())); };
+    const auto unit = [](vtkDataArray* array) {
+        return std::string(array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()));
+    };
     const auto grid = parsed(vtk_blocks(hand_made_model()));
     EXPECT_EQ(unit(grid->GetPointData()->GetArray("displacement")), "length");
     EXPECT_EQ(unit(grid->GetCellData()->GetArray("stress")), "stress");
-    EXPECT_EQ(unit(parsed(vtk_sub_contacts(hand_made_model()))->GetCellData()->GetArray("normal_stiffness")), "stress/length");
+    EXPECT_EQ(unit(parsed(vtk_sub_contacts(hand_made_model()))->GetCellData()->GetArray("normal_stiffness")),
+              "stress/length");
 }
 
 // What a user can list can be seen: each field is an array, or a part of one.
 TEST(VtkArrays, EveryFieldOfTheModelIsThere) {
     const Model model = hand_made_model();
-    const auto blocks = parsed(vtk_blocks(model)), faces = parsed(vtk_faces(model)), subs = parsed(vtk_sub_contacts(model));
-    const std::map<ObjectKind, std::pair<vtkFieldData*, std::string>> data{{ObjectKind::gridpoint, {blocks->GetPointData(), ""}},
-                                                                           {ObjectKind::zone, {blocks->GetCellData(), ""}},
-                                                                           {ObjectKind::block, {blocks->GetCellData(), "block_"}},
-                                                                           {ObjectKind::face, {faces->GetCellData(), ""}},
-                                                                           {ObjectKind::sub_contact, {subs->GetCellData(), ""}},
-                                                                           {ObjectKind::contact, {subs->GetCellData(), "contact_"}}};
+    const auto blocks = parsed(vtk_blocks(model)), faces = parsed(vtk_faces(model)),
+               subs = parsed(vtk_sub_contacts(model));
+    const std::map<ObjectKind, std::pair<vtkFieldData*, std::string>> data{
+        {ObjectKind::gridpoint, {blocks->GetPointData(), ""}},
+        {ObjectKind::zone, {blocks->GetCellData(), ""}},
+        {ObjectKind::block, {blocks->GetCellData(), "block_"}},
+        {ObjectKind::face, {faces->GetCellData(), ""}},
+        {ObjectKind::sub_contact, {subs->GetCellData(), ""}},
+        {ObjectKind::contact, {subs->GetCellData(), "contact_"}}};
     std::string missing;
     for (const Field& field : fields()) {
         const auto found = data.find(field.kind);
         if (found == data.end()) continue;
         const auto& [arrays, prefix] = found->second;
         const std::string name(field.name);
-        const std::string whole = name.size() > 2 && name[1] == '_' ? name.substr(2) : name.size() == 1 ? "position" : name.ends_with("_stress") ? "stress" : name;
+        const std::string whole = name.size() > 2 && name[1] == '_' ? name.substr(2)
+                                  : name.size() == 1                ? "position"
+                                  : name.ends_with("_stress")       ? "stress"
+                                                                    : name;
         const auto has = [&](const std::string& what) { return arrays->HasArray((prefix + what).c_str()) != 0; };
         if (!has(name) && !has(whole) && !has(whole + "_vector")) missing += name + "\n";
     }
@@ -233,8 +241,9 @@ TEST(VtkSeries, EveryWriteGetsANumberAndTheSeriesListsItsTime) {
     Model model = hand_made_model();
     VtkSeries series;
     EXPECT_THAT(series.write(model, folder / "a&b"),
-                ElementsAre(folder / "a&b_blocks_0.vtu", folder / "a&b_faces_0.vtu", folder / "a&b_joints_0.vtu", folder / "a&b_subcontacts_0.vtu",
-                            folder / "a&b.pvd", folder / "a&b_faces.pvd", folder / "a&b_joints.pvd", folder / "a&b_subcontacts.pvd", folder / "a&b_paraview.py"));
+                ElementsAre(folder / "a&b_blocks_0.vtu", folder / "a&b_faces_0.vtu", folder / "a&b_joints_0.vtu",
+                            folder / "a&b_subcontacts_0.vtu", folder / "a&b.pvd", folder / "a&b_faces.pvd",
+                            folder / "a&b_joints.pvd", folder / "a&b_subcontacts.pvd", folder / "a&b_paraview.py"));
     model.clock.time = 0.30000000000000004;
     series.write(model, folder / "a&b.pvd"); // the ending is left out: the same series
     series.write(model, folder / "other");

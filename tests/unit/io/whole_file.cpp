@@ -21,9 +21,7 @@ namespace {
 Diagnostic caught(const std::function<void()>& action) {
     try {
         action();
-    } catch (const Diagnostic& d) {
-        return d;
-    }
+    } catch (const Diagnostic& d) { return d; }
     return Diagnostic("nothing was thrown");
 }
 
@@ -58,9 +56,7 @@ TEST(WholeFile, ProcessesThatWriteIntoANewFolderAtOnceDoNotSweepEachOthersFiles)
             [[maybe_unused]] const auto opened = ::read(gate[0], &none, 1); // until the parent closes it
             try {
                 write_whole_file(folder + "/a.csv", "text");
-            } catch (const Diagnostic&) {
-                std::_Exit(1);
-            }
+            } catch (const Diagnostic&) { std::_Exit(1); }
             std::_Exit(0);
         }
         ::close(gate[0]), ::close(gate[1]);

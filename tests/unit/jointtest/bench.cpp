@@ -56,15 +56,14 @@ protected:
     std::string refusal(const BenchOrder& o) {
         try {
             run_bench(registry, o);
-        } catch (const Diagnostic& error) {
-            return error.message;
-        }
+        } catch (const Diagnostic& error) { return error.message; }
         return "";
     }
 
     fs::path folder;
     JointRegistry registry;
-    const std::vector<std::pair<std::string, double>> coulomb = {{"jkn", 1e4}, {"jks", 5e3}, {"jfric", 30}, {"jcoh", 0.5}};
+    const std::vector<std::pair<std::string, double>> coulomb = {
+        {"jkn", 1e4}, {"jks", 5e3}, {"jfric", 30}, {"jcoh", 0.5}};
 };
 
 TEST_F(JointBench, ConstantNormalLoadGivesThePeakAndTheResidualStrength) {
@@ -121,7 +120,8 @@ TEST_F(JointBench, EnergyIsThatOfTheLoop) {
 }
 
 TEST_F(JointBench, FindsAStiffnessThatIsReportedTooSmallAndEnergyFromNothing) {
-    const auto weak = follow("understates", {}, "normal_displacement,shear_displacement\n-1e-4,0\n-1e-4,1e-4\n-1e-4,0\n");
+    const auto weak =
+        follow("understates", {}, "normal_displacement,shear_displacement\n-1e-4,0\n-1e-4,1e-4\n-1e-4,0\n");
     ASSERT_FALSE(weak.findings.empty());
     EXPECT_THAT(weak.findings[0].text, HasSubstr("normal stiffness is 1000, the model reports 10"));
     const auto giving = follow("understates", {}, "normal_displacement,shear_displacement\n0,0\n0,1e-4\n0,0\n");
@@ -134,7 +134,8 @@ TEST_F(JointBench, AJumpIsNoStiffness) {
     auto dilating = coulomb;
     dilating.push_back({"jdil", 8});
     // The bond breaks on the way: shear falls, and dilation pushes at once. Each point is tried a little further.
-    for (const char* path : {"normal_displacement,shear_displacement\n-2e-4,0\n-2e-4,0.002\n", "normal_stress,shear_displacement\n2,0\n2,0.002\n"}) {
+    for (const char* path : {"normal_displacement,shear_displacement\n-2e-4,0\n-2e-4,0.002\n",
+                             "normal_stress,shear_displacement\n2,0\n2,0.002\n"}) {
         const auto curve = follow("mohr", dilating, path, 1000);
         bool jumps = false;
         for (const auto& finding : curve.findings) {
@@ -150,7 +151,9 @@ TEST_F(JointBench, AJumpIsNoStiffness) {
 }
 
 TEST_F(JointBench, NamesColumnsAndTablesThatItHasNot) {
-    const auto report = run_bench(registry, order("mohr", coulomb, "normal_stress,shear_displacement,shear_disp,opening\n2,0,1,0\n2,0.001,1,0\n"));
+    const auto report =
+        run_bench(registry, order("mohr", coulomb,
+                                  "normal_stress,shear_displacement,shear_disp,opening\n2,0,1,0\n2,0.001,1,0\n"));
     EXPECT_THAT(report.text, HasSubstr("not read          shear_disp; columns of a path are shear_displacement, "));
     EXPECT_THAT(report.text, testing::Not(HasSubstr("no tables")));
     auto asking = order("mohr", coulomb, "normal_stress,shear_displacement\n2,0\n2,0.001\n");
@@ -162,7 +165,8 @@ TEST_F(JointBench, StopsAtAModelThatWritesWhereItMustNot) {
     const char* const path = "normal_displacement\n0\n-1e-4\n";
     EXPECT_THAT(refusal(order("writes-area", {{"k", 1}}, path)), HasSubstr("wrote to 'area', which it may only read"));
     EXPECT_THAT(refusal(order("writes-behind", {{"k", 1}}, path)), HasSubstr("wrote after the column 'shear_force'"));
-    EXPECT_THAT(run_bench(registry, order("rounds-up", {{"k", 1}}, path)).text, HasSubstr("it changes how numbers are rounded"));
+    EXPECT_THAT(run_bench(registry, order("rounds-up", {{"k", 1}}, path)).text,
+                HasSubstr("it changes how numbers are rounded"));
     EXPECT_THAT(run_bench(registry, order("works", {{"k", 1}}, path)).text, HasSubstr("found             no jump"));
 }
 
@@ -217,13 +221,15 @@ TEST_F(JointBench, ReadsTablesOfSpreadsheets) {
         EXPECT_EQ(table.columns[0], (std::vector<double>{2.5, 2.5})) << text;
         EXPECT_EQ(table.columns[1], (std::vector<double>{0, 1e-3})) << text;
     }
-    EXPECT_THAT(refusal(order("mohr", coulomb, "stress,slip\n1,0\n")), HasSubstr("neither a column normal_displacement nor"));
+    EXPECT_THAT(refusal(order("mohr", coulomb, "stress,slip\n1,0\n")),
+                HasSubstr("neither a column normal_displacement nor"));
 }
 
 TEST_F(JointBench, FindsPropertiesFromTheirOwnCurve) {
-    const std::vector<std::pair<std::string, double>> truth = {{"jkn", 1e5},   {"jks", 1e4},   {"resfric", 20}, {"jrco", 8},
-                                                               {"jcso", 100}, {"sigmac", 150}};
-    const std::string path = "normal_stress,shear_displacement\n2,0\n2,3e-4\n2,6e-4\n2,9e-4\n2,1.5e-3\n2,3e-3\n2,6e-3\n";
+    const std::vector<std::pair<std::string, double>> truth = {{"jkn", 1e5}, {"jks", 1e4},  {"resfric", 20},
+                                                               {"jrco", 8},  {"jcso", 100}, {"sigmac", 150}};
+    const std::string path =
+        "normal_stress,shear_displacement\n2,0\n2,3e-4\n2,6e-4\n2,9e-4\n2,1.5e-3\n2,3e-3\n2,6e-3\n";
     const auto curve = follow("barton-bandis", truth, path, 100);
     std::string measured = "normal_stress,shear_displacement,shear_stress,opening\n";
     const double start = curve.points.front().opening;
@@ -254,7 +260,8 @@ TEST_F(JointBench, FindsPropertiesFromTheirOwnCurve) {
 }
 
 TEST_F(JointBench, AFitStaysWithinLimitsAndSaysWhatItCannotTell) {
-    const std::string measured = "normal_stress,shear_displacement,shear_stress\n1,0,0\n1,0.001,90\n1,0.002,90\n1,0.003,90\n";
+    const std::string measured =
+        "normal_stress,shear_displacement,shear_stress\n1,0,0\n1,0.001,90\n1,0.002,90\n1,0.003,90\n";
     auto o = order("mohr", {{"jkn", 1e4}, {"jks", 1e6}, {"jfric", 40}}, measured);
     o.fitted = {"jfric", "jten"};
     const std::string text = run_bench(registry, o).text;

@@ -85,10 +85,8 @@ protected:
     JointRegistry registry;
 };
 
-const Values rough = {{"jkn", 1e5}, {"jks", 1e4},  {"resfric", 25},
-                      {"jrco", 8},  {"jcso", 100}, {"sigmac", 150}};
-const Values rough_guess = {{"jkn", 1e5}, {"jks", 1e4},  {"resfric", 30},
-                            {"jrco", 5},  {"jcso", 100}, {"sigmac", 150}};
+const Values rough = {{"jkn", 1e5}, {"jks", 1e4}, {"resfric", 25}, {"jrco", 8}, {"jcso", 100}, {"sigmac", 150}};
+const Values rough_guess = {{"jkn", 1e5}, {"jks", 1e4}, {"resfric", 30}, {"jrco", 5}, {"jcso", 100}, {"sigmac", 150}};
 
 TEST_F(JointFit, ErrorsLieWithinTheirStated95PercentIn90To99PercentOfCases) {
     constexpr int curves = 200;
@@ -179,8 +177,7 @@ TEST_F(JointFit, PropertiesThatCannotBeToldApartAreSaidToBeSo) {
     EXPECT_NEAR(found.correlation[1][1], 1, 1e-9);
     FitSettings settings;
     settings.offsets = {"shear_stress_y"};
-    EXPECT_THROW(fit_curve(registry.get("mohr"), values_of("mohr", truth), {"jfric"}, path, settings),
-                 Diagnostic);
+    EXPECT_THROW(fit_curve(registry.get("mohr"), values_of("mohr", truth), {"jfric"}, path, settings), Diagnostic);
 }
 
 } // namespace

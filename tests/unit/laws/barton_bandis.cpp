@@ -36,14 +36,12 @@ struct Curve {
 };
 
 /// Direct shear at constant normal stress, in steps of `part` of the peak displacement.
-Curve shear(TestJoint& joint, double stress, double ratio, double part = 0.01,
-            const Vector& direction = {1, 0, 0}) {
+Curve shear(TestJoint& joint, double stress, double ratio, double part = 0.01, const Vector& direction = {1, 0, 0}) {
     Curve curve;
     const double increment = part * peak_displacement;
     double travelled = 0, before = joint.shear_stress();
     while (travelled < (ratio - 1e-9) * peak_displacement) {
-        joint.slip_at_stress(stress,
-                             {increment * direction[0], increment * direction[1], increment * direction[2]});
+        joint.slip_at_stress(stress, {increment * direction[0], increment * direction[1], increment * direction[2]});
         travelled += increment;
         const double now = joint.shear_stress();
         curve.largest_jump = std::max(curve.largest_jump, std::abs(now - before));
@@ -79,8 +77,7 @@ TEST(BartonBandis, ClosesOnTheHyperbolaOfBandis) {
     for (const double stress : {1.0, 5.0, 10.0}) {
         joint.load(stress);
         EXPECT_NEAR(-joint.normal_disp[0] / (stress * vm / (1e5 * vm + stress)), 1, 1e-4) << stress;
-        EXPECT_NEAR(joint.normal_stiffness[0] / (1e5 * std::pow(1 + stress / (1e5 * vm), 2)), 1, 1e-4)
-            << stress;
+        EXPECT_NEAR(joint.normal_stiffness[0] / (1e5 * std::pow(1 + stress / (1e5 * vm), 2)), 1, 1e-4) << stress;
     }
 }
 
@@ -115,21 +112,16 @@ TEST(BartonBandis, MaximumClosuresAreThoseOfTheLaw) {
         double value, jcso, jrco, sigmac, closure;
     };
     const Row rows[] = {
-        {"jrco", 2, 100, 8, 150, 0.0834},    {"jrco", 4, 100, 8, 150, 0.1445},
-        {"jrco", 6, 100, 8, 150, 0.1816},    {"jrco", 8, 100, 8, 150, 0.2077},
-        {"jrco", 10, 100, 8, 150, 0.2274},   {"jrco", 12, 100, 8, 150, 0.2426},
-        {"jrco", 14, 100, 8, 150, 0.2547},   {"jrco", 16, 100, 8, 150, 0.2645},
-        {"jrco", 18, 100, 8, 150, 0.2723},   {"jrco", 20, 100, 8, 150, 0.2786},
-        {"jcso", 40, 100, 8, 150, 0.5757},   {"jcso", 50, 100, 8, 150, 0.4729},
-        {"jcso", 60, 100, 8, 150, 0.3959},   {"jcso", 70, 100, 8, 150, 0.3352},
-        {"jcso", 80, 100, 8, 150, 0.2856},   {"jcso", 90, 100, 8, 150, 0.2437},
-        {"jcso", 110, 100, 8, 150, 0.1762},  {"jcso", 120, 100, 8, 150, 0.1481},
-        {"jcso", 130, 100, 8, 150, 0.1227},  {"jcso", 140, 100, 8, 150, 0.0996},
-        {"sigmac", 60, 50, 8, 150, 0.2549},  {"sigmac", 70, 50, 8, 150, 0.2927},
-        {"sigmac", 80, 50, 8, 150, 0.3246},  {"sigmac", 90, 50, 8, 150, 0.3524},
-        {"sigmac", 100, 50, 8, 150, 0.3772}, {"sigmac", 110, 50, 8, 150, 0.3995},
-        {"sigmac", 120, 50, 8, 150, 0.4200}, {"sigmac", 130, 50, 8, 150, 0.4388},
-        {"sigmac", 140, 50, 8, 150, 0.4564}, {"sigmac", 160, 50, 8, 150, 0.4884},
+        {"jrco", 2, 100, 8, 150, 0.0834},    {"jrco", 4, 100, 8, 150, 0.1445},    {"jrco", 6, 100, 8, 150, 0.1816},
+        {"jrco", 8, 100, 8, 150, 0.2077},    {"jrco", 10, 100, 8, 150, 0.2274},   {"jrco", 12, 100, 8, 150, 0.2426},
+        {"jrco", 14, 100, 8, 150, 0.2547},   {"jrco", 16, 100, 8, 150, 0.2645},   {"jrco", 18, 100, 8, 150, 0.2723},
+        {"jrco", 20, 100, 8, 150, 0.2786},   {"jcso", 40, 100, 8, 150, 0.5757},   {"jcso", 50, 100, 8, 150, 0.4729},
+        {"jcso", 60, 100, 8, 150, 0.3959},   {"jcso", 70, 100, 8, 150, 0.3352},   {"jcso", 80, 100, 8, 150, 0.2856},
+        {"jcso", 90, 100, 8, 150, 0.2437},   {"jcso", 110, 100, 8, 150, 0.1762},  {"jcso", 120, 100, 8, 150, 0.1481},
+        {"jcso", 130, 100, 8, 150, 0.1227},  {"jcso", 140, 100, 8, 150, 0.0996},  {"sigmac", 60, 50, 8, 150, 0.2549},
+        {"sigmac", 70, 50, 8, 150, 0.2927},  {"sigmac", 80, 50, 8, 150, 0.3246},  {"sigmac", 90, 50, 8, 150, 0.3524},
+        {"sigmac", 100, 50, 8, 150, 0.3772}, {"sigmac", 110, 50, 8, 150, 0.3995}, {"sigmac", 120, 50, 8, 150, 0.4200},
+        {"sigmac", 130, 50, 8, 150, 0.4388}, {"sigmac", 140, 50, 8, 150, 0.4564}, {"sigmac", 160, 50, 8, 150, 0.4884},
     };
     for (const auto& row : rows) {
         Values changes{{"jcso", row.jcso}, {"jrco", row.jrco}, {"sigmac", row.sigmac}};
@@ -168,9 +160,8 @@ TEST(BartonBandis, ALoadPutOnAtOnceSwingsItAsFarAsItsWorkSays) {
 // --------------------------------------------------------------------------------------------------
 
 TEST(BartonBandis, PeakOverNormalStress) {
-    const std::pair<double, double> rows[] = {{0.5, 0.3627}, {2, 1.2327}, {3, 1.7592}, {4, 2.2624},
-                                              {5, 2.7486},   {6, 3.2214}, {7, 3.6832}, {8, 4.1356},
-                                              {9, 4.5799},   {10, 5.0170}};
+    const std::pair<double, double> rows[] = {{0.5, 0.3627}, {2, 1.2327}, {3, 1.7592}, {4, 2.2624}, {5, 2.7486},
+                                              {6, 3.2214},   {7, 3.6832}, {8, 4.1356}, {9, 4.5799}, {10, 5.0170}};
     for (const auto& [stress, peak] : rows) {
         auto joint = joint_of();
         joint.load(stress);
@@ -326,8 +317,7 @@ TEST(BartonBandis, DilationUnderConfinementRaisesStressAndStrengthTogether) {
         joint.step(0, {1e-6, 0, 0});
         const double stress = joint.normal_stress();
         const double jrc = 8 * std::pow(2, -0.16), jcs = 100 * std::pow(2, -0.24);
-        EXPECT_LE(joint.shear_stress(),
-                  stress * std::tan(radians(20 + jrc * std::log10(jcs / stress))) * (1 + 1e-9));
+        EXPECT_LE(joint.shear_stress(), stress * std::tan(radians(20 + jrc * std::log10(jcs / stress))) * (1 + 1e-9));
     }
     EXPECT_GT(joint.normal_stress(), 10);
     EXPECT_NEAR(joint.history_value("mobilised"), 1.5e-3, 1e-12);
@@ -484,8 +474,7 @@ TEST(BartonBandis, ReportsAStiffnessThatBoundsItsForces) {
     for (int k = 0; k < 1500; ++k) {
         auto trial = joint;
         trial.step(0, {1e-9, 0, 0});
-        EXPECT_LE((trial.shear_stress() - joint.shear_stress()) / 1e-9, trial.shear_stiffness[0] * (1 + 1e-3))
-            << k;
+        EXPECT_LE((trial.shear_stress() - joint.shear_stress()) / 1e-9, trial.shear_stiffness[0] * (1 + 1e-3)) << k;
         joint.slip_at_stress(5, {1e-6, 0, 0});
     }
 }
@@ -493,8 +482,7 @@ TEST(BartonBandis, ReportsAStiffnessThatBoundsItsForces) {
 TEST(BartonBandis, EveryRowOfABatchGivesTheSameBits) {
     TestJoint joint(shipped("barton-bandis"), laboratory, 0.04, 37);
     for (int k = 0; k < 500; ++k)
-        joint.step(-2e-7 + 1e-5 * std::sin(0.05 * k),
-                   {1e-5 * std::cos(0.011 * k), 7e-6 * std::sin(0.017 * k), 0});
+        joint.step(-2e-7 + 1e-5 * std::sin(0.05 * k), {1e-5 * std::cos(0.011 * k), 7e-6 * std::sin(0.017 * k), 0});
     EXPECT_GT(joint.history_value("mobilised"), 0);
     for (std::size_t i = 1; i < 37; ++i) {
         EXPECT_EQ(joint.normal_force[i], joint.normal_force[0]);
@@ -524,7 +512,8 @@ TEST(BartonBandis, ChoicesOfTheThesisDoWhatTheyAreNamedFor) {
     EXPECT_NEAR(stress_at({{"stepped-mobilisation", 1}}, 0.25) / (5 * std::tan(radians(15))), 1, 1e-6);
     EXPECT_NEAR(stress_at({{"stepped-mobilisation", 1}}, 1.2) / 2.7486, 1, 1e-4);
     // The listing as printed: slip at the first step, and the residual strength ever after.
-    EXPECT_NEAR(stress_at({{"stepped-mobilisation", 1}, {"residual-at-slip", 1}}, 1.0), 5 * std::tan(radians(20)), 1e-9);
+    EXPECT_NEAR(stress_at({{"stepped-mobilisation", 1}, {"residual-at-slip", 1}}, 1.0), 5 * std::tan(radians(20)),
+                1e-9);
     // d tau = K (1 - tau/tau_p)^2 du has tau = K u / (1 + K u/tau_p), which nears the peak from below; the mobilised
     // strength holds it back at first.
     const double stiffness = 1e4 * std::pow(5, 0.8), way = 1.0 * peak_displacement;
@@ -568,14 +557,13 @@ TEST(BartonBandis, RefusesValuesWithoutAClosureCurve) {
     EXPECT_EQ(complaint({}), "");
     EXPECT_THAT(complaint({{"sigmac", 49}}), HasSubstr("sigmac is not above half of jcso"));
     EXPECT_THAT(complaint({{"sigmac", 51}, {"jrco", 1}}), HasSubstr("maximum closure that is not above 0"));
-    EXPECT_THAT(complaint({{"jcso", 100e6}, {"sigmac", 150e6}}),
-                HasSubstr("mpa is 1 MPa in the deck's unit"));
+    EXPECT_THAT(complaint({{"jcso", 100e6}, {"sigmac", 150e6}}), HasSubstr("mpa is 1 MPa in the deck's unit"));
     EXPECT_THAT(complaint({{"jrco", 0}}), HasSubstr("jrco is 0"));
     EXPECT_THAT(complaint({{"ln", 0}}), HasSubstr("ln is 0"));
     EXPECT_THAT(complaint({{"jkn", 0}}), HasSubstr("stiffness-normal"));
-    EXPECT_THAT(model.missing(values_of(model, {})),
-                testing::ElementsAre("stiffness-normal", "stiffness-shear", "friction-residual", "jrco",
-                                     "jcso", "sigmac"));
+    EXPECT_THAT(
+        model.missing(values_of(model, {})),
+        testing::ElementsAre("stiffness-normal", "stiffness-shear", "friction-residual", "jrco", "jcso", "sigmac"));
 }
 
 } // namespace

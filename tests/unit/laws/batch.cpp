@@ -46,17 +46,15 @@ TEST_P(Guard, FindsTheRowAndTheReason) {
     EXPECT_THAT(failure->message, HasSubstr("joint model misbehaves"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Misbehaviours, Guard,
-                         testing::Values(Misbehaviour{0, 13, "returned normal force nan"},
-                                         Misbehaviour{1, 13, "returned shear force z inf"},
-                                         Misbehaviour{2, 13, "returned normal stiffness -1"},
-                                         Misbehaviour{3, 13, "returned steps nan"},
-                                         Misbehaviour{4, 0, "returned row 29 of a batch of 20 rows"},
-                                         Misbehaviour{5, 0, "returned row -2 of a batch of 20 rows"},
-                                         Misbehaviour{6, 13, "failed: it gives no reason"},
-                                         Misbehaviour{7, 13, "failed: the wear table ends at 0.5"},
-                                         Misbehaviour{8, 13, "failed: xxxxxxxx"},
-                                         Misbehaviour{10, 13, "returned frictional work nan"}));
+INSTANTIATE_TEST_SUITE_P(
+    Misbehaviours, Guard,
+    testing::Values(Misbehaviour{0, 13, "returned normal force nan"}, Misbehaviour{1, 13, "returned shear force z inf"},
+                    Misbehaviour{2, 13, "returned normal stiffness -1"}, Misbehaviour{3, 13, "returned steps nan"},
+                    Misbehaviour{4, 0, "returned row 29 of a batch of 20 rows"},
+                    Misbehaviour{5, 0, "returned row -2 of a batch of 20 rows"},
+                    Misbehaviour{6, 13, "failed: it gives no reason"},
+                    Misbehaviour{7, 13, "failed: the wear table ends at 0.5"}, Misbehaviour{8, 13, "failed: xxxxxxxx"},
+                    Misbehaviour{10, 13, "returned frictional work nan"}));
 
 TEST(Batch, MinusZeroIsNotNegative) { EXPECT_FALSE(failure_of(9)); }
 

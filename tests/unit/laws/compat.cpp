@@ -17,8 +17,8 @@ double tan_degrees(double angle) { return std::tan(angle * (std::numbers::pi / 1
 
 const Values wear_values = {{"jkn", 1e9}, {"jks", 5e8}, {"jfriction", 30}};
 const Values cap_values = {{"kn", 2e9}, {"ks", 1e9}, {"friction", 35}};
-const Values slip_values = {{"kn", 2e9}, {"ks", 1e9},   {"friction", 30},
-                            {"friction-residual", 25}, {"cohesion", 1e4}, {"tension", 2e3}};
+const Values slip_values = {{"kn", 2e9},       {"ks", 1e9},     {"friction", 30}, {"friction-residual", 25},
+                            {"cohesion", 1e4}, {"tension", 2e3}};
 
 std::vector<std::string> names_of(const JointModel& model) {
     std::vector<std::string> names;
@@ -188,13 +188,17 @@ TEST(Compat, ManySetsOfValuesDoNotMix) {
     }
     for (int round = 0; round < 3; ++round)
         for (auto& joint : joints) joint.step(-1e-5);
-    for (int k = 0; k < 40; ++k) EXPECT_NEAR(joints[static_cast<std::size_t>(k)].normal_force[1], 3e-5 * (1e9 + 1e6 * k), 1e-9) << k;
+    for (int k = 0; k < 40; ++k)
+        EXPECT_NEAR(joints[static_cast<std::size_t>(k)].normal_force[1], 3e-5 * (1e9 + 1e6 * k), 1e-9) << k;
 }
 
 TEST(Compat, WhatWasSavedGoesOnAsIfNothingHadHappened) {
     for (const char* name : {"masonry_cap", "wear", "slip9"}) {
-        auto values = name == std::string("masonry_cap") ? cap_values : name == std::string("wear") ? wear_values : slip_values;
-        if (name == std::string("masonry_cap")) values.insert({{"strength_cap", 3e5}, {"table_cap", 8}, {"pull-y", 10}});
+        auto values = name == std::string("masonry_cap") ? cap_values
+                      : name == std::string("wear")      ? wear_values
+                                                         : slip_values;
+        if (name == std::string("masonry_cap"))
+            values.insert({{"strength_cap", 3e5}, {"table_cap", 8}, {"pull-y", 10}});
         if (name == std::string("wear")) values.insert({{"weartable", 7}, {"wears", 1}});
         TestJoint joint(compat(name), values, 0.7, 3);
         for (int i = 0; i < 40; ++i) joint.step(-1e-5, {3e-6, 1e-6, 0});
@@ -214,7 +218,8 @@ TEST(Compat, WhatWasSavedGoesOnAsIfNothingHadHappened) {
         EXPECT_EQ(joint.normal_force, restored.normal_force) << name;
         EXPECT_EQ(joint.shear_force, restored.shear_force) << name;
         EXPECT_EQ(joint.state, restored.state) << name;
-        for (std::size_t row = 0; row < 3; ++row) EXPECT_EQ(joint.object[row].bytes(), restored.object[row].bytes()) << name;
+        for (std::size_t row = 0; row < 3; ++row)
+            EXPECT_EQ(joint.object[row].bytes(), restored.object[row].bytes()) << name;
     }
 }
 
@@ -226,9 +231,7 @@ TEST(Compat, BytesThatWereCutOffAreRefused) {
         try {
             joint.model->restore_object(joint.values, std::string_view(bytes).substr(0, size));
             ADD_FAILURE() << size << " bytes of " << bytes.size() << " were taken";
-        } catch (const Diagnostic& diagnostic) {
-            EXPECT_THAT(diagnostic.message, HasSubstr("ends too early"));
-        }
+        } catch (const Diagnostic& diagnostic) { EXPECT_THAT(diagnostic.message, HasSubstr("ends too early")); }
     }
 }
 

@@ -31,8 +31,8 @@ void shear(TestJoint& joint, double way, double by) {
 
 TEST(BilinearMohr, HasALineBelowAndALineAboveTheCrossing) {
     // The lines cross at (1 - 0.2)/(tan 40 - tan 20) = 1.684 MPa.
-    const Values lines = {{"friction", 40}, {"cohesion", 0.2}, {"friction-2", 20}, {"cohesion-2", 1},
-                          {"cohesion-residual", 0.2}, {"c2-residual", 1}};
+    const Values lines = {{"friction", 40},  {"cohesion", 0.2},          {"friction-2", 20},
+                          {"cohesion-2", 1}, {"cohesion-residual", 0.2}, {"c2-residual", 1}};
     for (const double stress : {0.5, 1.5, 1.8, 6.0}) {
         auto joint = joint_of("bilinear-mohr", lines);
         joint.load(stress);
@@ -44,8 +44,13 @@ TEST(BilinearMohr, HasALineBelowAndALineAboveTheCrossing) {
 }
 
 TEST(BilinearMohr, TakesAGivenCrossingAndResidualLines) {
-    auto joint = joint_of("bilinear-mohr", {{"friction", 40}, {"friction-2", 20}, {"cohesion-2", 1}, {"nstress", 3},
-                                            {"friction-residual", 25}, {"f2-residual", 15}, {"nstress-residual", 1}});
+    auto joint = joint_of("bilinear-mohr", {{"friction", 40},
+                                            {"friction-2", 20},
+                                            {"cohesion-2", 1},
+                                            {"nstress", 3},
+                                            {"friction-residual", 25},
+                                            {"f2-residual", 15},
+                                            {"nstress-residual", 1}});
     joint.load(2); // below 3: the first line, though the second is lower
     double highest = 0;
     for (int k = 0; k < 2000; ++k) {
@@ -57,8 +62,8 @@ TEST(BilinearMohr, TakesAGivenCrossingAndResidualLines) {
 }
 
 TEST(BilinearMohr, DilatesWithTheLineThatItIsOn) {
-    const Values values = {{"friction", 40}, {"friction-2", 20}, {"cohesion-2", 1}, {"dilation", 10}, {"dilation-2", 3},
-                           {"c2-residual", 1}};
+    const Values values = {{"friction", 40}, {"friction-2", 20}, {"cohesion-2", 1},
+                           {"dilation", 10}, {"dilation-2", 3},  {"c2-residual", 1}};
     for (const double stress : {0.5, 6.0}) {
         auto joint = joint_of("bilinear-mohr", values);
         joint.load(stress);
@@ -74,15 +79,16 @@ TEST(BilinearMohr, DilatesWithTheLineThatItIsOn) {
 
 TEST(BilinearMohr, RefusesLinesThatDoNotCross) {
     const auto& model = shipped("bilinear-mohr");
-    const auto values = values_of(model, {{"jkn", 1}, {"jks", 1}, {"friction", 20}, {"cohesion", 0}, {"friction-2", 30},
-                                          {"cohesion-2", 1}});
+    const auto values = values_of(
+        model, {{"jkn", 1}, {"jks", 1}, {"friction", 20}, {"cohesion", 0}, {"friction-2", 30}, {"cohesion-2", 1}});
     EXPECT_THAT(model.check(values), HasSubstr("do not cross"));
 }
 
 TEST(SofteningMohr, FallsWithSlipOverItsDistance) {
     for (const double alpha : {1.0, 2.0}) {
-        auto joint = joint_of("softening-mohr", {{"friction", 40}, {"friction-residual", 20}, {"cohesion", 0.5},
-                                                 {"dc", 1e-3}, {"alpha", alpha}});
+        auto joint =
+            joint_of("softening-mohr",
+                     {{"friction", 40}, {"friction-residual", 20}, {"cohesion", 0.5}, {"dc", 1e-3}, {"alpha", alpha}});
         joint.load(2);
         for (const double way : {1e-3, 1e-3, 1e-3}) {
             shear(joint, way, 1e-7);
@@ -97,8 +103,8 @@ TEST(SofteningMohr, FallsWithSlipOverItsDistance) {
 }
 
 TEST(SofteningMohr, FrictionHealsAtRestAndCohesionDoesNot) {
-    const Values values = {{"friction", 40}, {"friction-residual", 20}, {"cohesion", 0.5}, {"dc", 1e-3},
-                           {"healing-time", 0.01}};
+    const Values values = {
+        {"friction", 40}, {"friction-residual", 20}, {"cohesion", 0.5}, {"dc", 1e-3}, {"healing-time", 0.01}};
     auto joint = joint_of("softening-mohr", values);
     joint.load(2);
     shear(joint, 3e-3, 1e-6);
@@ -143,8 +149,12 @@ TEST(Power, RelaxesAsThePowerSays) {
 
 TEST(Power, SteadyCreepHasTheSumOfBothSpeeds) {
     // Sheared at a constant speed the stress settles where the speed of creep is that of the motion.
-    auto joint = joint_of("power", {{"friction", 80}, {"constant-1", 1e-6}, {"exponent-1", 2}, {"constant-2", 1e-6},
-                                    {"exponent-2", 4}, {"stress-2", 1}});
+    auto joint = joint_of("power", {{"friction", 80},
+                                    {"constant-1", 1e-6},
+                                    {"exponent-1", 2},
+                                    {"constant-2", 1e-6},
+                                    {"exponent-2", 4},
+                                    {"stress-2", 1}});
     joint.load(5);
     joint.time_step = 0.1;
     for (int k = 0; k < 20000; ++k) joint.step(0, {2e-6, 0, 0}); // 2e-5 per second: s^2 + s^4 = 20
@@ -167,9 +177,11 @@ TEST(Power, ALargeStepIsStableAndAtMostRelaxes) {
 TEST(VelocityWeakening, FrictionFollowsTheSpeed) {
     for (const double use_plastic : {0.0, 1.0})
         for (const double speed : {1e-4, 0.05, 0.1, 1.0, 100.0}) {
-            auto joint = joint_of("velocity-weakening",
-                                  {{"friction-static", 35}, {"friction-dynamic", 10}, {"reference-velocity", 0.1},
-                                   {"exponent", 2}, {"use-plastic", use_plastic}});
+            auto joint = joint_of("velocity-weakening", {{"friction-static", 35},
+                                                         {"friction-dynamic", 10},
+                                                         {"reference-velocity", 0.1},
+                                                         {"exponent", 2},
+                                                         {"use-plastic", use_plastic}});
             joint.load(2);
             joint.time_step = 1e-6 / speed;
             shear(joint, 2e-3, 1e-6);
@@ -185,7 +197,8 @@ TEST(CoulombFamily, RefusesResidualsAboveThePeak) {
         Values more;
         const char* message;
     } const wrong[] = {
-        {"bilinear-mohr", {{"friction-2", 10}, {"cohesion-2", 1}, {"c2-residual", 2}, {"friction", 20}},
+        {"bilinear-mohr",
+         {{"friction-2", 10}, {"cohesion-2", 1}, {"c2-residual", 2}, {"friction", 20}},
          "cohesion-2-residual is above"},
         {"softening-mohr", {{"dc", 1}, {"friction", 20}, {"friction-residual", 30}}, "friction-residual is above"},
         {"softening-mohr", {{"dc", 0}}, "dc is 0"},
@@ -196,9 +209,13 @@ TEST(CoulombFamily, RefusesResidualsAboveThePeak) {
         {"nonlinear", {{"exponent-normal", 1}}, "exponent-normal is 1"},
         {"nonlinear", {{"exponent-normal", 1}, {"kn-minimum", 0}}, "exponent-normal is 1"},
         {"nonlinear", {{"kn-maximum", 0}}, "kn-maximum or ks-maximum is 0"},
-        {"continuously-yielding", {{"friction", 30}, {"friction-initial", 40}, {"roughness", 1}, {"jen", 1}}, "give kn-minimum"},
+        {"continuously-yielding",
+         {{"friction", 30}, {"friction-initial", 40}, {"roughness", 1}, {"jen", 1}},
+         "give kn-minimum"},
         {"continuously-yielding", {{"friction", 40}, {"friction-initial", 30}, {"roughness", 1}}, "friction is above"},
-        {"continuously-yielding", {{"friction", 30}, {"friction-initial", 40}, {"roughness", 0}}, "roughness (jr) is 0"},
+        {"continuously-yielding",
+         {{"friction", 30}, {"friction-initial", 40}, {"roughness", 0}},
+         "roughness (jr) is 0"},
     };
     for (const auto& w : wrong) {
         auto values = w.more;

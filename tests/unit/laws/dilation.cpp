@@ -41,7 +41,10 @@ const Case cases[] = {
 };
 
 TestJoint joint_of(const Case& c, double end, const Units& u = mpa, double ks = 5e3) {
-    Values values = {{"jkn", 1e4 * u.stress / u.length}, {"jks", ks * u.stress / u.length}, {"jfric", 35}, {"jdil", angle},
+    Values values = {{"jkn", 1e4 * u.stress / u.length},
+                     {"jks", ks * u.stress / u.length},
+                     {"jfric", 35},
+                     {"jdil", angle},
                      {"zdil", end * u.length}};
     for (const auto& [name, value] : c.values) {
         const bool is_stress = name.starts_with("cohesion"), is_length = name == "dc" || name == "reference-velocity";
@@ -87,7 +90,9 @@ TEST_P(DilationOnAPath, StaysWithinItsAngleOnAnyPathInThePlane) {
             joint.load(1);
             double a = 0, b = 0, c = 0, turned_over = 0, given = 0.5 * 0.04 / 1e4; // by the load
             for (int k = 0; k < 20000; ++k) {
-                if (k % 400 == 0) a = any(random), b = any(random), c = 0.2 * any(random) - 0.02 * (joint.normal_stress() < 0.5 ? 8 : -1);
+                if (k % 400 == 0)
+                    a = any(random), b = any(random),
+                    c = 0.2 * any(random) - 0.02 * (joint.normal_stress() < 0.5 ? 8 : -1);
                 const TestJoint before = joint;
                 joint.step(1e-6 * c, {3e-6 * a, 3e-6 * b, 0});
                 const double work = test::work_of_step(before, joint);
@@ -112,13 +117,16 @@ TEST_P(DilationOnAPath, IsTheSameInEveryDirectionAndUnit) {
     }
     const double c = std::cos(1.1), s = std::sin(1.1);
     for (int k = 0; k < 4000; ++k) {
-        const double x = 2e-6 * std::cos(0.004 * k), y = 1e-6 * std::sin(0.0031 * k), opening = 1e-7 * std::sin(0.01 * k);
+        const double x = 2e-6 * std::cos(0.004 * k), y = 1e-6 * std::sin(0.0031 * k),
+                     opening = 1e-7 * std::sin(0.01 * k);
         plain.step(opening, {x, y, 0});
         for (std::size_t i = 0; i < others.size(); ++i) {
             const Units& u = units[i];
             others[i].step(opening * u.length, {(x * c - y * s) * u.length, 0, (x * s + y * c) * u.length});
-            ASSERT_NEAR(others[i].normal_stress() / u.stress, plain.normal_stress(), 1e-7 * (1 + plain.normal_stress())) << k;
-            ASSERT_NEAR(others[i].shear_stress() / u.stress, plain.shear_stress(), 1e-7 * (1 + plain.shear_stress())) << k;
+            ASSERT_NEAR(others[i].normal_stress() / u.stress, plain.normal_stress(), 1e-7 * (1 + plain.normal_stress()))
+                << k;
+            ASSERT_NEAR(others[i].shear_stress() / u.stress, plain.shear_stress(), 1e-7 * (1 + plain.shear_stress()))
+                << k;
         }
     }
     EXPECT_GT(distance(plain), 2e-5);
@@ -139,9 +147,7 @@ TEST_P(DilationOnAPath, ALockedJointFindsItsNormalForceAgain) {
         for (int k = 0; k < 100000 && joint.history_value("dilating-x") > 0; ++k) joint.step(0, {-1e-6, 0, 0});
         EXPECT_GT(joint.history_value("slip"), slipped);
         EXPECT_NEAR(joint.normal_stress(), 1 + 1e4 * joint.history_value("dilated"), 1e-6) << ks; // at all times
-        if (ks > 1e3) {
-            EXPECT_NEAR(joint.normal_stress(), 1, 0.01) << ks;
-        }
+        if (ks > 1e3) { EXPECT_NEAR(joint.normal_stress(), 1, 0.01) << ks; }
         EXPECT_NEAR(joint.history_value("dilated"), distance(joint) * tan_degrees(angle), 1e-9) << ks;
         EXPECT_TRUE(std::isfinite(joint.frictional_work[0]));
     }

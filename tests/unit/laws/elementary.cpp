@@ -11,8 +11,7 @@ TEST(Elementary, LogarithmAgreesWithTheLibrary) {
         const double x = std::pow(10, exponent);
         EXPECT_NEAR(logarithm(x), std::log(x), 1e-15 * std::abs(std::log(x)) + 1e-18) << x;
     }
-    for (double x = 0.5; x < 2; x += 1e-3)
-        EXPECT_NEAR(logarithm(x), std::log(x), 1e-15 * std::abs(std::log(x))) << x;
+    for (double x = 0.5; x < 2; x += 1e-3) EXPECT_NEAR(logarithm(x), std::log(x), 1e-15 * std::abs(std::log(x))) << x;
     EXPECT_EQ(logarithm(1), 0);
 }
 
@@ -23,8 +22,7 @@ TEST(Elementary, ExponentialAgreesWithTheLibrary) {
 
 TEST(Elementary, PowerAgreesWithTheLibrary) {
     for (double x = 1e-6; x < 1e6; x *= 1.7)
-        for (double y = -4; y <= 4; y += 0.4)
-            EXPECT_NEAR(power(x, y) / std::pow(x, y), 1, 2e-14) << x << " " << y;
+        for (double y = -4; y <= 4; y += 0.4) EXPECT_NEAR(power(x, y) / std::pow(x, y), 1, 2e-14) << x << " " << y;
 }
 
 TEST(Elementary, TangentAgreesWithTheLibrary) {

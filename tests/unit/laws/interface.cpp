@@ -13,7 +13,8 @@ struct Member {
     std::size_t offset, recorded;
 };
 
-#define KAYA_MEMBER(type, member, recorded) Member{#type "." #member, offsetof(type, member), recorded}
+#define KAYA_MEMBER(type, member, recorded) \
+    Member { #type "." #member, offsetof(type, member), recorded }
 
 // Layout of interface version 3, 64 bits; what version 2 had lies where it lay.
 const Member members[] = {

@@ -53,8 +53,7 @@ TEST(JointModel, SaysWhatMustBeGiven) {
 TEST(JointModel, PassesOnTheSentenceOfItsCheck) {
     const auto& mohr = shipped("mohr");
     EXPECT_EQ(mohr.check(values_of(mohr, {{"jkn", 1}, {"jks", 1}})), "");
-    EXPECT_THAT(mohr.check(values_of(mohr, {{"jkn", 0}, {"jks", 1}})),
-                HasSubstr("stiffness-normal (jkn) is 0"));
+    EXPECT_THAT(mohr.check(values_of(mohr, {{"jkn", 0}, {"jks", 1}})), HasSubstr("stiffness-normal (jkn) is 0"));
 }
 
 TEST(JointModel, AModelWithoutACheckAgreesToEverything) { EXPECT_EQ(plugin("works").check({-1}), ""); }
@@ -91,9 +90,7 @@ TEST(JointModel, RefusesAStiffnessThatGivesNoTimeStep) {
     const auto reason = [](const char* name) -> std::string {
         try {
             plugin(name).initial_stiffness({5});
-        } catch (const Diagnostic& d) {
-            return d.context.at(0);
-        }
+        } catch (const Diagnostic& d) { return d.context.at(0); }
         return "taken";
     };
     EXPECT_EQ(reason("shears-hard"), "it resists shear with a stiffness of 50, and reports 5");

@@ -37,8 +37,7 @@ TEST(Mohr, IsElasticBelowItsStrength) {
 TEST(Mohr, PeaksAtCohesionPlusFrictionAndFallsToTheResidual) {
     for (const double stress : {0.0, 2e5, 1e6, 7e6}) {
         auto joint = joint_of(
-            {{"friction", 30}, {"cohesion", 1e5}, {"friction-residual", 20}, {"cohesion-residual", 2e4}},
-            0.04);
+            {{"friction", 30}, {"cohesion", 1e5}, {"friction-residual", 20}, {"cohesion-residual", 2e4}}, 0.04);
         joint.load(stress);
         const double peak = 1e5 + stress * tan_degrees(30);
         double highest = 0;
@@ -154,9 +153,7 @@ TEST(Mohr, DilatesByTheTangentOfItsAngleUpToItsEnd) {
     const double start = joint.normal_disp[0];
     for (int k = 0; k < 1000; ++k) {
         joint.slip_at_stress(1e6, {4e-6, 0, 0});
-        if (joint.in_state("slip-now")) {
-            EXPECT_NEAR(joint.shear_stress() / (1e6 * tan_degrees(30)), 1, 1e-12);
-        }
+        if (joint.in_state("slip-now")) { EXPECT_NEAR(joint.shear_stress() / (1e6 * tan_degrees(30)), 1, 1e-12); }
         const double slipped = std::min(joint.history_value("slip"), end);
         EXPECT_NEAR(joint.normal_disp[0] - start, slipped * tan_degrees(psi), 1e-12);
     }
@@ -256,10 +253,8 @@ TEST(Mohr, RefusesValuesThatCannotWorkTogether) {
     const auto& mohr = shipped("mohr");
     const auto complaint = [&](const Values& values) { return mohr.check(values_of(mohr, values)); };
     EXPECT_THAT(complaint({{"jkn", 1}, {"jks", 0}}), HasSubstr("stiffness-shear (jks) is 0"));
-    EXPECT_THAT(complaint({{"jkn", 1}, {"jks", 1}, {"jrten", 1}}),
-                HasSubstr("tension-residual is above tension"));
-    EXPECT_THAT(complaint({{"jkn", 1}, {"jks", 1}, {"jrcoh", 1}}),
-                HasSubstr("cohesion-residual is above cohesion"));
+    EXPECT_THAT(complaint({{"jkn", 1}, {"jks", 1}, {"jrten", 1}}), HasSubstr("tension-residual is above tension"));
+    EXPECT_THAT(complaint({{"jkn", 1}, {"jks", 1}, {"jrcoh", 1}}), HasSubstr("cohesion-residual is above cohesion"));
     EXPECT_EQ(complaint({{"jkn", 1}, {"jks", 1}, {"jcoh", 2}, {"jrcoh", 1}}), "");
 }
 

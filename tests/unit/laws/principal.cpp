@@ -13,7 +13,8 @@ namespace {
 std::vector<Tensor> tensors() {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> number(-1, 1), power(-6, 9);
-    std::vector<Tensor> all{{0, 0, 0, 0, 0, 0}, {5, 5, 5, 0, 0, 0}, {3, 1, 2, 0, 0, 0}, {1, 1, 0, 1e-9, 0, 0}, {2, 2, 2, 1, 1, 1}, {0, 0, 0, 1, 0, 0}};
+    std::vector<Tensor> all{{0, 0, 0, 0, 0, 0},    {5, 5, 5, 0, 0, 0}, {3, 1, 2, 0, 0, 0},
+                            {1, 1, 0, 1e-9, 0, 0}, {2, 2, 2, 1, 1, 1}, {0, 0, 0, 1, 0, 0}};
     for (int i = 0; i < 500; ++i) {
         const double size = std::pow(10, power(random));
         Tensor t;
@@ -52,7 +53,8 @@ TEST(Principal, EightAtOnceAreTheSameBitsAsEachByItself) {
     for (std::size_t first = 0; first + 8 <= all.size(); first += 8) {
         Rotations<8> eight;
         for (int l = 0; l < 8; ++l)
-            for (int k = 0; k < 6; ++k) eight.a[k][l] = all[first + static_cast<std::size_t>(l)][static_cast<std::size_t>(k)];
+            for (int k = 0; k < 6; ++k)
+                eight.a[k][l] = all[first + static_cast<std::size_t>(l)][static_cast<std::size_t>(k)];
         eight.run();
         for (int l = 0; l < 8; ++l) {
             const Principal one(all[first + static_cast<std::size_t>(l)]), of_eight(eight, l);

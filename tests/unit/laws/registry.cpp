@@ -22,9 +22,7 @@ const fs::path plugin_folder = KAYA_TEST_PLUGINS;
 Diagnostic refusal(JointRegistry& registry, const std::string& name) {
     try {
         registry.get(name);
-    } catch (const Diagnostic& diagnostic) {
-        return diagnostic;
-    }
+    } catch (const Diagnostic& diagnostic) { return diagnostic; }
     ADD_FAILURE() << name << " was loaded";
     return Diagnostic("");
 }
@@ -109,8 +107,7 @@ TEST(JointRegistry, SaysThatNoModelsWereFoundAtAll) {
 
 TEST(JointRegistry, RefusesAFileThatIsNotThere) {
     JointRegistry registry;
-    EXPECT_THAT(refusal(registry, "models/none.so").message,
-                HasSubstr("there is no joint model file models/none.so"));
+    EXPECT_THAT(refusal(registry, "models/none.so").message, HasSubstr("there is no joint model file models/none.so"));
 }
 
 TEST(JointRegistry, RefusesATextFileAndAFolder) {
@@ -119,8 +116,7 @@ TEST(JointRegistry, RefusesATextFileAndAFolder) {
     fs::create_directory(folder / "folder.so");
     std::ofstream(folder / "text.so") << "jmodel mohr\n";
     JointRegistry registry;
-    EXPECT_THAT(refusal(registry, (folder / "text.so").string()).message,
-                HasSubstr("text.so is not a shared library"));
+    EXPECT_THAT(refusal(registry, (folder / "text.so").string()).message, HasSubstr("text.so is not a shared library"));
     EXPECT_THAT(refusal(registry, (folder / "folder.so").string()).message,
                 HasSubstr("folder.so is not a shared library"));
 }
@@ -282,8 +278,7 @@ TEST(JointRegistry, ANameThatIsLoadedIsTaken) {
 TEST(JointRegistry, ANameInTheFoldersIsTakenBeforeItIsLoaded) {
     JointRegistry registry;
     registry.set_path({shipped_folder});
-    EXPECT_THAT(refusal(registry, (plugin_folder / "twin.so").string()).message,
-                HasSubstr("that name belongs to"));
+    EXPECT_THAT(refusal(registry, (plugin_folder / "twin.so").string()).message, HasSubstr("that name belongs to"));
     EXPECT_EQ(registry.get("mohr").file, shipped_folder / "mohr.so");
 }
 

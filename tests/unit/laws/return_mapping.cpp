@@ -12,7 +12,8 @@ namespace {
 TEST(BracketedRoot, FindsRootsToTheLastBits) {
     EXPECT_NEAR(bracketed_root([](double x) { return x * x - 2; }, 0, 2).x, std::numbers::sqrt2, 1e-15);
     EXPECT_NEAR(bracketed_root([](double x) { return std::cos(x) - x; }, 0, 1).x, 0.73908513321516067, 1e-15);
-    EXPECT_NEAR(bracketed_root([](double x) { return 1e12 * (std::exp(-x) - 1e-6); }, 0, 100).x, 6 * std::numbers::ln10, 1e-13);
+    EXPECT_NEAR(bracketed_root([](double x) { return 1e12 * (std::exp(-x) - 1e-6); }, 0, 100).x, 6 * std::numbers::ln10,
+                1e-13);
     EXPECT_EQ(bracketed_root([](double x) { return x; }, 0, 1).x, 0);
     EXPECT_EQ(bracketed_root([](double x) { return x - 1; }, 0, 1).x, 1);
 }
@@ -60,9 +61,11 @@ TEST(ReturnMapping, CoulombIsTheClosedFormOfTheGeneralOne) {
     for (const double friction : {0.0, 20.0, 45.0})
         for (const double dilation : {0.0, 5.0, 15.0})
             for (const double shear : {0.0, 1e5, 3e6, 2e7}) {
-                const double f = std::tan(friction * std::numbers::pi / 180), d = std::tan(dilation * std::numbers::pi / 180);
+                const double f = std::tan(friction * std::numbers::pi / 180),
+                             d = std::tan(dilation * std::numbers::pi / 180);
                 const auto closed = return_to_coulomb(1e6, shear, k, 2e5, f, d);
-                const auto searched = return_to([&](double normal, double) { return 2e5 + normal * f; }, 1e6, shear, k, d);
+                const auto searched =
+                    return_to([&](double normal, double) { return 2e5 + normal * f; }, 1e6, shear, k, d);
                 EXPECT_NEAR(closed.shear, searched.shear, 1e-9 * (1 + shear));
                 EXPECT_NEAR(closed.normal, searched.normal, 1e-9 * (1e6 + shear));
                 EXPECT_NEAR(closed.slip, searched.slip, 1e-12 * (1 + closed.slip));

@@ -16,7 +16,8 @@ using test::Values;
 double tan_degrees(double angle) { return std::tan(angle * std::numbers::pi / 180); }
 
 TestJoint yielding(Values more = {}) {
-    Values values = {{"kn-initial", 2e4}, {"ks-initial", 1e4}, {"friction", 30}, {"friction-initial", 50}, {"roughness", 3e-3}};
+    Values values = {
+        {"kn-initial", 2e4}, {"ks-initial", 1e4}, {"friction", 30}, {"friction-initial", 50}, {"roughness", 3e-3}};
     for (const auto& [word, value] : more) values[word] = value;
     return TestJoint(shipped("continuously-yielding"), values, 0.04);
 }
@@ -24,20 +25,16 @@ TestJoint yielding(Values more = {}) {
 TEST(ContinuouslyYielding, FollowsTheReferenceIntegration) {
     // Normal stress 2 MPa, ks 10 GPa/m, phi_m from 50 to 30 degrees with R = 3 mm; a reference integration of
     // (2), (3), (5), (6) of the page.
-    const std::map<int, double> stresses = {{1000, 2.08115}, {2000, 1.77629}, {5000, 1.35621}, {10000, 1.19097},
-                                            {20000, 1.15598}};
+    const std::map<int, double> stresses = {
+        {1000, 2.08115}, {2000, 1.77629}, {5000, 1.35621}, {10000, 1.19097}, {20000, 1.15598}};
     auto joint = yielding();
     joint.load(2);
     double peak = 0, at = 0;
     for (int k = 1; k <= 20000; ++k) {
         joint.step(0, {1e-6, 0, 0});
         if (joint.shear_stress() > peak) peak = joint.shear_stress(), at = 1e-6 * k;
-        if (stresses.contains(k)) {
-            EXPECT_NEAR(joint.shear_stress(), stresses.at(k), 2e-5 * stresses.at(k)) << k;
-        }
-        if (k == 5000) {
-            EXPECT_NEAR(joint.history_value("friction-current"), 33.952, 1e-3);
-        }
+        if (stresses.contains(k)) { EXPECT_NEAR(joint.shear_stress(), stresses.at(k), 2e-5 * stresses.at(k)) << k; }
+        if (k == 5000) { EXPECT_NEAR(joint.history_value("friction-current"), 33.952, 1e-3); }
     }
     EXPECT_NEAR(peak, 2.12223, 1e-5);
     EXPECT_NEAR(at, 0.7535e-3, 2e-6);
@@ -113,15 +110,15 @@ TEST(ContinuouslyYielding, DilatesByTheAngleAboveItsIntrinsicFriction) {
 
 TEST(Nonlinear, ClosesOnItsCurve) {
     // sigma^(1-e) = (1-e) k_1 c for a power alone; here it begins at sigma_1 = (k_min/k_1)^(1/e) and ends at k_max.
-    const Values values = {{"jkn", 1e4}, {"jks", 5e3}, {"exponent-normal", 0.5}, {"kn-minimum", 1e3}, {"kn-maximum", 2e4}};
+    const Values values = {
+        {"jkn", 1e4}, {"jks", 5e3}, {"exponent-normal", 0.5}, {"kn-minimum", 1e3}, {"kn-maximum", 2e4}};
     auto joint = TestJoint(shipped("nonlinear"), values);
     const double stress_1 = 0.01, closure_1 = stress_1 / 1e3, stress_2 = 4;
     const double closure_2 = closure_1 + 2 * (std::sqrt(stress_2) - std::sqrt(stress_1)) / 1e4;
     for (const double closure : {0.5e-5, 1e-4, 3e-4, 8e-4}) {
-        const double expected = closure < closure_1 ? 1e3 * closure
-                                : closure < closure_2
-                                    ? std::pow(std::sqrt(stress_1) + 0.5e4 * (closure - closure_1), 2)
-                                    : stress_2 + 2e4 * (closure - closure_2);
+        const double expected = closure < closure_1   ? 1e3 * closure
+                                : closure < closure_2 ? std::pow(std::sqrt(stress_1) + 0.5e4 * (closure - closure_1), 2)
+                                                      : stress_2 + 2e4 * (closure - closure_2);
         joint.step(-closure - joint.normal_disp[0]);
         EXPECT_NEAR(joint.normal_stress() / expected, 1, 1e-12) << closure;
         EXPECT_NEAR(joint.normal_stiffness[0] / std::clamp(1e4 * std::sqrt(expected), 1e3, 2e4), 1, 1e-9);
@@ -134,7 +131,8 @@ TEST(Nonlinear, ClosesOnItsCurve) {
 }
 
 TEST(Nonlinear, IsMohrWhereItsExponentsAreZero) {
-    const Values values = {{"jkn", 1e4}, {"jks", 5e3}, {"friction", 35}, {"cohesion", 0.3}, {"dilation", 7}, {"dilation-zero", 4e-4}};
+    const Values values = {{"jkn", 1e4},      {"jks", 5e3},    {"friction", 35},
+                           {"cohesion", 0.3}, {"dilation", 7}, {"dilation-zero", 4e-4}};
     auto mohr = TestJoint(shipped("mohr"), values), same = TestJoint(shipped("nonlinear"), values);
     for (int k = 0; k < 3000; ++k) {
         const double opening = 1e-6 * std::sin(0.01 * k) - 2e-7;
@@ -159,8 +157,12 @@ TEST(Nonlinear, FallingNormalStressTakesShearStressWithIt) {
 }
 
 TEST(Nonlinear, StrengthHoldsExactlyWhileItDilates) {
-    auto joint = TestJoint(shipped("nonlinear"), {{"jkn", 1e4}, {"jks", 5e3}, {"exponent-normal", 0.6}, {"exponent-shear", 0.4},
-                                                  {"friction", 35}, {"dilation", 10}});
+    auto joint = TestJoint(shipped("nonlinear"), {{"jkn", 1e4},
+                                                  {"jks", 5e3},
+                                                  {"exponent-normal", 0.6},
+                                                  {"exponent-shear", 0.4},
+                                                  {"friction", 35},
+                                                  {"dilation", 10}});
     joint.load(1);
     for (int k = 0; k < 1000; ++k) joint.step(0, {3e-6, 0, 0});
     EXPECT_GT(joint.normal_stress(), 2);
@@ -180,10 +182,12 @@ TestJoint power_joint(const char* model, double exponent, const Units& u) {
     const auto of_stiffness = [&](double k_1) { return k_1 * std::pow(u.stress, 1 - exponent) / u.length; };
     Values values = {{"jkn", of_stiffness(1e7)}, {"jks", of_stiffness(5e6)}, {"jen", exponent}, {"jes", exponent}};
     if (std::string(model) == "nonlinear") {
-        const Values more = {{"friction", 35}, {"cohesion", 2e4 * u.stress}, {"tension", 5e3 * u.stress}, {"dilation", 6}};
+        const Values more = {
+            {"friction", 35}, {"cohesion", 2e4 * u.stress}, {"tension", 5e3 * u.stress}, {"dilation", 6}};
         values.insert(more.begin(), more.end());
     } else {
-        const Values more = {{"friction", 30}, {"friction-initial", 45}, {"roughness", 1e-3 * u.length}, {"dilation", 1}};
+        const Values more = {
+            {"friction", 30}, {"friction-initial", 45}, {"roughness", 1e-3 * u.length}, {"dilation", 1}};
         values.insert(more.begin(), more.end());
     }
     return TestJoint(shipped(model), values, 0.25 * u.length * u.length);
@@ -199,7 +203,8 @@ TEST_P(PowerJoint, ClosesAsThePowerAloneInEveryUnit) {
                 auto joint = power_joint(GetParam(), e, u);
                 const double closure = std::pow(stress, 1 - e) / ((1 - e) * 1e7);
                 joint.step(-closure * u.length);
-                EXPECT_NEAR(joint.normal_stress() / (stress * u.stress), 1, 1e-11) << u.stress << ' ' << e << ' ' << stress;
+                EXPECT_NEAR(joint.normal_stress() / (stress * u.stress), 1, 1e-11)
+                    << u.stress << ' ' << e << ' ' << stress;
             }
 }
 

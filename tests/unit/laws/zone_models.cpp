@@ -40,7 +40,8 @@ struct Zone {
     std::uint32_t state = 0;
     double dissipated = 0;
 
-    Zone(const std::string& name, const std::vector<std::pair<std::string, double>>& given) : model(models().get(name)) {
+    Zone(const std::string& name, const std::vector<std::pair<std::string, double>>& given)
+        : model(models().get(name)) {
         for (const auto& property : model.properties) values.push_back(property.initial);
         for (const auto& [word, value] : given) values[model.find_property(word).value()] = value;
         EXPECT_EQ(model.check(values), "");
@@ -110,16 +111,33 @@ std::vector<Zone> all_zones() {
     for (const auto& name : models().available()) {
         if (name == "elastic") zones.emplace_back(name, moduli);
         if (name == "anisotropic-elastic")
-            zones.emplace_back(name, std::vector<std::pair<std::string, double>>{{"young-plane", 4e9}, {"young-normal", 1e9}, {"poisson-plane", 0.2}, {"poisson-normal", 0.15},
-                                                                                 {"shear-normal", 7e8}, {"dip", 50}, {"dip-direction", 70}});
-        if (name == "mohr-coulomb") zones.emplace_back(name, with({{"cohesion", 1e5}, {"friction", 30}, {"dilation", 12}, {"tension", 3e4}}));
-        if (name == "strain-softening") zones.emplace_back(name, with({{"cohesion", 1e5}, {"friction", 25}, {"tension", 0}}));
-        if (name == "hoek-brown") zones.emplace_back(name, with({{"constant-sci", 1e7}, {"constant-mb", 1.7}, {"constant-s", 0.004}}));
+            zones.emplace_back(name, std::vector<std::pair<std::string, double>>{{"young-plane", 4e9},
+                                                                                 {"young-normal", 1e9},
+                                                                                 {"poisson-plane", 0.2},
+                                                                                 {"poisson-normal", 0.15},
+                                                                                 {"shear-normal", 7e8},
+                                                                                 {"dip", 50},
+                                                                                 {"dip-direction", 70}});
+        if (name == "mohr-coulomb")
+            zones.emplace_back(name, with({{"cohesion", 1e5}, {"friction", 30}, {"dilation", 12}, {"tension", 3e4}}));
+        if (name == "strain-softening")
+            zones.emplace_back(name, with({{"cohesion", 1e5}, {"friction", 25}, {"tension", 0}}));
+        if (name == "hoek-brown")
+            zones.emplace_back(name, with({{"constant-sci", 1e7}, {"constant-mb", 1.7}, {"constant-s", 0.004}}));
         if (name == "drucker-prager")
-            zones.emplace_back(name, with({{"cohesion-drucker", 1e5}, {"friction-drucker", 0.4}, {"dilation-drucker", 0.2}, {"tension", 5e4}}));
+            zones.emplace_back(name, with({{"cohesion-drucker", 1e5},
+                                           {"friction-drucker", 0.4},
+                                           {"dilation-drucker", 0.2},
+                                           {"tension", 5e4}}));
         if (name == "ubiquitous-joint")
-            zones.emplace_back(name, with({{"cohesion", 2e5}, {"friction", 40}, {"tension", 5e4}, {"joint-cohesion", 5e4},
-                                           {"joint-friction", 20}, {"joint-dilation", 5}, {"dip", 50}, {"dip-direction", 70}}));
+            zones.emplace_back(name, with({{"cohesion", 2e5},
+                                           {"friction", 40},
+                                           {"tension", 5e4},
+                                           {"joint-cohesion", 5e4},
+                                           {"joint-friction", 20},
+                                           {"joint-dilation", 5},
+                                           {"dip", 50},
+                                           {"dip-direction", 70}}));
     }
     return zones;
 }
@@ -131,21 +149,25 @@ Tensor random_strain(std::mt19937& random, double size) {
     return t;
 }
 
-TEST(zone_models, each_one_that_ships_is_looked_at_here) { EXPECT_EQ(all_zones().size(), models().available().size()); }
+TEST(ZoneModels, EachOneThatShipsIsLookedAtHere) { EXPECT_EQ(all_zones().size(), models().available().size()); }
 
-TEST(zone_models, mohr_coulomb_fails_at_its_triaxial_strength) {
+TEST(ZoneModels, MohrCoulombFailsAtItsTriaxialStrength) {
     for (const double friction : {0.0, 20.0, 45.0})
         for (const double side : {0.0, 1e5, 2e6}) {
-            Zone zone("mohr-coulomb", with({{"cohesion", 3e5}, {"friction", friction}, {"dilation", friction / 3}, {"tension", 1e4}}));
-            const double n = std::pow(std::tan((45 + friction / 2) * M_PI / 180), 2), found = zone.axial_strength(side, 2e-4, 60);
-            EXPECT_NEAR(found / (n * zone.side_pressure() + 2 * 3e5 * std::sqrt(n)), 1, 1e-6) << friction << " " << side;
+            Zone zone("mohr-coulomb",
+                      with({{"cohesion", 3e5}, {"friction", friction}, {"dilation", friction / 3}, {"tension", 1e4}}));
+            const double n = std::pow(std::tan((45 + friction / 2) * M_PI / 180), 2),
+                         found = zone.axial_strength(side, 2e-4, 60);
+            EXPECT_NEAR(found / (n * zone.side_pressure() + 2 * 3e5 * std::sqrt(n)), 1, 1e-6)
+                << friction << " " << side;
             EXPECT_NEAR(found / (n * side + 2 * 3e5 * std::sqrt(n)), 1, 1e-4) << friction << " " << side;
         }
 }
 
-TEST(zone_models, hoek_brown_fails_on_its_curve) {
+TEST(ZoneModels, HoekBrownFailsOnItsCurve) {
     for (const double side : {0.0, 1e5, 3e6}) {
-        Zone zone("hoek-brown", with({{"constant-sci", 3e7}, {"constant-mb", 1.7}, {"constant-s", 0.0039}, {"dilation", 10}}));
+        Zone zone("hoek-brown",
+                  with({{"constant-sci", 3e7}, {"constant-mb", 1.7}, {"constant-s", 0.0039}, {"dilation", 10}}));
         const double found = zone.axial_strength(side, 2e-4, 80);
         const auto exact = [](double s3) { return s3 + 3e7 * std::sqrt(1.7 * s3 / 3e7 + 0.0039); };
         EXPECT_NEAR(found / exact(zone.side_pressure()), 1, 1e-6) << side;
@@ -153,9 +175,11 @@ TEST(zone_models, hoek_brown_fails_on_its_curve) {
     }
 }
 
-TEST(zone_models, drucker_prager_fails_on_its_cone) {
+TEST(ZoneModels, DruckerPragerFailsOnItsCone) {
     for (const double side : {1e5, 2e6}) {
-        Zone zone("drucker-prager", with({{"cohesion-drucker", 3e5}, {"friction-drucker", 0.3}, {"dilation-drucker", 0.1}, {"tension", 1e9}}));
+        Zone zone(
+            "drucker-prager",
+            with({{"cohesion-drucker", 3e5}, {"friction-drucker", 0.3}, {"dilation-drucker", 0.1}, {"tension", 1e9}}));
         // (sa - sr)/sqrt(3) = k + q (sa + 2 sr)/3
         const double found = zone.axial_strength(side, 2e-4, 80);
         const double exact = (3e5 + zone.side_pressure() * (0.2 + 1 / std::sqrt(3))) / (1 / std::sqrt(3) - 0.1);
@@ -164,13 +188,19 @@ TEST(zone_models, drucker_prager_fails_on_its_cone) {
     }
 }
 
-TEST(zone_models, weak_planes_carry_what_they_can_and_no_more) {
+TEST(ZoneModels, WeakPlanesCarryWhatTheyCanAndNoMore) {
     std::mt19937 random(4);
     for (const double dip : {0.0, 35.0, 60.0, 90.0}) {
         constexpr double cohesion = 1e5, cut = 2e4, dip_direction = 37, degree = M_PI / 180;
         const double tangent = std::tan(30 * degree);
-        Zone zone("ubiquitous-joint", with({{"cohesion", 1e7}, {"friction", 40}, {"tension", 1e7}, {"joint-cohesion", cohesion},
-                                            {"joint-friction", 30}, {"joint-dilation", 8}, {"joint-tension", cut}, {"dip", dip},
+        Zone zone("ubiquitous-joint", with({{"cohesion", 1e7},
+                                            {"friction", 40},
+                                            {"tension", 1e7},
+                                            {"joint-cohesion", cohesion},
+                                            {"joint-friction", 30},
+                                            {"joint-dilation", 8},
+                                            {"joint-tension", cut},
+                                            {"dip", dip},
                                             {"dip-direction", dip_direction}}));
         const Eigen::Vector3d normal(std::sin(dip * degree) * std::sin(dip_direction * degree),
                                      std::sin(dip * degree) * std::cos(dip_direction * degree), std::cos(dip * degree));
@@ -195,7 +225,7 @@ TEST(zone_models, weak_planes_carry_what_they_can_and_no_more) {
     }
 }
 
-TEST(zone_models, a_path_that_is_turned_gives_stresses_that_are_turned) {
+TEST(ZoneModels, APathThatIsTurnedGivesStressesThatAreTurned) {
     std::mt19937 random(1);
     for (const Zone& fresh : all_zones()) {
         if (fresh.model.find_property("dip")) continue; // its planes do not turn along
@@ -223,13 +253,17 @@ using Given = std::vector<std::pair<std::string, double>>;
 /// Random anisotropic rock that takes work for any strain.
 Given anisotropic_rock(std::mt19937& random) {
     std::uniform_real_distribution<double> uniform;
-    const double plane = 1e9 * std::pow(10, 2 * uniform(random)), normal = 1e9 * std::pow(10, 2 * uniform(random)), poisson = 0.9 * uniform(random) - 0.4;
+    const double plane = 1e9 * std::pow(10, 2 * uniform(random)), normal = 1e9 * std::pow(10, 2 * uniform(random)),
+                 poisson = 0.9 * uniform(random) - 0.4;
     const double most = std::sqrt((1 - poisson) * normal / plane / 2);
-    return {{"young-plane", plane}, {"young-normal", normal}, {"poisson-plane", poisson}, {"poisson-normal", 0.95 * most * (2 * uniform(random) - 1)},
+    return {{"young-plane", plane},
+            {"young-normal", normal},
+            {"poisson-plane", poisson},
+            {"poisson-normal", 0.95 * most * (2 * uniform(random) - 1)},
             {"shear-normal", 3e8 * std::pow(10, 2 * uniform(random))}};
 }
 
-TEST(zone_models, anisotropic_rock_that_is_turned_with_its_planes_gives_stresses_that_are_turned) {
+TEST(ZoneModels, AnisotropicRockThatIsTurnedWithItsPlanesGivesStressesThatAreTurned) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> uniform;
     for (int family = 0; family < 50; ++family) {
@@ -276,7 +310,7 @@ bool is_positive(Square m, double unit) {
     return true;
 }
 
-TEST(zone_models, moduli_of_anisotropic_rock_bound_its_stiffness_and_no_more) {
+TEST(ZoneModels, ModuliOfAnisotropicRockBoundItsStiffnessAndNoMore) {
     std::mt19937 random(6);
     for (int family = 0; family < 200; ++family) {
         Given given = anisotropic_rock(random);
@@ -289,19 +323,22 @@ TEST(zone_models, moduli_of_anisotropic_rock_bound_its_stiffness_and_no_more) {
         for (int i = 0; i < 6; ++i)
             for (int j = 0; j < 6; ++j) {
                 EXPECT_NEAR(stiffness[i][j], stiffness[j][i], 1e-12 * scale) << family;
-                left[i][j] = (i == j ? 2 * shear : 0) + (i < 3 && j < 3 ? bulk - 2.0 / 3.0 * shear : 0) - stiffness[i][j];
+                left[i][j] =
+                    (i == j ? 2 * shear : 0) + (i < 3 && j < 3 ? bulk - 2.0 / 3.0 * shear : 0) - stiffness[i][j];
             }
         EXPECT_TRUE(is_positive(stiffness, 0)) << family;
         EXPECT_TRUE(is_positive(left, 1e-10 * scale)) << family;
         EXPECT_FALSE(is_positive(left, -1e-7 * scale)) << family << ": a softer one would do";
     }
-    const Zone isotropic("anisotropic-elastic", {{"young-plane", 5e9}, {"young-normal", 5e9}, {"poisson-plane", 0.25}, {"poisson-normal", 0.25}});
+    const Zone isotropic(
+        "anisotropic-elastic",
+        {{"young-plane", 5e9}, {"young-normal", 5e9}, {"poisson-plane", 0.25}, {"poisson-normal", 0.25}});
     const auto [bulk, shear] = isotropic.model.moduli(isotropic.values);
     EXPECT_NEAR(bulk / (5e9 / 1.5), 1, 1e-12);
     EXPECT_NEAR(shear / 2e9, 1, 1e-12); // shear-normal of (3) is that of isotropic rock
 }
 
-TEST(zone_models, anisotropic_rock_that_gives_out_work_is_refused) {
+TEST(ZoneModels, AnisotropicRockThatGivesOutWorkIsRefused) {
     const ZoneModel& model = models().get("anisotropic-elastic");
     const auto said = [&](double plane, double normal, double poisson_plane, double poisson_normal, double shear) {
         return model.check({plane, normal, poisson_plane, poisson_normal, shear, 0, 0});
@@ -314,7 +351,7 @@ TEST(zone_models, anisotropic_rock_that_gives_out_work_is_refused) {
     EXPECT_THAT(said(4e9, 1e9, 0.2, 0.1, 0), testing::HasSubstr("shear-normal"));
 }
 
-TEST(zone_models, flow_takes_energy_and_gives_none) {
+TEST(ZoneModels, FlowTakesEnergyAndGivesNone) {
     std::mt19937 random(2);
     for (const Zone& fresh : all_zones()) {
         Zone zone = fresh;
@@ -324,7 +361,8 @@ TEST(zone_models, flow_takes_energy_and_gives_none) {
             const double mean = z.stress.head<3>().sum() / 3;
             Tensor deviator = z.stress;
             deviator.head<3>().array() -= mean;
-            return mean * mean / (2 * bulk) + (deviator.head<3>().squaredNorm() + 2 * deviator.tail<3>().squaredNorm()) / (4 * shear);
+            return mean * mean / (2 * bulk) +
+                   (deviator.head<3>().squaredNorm() + 2 * deviator.tail<3>().squaredNorm()) / (4 * shear);
         };
         for (int i = 0; i < 40000; ++i) {
             const Tensor step = random_strain(random, 5e-7), before = zone.stress;
@@ -340,7 +378,7 @@ TEST(zone_models, flow_takes_energy_and_gives_none) {
     }
 }
 
-TEST(zone_models, one_large_step_ends_on_the_surface_as_many_small_ones_do) {
+TEST(ZoneModels, OneLargeStepEndsOnTheSurfaceAsManySmallOnesDo) {
     for (const double size : {1e-4, 1e-2, 1.0}) {
         Zone zone("mohr-coulomb", with({{"cohesion", 1e5}, {"friction", 30}, {"dilation", 0}, {"tension", 2e4}}));
         std::mt19937 random(3);
@@ -355,7 +393,7 @@ TEST(zone_models, one_large_step_ends_on_the_surface_as_many_small_ones_do) {
     }
 }
 
-TEST(zone_models, no_strain_changes_nothing) {
+TEST(ZoneModels, NoStrainChangesNothing) {
     for (const Zone& fresh : all_zones()) {
         Zone zone = fresh;
         Tensor step = Tensor::Zero();
@@ -370,26 +408,23 @@ TEST(zone_models, no_strain_changes_nothing) {
 std::string refusal(const std::string& name) {
     try {
         models().get(std::string(KAYA_TEST_PLUGINS) + "/zones/" + name + ".so");
-    } catch (const Diagnostic& error) {
-        return error.code + ": " + error.message;
-    }
+    } catch (const Diagnostic& error) { return error.code + ": " + error.message; }
     return "taken";
 }
 
-TEST(zone_models, what_is_wrong_is_refused_when_it_is_loaded) {
-    EXPECT_THAT(refusal("version-99"), testing::HasSubstr("was built for interface version 99, this program has version 1"));
+TEST(ZoneModels, WhatIsWrongIsRefusedWhenItIsLoaded) {
+    EXPECT_THAT(refusal("version-99"),
+                testing::HasSubstr("was built for interface version 99, this program has version 1"));
     EXPECT_THAT(refusal("null-run"), testing::HasSubstr("'run' is NULL"));
     EXPECT_THAT(refusal("crashes-at-load"), testing::HasSubstr("crashes when it is loaded (signal 11)"));
     EXPECT_THAT(refusal("not-there"), testing::HasSubstr("there is no zone model file"));
     try {
         models().get("mohr-colomb");
         FAIL();
-    } catch (const Diagnostic& error) {
-        EXPECT_EQ(error.hint, "did you mean 'mohr-coulomb'?");
-    }
+    } catch (const Diagnostic& error) { EXPECT_EQ(error.hint, "did you mean 'mohr-coulomb'?"); }
 }
 
-TEST(zone_models, what_goes_wrong_in_a_step_is_told_with_the_row) {
+TEST(ZoneModels, WhatGoesWrongInAStepIsToldWithTheRow) {
     const std::pair<double, const char*> cases[] = {
         {1, "zone model misbehaves threw an exception in a batch that begins here: it does not like this zone"},
         {2, "zone model misbehaves returned xy stress nan"},

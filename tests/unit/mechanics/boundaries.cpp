@@ -60,7 +60,8 @@ TEST(Boundaries, RollersHoldAlongNormalsAndWorkAsTheBoundary) {
     ZonedColumn bench(1, {2, 2, 2});
     Model& model = bench.model;
     const auto side = [&](int axis, double place) {
-        return exterior_triangles(model, gridpoints_where(model, [=](const Vec3& x) { return std::abs(x[axis] - place) < 1e-9; }));
+        return exterior_triangles(
+            model, gridpoints_where(model, [=](const Vec3& x) { return std::abs(x[axis] - place) < 1e-9; }));
     };
     EXPECT_EQ(hold_normals(model, side(0, 0), 0.5), 9u);
     EXPECT_EQ(hold_normals(model, side(2, 1), -0.25), 9u);
@@ -106,8 +107,8 @@ TEST(Boundaries, APressureActsOnTheOutsideOfAJoinedBodyOnly) {
     StressField pressure;
     pressure.at_origin = {-5, -5, -5, 0, 0, 0};
     // All around: what is loaded is the surface without the two sections, each seen from both sides.
-    const double sections = 2 * 2 * 0.5 * 0.75, bar = 2 * (3 * 1 + 3 * 1 + 1 * 1), stem = 2 * (0.5 * 0.75 + 0.5 * 1.5 + 0.75 * 1.5),
-                 foot = 2 * (1.8 * 1 + 1.8 * 0.5 + 1 * 0.5);
+    const double sections = 2 * 2 * 0.5 * 0.75, bar = 2 * (3 * 1 + 3 * 1 + 1 * 1),
+                 stem = 2 * (0.5 * 0.75 + 0.5 * 1.5 + 0.75 * 1.5), foot = 2 * (1.8 * 1 + 1.8 * 0.5 + 1 * 0.5);
     EXPECT_NEAR(add_stress(tee.model, all_gridpoints(tee.model), pressure), bar + stem + foot - sections, 1e-9);
     const auto [force, moment] = tee.load();
     EXPECT_LT(force.norm(), 1e-12);

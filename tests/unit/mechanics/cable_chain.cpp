@@ -67,11 +67,13 @@ TEST(CableChain, RandomOnesComeToRestWithinTheirLimits) {
             b.stiffness = bar * any(0.5, 2);
             b.gap = any(-1, 1) * way;
             b.first_cosine = any(0.5, 1), b.second_cosine = any(0.5, 1);
-            if (random() % 3 == 0) b.yield_tension = force * any(0.1, 2), b.yield_compression = random() % 2 ? 0 : force;
+            if (random() % 3 == 0)
+                b.yield_tension = force * any(0.1, 2), b.yield_compression = random() % 2 ? 0 : force;
             b.broken = random() % 20 == 0;
         }
         for (auto& g : chain.grout) {
-            if (random() % 4 != 0) g.stiffness = grout * any(0.1, 3), g.strength = random() % 5 == 0 ? 0 : force * any(0.01, 1);
+            if (random() % 4 != 0)
+                g.stiffness = grout * any(0.1, 3), g.strength = random() % 5 == 0 ? 0 : force * any(0.01, 1);
             g.lost = any(-1, 1) * way;
             g.anchored = random() % 10 == 0;
         }
@@ -98,6 +100,7 @@ TEST(CableChain, RandomOnesComeToRestWithinTheirLimits) {
         std::vector<double> forces;
         for (std::size_t i = 0; i + 1 < nodes; ++i) forces.push_back(chain.bar_force(i));
         chain.solve();
-        for (std::size_t i = 0; i + 1 < nodes; ++i) EXPECT_NEAR(chain.bar_force(i), forces[i], 1e-6 * largest + rounding);
+        for (std::size_t i = 0; i + 1 < nodes; ++i)
+            EXPECT_NEAR(chain.bar_force(i), forces[i], 1e-6 * largest + rounding);
     }
 }

@@ -10,7 +10,7 @@ namespace {
 using test::Bench;
 
 // The two bricks of which 3DEC's own numbers are known: one offset on the other, rigid.
-TEST(cycle, an_offset_brick_on_a_brick_rests_with_its_weight_and_moment_on_the_joint) {
+TEST(Cycle, AnOffsetBrickOnABrickRestsWithItsWeightAndMomentOnTheJoint) {
     Bench bench;
     bench.elastic(1, 2200, 0, 0);
     bench.elastic(2, 1000, 0, 0);
@@ -32,7 +32,7 @@ TEST(cycle, an_offset_brick_on_a_brick_rests_with_its_weight_and_moment_on_the_j
     EXPECT_NEAR(moment, 0, 1);
 }
 
-TEST(cycle, a_free_block_falls_as_the_leap_frog_does) {
+TEST(Cycle, AFreeBlockFallsAsTheLeapFrogDoes) {
     Bench bench;
     bench.elastic(1, 2000, 0, 0);
     const Row b = bench.brick({0, 0, 0}, {1, 1, 1});
@@ -44,7 +44,7 @@ TEST(cycle, a_free_block_falls_as_the_leap_frog_does) {
     EXPECT_NEAR(-bench.model.blocks.displacement[b].z(), expected, 1e-11 * expected);
 }
 
-TEST(cycle, free_spin_about_the_unstable_axis_keeps_momentum_and_energy) {
+TEST(Cycle, FreeSpinAboutTheUnstableAxisKeepsMomentumAndEnergy) {
     Bench bench;
     bench.elastic(1, 2000, 0, 0);
     const Row b = bench.brick({0, 0, 0}, {1, 2, 3});
@@ -72,7 +72,7 @@ TEST(cycle, free_spin_about_the_unstable_axis_keeps_momentum_and_energy) {
 }
 
 // A uniform stress over a joint between two different meshes is in equilibrium from the first cycle.
-TEST(cycle, uniform_stress_across_a_joint_of_two_meshes_is_in_equilibrium_at_once) {
+TEST(Cycle, UniformStressAcrossAJointOfTwoMeshesIsInEquilibriumAtOnce) {
     Bench bench;
     bench.elastic(1, 2500, 4e9, 3e9);
     const Row low = bench.brick({0, 0, 0}, {1, 1, 1}), high = bench.brick({0, 0, 1}, {1, 1, 2});

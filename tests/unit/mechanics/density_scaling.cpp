@@ -42,7 +42,7 @@ struct BigAndSmall : Bench {
     double force_on(Row block) const { return model.blocks.force[block].z(); }
 };
 
-TEST(density_scaling, bodies_of_very_different_size_come_to_rest_in_far_fewer_cycles_with_the_same_forces) {
+TEST(DensityScaling, BodiesOfVeryDifferentSizeComeToRestInFarFewerCyclesWithTheSameForces) {
     BigAndSmall plain, scaled;
     scaled.scale(MassScaling::full);
     const int without = plain.settle(20000), with = scaled.settle(20000);
@@ -57,7 +57,7 @@ TEST(density_scaling, bodies_of_very_different_size_come_to_rest_in_far_fewer_cy
     EXPECT_GT(blocks.inertial_mass[scaled.small], 2.5);
 }
 
-TEST(density_scaling, full_scaling_gives_all_bodies_the_same_step) {
+TEST(DensityScaling, FullScalingGivesAllBodiesTheSameStep) {
     BigAndSmall bench;
     bench.scale(MassScaling::full);
     bench.cycle.prepare();
@@ -73,7 +73,7 @@ TEST(density_scaling, full_scaling_gives_all_bodies_the_same_step) {
     EXPECT_NEAR(bench.model.clock.time_step, time_step_fraction(bench.model.settings) * 2 / std::sqrt(of_big), 1e-12);
 }
 
-TEST(density_scaling, partial_scaling_adds_to_bodies_with_a_short_step_only_and_tells_how_much) {
+TEST(DensityScaling, PartialScalingAddsToBodiesWithAShortStepOnlyAndTellsHowMuch) {
     BigAndSmall plain, bench;
     plain.cycle.prepare();
     const double before = plain.model.clock.time_step, wanted = 3 * before;
@@ -90,7 +90,7 @@ TEST(density_scaling, partial_scaling_adds_to_bodies_with_a_short_step_only_and_
     EXPECT_NEAR(sums.inertial - sums.real, 2.0, 1e-9);
 }
 
-TEST(density_scaling, partial_scaling_for_a_step_that_all_bodies_allow_changes_nothing) {
+TEST(DensityScaling, PartialScalingForAStepThatAllBodiesAllowChangesNothing) {
     BigAndSmall plain, bench;
     plain.cycle.prepare();
     bench.scale(MassScaling::partial, 0.99 * plain.model.clock.time_step);
@@ -101,7 +101,7 @@ TEST(density_scaling, partial_scaling_for_a_step_that_all_bodies_allow_changes_n
     EXPECT_EQ(scaled_masses(bench.model).scaled, 0u);
 }
 
-TEST(density_scaling, a_block_that_lands_gets_the_mass_that_the_step_asks_for) {
+TEST(DensityScaling, ABlockThatLandsGetsTheMassThatTheStepAsksFor) {
     BigAndSmall bench;
     bench.model.settings.damping = Damping::none;
     bench.brick({8, 1, 1.02}, {8.05, 1.05, 1.07});
@@ -118,7 +118,7 @@ TEST(density_scaling, a_block_that_lands_gets_the_mass_that_the_step_asks_for) {
     EXPECT_NEAR(bench.force_on(falling), 2.5, 1e-3);
 }
 
-TEST(density_scaling, a_heavier_body_keeps_its_momentum_a_lighter_one_its_velocity_and_the_account_of_energy_closes) {
+TEST(DensityScaling, AHeavierBodyKeepsItsMomentumALighterOneItsVelocityAndTheAccountOfEnergyCloses) {
     BigAndSmall bench;
     bench.model.settings.time_step_fraction = 0.05; // the account is of second order in the step
     bench.model.settings.energy = true;
@@ -129,9 +129,11 @@ TEST(density_scaling, a_heavier_body_keeps_its_momentum_a_lighter_one_its_veloci
     blocks.angular_momentum[bench.small] = momentum;
     bench.cycle.advance(); // what was set is known to the account
     const auto kinetic = [&](Row b) {
-        return 0.5 * blocks.inertial_mass[b] * blocks.velocity[b].squaredNorm() + 0.5 * blocks.rotational_velocity[b].dot(blocks.angular_momentum[b]);
+        return 0.5 * blocks.inertial_mass[b] * blocks.velocity[b].squaredNorm() +
+               0.5 * blocks.rotational_velocity[b].dot(blocks.angular_momentum[b]);
     };
-    const Vec3 small = blocks.velocity[bench.small], turning = blocks.angular_momentum[bench.small], big = blocks.velocity[bench.big];
+    const Vec3 small = blocks.velocity[bench.small], turning = blocks.angular_momentum[bench.small],
+               big = blocks.velocity[bench.big];
     const double of_small = kinetic(bench.small), of_big = kinetic(bench.big), damped = bench.model.energy.damped;
     bench.scale(MassScaling::full);
     bench.cycle.prepare();
@@ -151,7 +153,7 @@ TEST(density_scaling, a_heavier_body_keeps_its_momentum_a_lighter_one_its_veloci
     EXPECT_EQ(blocks.inertial_mass, blocks.mass);
 }
 
-TEST(density_scaling, velocities_that_are_held_stay_when_masses_change) {
+TEST(DensityScaling, VelocitiesThatAreHeldStayWhenMassesChange) {
     BigAndSmall bench;
     bench.run(5);
     auto& blocks = bench.model.blocks;
@@ -166,7 +168,7 @@ TEST(density_scaling, velocities_that_are_held_stay_when_masses_change) {
     EXPECT_EQ(blocks.rotational_velocity[bench.small].z(), 0.3);
 }
 
-TEST(density_scaling, blocks_that_rattle_in_a_gap_gain_nothing) {
+TEST(DensityScaling, BlocksThatRattleInAGapGainNothing) {
     BigAndSmall bench;
     bench.model.settings.damping = Damping::none;
     bench.model.settings.gravity.setZero();
@@ -180,11 +182,12 @@ TEST(density_scaling, blocks_that_rattle_in_a_gap_gain_nothing) {
     const double before = 0.5 * blocks.inertial_mass[rattling] * 0.25;
     for (int i = 0; i < 20000; ++i) {
         bench.cycle.advance();
-        ASSERT_LT(0.5 * blocks.inertial_mass[rattling] * blocks.velocity[rattling].squaredNorm(), 1.01 * before) << "cycle " << i;
+        ASSERT_LT(0.5 * blocks.inertial_mass[rattling] * blocks.velocity[rattling].squaredNorm(), 1.01 * before)
+            << "cycle " << i;
     }
 }
 
-TEST(density_scaling, joined_blocks_move_as_the_one_block_that_they_make) {
+TEST(DensityScaling, JoinedBlocksMoveAsTheOneBlockThatTheyMake) {
     const auto stand = [](bool joined) {
         auto bench = std::make_unique<BigAndSmall>();
         bench->scale(MassScaling::full);
@@ -209,7 +212,7 @@ TEST(density_scaling, joined_blocks_move_as_the_one_block_that_they_make) {
     EXPECT_NEAR(b.force[3].z() + b.force[4].z(), 20000, 0.2);
 }
 
-TEST(density_scaling, zones_of_very_different_size_rest_under_their_weight_in_fewer_cycles) {
+TEST(DensityScaling, ZonesOfVeryDifferentSizeRestUnderTheirWeightInFewerCycles) {
     struct Zoned : Bench {
         Row big, small;
         explicit Zoned(MassScaling how) {

@@ -13,7 +13,7 @@ struct Numbers {
     Numbers() { std::iota(value.begin(), value.end(), 0.0); }
 };
 
-TEST(eight, rows_of_three_become_columns) {
+TEST(Eight, RowsOfThreeBecomeColumns) {
     const Numbers n;
     const Eight3 c = columns_of(load_three(n.value.data()));
     for (int l = 0; l < 8; ++l) {
@@ -23,7 +23,7 @@ TEST(eight, rows_of_three_become_columns) {
     }
 }
 
-TEST(eight, rows_of_four_become_columns) {
+TEST(Eight, RowsOfFourBecomeColumns) {
     std::array<Four, 8> rows;
     for (int l = 0; l < 8; ++l) rows[l] = Four{4.0 * l, 4.0 * l + 1, 4.0 * l + 2, 4.0 * l + 3};
     const std::array<Eight, 4> columns = columns_of_rows(rows);
@@ -31,7 +31,7 @@ TEST(eight, rows_of_four_become_columns) {
         for (int l = 0; l < 8; ++l) EXPECT_EQ(columns[k][l], 4 * l + k);
 }
 
-TEST(eight, rows_of_six_become_columns_and_rows_again) {
+TEST(Eight, RowsOfSixBecomeColumnsAndRowsAgain) {
     const Numbers n;
     const std::array<Eight, 6> columns = six_columns(n.value.data());
     for (int k = 0; k < 6; ++k)
@@ -44,7 +44,7 @@ TEST(eight, rows_of_six_become_columns_and_rows_again) {
     for (int i = 0; i < 48; ++i) EXPECT_EQ(rows[i + 1], i);
 }
 
-TEST(eight, a_number_of_each_row_stands_at_each_of_its_three) {
+TEST(Eight, ANumberOfEachRowStandsAtEachOfItsThree) {
     const Numbers n;
     const ThreeEights spread = for_each_of_three(load_as<Eight>(n.value.data())), same = for_each_row(Vec3(5, 6, 7));
     for (int i = 0; i < 24; ++i) {
@@ -53,7 +53,7 @@ TEST(eight, a_number_of_each_row_stands_at_each_of_its_three) {
     }
 }
 
-TEST(eight, rows_that_are_not_there_are_neither_read_nor_written) {
+TEST(Eight, RowsThatAreNotThereAreNeitherReadNorWritten) {
     const Numbers n;
     const Eight some = load_rows(&n.value[1], 3);
     for (int l = 0; l < 8; ++l) EXPECT_EQ(some[l], l < 3 ? l + 1 : 0);
@@ -62,7 +62,7 @@ TEST(eight, rows_that_are_not_there_are_neither_read_nor_written) {
     for (int l = 0; l < 8; ++l) EXPECT_EQ(rows[l], l < 3 ? 2 : 0);
 }
 
-TEST(eight, what_is_no_number_is_not_above_0) {
+TEST(Eight, WhatIsNoNumberIsNotAbove0) {
     EXPECT_TRUE(all_above_zero(eights(1e-300)));
     for (const double other : {0.0, -1.0, std::nan("")}) {
         Eight e = eights(1);
@@ -71,7 +71,7 @@ TEST(eight, what_is_no_number_is_not_above_0) {
     }
 }
 
-TEST(eight, sums_of_four_take_the_first_half_first) {
+TEST(Eight, SumsOfFourTakeTheFirstHalfFirst) {
     Lanes sum = Lanes::Zero();
     Eight e = eights(1);
     e[0] = 1e16; // 1 is lost beside it

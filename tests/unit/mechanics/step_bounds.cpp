@@ -47,7 +47,8 @@ double exact(const Model& model, double step) {
         Eigen::SelfAdjointEigenSolver<Mat3> solver;
         solver.computeDirect(blocks.mass[b] / blocks.volume[b] * (turn * blocks.inertia[b] * turn.transpose()));
         for (int k = 0; k < 3; ++k)
-            root[b] += solver.eigenvectors().col(k) * solver.eigenvectors().col(k).transpose() / std::sqrt(solver.eigenvalues()[k]);
+            root[b] += solver.eigenvectors().col(k) * solver.eigenvectors().col(k).transpose() /
+                       std::sqrt(solver.eigenvalues()[k]);
     }
     const auto& contacts = model.contacts;
     const auto& subs = model.sub_contacts;
@@ -57,10 +58,12 @@ double exact(const Model& model, double step) {
             for (int direction = 0; direction < 3; ++direction) { // each a spring of its own: across and along
                 const Vec3 n0 = contacts.normal[c], n1 = n0.unitOrthogonal(), n2 = n0.cross(n1);
                 const Vec3 d = direction == 0 ? n0 : direction == 1 ? n1 : n2;
-                const double k = subs.area[s] * (direction == 0 ? subs.normal_stiffness[s] * (1 + 2 * beta.normal / step)
-                                                                : subs.shear_stiffness[s] * (1 + 2 * beta.shear / step));
+                const double k =
+                    subs.area[s] * (direction == 0 ? subs.normal_stiffness[s] * (1 + 2 * beta.normal / step)
+                                                   : subs.shear_stiffness[s] * (1 + 2 * beta.shear / step));
                 std::vector<std::pair<std::size_t, double>> row;
-                for (const auto& [block, sign] : {std::pair{contacts.block1[c], -1.0}, std::pair{contacts.block2[c], 1.0}}) {
+                for (const auto& [block, sign] :
+                     {std::pair{contacts.block1[c], -1.0}, std::pair{contacts.block2[c], 1.0}}) {
                     if (blocks.fixed[block] == fix_all) continue;
                     const Vec3 turned = root[block] * (Vec3(subs.position[s]) - blocks.centroid[block]).cross(d);
                     for (int i = 0; i < 3; ++i) {
@@ -129,10 +132,12 @@ struct Family {
     void (*build)(Placed&);
     double least; ///< sharpness
 };
-constexpr Family families[] = {
-    {"needle", needle, 0.97}, {"stack", stack, 0.82}, {"wall", wall, 0.75}, {"bricks on a slab", bricks_on_a_slab, 0.82}};
+constexpr Family families[] = {{"needle", needle, 0.97},
+                               {"stack", stack, 0.82},
+                               {"wall", wall, 0.75},
+                               {"bricks on a slab", bricks_on_a_slab, 0.82}};
 
-TEST(step_bounds, the_bound_is_certain_and_sharp_for_slender_stacked_and_very_different_blocks) {
+TEST(StepBounds, TheBoundIsCertainAndSharpForSlenderStackedAndVeryDifferentBlocks) {
     for (const Family& family : families)
         for (const double damping : {0.0, 0.3})
             for (const double ks : {1e9, 2e8}) {
@@ -144,7 +149,7 @@ TEST(step_bounds, the_bound_is_certain_and_sharp_for_slender_stacked_and_very_di
             }
 }
 
-TEST(step_bounds, the_bound_does_not_depend_on_place_and_frame_and_follows_the_size) {
+TEST(StepBounds, TheBoundDoesNotDependOnPlaceAndFrameAndFollowsTheSize) {
     const auto stable = [](const Mat3& turn, const Vec3& way, double size) {
         Placed bench;
         bench.turn = turn;
@@ -165,40 +170,46 @@ TEST(step_bounds, the_bound_does_not_depend_on_place_and_frame_and_follows_the_s
     EXPECT_NEAR(stable(Mat3::Identity(), Vec3::Zero(), 4) / one, 2, 1e-6);
 }
 
-TEST(step_bounds, a_block_that_is_far_away_and_stiffer_by_its_smallness_does_not_change_what_others_bear) {
+TEST(StepBounds, ABlockThatIsFarAwayAndStifferByItsSmallnessDoesNotChangeWhatOthersBear) {
     const auto of_all = [](bool small_one) {
         Placed bench;
-        bench.stand([&](Placed& p) {
-            stack(p);
-            if (small_one) p.box({1.5, 1.5, 0}, {1.6, 1.6, 0.1});
-        }, 0.1, 1e9, 1e9);
+        bench.stand(
+            [&](Placed& p) {
+                stack(p);
+                if (small_one) p.box({1.5, 1.5, 0}, {1.6, 1.6, 0.1});
+            },
+            0.1, 1e9, 1e9);
         bench.cycle.prepare();
         const Adjacency adjacency = make_adjacency(bench.model);
         StepBounds bounds;
         std::vector<char> upper(bench.model.contacts.size(), 0);
         for (std::size_t c = 0; c < upper.size(); ++c)
-            upper[c] = std::max(bench.model.blocks.number[bench.model.contacts.block1[c]], bench.model.blocks.number[bench.model.contacts.block2[c]]) == 7;
+            upper[c] = std::max(bench.model.blocks.number[bench.model.contacts.block1[c]],
+                                bench.model.blocks.number[bench.model.contacts.block2[c]]) == 7;
         bounds.update_at(bench.model, adjacency, upper, StepBounds::Of::bodies_and_neighbours);
         return bounds.limit(bench.model, adjacency).stable;
     };
     EXPECT_EQ(of_all(true), of_all(false));
 }
 
-TEST(step_bounds, what_may_not_turn_is_bounded_by_its_translations) {
+TEST(StepBounds, WhatMayNotTurnIsBoundedByItsTranslations) {
     Placed bench;
-    bench.stand([](Placed& p) {
-        p.box({-1, -1, -1}, {2, 2, 0});
-        p.box({0, 0, 0}, {1, 1, 1});
-    }, 0, 1e9, 5e8);
+    bench.stand(
+        [](Placed& p) {
+            p.box({-1, -1, -1}, {2, 2, 0});
+            p.box({0, 0, 0}, {1, 1, 1});
+        },
+        0, 1e9, 5e8);
     bench.model.blocks.fixed[1] = fix_rx | fix_ry | fix_rz;
     bench.cycle.prepare();
     const Adjacency adjacency = make_adjacency(bench.model);
     StepBounds bounds;
     bounds.update(bench.model, adjacency);
-    EXPECT_NEAR(bounds.limit(bench.model, adjacency).stable, 2 / std::sqrt(1e9 / 2000), 2e-3 * 2 / std::sqrt(1e9 / 2000));
+    EXPECT_NEAR(bounds.limit(bench.model, adjacency).stable, 2 / std::sqrt(1e9 / 2000),
+                2e-3 * 2 / std::sqrt(1e9 / 2000));
 }
 
-TEST(step_bounds, the_estimate_is_the_highest_frequency) {
+TEST(StepBounds, TheEstimateIsTheHighestFrequency) {
     for (const Family& family : families) {
         Placed bench;
         bench.stand(family.build, 0.1, 1e9, 5e8);

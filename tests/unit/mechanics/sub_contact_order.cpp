@@ -43,7 +43,8 @@ TEST(SubContactOrder, EachStaysWhatItIs) {
     std::map<std::int32_t, std::pair<std::int32_t, double>> before;
     const auto& subs = model.sub_contacts;
     const auto place = [&](std::size_t s) { return subs.position[s].x() + 100 * subs.position[s].y(); };
-    for (std::size_t s = 0; s < subs.size(); ++s) before[subs.number[s]] = {model.contacts.number[subs.contact[s]], place(s)};
+    for (std::size_t s = 0; s < subs.size(); ++s)
+        before[subs.number[s]] = {model.contacts.number[subs.contact[s]], place(s)};
     order_sub_contacts(model);
     for (std::size_t s = 0; s < subs.size(); ++s) {
         const auto& [contact, x] = before.at(subs.number[s]);

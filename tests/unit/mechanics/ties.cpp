@@ -46,7 +46,7 @@ struct Row3 : Bench {
     double stored() const { return model.energy.zone_work; }
 };
 
-TEST(ties, gridpoints_of_meshes_that_match_move_as_one_to_the_last_bit) {
+TEST(Ties, GridpointsOfMeshesThatMatchMoveAsOneToTheLastBit) {
     Row3 bench({2, 2, 2});
     bench.model.settings.damping = Damping::none;
     for (const Row g : bench.at(0)) bench.model.gridpoints.velocity[g] = {1, 0.5, -0.2};
@@ -66,7 +66,7 @@ TEST(ties, gridpoints_of_meshes_that_match_move_as_one_to_the_last_bit) {
     EXPECT_TRUE(bench.model.contacts.empty());
 }
 
-TEST(ties, joined_blocks_move_as_one_block_with_the_same_zones) {
+TEST(Ties, JoinedBlocksMoveAsOneBlockWithTheSameZones) {
     Row3 parts({2, 2, 2});
     Bench whole;
     whole.elastic(1, 2500, bulk, shear);
@@ -92,9 +92,8 @@ TEST(ties, joined_blocks_move_as_one_block_with_the_same_zones) {
     for (std::size_t a = 0; a < parts.model.gridpoints.size(); ++a)
         for (std::size_t b = 0; b < whole.model.gridpoints.size(); ++b)
             if ((parts.model.gridpoints.reference[a] - whole.model.gridpoints.reference[b]).norm() < 1e-12) {
-                EXPECT_LT(
-                    (parts.model.gridpoints.displacement[a] - whole.model.gridpoints.displacement[b]).norm(),
-                    1e-9 * largest);
+                EXPECT_LT((parts.model.gridpoints.displacement[a] - whole.model.gridpoints.displacement[b]).norm(),
+                          1e-9 * largest);
                 ++compared;
             }
     EXPECT_EQ(compared, parts.model.gridpoints.size());
@@ -106,7 +105,7 @@ class TiesOfMeshes : public testing::TestWithParam<std::array<int, 3>> {};
 INSTANTIATE_TEST_SUITE_P(ties, TiesOfMeshes,
                          testing::Values(std::array{2, 2, 2}, std::array{2, 3, 2}, std::array{1, 3, 4}));
 
-TEST_P(TiesOfMeshes, keep_momentum_and_energy_of_a_free_body) {
+TEST_P(TiesOfMeshes, KeepMomentumAndEnergyOfAFreeBody) {
     Row3 bench(GetParam());
     bench.model.settings.damping = Damping::none;
     bench.model.settings.time_step_fraction = 0.05; // the account is of second order in the step
@@ -127,15 +126,14 @@ TEST_P(TiesOfMeshes, keep_momentum_and_energy_of_a_free_body) {
     EXPECT_LT(most - least, 2e-2 * start); // the leap-frog takes kinetic energy half a step back
 }
 
-TEST_P(TiesOfMeshes, a_field_of_stress_in_equilibrium_stays) {
+TEST_P(TiesOfMeshes, AFieldOfStressInEquilibriumStays) {
     Row3 bench(GetParam());
     Stress stress;
     stress << -3e6, -1e6, -2e6, 0.5e6, -0.7e6, 0.2e6;
     find_contacts(bench.model, bench.joints);
     std::vector<Row> zones(bench.model.zones.size());
     std::iota(zones.begin(), zones.end(), 0);
-    set_insitu_stress(bench.model, bench.joints, zones, {},
-                      {stress, {Stress::Zero(), Stress::Zero(), Stress::Zero()}});
+    set_insitu_stress(bench.model, bench.joints, zones, {}, {stress, {Stress::Zero(), Stress::Zero(), Stress::Zero()}});
     std::vector<Row> all(bench.model.gridpoints.size());
     std::iota(all.begin(), all.end(), 0);
     add_stress(bench.model, all, {stress, {Stress::Zero(), Stress::Zero(), Stress::Zero()}});
@@ -145,7 +143,7 @@ TEST_P(TiesOfMeshes, a_field_of_stress_in_equilibrium_stays) {
     for (const Stress& s : bench.model.zones.stress) EXPECT_LT((s - stress).norm(), 1e-6 * stress.norm());
 }
 
-TEST_P(TiesOfMeshes, a_turn_makes_no_stress_and_turns_what_is_there) {
+TEST_P(TiesOfMeshes, ATurnMakesNoStressAndTurnsWhatIsThere) {
     Row3 bench(GetParam());
     bench.model.settings.damping = Damping::none;
     const double step = 1e-5;
@@ -167,13 +165,11 @@ TEST_P(TiesOfMeshes, a_turn_makes_no_stress_and_turns_what_is_there) {
     }
     const Vec3 turned = Eigen::AngleAxisd(0.5 * std::numbers::pi, spin.normalized()) * Vec3(1, 2, 3);
     for (std::size_t t = 0; t < bench.model.ties.size(); ++t)
-        if (!bench.model.ties.exact[t]) {
-            EXPECT_LT((bench.model.ties.force[t] - turned).norm(), 1e-3);
-        }
+        if (!bench.model.ties.exact[t]) { EXPECT_LT((bench.model.ties.force[t] - turned).norm(), 1e-3); }
     for (const Stress& s : bench.model.zones.stress) EXPECT_LT(s.norm(), 1e-3);
 }
 
-TEST_P(TiesOfMeshes, the_step_that_is_found_is_stable_and_the_same_bits_come_with_any_number_of_threads) {
+TEST_P(TiesOfMeshes, TheStepThatIsFoundIsStableAndTheSameBitsComeWithAnyNumberOfThreads) {
     const auto run = [&](int count) {
         set_threads(count);
         auto bench = std::make_unique<Row3>(GetParam());
@@ -192,7 +188,7 @@ TEST_P(TiesOfMeshes, the_step_that_is_found_is_stable_and_the_same_bits_come_wit
     EXPECT_GT(one->model.energy.start, 0);
 }
 
-TEST(ties, what_holds_one_holds_all_and_bears_all) {
+TEST(Ties, WhatHoldsOneHoldsAllAndBearsAll) {
     Row3 bench({2, 2, 2});
     bench.model.settings.gravity = {0, 0, -10};
     // The left one of the two sides at x = 1 is held, by itself: the two others hang on it.
@@ -208,7 +204,7 @@ TEST(ties, what_holds_one_holds_all_and_bears_all) {
     for (const Row row : bench.at(1)) EXPECT_EQ(g.velocity[row], Vec3(Vec3::Zero()));
 }
 
-TEST(ties, a_driven_side_drives_the_other_and_the_account_closes) {
+TEST(Ties, ADrivenSideDrivesTheOtherAndTheAccountCloses) {
     Row3 bench({2, 2, 2});
     bench.model.settings.damping = Damping::none;
     std::vector<Row> left;
@@ -227,7 +223,7 @@ TEST(ties, a_driven_side_drives_the_other_and_the_account_closes) {
     EXPECT_LT(std::abs(bench.model.energy.error()), 2e-3 * most);
 }
 
-TEST(ties, density_scaling_gives_a_group_the_mass_of_its_members) {
+TEST(Ties, DensityScalingGivesAGroupTheMassOfItsMembers) {
     Row3 bench({2, 3, 2});
     bench.model.settings.mass_scaling = MassScaling::full;
     bench.model.settings.gravity = {0, 0, -10};

@@ -21,9 +21,7 @@ using test::Bench;
 class Turns {
 public:
     explicit Turns(unsigned seed) : engine_(seed) {}
-    double number() {
-        return static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max()) * 2 - 1;
-    }
+    double number() { return static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max()) * 2 - 1; }
     Vec3 vector() { return {number(), number(), number()}; }
     Mat3 turn() { return Eigen::AngleAxisd(3 * number(), vector().normalized()).toRotationMatrix(); }
 
@@ -47,8 +45,7 @@ struct LoadedBrick : Bench {
     Row vertex_at(const Vec3& place) const {
         Row best = 0;
         for (const Row g : gridpoints_of(block))
-            if ((model.gridpoints.position[g] - place).norm() <
-                (model.gridpoints.position[best] - place).norm())
+            if ((model.gridpoints.position[g] - place).norm() < (model.gridpoints.position[best] - place).norm())
                 best = g;
         return best;
     }
@@ -77,8 +74,7 @@ TEST(TurningLoads, ABlockOnItsCentroidSwingsAboutTheDirectionOfAForceOnAnEdge) {
             prescribe_velocity(model, {{b}, {}}, 0, 0);
             prescribe_velocity(model, {{b}, {}}, 1, 0);
             prescribe_velocity(model, {{b}, {}}, 2, 0);
-            const double force =
-                1000 * std::pow(size, 4); // so that times stay as they are, with lengths of `size`
+            const double force = 1000 * std::pow(size, 4); // so that times stay as they are, with lengths of `size`
             const Vec3 direction = turn.col(0);
             for (const double y : {0.0, 1.0})
                 bench.load(bench.vertex_at(turn * (size * Vec3(1, y, 1)) + shift), force * direction);
@@ -171,8 +167,7 @@ TEST(TurningLoads, JoinedBricksMoveAsTheBrickThatTheyMake) {
         whole.cycle.advance();
         halves.cycle.advance();
     }
-    EXPECT_LT((halves.model.blocks.rotational_velocity[0] - whole.model.blocks.rotational_velocity[0]).norm(),
-              1e-9);
+    EXPECT_LT((halves.model.blocks.rotational_velocity[0] - whole.model.blocks.rotational_velocity[0]).norm(), 1e-9);
     const Vec3 middle = 0.5 * (halves.model.blocks.centroid[0] + halves.model.blocks.centroid[1]);
     EXPECT_LT((middle - whole.model.blocks.centroid[0]).norm(), 1e-9);
     const double scale = std::abs(whole.model.energy.boundary);

@@ -51,9 +51,7 @@ struct Bench {
     double normal_force() const {
         return std::accumulate(model.sub_contacts.normal_force.begin(), model.sub_contacts.normal_force.end(), 0.0);
     }
-    double area() const {
-        return std::accumulate(model.sub_contacts.area.begin(), model.sub_contacts.area.end(), 0.0);
-    }
+    double area() const { return std::accumulate(model.sub_contacts.area.begin(), model.sub_contacts.area.end(), 0.0); }
     Vec3 shear_force() const {
         Vec3 sum = Vec3::Zero();
         for (std::size_t s = 0; s < model.sub_contacts.size(); ++s) sum += model.sub_contacts.shear_force[s];

@@ -50,7 +50,7 @@ Mat3 gradient_of(const std::array<Vec3, 4>& field, const std::array<Vec3, 4>& pl
     return values * edges.inverse();
 }
 
-TEST(zone_tiles, each_zone_is_in_one_tile_of_its_law_with_its_own_gridpoints) {
+TEST(ZoneTiles, EachZoneIsInOneTileOfItsLawWithItsOwnGridpoints) {
     TwoBlocks bench;
     Model& model = bench.model;
     const auto law_of = [&](Row z) { return static_cast<std::size_t>(model.zones.block[z]); };
@@ -62,7 +62,8 @@ TEST(zone_tiles, each_zone_is_in_one_tile_of_its_law_with_its_own_gridpoints) {
         EXPECT_LE(tile.last - tile.first, most_zones_in_tile);
         EXPECT_LE(tile.points.count, most_points_in_tile);
         std::set<Row> once;
-        for (Row p = tile.points.first; p < tile.points.end(); ++p) EXPECT_TRUE(once.insert(tiles.gridpoints[p]).second);
+        for (Row p = tile.points.first; p < tile.points.end(); ++p)
+            EXPECT_TRUE(once.insert(tiles.gridpoints[p]).second);
         for (Row z = tile.first; z < tile.last; ++z) {
             EXPECT_EQ(law_of(z), tile.law);
             for (int a = 0; a < 4; ++a)
@@ -82,7 +83,7 @@ TEST(zone_tiles, each_zone_is_in_one_tile_of_its_law_with_its_own_gridpoints) {
     EXPECT_GT(shared, 0u);
 }
 
-TEST(zone_tiles, zones_of_one_tile_have_no_more_gridpoints_than_it_has_room_for) {
+TEST(ZoneTiles, ZonesOfOneTileHaveNoMoreGridpointsThanItHasRoomFor) {
     TwoBlocks bench;
     Model& model = bench.model;
     // No two zones have a gridpoint in common.
@@ -94,7 +95,7 @@ TEST(zone_tiles, zones_of_one_tile_have_no_more_gridpoints_than_it_has_room_for)
     for (const ZoneTile& tile : tiles.tiles) EXPECT_LE(tile.points.count, most_points_in_tile);
 }
 
-TEST(zone_tiles, forces_are_minus_volume_times_stress_times_gradient) {
+TEST(ZoneTiles, ForcesAreMinusVolumeTimesStressTimesGradient) {
     TwoBlocks bench;
     Model& model = bench.model;
     const ZoneLaws laws(model, bench.joints.zones);
@@ -109,7 +110,8 @@ TEST(zone_tiles, forces_are_minus_volume_times_stress_times_gradient) {
         for (int a = 0; a < 4; ++a) {
             std::array<Vec3, 4> shape{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
             shape[a].x() = 1;
-            const Vec3 gradient = gradient_of(shape, x).row(0).transpose(), force = -volume * (tensor(model.zones.stress[z]) * gradient);
+            const Vec3 gradient = gradient_of(shape, x).row(0).transpose(),
+                       force = -volume * (tensor(model.zones.stress[z]) * gradient);
             expected[model.zones.gridpoints[z][a]] += force;
             sizes[model.zones.gridpoints[z][a]] += force.norm();
         }
@@ -125,7 +127,7 @@ TEST(zone_tiles, forces_are_minus_volume_times_stress_times_gradient) {
     }
 }
 
-TEST(zone_tiles, a_step_strains_and_turns_the_stress_as_the_tensors_say) {
+TEST(ZoneTiles, AStepStrainsAndTurnsTheStressAsTheTensorsSay) {
     TwoBlocks bench;
     Model& model = bench.model;
     model.clock.time_step = 0.01;

@@ -28,41 +28,69 @@ const std::vector<Damage>& damages() {
          "row 0 of zones: gridpoint 5 is not one of its block"},
         {"triangle corner", [](Model& m) { m.triangles.gridpoints[7][0] = -1; },
          "row 7 of triangles: gridpoint -1 is not one of its block"},
-        {"span outside", [](Model& m) { m.blocks.gridpoints[1] = {4, 5}; },
+        {"span outside",
+         [](Model& m) {
+             m.blocks.gridpoints[1] = {4, 5};
+         },
          "row 1 of blocks: gridpoint 4 and the 5 after of 8"},
-        {"span that overflows", [](Model& m) { m.blocks.faces[0] = {2147483647, 2147483647}; },
+        {"span that overflows",
+         [](Model& m) {
+             m.blocks.faces[0] = {2147483647, 2147483647};
+         },
          "row 0 of blocks: face 2147483647 and the 2147483647 after of 8"},
-        {"span of negative length", [](Model& m) { m.blocks.zones[0] = {0, -1}; },
+        {"span of negative length",
+         [](Model& m) {
+             m.blocks.zones[0] = {0, -1};
+         },
          "row 0 of blocks: zone 0 and the -1 after of 1"},
-        {"span over the rows of another block", [](Model& m) { m.blocks.gridpoints[1] = {3, 4}; },
+        {"span over the rows of another block",
+         [](Model& m) {
+             m.blocks.gridpoints[1] = {3, 4};
+         },
          "row 1 of blocks: gridpoint 3 belongs to another row"},
-        {"rows without owner", [](Model& m) { m.blocks.zones[0] = {0, 0}; },
+        {"rows without owner",
+         [](Model& m) {
+             m.blocks.zones[0] = {0, 0};
+         },
          "some rows of zone belong to no row of blocks"},
-        {"triangles of a block", [](Model& m) { m.blocks.triangles[0] = {0, 3}; },
+        {"triangles of a block",
+         [](Model& m) {
+             m.blocks.triangles[0] = {0, 3};
+         },
          "some rows of triangle belong to no row of blocks"},
         {"group", [](Model& m) { m.blocks.group[0] = 2; }, "row 0 of blocks: group 2 of 2"},
         {"group of a zone", [](Model& m) { m.zones.group[0] = -1; }, "row 0 of zones: group -1 of 2"},
         {"group of a face", [](Model& m) { m.faces.group[7] = 2; }, "row 7 of faces: group 2 of 2"},
         {"group of a contact", [](Model& m) { m.contacts.group[0] = 2; }, "row 0 of contacts: group 2 of 2"},
-        {"excavated zone", [](Model& m) {
+        {"excavated zone",
+         [](Model& m) {
              excavate_blocks(m, {0});
              m.excavated.zones.gridpoints[0][2] = 99;
-         }, "row 0 of zones: gridpoint 99 is not one of its block"},
-        {"excavated span", [](Model& m) {
+         },
+         "row 0 of zones: gridpoint 99 is not one of its block"},
+        {"excavated span",
+         [](Model& m) {
              excavate_blocks(m, {1});
              m.excavated.blocks.faces[0].count = 3;
-         }, "some rows of face belong to no row of blocks"},
+         },
+         "some rows of face belong to no row of blocks"},
         {"block number", [](Model& m) { m.blocks.number[0] = 3; }, "row 0 of blocks: number 3 where 3 is the next"},
         {"block shape", [](Model& m) { m.blocks.shape[0] = 3; }, "row 0 of blocks: shape 3 where 3 is the next"},
         {"block id", [](Model& m) { m.blocks.id[0].generation = 9; }, "row 0 of blocks: its id stands for another row"},
         {"id row", [](Model& m) { m.blocks.ids.slots()[0].row = 1; }, "row 0 of blocks: its id stands for another row"},
-        {"id more", [](Model& m) { m.blocks.ids.slots().push_back({1, 1}); }, "3 ids stand for 2 rows of blocks"},
+        {"id more",
+         [](Model& m) {
+             m.blocks.ids.slots().push_back({1, 1});
+         },
+         "3 ids stand for 2 rows of blocks"},
         {"id free", [](Model& m) { m.contacts.ids.free_slots().push_back(0); },
          "the free ids of contacts are not counted right"},
-        {"id free outside", [](Model& m) {
+        {"id free outside",
+         [](Model& m) {
              m.contacts.ids.slots().push_back({no_row, 1});
              m.contacts.ids.free_slots().push_back(77);
-         }, "free id 77 of contacts is in use"},
+         },
+         "free id 77 of contacts is in use"},
         {"block of a contact", [](Model& m) { m.contacts.block2[0] = 2; }, "row 0 of contacts: block 2 of 2"},
         {"contact with itself", [](Model& m) { m.contacts.block2[0] = 1; },
          "row 0 of contacts: a block touches itself"},
@@ -72,7 +100,10 @@ const std::vector<Damage>& damages() {
          "row 0 of contacts: its type is unknown"},
         {"contact number", [](Model& m) { m.contacts.number[0] = 0; },
          "row 0 of contacts: number 0 where 2 is the next"},
-        {"sub-contacts of a contact", [](Model& m) { m.contacts.sub_contacts[0] = {0, 1}; },
+        {"sub-contacts of a contact",
+         [](Model& m) {
+             m.contacts.sub_contacts[0] = {0, 1};
+         },
          "some rows of sub-contact belong to no row of contacts"},
         {"attachment", [](Model& m) { m.sub_contacts.side2[1].gridpoints[0] = 8; },
          "row 1 of sub_contacts: gridpoint 8 of 8"},
@@ -99,7 +130,8 @@ const std::vector<Damage>& damages() {
              m.sub_contacts.field_columns = 100;
          },
          "the fields of sub-contacts are not counted right"},
-        {"field without rows", [](Model& m) { m.sub_contacts.field_columns = 1; }, "column field_0 of sub_contacts has 0 rows of 2"},
+        {"field without rows", [](Model& m) { m.sub_contacts.field_columns = 1; },
+         "column field_0 of sub_contacts has 0 rows of 2"},
         {"history kind", [](Model& m) { m.histories.all[0].source.kind = ObjectKind::none; },
          "row 0 of histories: its kind is unknown"},
         {"history number", [](Model& m) { m.histories.all[0].number = 0; },

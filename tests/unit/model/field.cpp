@@ -39,12 +39,8 @@ TEST(Fields, NamesAreUniqueWithinATable) {
     std::set<std::string_view> classics, words;
     for (const auto& field : fields()) {
         EXPECT_TRUE(names.insert({field.kind, field.name}).second) << field.name;
-        if (!field.classic.empty()) {
-            EXPECT_TRUE(classics.insert(field.classic).second) << field.classic;
-        }
-        if (!field.history.empty()) {
-            EXPECT_TRUE(words.insert(field.history).second) << field.history;
-        }
+        if (!field.classic.empty()) { EXPECT_TRUE(classics.insert(field.classic).second) << field.classic; }
+        if (!field.history.empty()) { EXPECT_TRUE(words.insert(field.history).second) << field.history; }
     }
 }
 
@@ -52,15 +48,12 @@ TEST(Fields, EveryFieldHasNameUnitAndHelpAndIsFoundByItsWords) {
     for (const auto& field : fields()) {
         EXPECT_FALSE(field.name.empty() || field.unit.empty() || field.help.empty()) << field.name;
         for (const char c : field.name)
-            EXPECT_TRUE(std::islower(static_cast<unsigned char>(c)) || std::isdigit(static_cast<unsigned char>(c)) || c == '_')
+            EXPECT_TRUE(std::islower(static_cast<unsigned char>(c)) || std::isdigit(static_cast<unsigned char>(c)) ||
+                        c == '_')
                 << field.name;
         EXPECT_EQ(find_field(field.kind, field.name), &field);
-        if (!field.classic.empty()) {
-            EXPECT_EQ(find_classic_field(field.classic), &field);
-        }
-        if (!field.history.empty()) {
-            EXPECT_EQ(find_history_field(field.history), &field);
-        }
+        if (!field.classic.empty()) { EXPECT_EQ(find_classic_field(field.classic), &field); }
+        if (!field.history.empty()) { EXPECT_EQ(find_history_field(field.history), &field); }
     }
 }
 
@@ -104,15 +97,11 @@ TEST(Fields, WhatIsWrittenIsReadBack) {
         field.set(model, row, given);
         const FieldValue after = field.get(model, row);
         ASSERT_EQ(after.index(), given.index()) << field.name;
-        if (const auto* real = std::get_if<double>(&given)) {
-            EXPECT_EQ(std::get<double>(after), *real) << field.name;
-        }
+        if (const auto* real = std::get_if<double>(&given)) { EXPECT_EQ(std::get<double>(after), *real) << field.name; }
         if (const auto* whole = std::get_if<std::int64_t>(&given)) {
             EXPECT_EQ(std::get<std::int64_t>(after), *whole) << field.name;
         }
-        if (const auto* v = std::get_if<Vec3>(&given)) {
-            EXPECT_EQ(std::get<Vec3>(after), *v) << field.name;
-        }
+        if (const auto* v = std::get_if<Vec3>(&given)) { EXPECT_EQ(std::get<Vec3>(after), *v) << field.name; }
         if (const auto* name = std::get_if<std::string>(&given)) {
             EXPECT_EQ(std::get<std::string>(after), *name) << field.name;
         }
@@ -135,9 +124,7 @@ TEST(Fields, WritingTheWrongTypeSaysWhatIsNeeded) {
     try {
         set(model, "gp_xvel", 0, Vec3(1, 2, 3));
         FAIL();
-    } catch (const Diagnostic& d) {
-        EXPECT_EQ(d.message, "a number is needed here, and this is a vector");
-    }
+    } catch (const Diagnostic& d) { EXPECT_EQ(d.message, "a number is needed here, and this is a vector"); }
 }
 
 TEST(Fields, WholeNumbersAreNotRounded) {

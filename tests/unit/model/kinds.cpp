@@ -64,17 +64,17 @@ TEST(Relations, ListsNameTheirOwners) {
     std::set<std::string_view> names;
     for (const Relation& relation : relations()) {
         EXPECT_EQ((relation.list != nullptr) + (relation.numbered != nullptr) + (relation.one != nullptr), 1);
-        for (const auto& name : {relation.first.classic, relation.first.modern, relation.next.classic, relation.next.modern, relation.array}) {
-            if (!name.empty()) {
-                EXPECT_TRUE(names.insert(name).second) << name;
-            }
+        for (const auto& name : {relation.first.classic, relation.first.modern, relation.next.classic,
+                                 relation.next.modern, relation.array}) {
+            if (!name.empty()) { EXPECT_TRUE(names.insert(name).second) << name; }
         }
         const auto targets = static_cast<Row>(count_of(model, relation.to));
         for (Row row = 0; row < static_cast<Row>(count_of(model, relation.from)); ++row) {
             if (relation.list != nullptr) {
                 const Span span = relation.list(model, row);
                 EXPECT_LE(span.end(), targets);
-                for (Row part = span.first; relation.owner != nullptr && part < span.end(); ++part) EXPECT_EQ(relation.owner(model, part), row);
+                for (Row part = span.first; relation.owner != nullptr && part < span.end(); ++part)
+                    EXPECT_EQ(relation.owner(model, part), row);
             } else if (relation.numbered != nullptr) {
                 for (const Row part : relation.numbered(model, row)) EXPECT_TRUE(part >= 0 && part < targets);
             } else {

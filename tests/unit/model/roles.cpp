@@ -31,18 +31,23 @@ template <class TableType> void mark(TableType& table, std::initializer_list<Rol
 }
 
 /// The bytes of a row's columns, by name, of those whose role passes.
-template <class TableType> std::map<std::string, std::string> bytes_of(TableType& table, Row row, const std::function<bool(Role)>& passes) {
+template <class TableType>
+std::map<std::string, std::string> bytes_of(TableType& table, Row row, const std::function<bool(Role)>& passes) {
     std::map<std::string, std::string> all;
     table.columns([&]<class T>(const std::string& name, Column<T>& column, Role role) {
         if constexpr (requires { Plain<T>::count; })
-            if (passes(role)) all[name] = std::string(reinterpret_cast<const char*>(scalars(column[static_cast<std::size_t>(row)])), sizeof(T));
+            if (passes(role))
+                all[name] = std::string(reinterpret_cast<const char*>(scalars(column[static_cast<std::size_t>(row)])),
+                                        sizeof(T));
     });
     return all;
 }
 
 bool is_zero(const std::string& bytes) { return bytes.find_first_not_of('\0') == std::string::npos; }
 
-bool of_the_run(Role role) { return role == Role::load || role == Role::motion || role == Role::displacement || role == Role::state; }
+bool of_the_run(Role role) {
+    return role == Role::load || role == Role::motion || role == Role::displacement || role == Role::state;
+}
 
 } // namespace
 
@@ -54,8 +59,11 @@ TEST(Roles, BlocksThatAreFilledInHaveNoneOfTheRunAndKeepTheRest) {
     mark(model.zones, marked);
     mark(model.gridpoints, {Role::load, Role::motion, Role::displacement, Role::state});
     mark(model.triangles, marked);
-    const auto rest = [](Role role) { return role == Role::condition || role == Role::setting || role == Role::geometry; };
-    const auto block = bytes_of(model.blocks, 0, rest), zone = bytes_of(model.zones, 0, rest), triangle = bytes_of(model.triangles, 3, rest);
+    const auto rest = [](Role role) {
+        return role == Role::condition || role == Role::setting || role == Role::geometry;
+    };
+    const auto block = bytes_of(model.blocks, 0, rest), zone = bytes_of(model.zones, 0, rest),
+               triangle = bytes_of(model.triangles, 3, rest);
     excavate_blocks(model, {0});
     fill_blocks(model, {0});
     ASSERT_EQ(model.blocks.number[0], 1);
@@ -73,7 +81,9 @@ TEST(Roles, CopiesHaveTheSettingsAndNothingOfTheRun) {
     Model model;
     Polyhedron cube;
     for (int k = 0; k < 8; ++k) cube.vertices.push_back(Vec3(k & 1, (k >> 1) & 1, k >> 2));
-    for (const auto& loop : {std::vector{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) cube.faces.push_back({loop, 3});
+    for (const auto& loop :
+         {std::vector{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+        cube.faces.push_back({loop, 3});
     for (const bool zoned : {false, true}) {
         const Row block = add_block(model, cube, {});
         if (zoned) generate_zones(model, {block}, 0.6);
@@ -85,10 +95,12 @@ TEST(Roles, CopiesHaveTheSettingsAndNothingOfTheRun) {
         const auto wanted = bytes_of(model.blocks, block, [](Role role) { return role == Role::setting; });
         const Row copy = copy_blocks(model, {block}, {Placement{Mat3::Identity(), Vec3(5, 0, 0)}});
         EXPECT_EQ(bytes_of(model.blocks, copy, [](Role role) { return role == Role::setting; }), wanted);
-        for (const auto& [name, bytes] : bytes_of(model.blocks, copy, [](Role role) { return of_the_run(role) || role == Role::condition; }))
+        for (const auto& [name, bytes] :
+             bytes_of(model.blocks, copy, [](Role role) { return of_the_run(role) || role == Role::condition; }))
             EXPECT_TRUE(is_zero(bytes)) << name;
         for (Row f = 0; f < 6; ++f)
-            EXPECT_EQ(model.faces.joint_set[model.blocks.faces[copy].first + f], model.faces.joint_set[model.blocks.faces[block].first + f]);
+            EXPECT_EQ(model.faces.joint_set[model.blocks.faces[copy].first + f],
+                      model.faces.joint_set[model.blocks.faces[block].first + f]);
         EXPECT_EQ(inconsistency(model), "");
         mark(model.blocks, {Role::load}); // the next round begins with others
     }
@@ -136,8 +148,7 @@ TEST(ModelEdit, RaisesWhatTheChangeMakesStaleWhenItEnds) {
             const ModelEdit edit(model, change);
             EXPECT_FALSE(model.stale.contacts() || model.stale.properties() || model.stale.lists());
             throw 1; // half done
-        } catch (int) {
-        }
+        } catch (int) {}
         EXPECT_EQ(model.stale.contacts(), contacts);
         EXPECT_EQ(model.stale.properties(), properties);
         EXPECT_EQ(model.stale.lists(), lists);

@@ -18,9 +18,7 @@ namespace {
 std::string message_of(const std::function<void()>& action) {
     try {
         action();
-    } catch (const Diagnostic& d) {
-        return d.message + " | " + d.hint;
-    }
+    } catch (const Diagnostic& d) { return d.message + " | " + d.hint; }
     return "nothing was thrown";
 }
 
@@ -79,16 +77,22 @@ TEST(AddHistory, NumbersCountUpAndAnEmptyLabelBecomesTheQuantity) {
 
 TEST(AddHistory, AnUnknownQuantityIsRefusedAndNothingIsAdded) {
     Model model = hand_made_model();
-    EXPECT_EQ(message_of([&] { add_history(model, {Kind::sub_contact, "shear_stres"}); }),
+    EXPECT_EQ(message_of([&] {
+                  add_history(model, {Kind::sub_contact, "shear_stres"});
+              }),
               "'shear_stres' is not a quantity of sub-contacts | did you mean 'shear_stress'?");
-    EXPECT_THAT(message_of([&] { add_history(model, {Kind::global, "zz_stress"}); }),
+    EXPECT_THAT(message_of([&] {
+                    add_history(model, {Kind::global, "zz_stress"});
+                }),
                 HasSubstr("'zz_stress' is not a quantity of the whole model"));
     EXPECT_TRUE(model.histories.all.empty());
 }
 
 TEST(AddHistory, AQuantityThatIsNoNumberIsRefused) {
     Model model = hand_made_model();
-    EXPECT_THAT(message_of([&] { add_history(model, {Kind::gridpoint, "velocity"}); }),
+    EXPECT_THAT(message_of([&] {
+                    add_history(model, {Kind::gridpoint, "velocity"});
+                }),
                 HasSubstr("'velocity' is not a number"));
     EXPECT_THAT(message_of([&] { add_history(model, {Kind::block, "group"}); }), HasSubstr("'group' is not a number"));
     EXPECT_TRUE(model.histories.all.empty());

@@ -79,9 +79,7 @@ TEST(StateHash, EverySingleBitOfTheStateCounts) {
         ScalarChanger changer(target);
         visit_state(changer, model);
         more = changer.changed();
-        if (more) {
-            EXPECT_TRUE(seen.insert(state_hash(model)).second) << "scalar " << target;
-        }
+        if (more) { EXPECT_TRUE(seen.insert(state_hash(model)).second) << "scalar " << target; }
     }
     EXPECT_GT(target, 600u);
 }

@@ -28,7 +28,8 @@ TEST(JointNet, DirectionsLieWhereSchmidtPutsThem) {
     constexpr double degree = std::numbers::pi / 180;
     for (const double plunge : {0.0, 10.0, 30.0, 60.0, 90.0})
         for (const double trend : {0.0, 45.0, 200.0}) {
-            const Vec3 down(std::cos(plunge * degree) * std::sin(trend * degree), std::cos(plunge * degree) * std::cos(trend * degree), -std::sin(plunge * degree));
+            const Vec3 down(std::cos(plunge * degree) * std::sin(trend * degree),
+                            std::cos(plunge * degree) * std::cos(trend * degree), -std::sin(plunge * degree));
             for (const double sign : {1.0, -3.0}) {
                 const auto [x, y] = on_net(sign * down);
                 const double radius = std::sqrt(1 - std::sin(plunge * degree));
@@ -51,7 +52,8 @@ TEST(JointNet, JointsOfBlocksThatAreNotShownAreLeftOut) {
 TEST(IsoSurfaces, LieWhereTheFieldHasTheValue) {
     const Model model = hand_made_model();
     Scene scene;
-    const ColourField height{ObjectKind::gridpoint, "z", [](const Model& m, Row g) -> FieldValue { return m.gridpoints.position[g].z(); }};
+    const ColourField height{ObjectKind::gridpoint, "z",
+                             [](const Model& m, Row g) -> FieldValue { return m.gridpoints.position[g].z(); }};
     add_iso_surfaces(scene, model, all_of(model), height, {0.25, 7});
     ASSERT_EQ(scene.layers.size(), 1U);
     const auto& points = scene.layers[0].points;
@@ -71,9 +73,11 @@ TEST(Crosses, AreAsLongAsStressesAreLarge) {
     std::vector<double> lengths;
     for (std::size_t line = 0; line < 3; ++line) {
         double squares = 0;
-        for (std::size_t k = 0; k < 3; ++k) squares += std::pow(static_cast<double>(layer.points[6 * line + 3 + k] - layer.points[6 * line + k]), 2);
+        for (std::size_t k = 0; k < 3; ++k)
+            squares += std::pow(static_cast<double>(layer.points[6 * line + 3 + k] - layer.points[6 * line + k]), 2);
         lengths.push_back(std::sqrt(squares));
     }
-    EXPECT_THAT(lengths, ElementsAre(testing::DoubleNear(2, 1e-6), testing::DoubleNear(1, 1e-6), testing::DoubleNear(0.5, 1e-6)));
+    EXPECT_THAT(lengths, ElementsAre(testing::DoubleNear(2, 1e-6), testing::DoubleNear(1, 1e-6),
+                                     testing::DoubleNear(0.5, 1e-6)));
     EXPECT_EQ(scene.bars.at(0).low, -4);
 }

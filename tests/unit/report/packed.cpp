@@ -21,7 +21,9 @@ std::string unpacked(const std::string& text, std::size_t size) {
     }
     std::string bytes(size, '\0');
     uLongf length = size;
-    EXPECT_EQ(::uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length, reinterpret_cast<const Bytef*>(small.data()), small.size()), Z_OK);
+    EXPECT_EQ(::uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length,
+                           reinterpret_cast<const Bytef*>(small.data()), small.size()),
+              Z_OK);
     bytes.resize(length);
     return bytes;
 }
@@ -48,7 +50,8 @@ TEST(Packed, NumbersAreTheirBytes) {
 }
 
 TEST(Packed, NumbersKeepFiveDigits) {
-    for (const float number : {1.0F, -2.25F, 0.0F, 3.14159265F, -1.2345678e-20F, 9.8765432e30F}) EXPECT_NEAR(rounded(number), number, 1e-5 * std::abs(static_cast<double>(number)));
+    for (const float number : {1.0F, -2.25F, 0.0F, 3.14159265F, -1.2345678e-20F, 9.8765432e30F})
+        EXPECT_NEAR(rounded(number), number, 1e-5 * std::abs(static_cast<double>(number)));
     EXPECT_EQ(rounded(-2.25F), -2.25F);
     EXPECT_EQ(rounded(std::numeric_limits<float>::max()), std::numeric_limits<float>::max());
     EXPECT_TRUE(std::isnan(rounded(std::nanf(""))));

@@ -65,7 +65,8 @@ TEST(Colours, LightnessOfTheSequentialMapRises) {
     double before = -1;
     for (int k = 0; k <= 20; ++k) {
         const Colour c = sequential_colour(k / 20.0);
-        const double lightness = 0.2126 * std::pow(c[0], 2.2) + 0.7152 * std::pow(c[1], 2.2) + 0.0722 * std::pow(c[2], 2.2);
+        const double lightness =
+            0.2126 * std::pow(c[0], 2.2) + 0.7152 * std::pow(c[1], 2.2) + 0.0722 * std::pow(c[2], 2.2);
         EXPECT_GT(lightness, before);
         before = lightness;
     }
@@ -82,13 +83,17 @@ TEST(SvgChart, ANetIsACircleWithItsWindsAndPoints) {
 
 TEST(SvgChart, DrawsCurvesWithGapsAndEscapesWords) {
     const double gap = std::nan("");
-    const std::string svg = svg_of({"a < b & c", "time", "force", 700, 500, {{"one", {0, 1, 2, 3, 4}, {0, 1, gap, 1, 0}}}});
+    const std::string svg =
+        svg_of({"a < b & c", "time", "force", 700, 500, {{"one", {0, 1, 2, 3, 4}, {0, 1, gap, 1, 0}}}});
     EXPECT_THAT(svg, HasSubstr("a &lt; b &amp; c"));
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
     const auto path = svg.find("stroke-linejoin");
     ASSERT_NE(path, std::string::npos);
     const auto first = svg.rfind("d=\"", path), end = svg.find('"', first + 3);
-    EXPECT_EQ(std::count(svg.begin() + static_cast<std::ptrdiff_t>(first), svg.begin() + static_cast<std::ptrdiff_t>(end), 'M'), 2) << "a gap begins a new line";
+    EXPECT_EQ(std::count(svg.begin() + static_cast<std::ptrdiff_t>(first),
+                         svg.begin() + static_cast<std::ptrdiff_t>(end), 'M'),
+              2)
+        << "a gap begins a new line";
 }
 
 } // namespace

@@ -27,19 +27,28 @@ public:
              {{"id", "b_id", "-", "number of the block", false},
               {"velocity", "b_vel", "velocity", "of the centroid", true},
               {"volume", "b_vol", "volume", "", false}},
-             "b", "block", false, true},
+             "b",
+             "block",
+             false,
+             true},
             {"contact",
              {{"id", "c_id", "-", "", false},
               {"block", "c_b1", "-", "first block", false},
               {"normal", "c_n", "-", "unit normal", false}},
-             "c", "block.contact", true, true},
+             "c",
+             "block.contact",
+             true,
+             true},
             {"sub_contact",
              {{"normal_force", "cx_nforce", "force", "compression positive", true},
               {"x_shear_force", "cx_xsforce", "force", "", false},
               {"normal_displacement", "cx_ndis", "length", "", false},
               {"x_shear_displacement", "cx_xsdis", "length", "", false},
               {"model", "cx_model", "-", "", false}},
-             "cx", "block.subcontact", true, true},
+             "cx",
+             "block.subcontact",
+             true,
+             true},
         };
         using enum RelationInfo::Form;
         relations_ = {{first, -1, block, "block_head", "block.head", "block.list"},
@@ -86,16 +95,11 @@ public:
             return Vec3(0, 0, 1);
         }
         switch (field) {
-        case 0:
-            return normal_force[row];
-        case 1:
-            return shear_force[row];
-        case 2:
-            return normal_displacement[row];
-        case 3:
-            return shear_displacement[row];
-        default:
-            return std::string("mohr");
+        case 0: return normal_force[row];
+        case 1: return shear_force[row];
+        case 2: return normal_displacement[row];
+        case 3: return shear_displacement[row];
+        default: return std::string("mohr");
         }
     }
 
@@ -119,7 +123,9 @@ public:
     Handle at(std::int32_t table, std::size_t index) override {
         return {table, static_cast<std::uint32_t>(index), generation, model_number};
     }
-    bool alive(const Handle& object) override { return object.generation == generation && object.model == model_number; }
+    bool alive(const Handle& object) override {
+        return object.generation == generation && object.model == model_number;
+    }
     Handle relate(std::size_t relation, const Handle& object, const At& at) override {
         const RelationInfo& info = relations_[relation];
         if (info.form == RelationInfo::Form::nearest) {
@@ -231,9 +237,7 @@ struct Stage {
     void lua(const std::string& text) { scripts.run_lua(text, deck(text)); }
     Value value(const std::string& expression) { return scripts.value(expression); }
     double number(const std::string& expression) { return scripts.number(expression); }
-    std::string text(const std::string& expression) {
-        return std::get<std::string>(scripts.value(expression));
-    }
+    std::string text(const std::string& expression) { return std::get<std::string>(scripts.value(expression)); }
 
     FakeWorld world;
     Scripts scripts;
@@ -244,9 +248,7 @@ struct Stage {
 template <class Action> std::string message_of(Action action) {
     try {
         action();
-    } catch (const Diagnostic& diagnostic) {
-        return render(diagnostic);
-    }
+    } catch (const Diagnostic& diagnostic) { return render(diagnostic); }
     return "no error";
 }
 

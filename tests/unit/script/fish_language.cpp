@@ -18,7 +18,7 @@ Value run(const std::string& body) {
     return s.value("f");
 }
 
-TEST(FishLanguage, integers_stay_integers_and_divisions_cut) {
+TEST(FishLanguage, IntegersStayIntegersAndDivisionsCut) {
     EXPECT_EQ(run("f = 7 / 2"), Value(std::int64_t{3}));
     EXPECT_EQ(run("f = -7 / 2"), Value(std::int64_t{-3}));
     EXPECT_EQ(run("f = 7 / 2.0"), Value(3.5));
@@ -33,7 +33,7 @@ TEST(FishLanguage, integers_stay_integers_and_divisions_cut) {
     EXPECT_EQ(run("f = 99999999999"), Value(99999999999.0)); // more than ten digits: a real number
 }
 
-TEST(FishLanguage, powers_bind_to_the_right_and_keep_integers) {
+TEST(FishLanguage, PowersBindToTheRightAndKeepIntegers) {
     EXPECT_EQ(run("f = 2 ^ 3 ^ 2"), Value(std::int64_t{512}));
     EXPECT_EQ(run("f = -2 ^ 2"), Value(std::int64_t{-4}));
     EXPECT_EQ(run("f = 2 ^ -1"), Value(0.5));
@@ -42,13 +42,13 @@ TEST(FishLanguage, powers_bind_to_the_right_and_keep_integers) {
     EXPECT_EQ(run("f = 3 * 2 ^ 2"), Value(std::int64_t{12}));
 }
 
-TEST(FishLanguage, signs_may_stand_together) {
+TEST(FishLanguage, SignsMayStandTogether) {
     EXPECT_EQ(run("a = 3\nf = 1 - -a"), Value(std::int64_t{4}));
     EXPECT_EQ(run("a = 3\nf = - - a"), Value(std::int64_t{3}));
     EXPECT_EQ(run("f = +2.5"), Value(2.5));
 }
 
-TEST(FishLanguage, comparisons_have_the_values_one_and_zero) {
+TEST(FishLanguage, ComparisonsHaveTheValuesOneAndZero) {
     EXPECT_EQ(run("f = (3 > 2) + (2 # 2) + (2 = 2.0) + ('a' = 'a')"), Value(std::int64_t{3}));
     EXPECT_EQ(run("f = 2 <= 2"), Value(std::int64_t{1}));
     EXPECT_EQ(run("f = 1 != 1"), Value(std::int64_t{0}));
@@ -57,7 +57,7 @@ TEST(FishLanguage, comparisons_have_the_values_one_and_zero) {
     EXPECT_EQ(run("f = not 0"), Value(std::int64_t{1}));
 }
 
-TEST(FishLanguage, a_bare_value_is_a_condition) {
+TEST(FishLanguage, ABareValueIsACondition) {
     EXPECT_EQ(run("found = 1\nif found then\nf = 5\nendif"), Value(std::int64_t{5}));
     EXPECT_EQ(run("found = 0.0\nif found\nf = 5\nelse\nf = 6\nendif"), Value(std::int64_t{6}));
     EXPECT_EQ(run("if contact_head then\nf = 5\nendif"), Value(std::int64_t{5}));
@@ -65,23 +65,22 @@ TEST(FishLanguage, a_bare_value_is_a_condition) {
     EXPECT_EQ(run("if and(1 > 0, 2 > 1) then\nf = 5\nendif"), Value(std::int64_t{5}));
 }
 
-TEST(FishLanguage, classic_logic_works_on_bits) {
+TEST(FishLanguage, ClassicLogicWorksOnBits) {
     EXPECT_EQ(run("f = and(12, 10)"), Value(std::int64_t{8}));
     EXPECT_EQ(run("f = or(12, 10)"), Value(std::int64_t{14}));
     EXPECT_EQ(run("f = not(0)"), Value(std::int64_t{-1}));
     EXPECT_EQ(run("f = lshift(3, 2) + rshift(16, 3)"), Value(std::int64_t{14}));
 }
 
-TEST(FishLanguage, else_if_and_else) {
-    const std::string body =
-        "if a = 1\nf = 10\nelse if a = 2 then\nf = 20\nelseif a = 3\nf = 30\nelse\nf = 40\nend_if";
+TEST(FishLanguage, ElseIfAndElse) {
+    const std::string body = "if a = 1\nf = 10\nelse if a = 2 then\nf = 20\nelseif a = 3\nf = 30\nelse\nf = 40\nend_if";
     EXPECT_EQ(run("a = 1\n" + body), Value(std::int64_t{10}));
     EXPECT_EQ(run("a = 2\n" + body), Value(std::int64_t{20}));
     EXPECT_EQ(run("a = 3\n" + body), Value(std::int64_t{30}));
     EXPECT_EQ(run("a = 4\n" + body), Value(std::int64_t{40}));
 }
 
-TEST(FishLanguage, loops_over_a_range_include_both_ends) {
+TEST(FishLanguage, LoopsOverARangeIncludeBothEnds) {
     EXPECT_EQ(run("loop i (1, 4)\nf = f + i\nendloop"), Value(std::int64_t{10}));
     EXPECT_EQ(run("loop i (10, 1, -3)\nf = f * 100 + i\nend_loop"), Value(std::int64_t{10070401}));
     EXPECT_EQ(run("loop i (3, 2)\nf = f + i\nendloop"), Value(std::int64_t{0}));
@@ -90,17 +89,16 @@ TEST(FishLanguage, loops_over_a_range_include_both_ends) {
     EXPECT_EQ(run("loop i (1, 10)\ni = i + 1\nf = f + 1\nendloop"), Value(std::int64_t{5}));
 }
 
-TEST(FishLanguage, loop_while_for_and_foreach) {
+TEST(FishLanguage, LoopWhileForAndForeach) {
     EXPECT_EQ(run("loop while f < 7\nf = f + 2\nendloop"), Value(std::int64_t{8}));
     EXPECT_EQ(run("loop for (i = 0, i < 4, i = i + 1)\nf = f + i\nendloop"), Value(std::int64_t{6}));
     EXPECT_EQ(run("array a(3)\na(1) = 5\na(3) = 7\nloop foreach local x a\nf = f + x\nx = 99\nendloop"),
               Value(std::int64_t{12}));
 }
 
-TEST(FishLanguage, exit_loop_and_continue) {
-    EXPECT_EQ(
-        run("loop i (1, 10)\nif i = 3\ncontinue\nendif\nif i = 6\nexit loop\nendif\nf = f + i\nendloop"),
-        Value(std::int64_t{12}));
+TEST(FishLanguage, ExitLoopAndContinue) {
+    EXPECT_EQ(run("loop i (1, 10)\nif i = 3\ncontinue\nendif\nif i = 6\nexit loop\nendif\nf = f + i\nendloop"),
+              Value(std::int64_t{12}));
     EXPECT_EQ(run("loop while 1\nloop j (1, 5)\nif j = 2\nexit loop\nendif\nf = f + 1\nendloop\n"
                   "if f = 3\nexit loop\nendif\nendloop"),
               Value(std::int64_t{3}));
@@ -108,13 +106,13 @@ TEST(FishLanguage, exit_loop_and_continue) {
               Value(std::int64_t{7}));
 }
 
-TEST(FishLanguage, exit_leaves_the_function_with_its_value) {
+TEST(FishLanguage, ExitLeavesTheFunctionWithItsValue) {
     EXPECT_EQ(run("f = 1\nexit\nf = 2"), Value(std::int64_t{1}));
     EXPECT_EQ(run("loop while 1\nf = f + 1\nif f > 4\nexit\nendif\nendloop"), Value(std::int64_t{5}));
     EXPECT_EQ(run("return 3 * 4\nf = 1"), Value(std::int64_t{12}));
 }
 
-TEST(FishLanguage, case_of_runs_the_fitting_case_or_what_stands_first) {
+TEST(FishLanguage, CaseOfRunsTheFittingCaseOrWhatStandsFirst) {
     const std::string body = "case_of a\nf = -1\ncase 1\nf = 10\ncase 2.0\nf = 20\ncase 'x'\nf = 30\nendcase";
     EXPECT_EQ(run("a = 1\n" + body), Value(std::int64_t{10}));
     EXPECT_EQ(run("a = 2\n" + body), Value(std::int64_t{20}));
@@ -124,28 +122,26 @@ TEST(FishLanguage, case_of_runs_the_fitting_case_or_what_stands_first) {
     EXPECT_EQ(run("case_of 3\nf = 4\nendcase"), Value(std::int64_t{4}));
 }
 
-TEST(FishLanguage, sections_are_left_from_inside) {
-    EXPECT_EQ(
-        run("section\nf = 1\nloop i (1, 5)\nif i = 2\nexit section\nendif\nf = f + 10\nendloop\nf = 99\n"
-            "endsection\nf = f + 100"),
-        Value(std::int64_t{111}));
-    EXPECT_EQ(run("section\nsection\nexit section\nf = 1\nendsection\nf = f + 2\nendsection"),
-              Value(std::int64_t{2}));
+TEST(FishLanguage, SectionsAreLeftFromInside) {
+    EXPECT_EQ(run("section\nf = 1\nloop i (1, 5)\nif i = 2\nexit section\nendif\nf = f + 10\nendloop\nf = 99\n"
+                  "endsection\nf = f + 100"),
+              Value(std::int64_t{111}));
+    EXPECT_EQ(run("section\nsection\nexit section\nf = 1\nendsection\nf = f + 2\nendsection"), Value(std::int64_t{2}));
 }
 
-TEST(FishLanguage, names_know_no_case_and_lines_go_on) {
+TEST(FishLanguage, NamesKnowNoCaseAndLinesGoOn) {
     EXPECT_EQ(run("NumCyc = 4\nf = numcyc + &\n  NUMCYC ... ; more follows\n  + 1"), Value(std::int64_t{9}));
     EXPECT_EQ(run("f = 1 ; f = 2"), Value(std::int64_t{1}));
     EXPECT_EQ(run("a = ';'\nf = a"), Value(std::string(";")));
 }
 
-TEST(FishLanguage, words_of_lua_are_names_like_others) {
+TEST(FishLanguage, WordsOfLuaAreNamesLikeOthers) {
     EXPECT_EQ(run("nil = 1\nrepeat = 2\nlocal until = 3\nfunction = 4\nf = nil + repeat + until + function"),
               Value(std::int64_t{10}));
     EXPECT_EQ(run("local größe = 3\nf = größe * 2"), Value(std::int64_t{6}));
 }
 
-TEST(FishLanguage, arguments_and_locals_hide_globals) {
+TEST(FishLanguage, ArgumentsAndLocalsHideGlobals) {
     Stage s;
     s.fish("def add(a, b)\n local c = a + b\n add = c\nend");
     s.fish("def f\n a = 100\n c = 7\n f = add(1, add(2, 3)) + a + c\nend");
@@ -155,13 +151,13 @@ TEST(FishLanguage, arguments_and_locals_hide_globals) {
     EXPECT_FALSE(s.scripts.knows("v"));
 }
 
-TEST(FishLanguage, functions_call_themselves) {
+TEST(FishLanguage, FunctionsCallThemselves) {
     Stage s;
     s.fish("def fac(n)\n if n < 2\n fac = 1\n else\n fac = n * fac(n - 1)\n endif\nend");
     EXPECT_EQ(whole(s.value("@fac(10)")), 3628800);
 }
 
-TEST(FishLanguage, a_redefinition_replaces_and_its_callers_follow) {
+TEST(FishLanguage, ARedefinitionReplacesAndItsCallersFollow) {
     Stage s;
     s.fish("def a\n a = b\nend");
     EXPECT_EQ(whole(s.value("a")), 0); // b is a variable as yet
@@ -173,7 +169,7 @@ TEST(FishLanguage, a_redefinition_replaces_and_its_callers_follow) {
     EXPECT_THAT(message_of([&] { s.value("a"); }), HasSubstr("'b' takes 1 argument, here it is given none"));
 }
 
-TEST(FishLanguage, an_array_of_the_same_sizes_is_kept) {
+TEST(FishLanguage, AnArrayOfTheSameSizesIsKept) {
     // As output functions have it: the statement stands in the loop that fills the array.
     EXPECT_EQ(run("loop n (1,3)\narray a(5,1)\na(n,1) = n\nendloop\nf = a(1,1) * 100 + a(2,1) * 10 + a(3,1)"),
               Value(std::int64_t{123}));
@@ -185,15 +181,14 @@ TEST(FishLanguage, an_array_of_the_same_sizes_is_kept) {
     EXPECT_EQ(s.value("g"), Value(std::int64_t{1})); // local: another one in each call
 }
 
-TEST(FishLanguage, arrays_have_bounds_and_dimensions) {
-    EXPECT_EQ(run("array a(2,3) b(4)\na(2,1) = 5\nb(4) = 6\nf = a(2,1) * 10 + b(4) + a(1,1)"),
-              Value(std::int64_t{56}));
+TEST(FishLanguage, ArraysHaveBoundsAndDimensions) {
+    EXPECT_EQ(run("array a(2,3) b(4)\na(2,1) = 5\nb(4) = 6\nf = a(2,1) * 10 + b(4) + a(1,1)"), Value(std::int64_t{56}));
     EXPECT_EQ(run("array a(2,3)\na(1,1) = 1\narray a(3,2)\nf = a(1,1)"), Value(std::int64_t{0}));
     EXPECT_EQ(run("n = 3\narray a(n)\nf = array_size(a, 1) * 10 + array_dim(a)"), Value(std::int64_t{31}));
     EXPECT_EQ(run("array a(2)\na(1.0 + 1) = 8\nf = a(2)"), Value(std::int64_t{8}));
 }
 
-TEST(FishLanguage, texts_join_with_plus) {
+TEST(FishLanguage, TextsJoinWithPlus) {
     EXPECT_EQ(run("f = 'wall' + string(12) + '.sav'"), Value(std::string("wall12.sav")));
     EXPECT_EQ(run("a = '10'\nb = '20'\nf = a + b"), Value(std::string("1020")));
     EXPECT_EQ(run("f = 'n = ' + 2.5"), Value(std::string("n = 2.5")));
@@ -201,7 +196,7 @@ TEST(FishLanguage, texts_join_with_plus) {
     EXPECT_EQ(run("f = 'a' < 'b'"), Value(std::int64_t{1}));
 }
 
-TEST(FishLanguage, texts_have_functions) {
+TEST(FishLanguage, TextsHaveFunctions) {
     EXPECT_EQ(run("f = substr('gridpoint', 5, 3)"), Value(std::string("poi")));
     EXPECT_EQ(run("f = substr('grid', 9)"), Value(std::string("")));
     EXPECT_EQ(run("f = toupper('aB') + tolower('Cd') + string(strlen('abc'))"), Value(std::string("ABcd3")));
@@ -222,7 +217,7 @@ TEST(FishLanguage, texts_have_functions) {
               Value(std::int64_t{12346}));
 }
 
-TEST(FishLanguage, mathematics) {
+TEST(FishLanguage, Mathematics) {
     EXPECT_EQ(run("f = abs(-3)"), Value(std::int64_t{3}));
     EXPECT_EQ(run("f = max(1, 2.5, 2)"), Value(2.5));
     EXPECT_EQ(run("f = min(3, 2, 4)"), Value(std::int64_t{2}));
@@ -233,7 +228,7 @@ TEST(FishLanguage, mathematics) {
     EXPECT_EQ(run("f = 4 * atan(1) - pi"), Value(0.0));
 }
 
-TEST(FishLanguage, vectors) {
+TEST(FishLanguage, Vectors) {
     EXPECT_EQ(run("v = vector(1,2,3) + vector(1,0,0) * 2\nf = xcomp(v) * 100 + ycomp(v) * 10 + zcomp(v)"),
               Value(323.0));
     EXPECT_EQ(run("v = vector(1,2,3)\nw = v\nycomp(v) = 7\nf = ycomp(v) * 10 + ycomp(w)"), Value(72.0));
@@ -241,22 +236,20 @@ TEST(FishLanguage, vectors) {
     EXPECT_EQ(run("f = mag(unit(vector(3,4,0)))"), Value(1.0));
     EXPECT_EQ(run("f = vector(1,2,3) = vector(1,2,3)"), Value(std::int64_t{1}));
     EXPECT_EQ(run("f = -vector(1,2,4) / 2"), Value(Vec3(-0.5, -1, -2)));
-    EXPECT_NEAR(
-        std::get<double>(run("f = dipfromnorm(normfromdipdd(30, 110)) + ddfromnorm(normfromdipdd(30, 110))")),
-        140, 1e-12);
+    EXPECT_NEAR(std::get<double>(run("f = dipfromnorm(normfromdipdd(30, 110)) + ddfromnorm(normfromdipdd(30, 110))")),
+                140, 1e-12);
 }
 
-TEST(FishLanguage, tables_interpolate_and_grow) {
-    EXPECT_EQ(
-        run("table(1, 0) = 0\ntable(1, 2) = 4\ntable(1, 1) = 1\nf = table(1, 1.5) * 10 + table_size(1)"),
-        Value(28.0));
+TEST(FishLanguage, TablesInterpolateAndGrow) {
+    EXPECT_EQ(run("table(1, 0) = 0\ntable(1, 2) = 4\ntable(1, 1) = 1\nf = table(1, 1.5) * 10 + table_size(1)"),
+              Value(28.0));
     EXPECT_EQ(run("xtable(3, 1) = 5\nytable(3, 1) = 6\nvtable(3, 2) = vector(7, 8, 0)\n"
                   "f = xtable(3, 2) * 100 + ytable(3, 1) * 10 + ycomp(vtable(3, 2))"),
               Value(768.0));
     EXPECT_EQ(run("f = table_size(9)"), Value(std::int64_t{0}));
 }
 
-TEST(FishLanguage, random_numbers_are_the_same_in_every_run) {
+TEST(FishLanguage, RandomNumbersAreTheSameInEveryRun) {
     const Value first = run("loop i (1, 100)\nf = f + urand * grand\nendloop");
     EXPECT_EQ(first, run("loop i (1, 100)\nf = f + urand * grand\nendloop"));
     Options options;
@@ -266,7 +259,7 @@ TEST(FishLanguage, random_numbers_are_the_same_in_every_run) {
     EXPECT_NE(s.value("f"), first);
 }
 
-TEST(FishLanguage, fields_are_read_and_written_through_pointers) {
+TEST(FishLanguage, FieldsAreReadAndWrittenThroughPointers) {
     Stage s;
     s.fish("def f\n c = contact_head\n p = c_cx(c)\n cx_nforce(p) = 12\n b = c_b1(c)\n"
            " b_vel(b) = vector(1,2,3)\n xcomp(b_vel(b)) = 9\n damp_local = 0.5\n"
@@ -276,7 +269,7 @@ TEST(FishLanguage, fields_are_read_and_written_through_pointers) {
     EXPECT_EQ(s.world.damping, 0.5);
 }
 
-TEST(FishLanguage, null_pointers_equal_zero) {
+TEST(FishLanguage, NullPointersEqualZero) {
     Stage s;
     s.fish("def f\n c = c_next(contact_head)\n if c_b1(c) = 0\n f = 1\n endif\n if c_next(c) = null\n f = f "
            "+ 2\n endif\n"
@@ -284,7 +277,7 @@ TEST(FishLanguage, null_pointers_equal_zero) {
     EXPECT_EQ(whole(s.value("f")), 7);
 }
 
-TEST(FishLanguage, nearest_objects_and_extra_values) {
+TEST(FishLanguage, NearestObjectsAndExtraValues) {
     Stage s;
     s.fish("def f\n b = b_near(1, 2.5, 3)\n b_extra(b) = 'north'\n b_extra(b, 2) = 8\n f = "
            "b_extra(block_head) + string(b_extra(b, 2))\n"
@@ -294,7 +287,7 @@ TEST(FishLanguage, nearest_objects_and_extra_values) {
     EXPECT_EQ(whole(s.value("n")), 0);
 }
 
-TEST(FishLanguage, commands_get_local_values_and_expressions) {
+TEST(FishLanguage, CommandsGetLocalValuesAndExpressions) {
     Stage s;
     s.fish("def build(n)\n local x = 0.1 + 0.2\n name = 'stone wall'\n command\n  poly brick 0,@x 0,[n*2] "
            "0,1 ; [comment]\n"
@@ -311,7 +304,7 @@ TEST(FishLanguage, commands_get_local_values_and_expressions) {
     EXPECT_EQ(s.world.commands[4].line, 11);
 }
 
-TEST(FishLanguage, commands_may_call_functions) {
+TEST(FishLanguage, CommandsMayCallFunctions) {
     Stage s;
     s.fish("def inner\n inner = 3\n n = n + 1\nend");
     s.fish("def outer\n command\n  go\n end_command\n outer = n\nend");
@@ -319,7 +312,7 @@ TEST(FishLanguage, commands_may_call_functions) {
     EXPECT_EQ(whole(s.value("outer")), 1);
 }
 
-TEST(FishLanguage, whilestepping_runs_after_every_cycle_until_it_is_replaced) {
+TEST(FishLanguage, WhilesteppingRunsAfterEveryCycleUntilItIsReplaced) {
     Stage s;
     s.fish("def watch\n while_stepping\n n = n + 1\nend");
     for (int i = 1; i <= 3; ++i) s.scripts.run_hooks(Moment::after_cycle, i);
@@ -329,7 +322,7 @@ TEST(FishLanguage, whilestepping_runs_after_every_cycle_until_it_is_replaced) {
     EXPECT_FALSE(s.scripts.has_hooks(Moment::after_cycle));
 }
 
-TEST(FishLanguage, big_functions_fit_into_the_limits_of_lua) {
+TEST(FishLanguage, BigFunctionsFitIntoTheLimitsOfLua) {
     std::string body = "def f\n", sum = "f = 0";
     for (int i = 0; i < 300; ++i) body += " local v" + std::to_string(i) + " = " + std::to_string(i) + "\n";
     for (int i = 0; i < 300; ++i) sum += " + v" + std::to_string(i);
@@ -340,7 +333,7 @@ TEST(FishLanguage, big_functions_fit_into_the_limits_of_lua) {
     EXPECT_EQ(s.number("global1999"), 1999.5);
 }
 
-TEST(FishLanguage, nested_blocks_up_to_forty) {
+TEST(FishLanguage, NestedBlocksUpToForty) {
     std::string body;
     for (int i = 0; i < 38; ++i) body += "loop i" + std::to_string(i) + " (1, 1)\n";
     body += "f = f + 1\n";

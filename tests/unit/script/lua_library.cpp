@@ -16,9 +16,7 @@ using ::testing::HasSubstr;
 /// A folder of its own that the test works in.
 class Folder {
 public:
-    Folder() : before_(std::filesystem::current_path()) {
-        std::filesystem::current_path(folder_.path());
-    }
+    Folder() : before_(std::filesystem::current_path()) { std::filesystem::current_path(folder_.path()); }
     ~Folder() { std::filesystem::current_path(before_); }
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
@@ -31,7 +29,7 @@ private:
     std::filesystem::path before_;
 };
 
-TEST(LuaLibrary, lists_walk_over_the_model) {
+TEST(LuaLibrary, ListsWalkOverTheModel) {
     Stage s(3, 2);
     s.lua("local n = 0\nfor c in contacts() do for p in c:sub_contacts() do n = n + 1 end end\n"
           "local m = 0\nfor p in sub_contacts() do m = m + 1 end\n"
@@ -39,15 +37,16 @@ TEST(LuaLibrary, lists_walk_over_the_model) {
     EXPECT_THAT(s.printed, ElementsAre("6\t6\t3\t1"));
 }
 
-TEST(LuaLibrary, histories_are_read_by_their_labels) {
+TEST(LuaLibrary, HistoriesAreReadByTheirLabels) {
     Stage s;
     s.lua("local h = history['tau']\nprint(#h.values, h.minimum, h.maximum, h.last, h.times[3])\n"
           "print((select(2, pcall(function() return history.sigma end))))\n"
           "print((select(2, pcall(function() history.tau = 3 end))))");
-    EXPECT_THAT(s.printed, ElementsAre("3\t1.0\t5.0\t3.0\t0.3", "there is no history 'sigma'", "histories can be read, not set"));
+    EXPECT_THAT(s.printed,
+                ElementsAre("3\t1.0\t5.0\t3.0\t0.3", "there is no history 'sigma'", "histories can be read, not set"));
 }
 
-TEST(LuaLibrary, fields_are_read_and_written_by_name) {
+TEST(LuaLibrary, FieldsAreReadAndWrittenByName) {
     Stage s;
     s.lua("for p in sub_contacts() do p.normal_force = 3 end\nmodel.damping = 0.25\n"
           "for b in blocks() do b.velocity = vector(1, 2, 3) end\n"
@@ -60,20 +59,20 @@ TEST(LuaLibrary, fields_are_read_and_written_by_name) {
     EXPECT_THAT(s.printed, ElementsAre("1\t(0,0,1)\tblock 1\ttrue\t0.25\t100", "true\tcontact 1"));
 }
 
-TEST(LuaLibrary, null_is_nil) {
+TEST(LuaLibrary, NullIsNil) {
     Stage s;
     s.lua("local i = 0\nfor c in contacts() do i = i + 1; print(i, c.block) end");
     EXPECT_THAT(s.printed, ElementsAre("1\tblock 1", "2\tnil"));
 }
 
-TEST(LuaLibrary, reductions) {
+TEST(LuaLibrary, Reductions) {
     Stage s;
     s.lua("local total = 0\nfor p in sub_contacts() do total = total + p.normal_force end\n"
           "assert(sum('sub_contact', 'normal_force') == total)\n"
           "assert(mean('sub_contact', 'normal_force') == total / 8)");
 }
 
-TEST(LuaLibrary, vectors) {
+TEST(LuaLibrary, Vectors) {
     Stage s;
     s.lua("local a, b = vector(1, 2, 3), vector(0, 0, 2)\n"
           "print(a + b, a - b, -a, a * 2, 2 * a, a / 2, a * b)\n"
@@ -82,13 +81,13 @@ TEST(LuaLibrary, vectors) {
                                        "6.0\t2.0\t(0,0,1)\t(4,-2,0)\t6.0\ttrue"));
 }
 
-TEST(LuaLibrary, texts_behave_as_in_lua) {
+TEST(LuaLibrary, TextsBehaveAsInLua) {
     Stage s;
     s.lua("print('10' + 5, '3' * '4', 'a' .. 1, ('x'):rep(3))");
     EXPECT_THAT(s.printed, ElementsAre("15\t12\ta1\txxx"));
 }
 
-TEST(LuaLibrary, hooks_run_at_their_moment_and_interval) {
+TEST(LuaLibrary, HooksRunAtTheirMomentAndInterval) {
     Stage s;
     s.lua("log = ''\n"
           "hook.before_cycle(function() log = log .. 'b' end)\n"
@@ -103,7 +102,7 @@ TEST(LuaLibrary, hooks_run_at_their_moment_and_interval) {
     EXPECT_TRUE(s.scripts.has_hooks(Moment::after_forces));
 }
 
-TEST(LuaLibrary, fish_and_lua_see_each_other) {
+TEST(LuaLibrary, FishAndLuaSeeEachOther) {
     Stage s;
     s.fish("def twice(n)\n twice = n * 2\n total = total + 1\nend");
     s.fish("def ask\n ask = Answer(1) + tell\n if yes\n ask = ask + 100\n endif\n if nothing_at_all = 0\n "
@@ -120,7 +119,7 @@ TEST(LuaLibrary, fish_and_lua_see_each_other) {
                 HasSubstr("'twice' takes 1 argument, here it is given none"));
 }
 
-TEST(LuaLibrary, a_name_that_was_a_variable_becomes_a_lua_function) {
+TEST(LuaLibrary, ANameThatWasAVariableBecomesALuaFunction) {
     Stage s;
     s.fish("def f\n f = late\nend");
     EXPECT_EQ(s.value("f"), Value(std::int64_t{0}));
@@ -128,7 +127,7 @@ TEST(LuaLibrary, a_name_that_was_a_variable_becomes_a_lua_function) {
     EXPECT_EQ(s.value("f"), Value(std::int64_t{9}));
 }
 
-TEST(LuaLibrary, commands_go_to_the_world_with_their_line) {
+TEST(LuaLibrary, CommandsGoToTheWorldWithTheirLine) {
     Stage s;
     s.lua("\ncommand [[poly brick 0,1\ngen edge 1]]");
     ASSERT_EQ(s.world.commands.size(), 1);
@@ -137,7 +136,7 @@ TEST(LuaLibrary, commands_go_to_the_world_with_their_line) {
     EXPECT_EQ(s.world.commands[0].line, 2);
 }
 
-TEST(LuaLibrary, histories_of_functions_and_names) {
+TEST(LuaLibrary, HistoriesOfFunctionsAndNames) {
     Stage s;
     s.fish("def watch\n watch = 3\nend");
     s.lua("history.add('watch')\nhistory.add(function() return model.time * 2 end)");
@@ -148,7 +147,7 @@ TEST(LuaLibrary, histories_of_functions_and_names) {
     EXPECT_EQ(s.number("@watch"), 3);
 }
 
-TEST(LuaLibrary, pairs_has_a_fixed_order) {
+TEST(LuaLibrary, PairsHasAFixedOrder) {
     Stage s;
     s.lua("local t = {zeta = 1, alpha = 2, [3] = 'c', [1] = 'a', mid = 3}\nlocal words = {}\n"
           "for k, v in pairs(t) do words[#words + 1] = k .. '=' .. v; t[k] = nil "
@@ -157,7 +156,7 @@ TEST(LuaLibrary, pairs_has_a_fixed_order) {
     EXPECT_THAT(s.printed, ElementsAre("1=a 3=c alpha=2 mid=3 zeta=1\tnil", "1", "2"));
 }
 
-TEST(LuaLibrary, random_numbers_come_from_the_seed) {
+TEST(LuaLibrary, RandomNumbersComeFromTheSeed) {
     Stage a, b;
     const std::string text =
         "local t = {}\nfor i = 1, 5 do t[i] = math.random(1, 1000) end\nprint(table.concat(t, ' '))\n"
@@ -172,14 +171,13 @@ TEST(LuaLibrary, random_numbers_come_from_the_seed) {
     EXPECT_EQ(a.value("f"), b.value("f"));
 }
 
-TEST(LuaLibrary, require_finds_modules_beside_the_deck) {
+TEST(LuaLibrary, RequireFindsModulesBesideTheDeck) {
     const Folder folder;
     std::filesystem::create_directories("parts");
     Folder::write("parts/wall.lua", "loads = (loads or 0) + 1\nreturn { height = 3 }");
     Folder::write("broken.lua", "local x = 1\nreturn x +");
-    Folder::write(
-        "main.lua",
-        "local wall = require 'parts.wall'\nprint(wall.height, require('parts.wall') == wall, loads)");
+    Folder::write("main.lua",
+                  "local wall = require 'parts.wall'\nprint(wall.height, require('parts.wall') == wall, loads)");
     Stage s;
     s.scripts.run_lua_file("main.lua", {});
     EXPECT_THAT(s.printed, ElementsAre("3\ttrue\t1"));
@@ -187,17 +185,16 @@ TEST(LuaLibrary, require_finds_modules_beside_the_deck) {
                 HasSubstr("broken.lua:2:1: error: unexpected symbol near <eof>"));
 }
 
-TEST(LuaLibrary, files_of_lua_and_fish_stay_in_the_folder) {
+TEST(LuaLibrary, FilesOfLuaAndFishStayInTheFolder) {
     const Folder folder;
     Stage s;
     s.lua("local f = io.open('a.txt', 'w')\nf:write('one\\ntwo\\n')\nf:close()\nfor line in "
           "io.lines('a.txt') do print(line) end");
     EXPECT_THAT(s.printed, ElementsAre("one", "two"));
-    s.fish(
-        "def f\n array line(3) words(4)\n status = open('a.txt', 0, 1)\n n = read(line, 3)\n status = close\n"
-        " words(1) = line(2) + '!'\n words(2) = 2.5\n words(4) = vector(1,2,3)\n"
-        " status = status + open('b.txt', 1, 1)\n status = status + write(words, 4)\n close\n"
-        " f = n * 10 + open('missing', 0, 1) + status\nend");
+    s.fish("def f\n array line(3) words(4)\n status = open('a.txt', 0, 1)\n n = read(line, 3)\n status = close\n"
+           " words(1) = line(2) + '!'\n words(2) = 2.5\n words(4) = vector(1,2,3)\n"
+           " status = status + open('b.txt', 1, 1)\n status = status + write(words, 4)\n close\n"
+           " f = n * 10 + open('missing', 0, 1) + status\nend");
     EXPECT_EQ(s.value("f"), Value(std::int64_t{21}));
     EXPECT_EQ(Folder::read("b.txt"), "two!\n 2.5\n 0\n (1,2,3)\n");
 }

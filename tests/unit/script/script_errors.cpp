@@ -34,7 +34,7 @@ std::string lua_message(const std::string& text) {
     return "no error";
 }
 
-TEST(ScriptErrors, line_and_stack_of_functions) {
+TEST(ScriptErrors, LineAndStackOfFunctions) {
     Stage s;
     s.fish("def g(n)\n g = 1 / n ; by nothing\nend\n");
     const std::string text = "\n\n\ndef f\n a = 1\n f = g(a - 1)\nend\n";
@@ -46,7 +46,7 @@ TEST(ScriptErrors, line_and_stack_of_functions) {
                                                          "  in FISH function 'f', test.3ddat:6");
 }
 
-TEST(ScriptErrors, stack_through_lua_and_commands) {
+TEST(ScriptErrors, StackThroughLuaAndCommands) {
     Stage s;
     s.fish("def deep\n deep = 1 / 0\nend\n");
     s.fish("def outer\n command\n  go\n endcommand\nend\n");
@@ -60,7 +60,7 @@ TEST(ScriptErrors, stack_through_lua_and_commands) {
                                                              "  in FISH function 'outer', test.3ddat:3");
 }
 
-TEST(ScriptErrors, fish_arithmetic) {
+TEST(ScriptErrors, FishArithmetic) {
     EXPECT_EQ(fish_message("a = 0\nb = 1 / a"), "division by zero");
     EXPECT_EQ(fish_message("b = 1.0 / 0.0"), "division by zero");
     EXPECT_EQ(fish_message("b = 0 ^ -1"), "division by zero");
@@ -68,10 +68,8 @@ TEST(ScriptErrors, fish_arithmetic) {
     EXPECT_EQ(fish_message("b = 'a' * 2"), "the text 'a' and the integer 2 cannot be multiplied");
     EXPECT_EQ(fish_message("b = 'a' - 'b'"), "the text 'a' and the text 'b' cannot be subtracted");
     EXPECT_EQ(fish_message("b = -'a'"), "the text 'a' has no negative");
-    EXPECT_EQ(fish_message("b = contact_head + 1"),
-              "a pointer to contact 1 and the integer 1 cannot be added");
-    EXPECT_EQ(fish_message("b = vector(1,2,3) * 'a'"),
-              "the vector (1,2,3) and the text 'a' cannot be multiplied");
+    EXPECT_EQ(fish_message("b = contact_head + 1"), "a pointer to contact 1 and the integer 1 cannot be added");
+    EXPECT_EQ(fish_message("b = vector(1,2,3) * 'a'"), "the vector (1,2,3) and the text 'a' cannot be multiplied");
     EXPECT_EQ(fish_message("array a(3)\nb = a + 1"), "an array and the integer 1 cannot be added");
     EXPECT_EQ(fish_message("if 'a' > 1\nendif"), "the integer 1 and the text 'a' cannot be compared by size");
     EXPECT_EQ(fish_message("if contact_head > 1\nendif"),
@@ -80,23 +78,21 @@ TEST(ScriptErrors, fish_arithmetic) {
     EXPECT_EQ(fish_message("b = sqrt(-1)"), "'sqrt' is given -1; it takes no negative number");
     EXPECT_EQ(fish_message("b = ln(0)"), "'ln' is given 0; it takes numbers above 0");
     EXPECT_EQ(fish_message("b = acos(1.5)"), "'acos' is given 1.5; it takes numbers from -1 to 1");
-    EXPECT_EQ(fish_message("b = sin('a')"),
-              "the argument of 'sin' must be a number, here it is the text 'a'");
+    EXPECT_EQ(fish_message("b = sin('a')"), "the argument of 'sin' must be a number, here it is the text 'a'");
     EXPECT_EQ(fish_message("b = int('two')"), "'int' is given the text 'two', which is no number");
     EXPECT_EQ(fish_message("b = unit(vector(0,0,0))"), "'unit' is given a vector of length zero");
     EXPECT_EQ(fish_message("b = dot(vector(0,0,0), 3)"),
               "argument 2 of 'dot' must be a vector, here it is the integer 3");
 }
 
-TEST(ScriptErrors, fish_pointers) {
+TEST(ScriptErrors, FishPointers) {
     EXPECT_EQ(fish_message("c = 0\nb = c_id(c)"),
               "'c_id' is given a null pointer | test the pointer against 0 before its contact is used");
     EXPECT_EQ(fish_message("b = c_next(0)"),
               "'c_next' is given a null pointer | test the pointer against 0 before it is used");
     EXPECT_EQ(fish_message("b = c_id(block_head)"),
               "'c_id' needs a pointer to a contact, here it is given a pointer to block 1");
-    EXPECT_EQ(fish_message("b = c_cx(3.5)"),
-              "'c_cx' needs a pointer to a contact, here it is given the number 3.5");
+    EXPECT_EQ(fish_message("b = c_cx(3.5)"), "'c_cx' needs a pointer to a contact, here it is given the number 3.5");
     EXPECT_EQ(fish_message("b = cx_nforc(contact_head)"),
               "'cx_nforc' is neither a function nor an array | did you mean 'cx_nforce'?");
     EXPECT_EQ(fish_message("b = b_near(1, 2)"), "'b_near' needs a place: three coordinates or one vector");
@@ -104,7 +100,7 @@ TEST(ScriptErrors, fish_pointers) {
               "a pointer cannot stand in a command | use its number, as in [b_id(p)]");
 }
 
-TEST(ScriptErrors, deleted_objects_are_recognised) {
+TEST(ScriptErrors, DeletedObjectsAreRecognised) {
     Stage s;
     s.fish("def f\n f = c_id(c)\nend");
     s.fish("def keep\n c = contact_head\nend");
@@ -117,7 +113,7 @@ TEST(ScriptErrors, deleted_objects_are_recognised) {
     EXPECT_THAT(message_of([&] { s.lua("print(kept.id)"); }), HasSubstr("this object no longer exists"));
 }
 
-TEST(ScriptErrors, fish_arrays) {
+TEST(ScriptErrors, FishArrays) {
     EXPECT_EQ(fish_message("array a(3)\na(4) = 1"),
               "a(4) is outside of the array a(3) | indices are whole numbers and count from 1");
     EXPECT_EQ(fish_message("array a(3)\nb = a(0)"),
@@ -137,12 +133,11 @@ TEST(ScriptErrors, fish_arrays) {
               "the size of the array 'a' is the integer 0 | a size is a whole number above 0");
     EXPECT_EQ(fish_message("array a(100000,100000)"),
               "the array 'a' has too many elements | at most 134217728 are possible");
-    EXPECT_EQ(fish_message("loop foreach x 3\nendloop"),
-              "'loop foreach' needs a list, here it is given the integer 3");
+    EXPECT_EQ(fish_message("loop foreach x 3\nendloop"), "'loop foreach' needs a list, here it is given the integer 3");
     EXPECT_EQ(fish_message("b = nothing()"), "'nothing' is no function but the integer 0");
 }
 
-TEST(ScriptErrors, fish_other) {
+TEST(ScriptErrors, FishOther) {
     EXPECT_EQ(fish_message("loop i (1,2,0)\nendloop"),
               "the step of a loop is the integer 0 | it must be a number other than 0");
     EXPECT_EQ(fish_message("error = 'the wall fell'"), "the wall fell");
@@ -151,14 +146,13 @@ TEST(ScriptErrors, fish_other) {
     EXPECT_EQ(fish_message("b = table(4, 1)"), "table 4 holds no point | fill it before it is read");
     EXPECT_EQ(fish_message("ytable(4, 2) = 1"), "table 4 holds no point | fill it before it is read");
     EXPECT_EQ(fish_message("table(4, 1) = 1\nb = xtable(4, 2)"), "table 4 has points 1 to 1, not 2");
-    EXPECT_EQ(
-        fish_message("b = open('../x', 0, 1)"),
-        "'../x' lies outside of the folders that this run may use | allow it once for all with: kaya allow ..");
+    EXPECT_EQ(fish_message("b = open('../x', 0, 1)"),
+              "'../x' lies outside of the folders that this run may use | allow it once for all with: kaya allow ..");
     EXPECT_EQ(fish_message("b = open('x', 0, 0)"),
               "FISH's own binary files cannot be read or written | use 1 as third argument: plain text");
 }
 
-TEST(ScriptErrors, names_that_mean_nothing_in_a_command) {
+TEST(ScriptErrors, NamesThatMeanNothingInACommand) {
     Stage s;
     s.fish("def watch\n sstav = 1\nend");
     EXPECT_EQ(message_of([&] { s.scripts.number("@sstat", deck("hist @sstat\n")); }),
@@ -166,14 +160,13 @@ TEST(ScriptErrors, names_that_mean_nothing_in_a_command) {
               "     1 | hist @sstat\n"
               "       | ^ did you mean 'sstav'?");
     EXPECT_THAT(message_of([&] { s.scripts.call("@wach"); }), HasSubstr("did you mean 'watch'?"));
-    EXPECT_THAT(message_of([&] { s.scripts.set("@watch", Value(1.0)); }),
-                HasSubstr("'watch' is a FISH function"));
+    EXPECT_THAT(message_of([&] { s.scripts.set("@watch", Value(1.0)); }), HasSubstr("'watch' is a FISH function"));
     EXPECT_THAT(message_of([&] { s.scripts.set("@sin", Value(1.0)); }), HasSubstr("'sin' is built in"));
     EXPECT_THAT(message_of([&] { s.scripts.define_fish("def sin\nend", deck("def sin\nend")); }),
                 StartsWith("test.3ddat:1:1: error: 'sin' is built in and cannot be defined"));
 }
 
-TEST(ScriptErrors, histories_need_numbers) {
+TEST(ScriptErrors, HistoriesNeedNumbers) {
     Stage s;
     s.scripts.set("a", Value(std::string("much")));
     s.scripts.set("b", Value(true));
@@ -185,7 +178,7 @@ TEST(ScriptErrors, histories_need_numbers) {
                                                   "value is a number, a text, a vector or a pointer");
 }
 
-TEST(ScriptErrors, a_failed_definition_leaves_the_old_one) {
+TEST(ScriptErrors, AFailedDefinitionLeavesTheOldOne) {
     Stage s;
     s.fish("def f\n f = 1\nend");
     EXPECT_NE(message_of([&] { s.fish("def f\n f = (2\nend"); }), "no error");
@@ -193,7 +186,7 @@ TEST(ScriptErrors, a_failed_definition_leaves_the_old_one) {
     EXPECT_EQ(s.value("f"), Value(std::int64_t{1}));
 }
 
-TEST(ScriptErrors, commands_and_functions_that_call_each_other_without_end) {
+TEST(ScriptErrors, CommandsAndFunctionsThatCallEachOtherWithoutEnd) {
     Stage s;
     s.fish("def f\n command\n go\n endcommand\nend");
     s.world.on_command = [&](const std::string&) { s.scripts.call("@f"); };
@@ -203,7 +196,7 @@ TEST(ScriptErrors, commands_and_functions_that_call_each_other_without_end) {
     EXPECT_EQ(message_of([&] { s.scripts.call("@f"); }), "no error");
 }
 
-TEST(ScriptErrors, an_endless_loop_can_be_stopped) {
+TEST(ScriptErrors, AnEndlessLoopCanBeStopped) {
     Stage s;
     s.fish("def f\n loop while 1\n n = n + 1\n if n = 1000\n  command\n  go\n  endcommand\n endif\n "
            "endloop\nend");
@@ -214,14 +207,13 @@ TEST(ScriptErrors, an_endless_loop_can_be_stopped) {
     EXPECT_THAT(message_of([&] { s.lua("safe()"); }), HasSubstr("the script was stopped"));
 }
 
-TEST(ScriptErrors, lua_fields) {
+TEST(ScriptErrors, LuaFields) {
     EXPECT_EQ(lua_message("for s in sub_contacts() do\n print(s.normal_farce)\nend"),
               "a sub_contact has no field 'normal_farce' | did you mean 'normal_force'?");
     EXPECT_EQ(lua_message("for s in sub_contacts() do print(s.cx_nforce) end"),
               "a sub_contact has no field 'cx_nforce' | in Lua it is called 'normal_force'");
     EXPECT_EQ(lua_message("for c in contacts() do c.id = 3 end"), "'id' of a contact can be read, not set");
-    EXPECT_EQ(lua_message("for c in contacts() do c.idd = 3 end"),
-              "a contact has no field 'idd' | did you mean 'id'?");
+    EXPECT_EQ(lua_message("for c in contacts() do c.idd = 3 end"), "a contact has no field 'idd' | did you mean 'id'?");
     EXPECT_EQ(lua_message("print(model.tyme)"), "the model has no field 'tyme' | did you mean 'time'?");
     EXPECT_EQ(lua_message("model.time = 3"), "'time' of the model can be read, not set");
     EXPECT_EQ(lua_message("for b in blocks() do b.velocity = print end"),
@@ -231,32 +223,28 @@ TEST(ScriptErrors, lua_fields) {
               "a block has no list of sub_contacts");
     EXPECT_EQ(lua_message("sum('sub_contact','norm')"),
               "sub_contact has no field 'norm' | did you mean 'normal_force'?");
-    EXPECT_EQ(lua_message("sum('subcontact','norm')"),
-              "a model has no 'subcontact' | did you mean 'sub_contact'?");
+    EXPECT_EQ(lua_message("sum('subcontact','norm')"), "a model has no 'subcontact' | did you mean 'sub_contact'?");
 }
 
-TEST(ScriptErrors, lua_language) {
+TEST(ScriptErrors, LuaLanguage) {
     EXPECT_EQ(lua_message("x = = 3"), "unexpected symbol near '='");
     EXPECT_EQ(lua_message("while true do"), "'end' expected near <eof>");
     EXPECT_EQ(lua_message("local a\nprint(a.b)"), "attempt to index a nil value (local 'a')");
     EXPECT_EQ(lua_message("error('my own')"), "my own");
     EXPECT_EQ(lua_message("error({})"), "the script stopped with a table as error value");
-    EXPECT_EQ(
-        lua_message("local v = vector(1,2,3)\nv.x = 3"),
-        "the components of a vector cannot be set one by one | make a new one: v = vector(1, v.y, v.z)");
+    EXPECT_EQ(lua_message("local v = vector(1,2,3)\nv.x = 3"),
+              "the components of a vector cannot be set one by one | make a new one: v = vector(1, v.y, v.z)");
     EXPECT_EQ(lua_message("print(vector(1,2,3).w)"),
               "a vector has no 'w' | it has x, y, z, and the functions length(), unit(), dot(v), cross(v)");
-    EXPECT_EQ(lua_message("hook.after_cycle(3)"),
-              "hook.after_cycle needs a function, here it is given the integer 3");
-    EXPECT_EQ(lua_message("hook.after_cycle(print, 0)"),
-              "the interval of a hook is 0 | it counts cycles from 1 up");
+    EXPECT_EQ(lua_message("hook.after_cycle(3)"), "hook.after_cycle needs a function, here it is given the integer 3");
+    EXPECT_EQ(lua_message("hook.after_cycle(print, 0)"), "the interval of a hook is 0 | it counts cycles from 1 up");
     EXPECT_EQ(lua_message("fish.nothing = 3\nprint(fish.nothin)"),
               "there is no FISH variable or function 'nothin' | did you mean 'nothing'?");
     EXPECT_EQ(lua_message("fish.f = function() end"),
               "fish.f cannot hold a function | FISH can call every global function of Lua by its name");
 }
 
-TEST(ScriptErrors, the_sandbox_holds) {
+TEST(ScriptErrors, TheSandboxHolds) {
     const std::string trust = " | run with --trust to allow it";
     EXPECT_EQ(lua_message("os.execute('ls')"), "os.execute cannot be used in a deck" + trust);
     EXPECT_EQ(lua_message("os.remove('x')"), "os.remove cannot be used in a deck" + trust);
@@ -264,20 +252,17 @@ TEST(ScriptErrors, the_sandbox_holds) {
     EXPECT_EQ(lua_message("package.loadlib('x', 'y')"), "package.loadlib cannot be used in a deck" + trust);
     EXPECT_EQ(lua_message("debug.getregistry()"), "debug.getregistry cannot be used in a deck" + trust);
     EXPECT_THAT(lua_message("io.open('/etc/passwd')"), HasSubstr("lies outside of the folders"));
-    EXPECT_THAT(lua_message("for l in io.lines('../x') do end"),
-                HasSubstr("lies outside of the folders"));
+    EXPECT_THAT(lua_message("for l in io.lines('../x') do end"), HasSubstr("lies outside of the folders"));
     EXPECT_EQ(lua_message("dofile('x')"), "attempt to call a nil value (global 'dofile')");
     EXPECT_EQ(lua_message("assert(load('\\27Lua') == nil)"), "no error"); // no bytecode
     EXPECT_EQ(lua_message("assert(_G.os == os and _G._G == _G)"), "no error");
     EXPECT_EQ(lua_message("assert(load('return os')() == os)"), "no error");
     EXPECT_EQ(lua_message("assert(getmetatable('') == false and string.dump == nil)"), "no error");
-    EXPECT_EQ(lua_message("local c = nearest('contact', 0, 0, 0)\nassert(getmetatable(c) == false)"),
-              "no error");
+    EXPECT_EQ(lua_message("local c = nearest('contact', 0, 0, 0)\nassert(getmetatable(c) == false)"), "no error");
     EXPECT_EQ(lua_message("setmetatable({}, {__gc = print})"),
               "a metatable with __gc cannot be used in a deck | leave __gc out");
-    EXPECT_EQ(
-        lua_message("local _, e = pcall(function() return model.x end)\nassert(getmetatable(e) == false)"),
-        "no error");
+    EXPECT_EQ(lua_message("local _, e = pcall(function() return model.x end)\nassert(getmetatable(e) == false)"),
+              "no error");
     EXPECT_EQ(lua_message("require '../x'"), "'../x' is not the name of a module | a name has letters, "
                                              "digits, '_' and '-'; a point stands for a folder");
     EXPECT_EQ(lua_message("require 'nowhere'"),
@@ -286,7 +271,7 @@ TEST(ScriptErrors, the_sandbox_holds) {
               "there is no module 'library' | it would be the file library.lua next to the deck");
 }
 
-TEST(ScriptErrors, a_trusted_deck_may_do_all) {
+TEST(ScriptErrors, ATrustedDeckMayDoAll) {
     Options options;
     options.trusted = true;
     Stage s(2, 4, options);
@@ -294,7 +279,7 @@ TEST(ScriptErrors, a_trusted_deck_may_do_all) {
           "io.open('/dev/null')\nassert(f)\nf:close()");
 }
 
-TEST(ScriptErrors, a_missing_lua_file) {
+TEST(ScriptErrors, AMissingLuaFile) {
     Stage s;
     EXPECT_EQ(message_of([&] { s.scripts.run_lua_file("nowhere.lua", deck("lua nowhere.lua\n")); }),
               "test.3ddat:1:1: error: the Lua file 'nowhere.lua' cannot be read\n"

@@ -66,7 +66,7 @@ end
 hook.after_cycle(average)
 )";
 
-TEST(Scripts, average_is_the_same_to_the_last_bit_in_fish_and_lua) {
+TEST(Scripts, AverageIsTheSameToTheLastBitInFishAndLua) {
     Stage s(2, 8);
     s.fish(average_in_fish);
     s.lua(average_in_lua);
@@ -81,7 +81,7 @@ TEST(Scripts, average_is_the_same_to_the_last_bit_in_fish_and_lua) {
     EXPECT_EQ(s.number("sjdisp"), s.number("d"));
 }
 
-TEST(Scripts, a_name_of_a_function_runs_it_wherever_it_stands) {
+TEST(Scripts, ANameOfAFunctionRunsItWhereverItStands) {
     Stage s;
     s.fish("def outer\n outer = inner + 1\nend\n"); // inner is not there yet
     s.fish("def inner\n inner = 41\n calls = calls + 1\nend\n");
@@ -90,7 +90,7 @@ TEST(Scripts, a_name_of_a_function_runs_it_wherever_it_stands) {
     EXPECT_EQ(s.value("calls"), Value(std::int64_t{3}));
 }
 
-TEST(Scripts, print_goes_to_the_sink) {
+TEST(Scripts, PrintGoesToTheSink) {
     Stage s;
     s.fish("def say\n out('x = ' + string(1.0/3))\n out(vector(1,2.5,1e-7))\nend\n");
     s.scripts.call("@say");

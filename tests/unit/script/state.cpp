@@ -26,7 +26,7 @@ void fill(Stage& s) {
     s.lua("settings.depth = 10\nsettings.names[3] = 'c'");
 }
 
-TEST(ScriptState, a_copy_goes_on_as_the_original_would) {
+TEST(ScriptState, ACopyGoesOnAsTheOriginalWould) {
     Stage first;
     fill(first);
     for (int i = 1; i <= 3; ++i) first.scripts.run_hooks(Moment::after_cycle, i);
@@ -52,7 +52,7 @@ TEST(ScriptState, a_copy_goes_on_as_the_original_would) {
     EXPECT_EQ(to_bytes(first.scripts.state()), to_bytes(second.scripts.state()));
 }
 
-TEST(ScriptState, restoring_changes_neither_the_model_nor_the_screen) {
+TEST(ScriptState, RestoringChangesNeitherTheModelNorTheScreen) {
     Stage first;
     fill(first);
     EXPECT_EQ(first.world.commands.size(), 2);
@@ -66,7 +66,7 @@ TEST(ScriptState, restoring_changes_neither_the_model_nor_the_screen) {
     EXPECT_THAT(second.printed, ElementsAre("here"));
 }
 
-TEST(ScriptState, two_names_of_one_array_stay_one_array) {
+TEST(ScriptState, TwoNamesOfOneArrayStayOneArray) {
     Stage first;
     first.fish("def f\n array a(2)\n b = a\nend");
     first.scripts.call("f");
@@ -76,7 +76,7 @@ TEST(ScriptState, two_names_of_one_array_stay_one_array) {
     EXPECT_EQ(second.value("[b(1)]"), Value(std::int64_t{6}));
 }
 
-TEST(ScriptState, a_chunk_in_a_loop_is_kept_once) {
+TEST(ScriptState, AChunkInALoopIsKeptOnce) {
     Stage s;
     for (int i = 0; i < 10; ++i) s.lua("function f() return 1 end");
     EXPECT_EQ(s.scripts.state().sources.size(), 1);
@@ -84,7 +84,7 @@ TEST(ScriptState, a_chunk_in_a_loop_is_kept_once) {
     EXPECT_EQ(s.scripts.state().sources.size(), 4);
 }
 
-TEST(ScriptState, the_same_work_gives_the_same_bytes) {
+TEST(ScriptState, TheSameWorkGivesTheSameBytes) {
     Stage a, b;
     fill(a);
     fill(b);
@@ -93,18 +93,17 @@ TEST(ScriptState, the_same_work_gives_the_same_bytes) {
     EXPECT_NE(to_bytes(a.scripts.state()), to_bytes(b.scripts.state()));
 }
 
-TEST(ScriptState, lines_of_restored_functions_are_those_of_the_deck) {
+TEST(ScriptState, LinesOfRestoredFunctionsAreThoseOfTheDeck) {
     Stage first;
     const std::string text = "def f\n f = 1 / zero\nend\n";
     first.scripts.define_fish(text, deck("\n\n\n\n" + text, 5));
     Stage second;
     second.scripts.restore(first.scripts.state());
     EXPECT_EQ(message_of([&] { second.scripts.call("f"); }), message_of([&] { first.scripts.call("f"); }));
-    EXPECT_THAT(message_of([&] { second.scripts.call("f"); }),
-                HasSubstr("test.3ddat:6:2: error: division by zero"));
+    EXPECT_THAT(message_of([&] { second.scripts.call("f"); }), HasSubstr("test.3ddat:6:2: error: division by zero"));
 }
 
-TEST(ScriptState, clear_forgets_everything) {
+TEST(ScriptState, ClearForgetsEverything) {
     Stage s;
     fill(s);
     s.scripts.clear();
@@ -117,9 +116,10 @@ TEST(ScriptState, clear_forgets_everything) {
     EXPECT_EQ(s.printed.back(), "still here");
 }
 
-TEST(ScriptState, a_function_outlives_the_model_that_it_throws_away) {
+TEST(ScriptState, AFunctionOutlivesTheModelThatItThrowsAway) {
     Stage s;
-    s.fish("def f\n p = contact_head\n c_extra(p) = 5\n n = 1\n command\n new\n endcommand\n n = n + 1\n q = contact_head\n x = c_extra(q)\nend");
+    s.fish(
+        "def f\n p = contact_head\n c_extra(p) = 5\n n = 1\n command\n new\n endcommand\n n = n + 1\n q = contact_head\n x = c_extra(q)\nend");
     s.scripts.tables()[3].set(1, 2);
     s.world.on_command = [&](const std::string&) {
         EXPECT_TRUE(s.scripts.running());
@@ -142,7 +142,7 @@ TEST(ScriptState, a_function_outlives_the_model_that_it_throws_away) {
     EXPECT_TRUE(std::holds_alternative<Handle>(other.scripts.value("q")));
 }
 
-TEST(ScriptState, what_a_command_waits_for_cannot_change_the_model) {
+TEST(ScriptState, WhatACommandWaitsForCannotChangeTheModel) {
     Stage s;
     s.fish("def f\n command\n new\n endcommand\n f = 1\nend");
     s.world.on_command = [&](const std::string&) { s.scripts.refuse_while_awaited("new"); };
@@ -150,10 +150,11 @@ TEST(ScriptState, what_a_command_waits_for_cannot_change_the_model) {
     EXPECT_THAT(message_of([&] { s.scripts.value("f"); }), HasSubstr("'new' cannot be given here"));
     EXPECT_THAT(message_of([&] { s.scripts.number("f"); }), HasSubstr("'new' cannot be given here"));
     s.scripts.add_fish_hook("f", Moment::after_cycle, 1, {});
-    EXPECT_THAT(message_of([&] { s.scripts.run_hooks(Moment::after_cycle, 1); }), HasSubstr("'new' cannot be given here"));
+    EXPECT_THAT(message_of([&] { s.scripts.run_hooks(Moment::after_cycle, 1); }),
+                HasSubstr("'new' cannot be given here"));
 }
 
-TEST(ScriptState, of_a_saved_model_comes_what_belongs_to_objects_and_missing_tables) {
+TEST(ScriptState, OfASavedModelComesWhatBelongsToObjectsAndMissingTables) {
     Stage first;
     first.lua("n = 7");
     first.fish("def f\n c_extra(contact_head) = 5\n n = 7\nend");
@@ -179,7 +180,7 @@ TEST(ScriptState, of_a_saved_model_comes_what_belongs_to_objects_and_missing_tab
     EXPECT_EQ(s.scripts.value("g"), Value(std::int64_t{5})); // as it was
 }
 
-TEST(ScriptState, damaged_bytes_are_refused_wherever_they_end) {
+TEST(ScriptState, DamagedBytesAreRefusedWhereverTheyEnd) {
     Stage s;
     fill(s);
     const std::string bytes = to_bytes(s.scripts.state());
@@ -189,11 +190,10 @@ TEST(ScriptState, damaged_bytes_are_refused_wherever_they_end) {
     EXPECT_THAT(message_of([&] { from_bytes("something else"); }), HasSubstr("these are no saved scripts"));
     std::string newer = bytes;
     newer[10] = 9;
-    EXPECT_THAT(message_of([&] { from_bytes(newer); }),
-                HasSubstr("saved in version 9; this program reads version 3"));
+    EXPECT_THAT(message_of([&] { from_bytes(newer); }), HasSubstr("saved in version 9; this program reads version 3"));
 }
 
-TEST(ScriptState, changed_bytes_end_in_a_message_or_a_state_never_in_a_crash) {
+TEST(ScriptState, ChangedBytesEndInAMessageOrAStateNeverInACrash) {
     Stage s;
     fill(s);
     const std::string bytes = to_bytes(s.scripts.state());
@@ -207,7 +207,7 @@ TEST(ScriptState, changed_bytes_end_in_a_message_or_a_state_never_in_a_crash) {
     EXPECT_GT(refused, 50);
 }
 
-TEST(ScriptState, objects_that_cannot_be_are_refused) {
+TEST(ScriptState, ObjectsThatCannotBeAreRefused) {
     const auto refusal = [](const StoredObject& object) {
         ScriptState state;
         state.objects = {object};
@@ -224,12 +224,14 @@ TEST(ScriptState, objects_that_cannot_be_are_refused) {
     EXPECT_THAT(refusal({{-1}, {}, {one}}), HasSubstr("damaged"));
 }
 
-TEST(ScriptState, handles_of_tables_that_no_model_has_are_refused) {
-    for (const Handle handle : {Handle{40, 1, 1}, Handle{-1, 1, 1}, Handle{3, 1, 1}, Handle{0, 1u << 28, 1}, Handle{0, 1, 1u << 30}}) {
+TEST(ScriptState, HandlesOfTablesThatNoModelHasAreRefused) {
+    for (const Handle handle :
+         {Handle{40, 1, 1}, Handle{-1, 1, 1}, Handle{3, 1, 1}, Handle{0, 1u << 28, 1}, Handle{0, 1, 1u << 30}}) {
         ScriptState state;
         state.lua_globals = {{"p", handle}};
         Stage s;
-        EXPECT_THAT(message_of([&] { s.scripts.restore(state); }), HasSubstr("damaged")) << handle.table << " " << handle.slot;
+        EXPECT_THAT(message_of([&] { s.scripts.restore(state); }), HasSubstr("damaged"))
+            << handle.table << " " << handle.slot;
         state.lua_globals = {{"t", ObjectReference{0}}};
         state.objects.push_back({{}, {handle}, {std::int64_t{1}}});
         EXPECT_THAT(message_of([&] { s.scripts.restore(state); }), HasSubstr("damaged")) << "as a key";
@@ -240,7 +242,7 @@ TEST(ScriptState, handles_of_tables_that_no_model_has_are_refused) {
     EXPECT_EQ(message_of([&] { s.scripts.restore(state); }), "no error");
 }
 
-TEST(ScriptState, lines_that_would_fill_the_memory_are_refused) {
+TEST(ScriptState, LinesThatWouldFillTheMemoryAreRefused) {
     ScriptState state;
     for (int i = 0; i < 3; ++i)
         state.sources.push_back({StoredSource::Kind::lua, "", "deck" + std::to_string(i), 4'000'000, "x = 1"});
@@ -248,7 +250,7 @@ TEST(ScriptState, lines_that_would_fill_the_memory_are_refused) {
     EXPECT_THAT(message_of([&] { s.scripts.restore(state); }), HasSubstr("damaged"));
 }
 
-TEST(ScriptState, a_chunk_that_fails_when_it_runs_again_says_so) {
+TEST(ScriptState, AChunkThatFailsWhenItRunsAgainSaysSo) {
     ScriptState state;
     state.sources.push_back({StoredSource::Kind::lua, "", "old.3ddat", 3, "error('gone')"});
     Stage s;

@@ -9,7 +9,7 @@
 namespace kaya::script {
 namespace {
 
-TEST(Table, is_linear_between_points_and_constant_outside) {
+TEST(Table, IsLinearBetweenPointsAndConstantOutside) {
     Table table;
     EXPECT_THROW(table.at(1), Diagnostic);
     table.set(2, 20);
@@ -24,7 +24,7 @@ TEST(Table, is_linear_between_points_and_constant_outside) {
     EXPECT_EQ(table.at(9), 20);
 }
 
-TEST(Table, a_step_is_two_points_at_one_place) {
+TEST(Table, AStepIsTwoPointsAtOnePlace) {
     Table table;
     table.insert(0, 1);
     table.insert(1, 1);
@@ -35,13 +35,13 @@ TEST(Table, a_step_is_two_points_at_one_place) {
     EXPECT_EQ(table.at(1.5), 3);
 }
 
-TEST(Random, first_numbers_of_a_seed_never_change) {
+TEST(Random, FirstNumbersOfASeedNeverChange) {
     Random random(1);
     EXPECT_EQ(random.bits(), 12966619160104079557u);
     EXPECT_EQ(random.bits(), 9600361134598540522u);
 }
 
-TEST(Random, means_and_spreads) {
+TEST(Random, MeansAndSpreads) {
     Random random(7);
     double sum = 0, squares = 0, uniform = 0;
     constexpr int n = 100000;
@@ -56,7 +56,7 @@ TEST(Random, means_and_spreads) {
     EXPECT_NEAR(uniform / n, 0.5, 0.005);
 }
 
-TEST(ValueText, shows_values_as_fish_prints_them) {
+TEST(ValueText, ShowsValuesAsFishPrintsThem) {
     EXPECT_EQ(to_text(9.940991e-06), "9.94099e-06");
     EXPECT_EQ(to_text(322.0771), "322.077");
     EXPECT_EQ(to_text(-202837.2), "-202837");

@@ -93,7 +93,8 @@ TEST(Slices, ASlopeUnderWaterIsOneOfBuoyantWeight) {
     const auto surface = circle_surface(wet, {5, 25}, 25);
     ASSERT_TRUE(surface);
     const auto a = body_above(wet, *surface, 400), b = body_above(light, *surface, 400);
-    for (const SliceMethod method : {SliceMethod::bishop, SliceMethod::janbu, SliceMethod::spencer, SliceMethod::morgenstern_price}) {
+    for (const SliceMethod method :
+         {SliceMethod::bishop, SliceMethod::janbu, SliceMethod::spencer, SliceMethod::morgenstern_price}) {
         const auto under = factor_of_safety(*a, method), by_weight = factor_of_safety(*b, method);
         ASSERT_TRUE(under && by_weight) << name_of(method);
         EXPECT_NEAR(under->factor, by_weight->factor, 2e-3 * by_weight->factor) << name_of(method);
@@ -116,14 +117,17 @@ TEST(SurfaceSearch, KeepsToItsLimitsAndIsTheSameTwice) {
     EXPECT_LE(limited->surface.points.front().x(), 1e-6);
     const auto polyline = weakest_polyline(columns, SurfaceSearch{});
     ASSERT_TRUE(polyline);
-    EXPECT_NEAR(polyline->answer.factor, free->answer.factor, 0.02 * free->answer.factor) << "in one soil a circle is nearly the weakest";
+    EXPECT_NEAR(polyline->answer.factor, free->answer.factor, 0.02 * free->answer.factor)
+        << "in one soil a circle is nearly the weakest";
 }
 
 TEST(SurfaceSearch, AWeakLayerIsFollowed) {
     SlopeSection section = slope();
     section.strengths.push_back(Strength::coulomb(0, 8));
     section.cells.clear();
-    const auto cell = [&](std::vector<SectionPoint> corners, std::size_t strength) { section.cells.push_back({std::move(corners), 20e3, strength}); };
+    const auto cell = [&](std::vector<SectionPoint> corners, std::size_t strength) {
+        section.cells.push_back({std::move(corners), 20e3, strength});
+    };
     cell({{-20, -10}, {-20, -1.5}, {50, -1.5}, {50, -10}}, 0);
     cell({{-20, -1.5}, {-20, -1}, {50, -1}, {50, -1.5}}, 1);
     cell({{-20, -1}, {-20, 0}, {0, 0}, {0, -1}}, 0);
@@ -134,7 +138,6 @@ TEST(SurfaceSearch, AWeakLayerIsFollowed) {
     ASSERT_TRUE(circle && polyline);
     EXPECT_LT(polyline->answer.factor, 0.97 * circle->answer.factor);
 }
-
 
 /// A weak joint that dips gently out of a slope, and a fault behind the crest.
 SlopeSection on_a_weak_layer() {

@@ -20,7 +20,8 @@ TEST(Sliding, ModesOfSimpleBlocks) {
     const std::vector<HeldFace> roof{face({0, 0, 1})};
     EXPECT_EQ(slide(weight, roof).mode, SlidingMode::falling);
     EXPECT_EQ(slide(weight, roof).factor, 0);
-    const std::vector<HeldFace> box{face({1, 0, 0}), face({-1, 0, 0}), face({0, 1, 0}), face({0, -1, 0}), face({0, 0, 1}), face({0, 0, -1})};
+    const std::vector<HeldFace> box{face({1, 0, 0}),  face({-1, 0, 0}), face({0, 1, 0}),
+                                    face({0, -1, 0}), face({0, 0, 1}),  face({0, 0, -1})};
     EXPECT_EQ(slide(weight, box).mode, SlidingMode::held);
     const std::vector<HeldFace> shaft(box.begin(), box.begin() + 4);
     EXPECT_EQ(slide(weight, shaft).mode, SlidingMode::one_plane) << "between upright walls that carry nothing";
@@ -43,7 +44,8 @@ double best_dot(const Vec3& force, const std::vector<HeldFace>& faces) {
         for (int j = 0; j < 2 * steps; ++j) {
             const double polar = std::numbers::pi * i / steps, around = std::numbers::pi * j / steps;
             const Vec3 v(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), std::cos(polar));
-            if (std::ranges::all_of(faces, [&](const HeldFace& f) { return f.outward.dot(v) <= 0; })) best = std::max(best, force.dot(v));
+            if (std::ranges::all_of(faces, [&](const HeldFace& f) { return f.outward.dot(v) <= 0; }))
+                best = std::max(best, force.dot(v));
         }
     return best;
 }
@@ -57,22 +59,23 @@ TEST(Sliding, RandomConesMoveWhereTheForceGoesFarthest) {
         const int count = 1 + trial % 6;
         for (int k = 0; k < count; ++k) faces.push_back(face({normal(random), normal(random), normal(random)}, 2));
         const SlidingAnswer answer = slide(weight, faces);
-        const double best = best_dot(weight, faces), found = answer.direction.isZero() ? 0 : weight.dot(answer.direction);
+        const double best = best_dot(weight, faces),
+                     found = answer.direction.isZero() ? 0 : weight.dot(answer.direction);
         EXPECT_GE(found, best - 1e-9) << trial;
         EXPECT_LE(found, best + 0.05) << trial << ": the net of directions is two degrees wide";
         for (const HeldFace& f : faces) EXPECT_LE(f.outward.dot(answer.direction), 2e-6) << trial;
         (answer.mode == SlidingMode::held ? held : moved) += 1;
         // Turned as a whole it does the same.
-        const Mat3 turn = Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized().toRotationMatrix();
+        const Mat3 turn = Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+                              .normalized()
+                              .toRotationMatrix();
         std::vector<HeldFace> turned = faces;
         for (HeldFace& f : turned) f.outward = turn * f.outward;
         std::ranges::reverse(turned);
         const SlidingAnswer again = slide(turn * weight, turned);
         EXPECT_EQ(again.mode, answer.mode) << trial;
         EXPECT_NEAR((again.direction - turn * answer.direction).norm(), 0, 1e-9) << trial;
-        if (answer.factor) {
-            EXPECT_NEAR(*again.factor, *answer.factor, 1e-9 * (1 + *answer.factor)) << trial;
-        }
+        if (answer.factor) { EXPECT_NEAR(*again.factor, *answer.factor, 1e-9 * (1 + *answer.factor)) << trial; }
     }
     EXPECT_GT(held, 20);
     EXPECT_GT(moved, 100);

@@ -32,7 +32,8 @@ TEST(Strength, BartonIsTheFormulaAndItsSlope) {
         EXPECT_NEAR(strength.tangent(n).at(n), n * std::tan(angle * radian), 1e-9 * n);
         expect_touching(strength, n);
     }
-    EXPECT_NEAR(strength.tangent(2e8).at(2e8), 2e8 * std::tan(25 * radian), 1) << "beyond JCS only the residual angle is left";
+    EXPECT_NEAR(strength.tangent(2e8).at(2e8), 2e8 * std::tan(25 * radian), 1)
+        << "beyond JCS only the residual angle is left";
     EXPECT_EQ(strength.tangent(0).cohesion, 0);
     EXPECT_NEAR(strength.tangent(-1e5).tan_friction, std::tan(70 * radian), 1e-12);
 }

@@ -67,7 +67,8 @@ struct Kind {
 };
 
 void import_and_cycle(Session& session, const std::string& file) {
-    session.interpreter.run_text(fmt::format("import '{}'\nprop mat 1 dens 2000\njmodel jkn 1e8 jks 1e8\ncycle 2\n", file), "hostile.3dd");
+    session.interpreter.run_text(
+        fmt::format("import '{}'\nprop mat 1 dens 2000\njmodel jkn 1e8 jks 1e8\ncycle 2\n", file), "hostile.3dd");
 }
 
 void read_table(Session& session, const std::string& file) {
@@ -79,12 +80,13 @@ void replay(Session& session, const std::string& file) { replay_journal(session,
 constexpr std::array<std::array<double, 3>, 4> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 constexpr std::array<std::array<int, 3>, 4> triangles{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 
-std::string tetrahedron(const std::string& head, const char* corner, const std::string& middle, const char* triangle, int first,
-                        const std::string& end) {
+std::string tetrahedron(const std::string& head, const char* corner, const std::string& middle, const char* triangle,
+                        int first, const std::string& end) {
     std::string text = head;
     for (const auto& c : corners) text += fmt::format(fmt::runtime(corner), c[0], c[1], c[2]);
     text += middle;
-    for (const auto& t : triangles) text += fmt::format(fmt::runtime(triangle), t[0] + first, t[1] + first, t[2] + first);
+    for (const auto& t : triangles)
+        text += fmt::format(fmt::runtime(triangle), t[0] + first, t[1] + first, t[2] + first);
     return text + end;
 }
 
@@ -120,7 +122,8 @@ std::string read_all(const std::string& file) {
 /// What kaya itself writes: a grid file and a journal.
 std::string grid_text(const test::ScratchFolder& folder) {
     Scene scene;
-    scene.session().interpreter.run_text(fmt::format("poly brick 0 1 0 1 0 1\npoly brick 1 2 0 1 0 1\nexport '{}'\n", folder / "good.3dgrid"), "x");
+    scene.session().interpreter.run_text(
+        fmt::format("poly brick 0 1 0 1 0 1\npoly brick 1 2 0 1 0 1\nexport '{}'\n", folder / "good.3dgrid"), "x");
     return read_all(folder / "good.3dgrid");
 }
 
@@ -128,8 +131,9 @@ std::string journal_text(const test::ScratchFolder& folder) {
     Scene scene;
     Journal journal(scene.session(), folder / "good.journal");
     {
-        std::ofstream(folder / "good.3dd") << "poly brick 0 1 0 1 0 1\npoly brick 0 1 0 1 1 2\nprop mat 1 dens 2000\njmodel jkn 1e8 jks 1e8\n"
-                                              "fix range z 0 1\ngravity 0 0 -10\ndef f\n a = 2\nend\n@f\nset @b = 3\nhist unbal\ncycle 5\n";
+        std::ofstream(folder / "good.3dd")
+            << "poly brick 0 1 0 1 0 1\npoly brick 0 1 0 1 1 2\nprop mat 1 dens 2000\njmodel jkn 1e8 jks 1e8\n"
+               "fix range z 0 1\ngravity 0 0 -10\ndef f\n a = 2\nend\n@f\nset @b = 3\nhist unbal\ncycle 5\n";
     }
     journal.deck(folder / "good.3dd");
     scene.session().run_deck(folder / "good.3dd");
@@ -138,8 +142,9 @@ std::string journal_text(const test::ScratchFolder& folder) {
 }
 
 std::string changed(std::string bytes, std::mt19937_64& random) {
-    static const std::vector<std::string> tokens{"0", "-1", "1e308", "nan", "inf", "-inf", "99999999999", "4294967295", "2147483648", "", "\n",
-                                                 "'", "\"", "{", "]", ";", std::string(1, '\0'), "\xff\xfe", " ", "1e-320"};
+    static const std::vector<std::string> tokens{
+        "0",  "-1", "1e308", "nan", "inf", "-inf", "99999999999",        "4294967295", "2147483648", "",
+        "\n", "'",  "\"",    "{",   "]",   ";",    std::string(1, '\0'), "\xff\xfe",   " ",          "1e-320"};
     const int times = 1 + static_cast<int>(random() % 4);
     for (int k = 0; k < times && !bytes.empty(); ++k) {
         const std::size_t at = random() % bytes.size(), length = random() % 12, to = random() % bytes.size();
@@ -168,13 +173,14 @@ TEST(HostileFiles, AreRefusedOrUsedButNeverCrash) {
         {"b.stl", stl_binary(), import_and_cycle},
         {"a.obj", tetrahedron("o one\n", "v {} {} {}\n", "", "f {} {} {}\n", 1, ""), import_and_cycle},
         {"a.ply",
-         tetrahedron("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 4\n"
-                     "property list uchar int vertex_indices\nend_header\n",
-                     "{} {} {}\n", "", "3 {} {} {}\n", 0, ""),
+         tetrahedron(
+             "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 4\n"
+             "property list uchar int vertex_indices\nend_header\n",
+             "{} {} {}\n", "", "3 {} {} {}\n", 0, ""),
          import_and_cycle},
         {"a.wrl",
-         tetrahedron("#VRML V2.0 utf8\nShape { geometry IndexedFaceSet { coord Coordinate { point [\n", "{} {} {},\n", "] } coordIndex [\n",
-                     "{}, {}, {}, -1,\n", 0, "] } }\n"),
+         tetrahedron("#VRML V2.0 utf8\nShape { geometry IndexedFaceSet { coord Coordinate { point [\n", "{} {} {},\n",
+                     "] } coordIndex [\n", "{}, {}, {}, -1,\n", 0, "] } }\n"),
          import_and_cycle},
         {"a.3dgrid", grid_text(folder), import_and_cycle},
         {"a.tab", "quake\n4 0.01\n1\n2\n-1\n0.5\n", read_table},
@@ -199,9 +205,7 @@ TEST(HostileFiles, AreRefusedOrUsedButNeverCrash) {
         try {
             kind.use(scene.session(), file);
             ++used;
-        } catch (const lang::DeckErrors&) {
-            ++refused;
-        } catch (const Diagnostic& problem) {
+        } catch (const lang::DeckErrors&) { ++refused; } catch (const Diagnostic& problem) {
             EXPECT_NE(problem.fault, Fault::own) << render(problem);
             ++refused;
         }

@@ -51,10 +51,8 @@ private:
     template <class Number> void change(const std::string& name, Number* numbers, std::size_t count) {
         if (count == 0 || seen_++ != place_ || random_ == nullptr) return;
         const std::size_t at = (*random_)() % count;
-        if constexpr (std::is_same_v<Number, bool>)
-            numbers[at] = !numbers[at];
-        else
-            numbers[at] = hostile<Number>();
+        if constexpr (std::is_same_v<Number, bool>) numbers[at] = !numbers[at];
+        else numbers[at] = hostile<Number>();
         what_ = fmt::format("{}{}[{}] = {}", path_, name, at, numbers[at]);
     }
 
@@ -62,12 +60,12 @@ private:
         using Limits = std::numeric_limits<Number>;
         const auto pick = (*random_)();
         if constexpr (std::is_floating_point_v<Number>) {
-            constexpr std::array<Number, 9> all{0, -1, 1e300, -1e300, 1e-300, Limits::infinity(), -Limits::infinity(),
-                                                Limits::quiet_NaN(), 3};
+            constexpr std::array<Number, 9> all{
+                0, -1, 1e300, -1e300, 1e-300, Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN(), 3};
             return all[pick % all.size()];
         } else {
-            const std::array<Number, 8> all{0, 1, 2, 7, static_cast<Number>(-1), Limits::max(), Limits::min(),
-                                            static_cast<Number>(pick >> 8)};
+            const std::array<Number, 8> all{
+                0, 1, 2, 7, static_cast<Number>(-1), Limits::max(), Limits::min(), static_cast<Number>(pick >> 8)};
             return all[pick % all.size()];
         }
     }
@@ -124,7 +122,8 @@ cycle 20
 TEST(HostileSaves, AreRefusedOrRunButNeverCrash) {
     const char* given = std::getenv("KAYA_HOSTILE_SAVES");
     const int files = given ? std::atoi(given) : 150;
-    const std::string file = (std::filesystem::temp_directory_path() / fmt::format("kaya-hostile-{}.h5", ::getpid())).string();
+    const std::string file =
+        (std::filesystem::temp_directory_path() / fmt::format("kaya-hostile-{}.h5", ::getpid())).string();
     Scene scene;
     scene.run(deck);
     const Model good = scene.session().model;

@@ -49,8 +49,8 @@ struct Part {
 
 std::string brick(Chance& c, double low) {
     const double x = c.between(-1, 1), y = c.between(-1, 1), z = c.between(low, low + 1);
-    return fmt::format("poly brick {:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}", x, x + c.scale(0.03, 2), y, y + c.scale(0.03, 2), z,
-                       z + c.scale(0.03, 1));
+    return fmt::format("poly brick {:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}", x, x + c.scale(0.03, 2), y,
+                       y + c.scale(0.03, 2), z, z + c.scale(0.03, 1));
 }
 
 std::string joint_law(Chance& c) {
@@ -58,11 +58,15 @@ std::string joint_law(Chance& c) {
     switch (c.below(5)) {
     case 0: return fmt::format("jmodel model elastic jkn {:.4g} jks {:.4g}", kn, ks);
     case 1:
-        return fmt::format("jmodel barton-bandis jkn {:.4g} jks {:.4g} resfriction 20 jrco 8 jcso 100 sigmac 150 lo 0.1 ln 0.2", kn, ks);
+        return fmt::format(
+            "jmodel barton-bandis jkn {:.4g} jks {:.4g} resfriction 20 jrco 8 jcso 100 sigmac 150 lo 0.1 ln 0.2", kn,
+            ks);
     case 2:
-        return fmt::format("jmodel model nonlinear jkn {:.4g} jks {:.4g} jen {:.2g} jes 0.3 fric 30", c.scale(1e5, 1e8), c.scale(1e5, 1e8),
-                           c.between(0.1, 0.9));
-    default: return fmt::format("jmodel model mohr jkn {:.4g} jks {:.4g} jfric {:.3g} jcoh {:.3g}", kn, ks, c.between(0, 50), c.heads() ? 0 : 1e4);
+        return fmt::format("jmodel model nonlinear jkn {:.4g} jks {:.4g} jen {:.2g} jes 0.3 fric 30", c.scale(1e5, 1e8),
+                           c.scale(1e5, 1e8), c.between(0.1, 0.9));
+    default:
+        return fmt::format("jmodel model mohr jkn {:.4g} jks {:.4g} jfric {:.3g} jcoh {:.3g}", kn, ks, c.between(0, 50),
+                           c.heads() ? 0 : 1e4);
     }
 }
 
@@ -70,7 +74,9 @@ std::string change(Chance& c) {
     switch (c.below(6)) {
     case 0: return brick(c, 0.5);
     case 1: return fmt::format("damp contact {:.2g}", c.heads() ? 0 : c.between(0.01, 0.5));
-    case 2: return fmt::format("jset dip {:.3g} dd {:.3g} spacing {:.3g} num 2 org 0 0 0.5{}", c.between(0, 90), c.between(0, 360), c.between(0.2, 1), c.heads() ? " join" : "");
+    case 2:
+        return fmt::format("jset dip {:.3g} dd {:.3g} spacing {:.3g} num 2 org 0 0 0.5{}", c.between(0, 90),
+                           c.between(0, 360), c.between(0.2, 1), c.heads() ? " join" : "");
     case 3: return c.heads() ? "damp local" : "damp 0.05 20";
     case 4: return fmt::format("apply zload {:.4g} range id 2", -c.scale(1e2, 1e6));
     default: return joint_law(c);
@@ -81,7 +87,8 @@ std::vector<Part> random_deck(std::uint64_t seed) {
     Chance c(seed);
     std::vector<Part> parts;
     const auto add = [&](const std::string& line, int cycles = 0) { parts.push_back({line, cycles}); };
-    add(fmt::format("prop mat 1 dens {:.4g} bulk {:.4g} shear {:.4g}", c.scale(100, 5000), c.scale(1e7, 1e10), c.scale(1e7, 1e10)));
+    add(fmt::format("prop mat 1 dens {:.4g} bulk {:.4g} shear {:.4g}", c.scale(100, 5000), c.scale(1e7, 1e10),
+                    c.scale(1e7, 1e10)));
     add(fmt::format("prop jmat 1 jkn {:.4g} jks {:.4g} jfric 30", c.scale(1e6, 1e10), c.scale(1e6, 1e10)));
     add("poly brick -3 3 -3 3 -1 0");
     add("fix range id 1");
@@ -114,9 +121,7 @@ public:
     bool run(const std::string& line) {
         try {
             session_->interpreter.run_text(line, "random.3dd");
-        } catch (const Diagnostic&) {
-            return false;
-        }
+        } catch (const Diagnostic&) { return false; }
         return true;
     }
     Session& session() { return *session_; }
@@ -194,7 +199,7 @@ int number_from(const char* variable, int otherwise) {
 }
 
 // KAYA_RANDOM_DECKS says how many, KAYA_FIRST_SEED where they begin; the slow test asks for more.
-TEST(random_decks, the_step_stays_below_the_bound_and_a_restored_run_goes_on_with_the_same_bits) {
+TEST(RandomDecks, TheStepStaysBelowTheBoundAndARestoredRunGoesOnWithTheSameBits) {
     const int decks = number_from("KAYA_RANDOM_DECKS", 40), first = number_from("KAYA_FIRST_SEED", 1);
     int looked_at = 0;
     for (int seed = first; seed < first + decks; ++seed) {
@@ -204,7 +209,7 @@ TEST(random_decks, the_step_stays_below_the_bound_and_a_restored_run_goes_on_wit
     EXPECT_GT(looked_at, 30 * decks); // most decks run to their end
 }
 
-TEST(random_decks, one_two_and_four_threads_give_the_same_bits) {
+TEST(RandomDecks, OneTwoAndFourThreadsGiveTheSameBits) {
     const int decks = number_from("KAYA_RANDOM_DECKS", 20), first = number_from("KAYA_FIRST_SEED", 1);
     for (int seed = first; seed < first + decks; ++seed) {
         const auto number = static_cast<std::uint64_t>(seed);
@@ -214,12 +219,12 @@ TEST(random_decks, one_two_and_four_threads_give_the_same_bits) {
     }
 }
 
-TEST(script_hash, sees_what_scripts_and_ranges_hold) {
+TEST(ScriptHash, SeesWhatScriptsAndRangesHold) {
     kaya::Run run;
     EXPECT_EQ(script_hash(run.session()), 0u);
     std::set<std::uint64_t> seen{0};
-    for (const char* line : {"set @a = 1", "set @a = 2", "range name low z 0 1", "range name low z 0 2", "table 1 0 0 1 1",
-                             "def f\n a = 1\nend", "lua\nb = 3\nendlua"}) {
+    for (const char* line : {"set @a = 1", "set @a = 2", "range name low z 0 1", "range name low z 0 2",
+                             "table 1 0 0 1 1", "def f\n a = 1\nend", "lua\nb = 3\nendlua"}) {
         const auto of_model = state_hash(run.session().model);
         ASSERT_TRUE(run.run(line)) << line;
         EXPECT_TRUE(seen.insert(script_hash(run.session())).second) << line;

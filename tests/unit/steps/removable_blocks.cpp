@@ -19,15 +19,21 @@
 namespace kaya {
 namespace {
 
-constexpr double size = 10, moved = 0.03; // lengths; joints close by less than a tenth of the second. On soft ones blocks stick at lips that their closure makes
+constexpr double
+    size = 10,
+    moved =
+        0.03; // lengths; joints close by less than a tenth of the second. On soft ones blocks stick at lips that their closure makes
 
 /// A cube of rock with three joint sets. A roof is open below; a face is open to +x and above.
 std::string system(std::mt19937& random, bool roof) {
     std::uniform_real_distribution<double> part(0, 1);
-    std::string deck = fmt::format("poly brick 0 {0} 0 {0} 0 {0}\nprop mat 1 density 2500\nprop jmat 1 jkn 1e9 jks 1e9 jfric 0\n", size);
+    std::string deck = fmt::format(
+        "poly brick 0 {0} 0 {0} 0 {0}\nprop mat 1 density 2500\nprop jmat 1 jkn 1e9 jks 1e9 jfric 0\n", size);
     for (int set = 0; set < 3; ++set)
-        deck += fmt::format("jset dip {:.4f} dd {:.4f} spacing {:.4f} number 6 origin {:.4f} {:.4f} {:.4f}\n", 15 + 70 * part(random), 360 * part(random), 2.5 + 1.5 * part(random),
-                            size * (0.3 + 0.4 * part(random)), size * (0.3 + 0.4 * part(random)), size * (0.3 + 0.4 * part(random)));
+        deck += fmt::format("jset dip {:.4f} dd {:.4f} spacing {:.4f} number 6 origin {:.4f} {:.4f} {:.4f}\n",
+                            15 + 70 * part(random), 360 * part(random), 2.5 + 1.5 * part(random),
+                            size * (0.3 + 0.4 * part(random)), size * (0.3 + 0.4 * part(random)),
+                            size * (0.3 + 0.4 * part(random)));
     return deck + fmt::format("gravity 0 0 -10\ndamp local 0.3\njmodel model mohr\n; {}\n", roof ? "roof" : "face");
 }
 
@@ -35,7 +41,8 @@ void hold_outside(Model& model, bool roof) {
     for (Row g = 0; g < static_cast<Row>(model.gridpoints.size()); ++g) {
         const Vec3& p = model.gridpoints.position[g];
         const double near = 1e-6 * size;
-        const bool side = p.x() < near || p.y() < near || p.y() > size - near || (roof ? p.x() > size - near || p.z() > size - near : p.z() < near);
+        const bool side = p.x() < near || p.y() < near || p.y() > size - near ||
+                          (roof ? p.x() > size - near || p.z() > size - near : p.z() < near);
         if (side) model.blocks.fixed[model.gridpoints.block[g]] = fix_all;
     }
     ModelEdit(model, Change::contacts);
@@ -55,10 +62,14 @@ struct Outcome {
 };
 
 /// How far it has turned, in degrees.
-double turned(const Model& model, Row block) { return 2 * std::acos(std::min(1.0, std::abs(model.blocks.orientation[block][0]))) * 180 / std::numbers::pi; }
+double turned(const Model& model, Row block) {
+    return 2 * std::acos(std::min(1.0, std::abs(model.blocks.orientation[block][0]))) * 180 / std::numbers::pi;
+}
 
 /// A block that has come some way and not out: what is behind it cannot follow.
-bool is_stuck(const Model& model, Row block) { return model.blocks.displacement[block].norm() > moved && model.blocks.displacement[block].norm() < 0.5 * size; }
+bool is_stuck(const Model& model, Row block) {
+    return model.blocks.displacement[block].norm() > moved && model.blocks.displacement[block].norm() < 0.5 * size;
+}
 
 void compare(unsigned seed, const Model& model, const std::vector<BodyStability>& bodies, Outcome& outcome) {
     bool any_stuck = false;
@@ -66,11 +77,13 @@ void compare(unsigned seed, const Model& model, const std::vector<BodyStability>
     for (const BodyStability& body : bodies) {
         if (body.fixed) continue;
         const Row b = body.blocks.front();
-        const bool named = body.answer.factor && *body.answer.factor < 1, gone = model.blocks.displacement[b].norm() > moved;
+        const bool named =
+            body.answer.factor && *body.answer.factor<1, gone = model.blocks.displacement[b].norm()> moved;
         ++outcome.free, outcome.named += named, outcome.gone += gone;
         if (named == gone) continue;
         outcome.equal = false;
-        const std::string who = fmt::format("system {}: block {} of {:.3g} m3", seed, model.blocks.number[b], body.volume);
+        const std::string who =
+            fmt::format("system {}: block {} of {:.3g} m3", seed, model.blocks.number[b], body.volume);
         if (gone) {
             // Theory moves without turning: what can leave its place but rests on its faces may still roll out.
             EXPECT_EQ(body.answer.mode, SlidingMode::at_rest) << who << " leaves and is held by its neighbours";
@@ -82,7 +95,7 @@ void compare(unsigned seed, const Model& model, const std::vector<BodyStability>
     }
 }
 
-TEST(removable_blocks, are_the_same_by_block_theory_and_by_cycling) {
+TEST(RemovableBlocks, AreTheSameByBlockTheoryAndByCycling) {
     const char* given = std::getenv("KAYA_JOINT_SYSTEMS");
     const unsigned count = given ? static_cast<unsigned>(std::atoi(given)) : 4;
     Outcome sum;
@@ -104,7 +117,8 @@ TEST(removable_blocks, are_the_same_by_block_theory_and_by_cycling) {
         }
         std::fclose(nowhere);
     }
-    std::printf("%u systems: %zu free blocks, %zu named, %zu left their place; the same set in %u\n", count, sum.free, sum.named, sum.gone, equal);
+    std::printf("%u systems: %zu free blocks, %zu named, %zu left their place; the same set in %u\n", count, sum.free,
+                sum.named, sum.gone, equal);
     EXPECT_GE(100 * equal, 98 * count);
     EXPECT_GT(sum.named, count) << "systems in which nothing moves test nothing";
     EXPECT_GT(sum.free, sum.named);

@@ -17,7 +17,8 @@ Factor scattering(const std::string& name, Distribution::Kind kind, double a, do
 
 Study sampled(Design::Method method, std::size_t samples) {
     Study study;
-    study.factors = {scattering("x", Distribution::Kind::uniform, 0, 1), scattering("y", Distribution::Kind::normal, 10, 2),
+    study.factors = {scattering("x", Distribution::Kind::uniform, 0, 1),
+                     scattering("y", Distribution::Kind::normal, 10, 2),
                      scattering("z", Distribution::Kind::lognormal, 5, 1)};
     study.design.method = method;
     study.design.samples = samples;
@@ -32,19 +33,24 @@ std::vector<double> column(const std::vector<Case>& cases, std::size_t j) {
 
 double correlation(const std::vector<double>& x, const std::vector<double>& y) {
     double mx = 0, my = 0, xx = 0, yy = 0, xy = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) mx += x[i] / static_cast<double>(x.size()), my += y[i] / static_cast<double>(y.size());
-    for (std::size_t i = 0; i < x.size(); ++i) xx += (x[i] - mx) * (x[i] - mx), yy += (y[i] - my) * (y[i] - my), xy += (x[i] - mx) * (y[i] - my);
+    for (std::size_t i = 0; i < x.size(); ++i)
+        mx += x[i] / static_cast<double>(x.size()), my += y[i] / static_cast<double>(y.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+        xx += (x[i] - mx) * (x[i] - mx), yy += (y[i] - my) * (y[i] - my), xy += (x[i] - mx) * (y[i] - my);
     return xy / std::sqrt(xx * yy);
 }
 
 TEST(Design, AGridTakesAllCombinationsWithTheFirstSlowest) {
     Study study;
-    study.factors = {{"a", {StudyValue(1.0), StudyValue(2.0)}, {}, {}, {}}, {"b", {StudyValue(std::string("u")), StudyValue(std::string("v")), StudyValue(std::string("w"))}, {}, {}, {}}};
+    study.factors = {
+        {"a", {StudyValue(1.0), StudyValue(2.0)}, {}, {}, {}},
+        {"b", {StudyValue(std::string("u")), StudyValue(std::string("v")), StudyValue(std::string("w"))}, {}, {}, {}}};
     study.fixed = {{"c", StudyValue(std::int64_t{7})}};
     const auto cases = cases_of(study);
     ASSERT_EQ(cases.size(), 6U);
     std::string all;
-    for (const auto& one : cases) all += text_of(one.values[0].second) + text_of(one.values[1].second) + text_of(one.values[2].second) + " ";
+    for (const auto& one : cases)
+        all += text_of(one.values[0].second) + text_of(one.values[1].second) + text_of(one.values[2].second) + " ";
     EXPECT_EQ(all, "1.0u7 1.0v7 1.0w7 2.0u7 2.0v7 2.0w7 ");
     EXPECT_EQ(cases.back().number, 6U);
 }
@@ -52,7 +58,8 @@ TEST(Design, AGridTakesAllCombinationsWithTheFirstSlowest) {
 TEST(Design, OneAtATimeHasTheBaseOnce) {
     Study study;
     study.design.method = Design::Method::one_at_a_time;
-    study.factors = {{"a", {StudyValue(1.0), StudyValue(2.0), StudyValue(3.0)}, {}, StudyValue(2.0), {}}, {"b", {StudyValue(5.0)}, {}, StudyValue(4.0), {}}};
+    study.factors = {{"a", {StudyValue(1.0), StudyValue(2.0), StudyValue(3.0)}, {}, StudyValue(2.0), {}},
+                     {"b", {StudyValue(5.0)}, {}, StudyValue(4.0), {}}};
     EXPECT_EQ(cases_of(study).size(), 4U);
 }
 
@@ -66,9 +73,11 @@ TEST(Design, ALatinHypercubeHasOneInEachStratum) {
             std::set<std::size_t> strata;
             for (std::size_t k = 0; k < samples; ++k) {
                 const double low = study.factors[j].distribution->quantile((static_cast<double>(k) + 1e-12) / samples);
-                const double high = study.factors[j].distribution->quantile((static_cast<double>(k) + 1 - 1e-12) / samples);
+                const double high =
+                    study.factors[j].distribution->quantile((static_cast<double>(k) + 1 - 1e-12) / samples);
                 const auto numbers = column(cases, j);
-                if (std::ranges::count_if(numbers, [&](double x) { return x >= low && x <= high; }) == 1) strata.insert(k);
+                if (std::ranges::count_if(numbers, [&](double x) { return x >= low && x <= high; }) == 1)
+                    strata.insert(k);
             }
             EXPECT_EQ(strata.size(), samples) << j;
         }
@@ -87,7 +96,9 @@ TEST_P(Correlated, NumbersGoTogetherAsAsked) {
     EXPECT_NEAR(correlation(y, z), 0.3, 0.04);
     EXPECT_NEAR(correlation(x, z), 0, 0.04);
 }
-INSTANTIATE_TEST_SUITE_P(Methods, Correlated, testing::Values(Design::Method::latin_hypercube, Design::Method::sobol, Design::Method::random));
+INSTANTIATE_TEST_SUITE_P(Methods, Correlated,
+                         testing::Values(Design::Method::latin_hypercube, Design::Method::sobol,
+                                         Design::Method::random));
 
 TEST(Design, TheSameSeedGivesTheSameNumbersAndAnotherOthers) {
     for (const auto method : {Design::Method::latin_hypercube, Design::Method::sobol, Design::Method::random}) {
@@ -101,10 +112,12 @@ TEST(Design, TheSameSeedGivesTheSameNumbersAndAnotherOthers) {
 
 TEST(Design, SobolNumbersFillTheSquareMoreEvenlyThanChance) {
     Study study = sampled(Design::Method::sobol, 1024);
-    study.factors = {scattering("x", Distribution::Kind::uniform, 0, 1), scattering("y", Distribution::Kind::uniform, 0, 1)};
+    study.factors = {scattering("x", Distribution::Kind::uniform, 0, 1),
+                     scattering("y", Distribution::Kind::uniform, 0, 1)};
     // The mean of x y is 1/4; by chance its error would be about 0.22 / 32 = 0.007.
     double sum = 0;
-    for (const auto& one : cases_of(study)) sum += number_of(one.values[0].second) * number_of(one.values[1].second) / 1024;
+    for (const auto& one : cases_of(study))
+        sum += number_of(one.values[0].second) * number_of(one.values[1].second) / 1024;
     EXPECT_NEAR(sum, 0.25, 0.001);
 }
 
@@ -124,15 +137,14 @@ TEST(Design, APointEstimateGivesMeanAndVarianceOfALinearFunction) {
 }
 
 TEST(Design, CorrelationsThatCannotHoldTogetherAreSaid) {
-    for (const auto method : {Design::Method::latin_hypercube, Design::Method::random, Design::Method::point_estimate}) {
+    for (const auto method :
+         {Design::Method::latin_hypercube, Design::Method::random, Design::Method::point_estimate}) {
         Study study = sampled(method, 10);
         study.design.correlations = {{0, 1, 0.9}, {1, 2, 0.9}, {0, 2, -0.9}};
         try {
             cases_of(study);
             FAIL();
-        } catch (const Diagnostic& error) {
-            EXPECT_THAT(error.message, testing::HasSubstr("not positive definite"));
-        }
+        } catch (const Diagnostic& error) { EXPECT_THAT(error.message, testing::HasSubstr("not positive definite")); }
     }
 }
 

@@ -36,8 +36,10 @@ Distribution made(Distribution::Kind kind, double a, double b, double mode = 0, 
 
 using Kind = Distribution::Kind;
 INSTANTIATE_TEST_SUITE_P(Kinds, Distributions,
-                         testing::Values(made(Kind::normal, 30, 3), made(Kind::lognormal, 2e4, 8e3), made(Kind::uniform, -2, 5), made(Kind::triangular, 1, 4, 1.5),
-                                         made(Kind::exponential, 7, 0), made(Kind::weibull, 1.5, 3), made(Kind::gamma, 12, 5), made(Kind::beta, 10, 20, 0, 2, 5)));
+                         testing::Values(made(Kind::normal, 30, 3), made(Kind::lognormal, 2e4, 8e3),
+                                         made(Kind::uniform, -2, 5), made(Kind::triangular, 1, 4, 1.5),
+                                         made(Kind::exponential, 7, 0), made(Kind::weibull, 1.5, 3),
+                                         made(Kind::gamma, 12, 5), made(Kind::beta, 10, 20, 0, 2, 5)));
 
 TEST(Distribution, MeanAndDeviationAreThoseThatWereGiven) {
     for (const Kind kind : {Kind::normal, Kind::lognormal, Kind::gamma}) {

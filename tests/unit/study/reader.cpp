@@ -93,38 +93,55 @@ TEST_P(WrongStudies, AreRefusedAtTheirPlace) {
     }
 }
 
-constexpr const char* two = "[parameters]\na = { distribution = \"normal\", mean = 1, deviation = 1 }\nb = { distribution = \"normal\", mean = 1, deviation = 1 }\n";
+constexpr const char* two =
+    "[parameters]\na = { distribution = \"normal\", mean = 1, deviation = 1 }\nb = { distribution = \"normal\", mean = 1, deviation = 1 }\n";
 std::string with_two(const char* rest) { return std::string(two) + rest; }
-const std::string same_with_itself = with_two("[design]\nmethod = \"random\"\nsamples = 5\ncorrelation = [[\"a\", \"a\", 0.5]]\n");
-const std::string too_much = with_two("[design]\nmethod = \"random\"\nsamples = 5\ncorrelation = [[\"a\", \"b\", 1.5]]\n");
-const std::string no_such = with_two("[design]\nmethod = \"random\"\nsamples = 5\ncorrelation = [[\"a\", \"bb\", 0.5]]\n");
+const std::string same_with_itself =
+    with_two("[design]\nmethod = \"random\"\nsamples = 5\ncorrelation = [[\"a\", \"a\", 0.5]]\n");
+const std::string too_much =
+    with_two("[design]\nmethod = \"random\"\nsamples = 5\ncorrelation = [[\"a\", \"b\", 1.5]]\n");
+const std::string no_such =
+    with_two("[design]\nmethod = \"random\"\nsamples = 5\ncorrelation = [[\"a\", \"bb\", 0.5]]\n");
 const std::string no_samples = with_two("[design]\nmethod = \"random\"\n");
 const std::string misspelt_method = with_two("[design]\nmethod = \"latin-hypercub\"\nsamples = 5\n");
 const std::string zero_samples = with_two("[design]\nmethod = \"random\"\nsamples = 0\n");
 
 INSTANTIATE_TEST_SUITE_P(
     All, WrongStudies,
-    testing::Values(Wrong{"", 1, "no parameter varies"}, Wrong{"[parameters]\nf = [", 4, "this is no TOML"}, Wrong{"[parameters]\nf = []\n", 4, "the list of 'f' is empty"},
-                    Wrong{"[parametres]\nf = [1]\n", 1, "no parameter varies"}, Wrong{"[parameters]\nf = [1]\n[limit]\nseconds = 1\n", 5, "a study has no 'limit'", "limits"},
-                    Wrong{"[parameters]\n\"1f\" = [1]\n", 4, "'1f' is no name of a parameter"},
-                    Wrong{"[parameters]\nf = { distribution = \"norml\", mean = 1, deviation = 1 }\n", 4, "there is no distribution 'norml'", "normal"},
-                    Wrong{"[parameters]\nf = { distribution = \"normal\", mean = 1, deviation = 0 }\n", 4, "the deviation must be above 0"},
-                    Wrong{"[parameters]\nf = { distribution = \"normal\", mean = 1 }\n", 4, "needs 'deviation'"},
-                    Wrong{"[parameters]\nf = { distribution = \"normal\", mean = \"1\", deviation = 1 }\n", 4, "expected a number for 'mean', found a text"},
-                    Wrong{"[parameters]\nf = { distribution = \"normal\", mean = 1, deviation = 1, sd = 1 }\n", 4, "has no 'sd'"},
-                    Wrong{"[parameters]\nf = { distribution = \"normal\", mean = 1, deviation = 1 }\n", 4, "no [design] says how"},
-                    Wrong{"[parameters]\nf = { from = 2, to = 1 }\n", 4, "'to' must be above 'from'"}, Wrong{"[parameters]\nf = { from = 1, to = 2, by = -1 }\n", 4, "'by' must lead"},
-                    Wrong{"[parameters]\nf = { from = 1, to = 2, count = 1 }\n", 4, "'count' must be"}, Wrong{"[parameters]\nf = { from = nan, to = 2 }\n", 4, "expected a number"},
-                    Wrong{same_with_itself.c_str(), 9, "not correlated with itself"}, Wrong{too_much.c_str(), 9, "lies between -1 and 1"},
-                    Wrong{no_such.c_str(), 9, "no parameter 'bb'"}, Wrong{no_samples.c_str(), 6, "'design' needs 'samples'"},
-                    Wrong{misspelt_method.c_str(), 7, "there is no method 'latin-hypercub'", "latin-hypercube"}, Wrong{zero_samples.c_str(), 8, "'samples' must be 1"},
-                    Wrong{"[parameters]\nf = [1, 2]\n[ask]\ntornado = \"slp\"\n", 6, "there is no result 'slp'", "slip"},
-                    Wrong{"[parameters]\nf = [1, 2]\n[limits]\nseconds = -1\n", 6, "'seconds' must be above 0"},
-                    Wrong{"[parameters]\nf = [1, 2]\n[critical]\nparameter = \"g\"\nof = \"slip\"\nfrom = 0\nto = 1\ntolerance = 0.1\n", 4, "'f' varies besides a search"},
-                    Wrong{"[critical]\nparameter = \"g\"\nof = \"slip\"\nfrom = 0\nto = 1\n", 3, "needs 'tolerance'"},
-                    Wrong{"[parameters]\nf = [1, 2]\ng = [1]\n[design]\nmethod = \"list\"\n", 5, "a list needs as many values"},
-                    Wrong{"[parameters]\nf = [1, 2]\n[design]\nmethod = \"one-at-a-time\"\n", 4, "needs the base of 'f'"},
-                    Wrong{"[fit.parameters]\nf = { from = 0, to = 1, start = 2 }\n[fit.observed]\nslip = 1\n", 4, "'start' must lie between"}));
+    testing::Values(
+        Wrong{"", 1, "no parameter varies"}, Wrong{"[parameters]\nf = [", 4, "this is no TOML"},
+        Wrong{"[parameters]\nf = []\n", 4, "the list of 'f' is empty"},
+        Wrong{"[parametres]\nf = [1]\n", 1, "no parameter varies"},
+        Wrong{"[parameters]\nf = [1]\n[limit]\nseconds = 1\n", 5, "a study has no 'limit'", "limits"},
+        Wrong{"[parameters]\n\"1f\" = [1]\n", 4, "'1f' is no name of a parameter"},
+        Wrong{"[parameters]\nf = { distribution = \"norml\", mean = 1, deviation = 1 }\n", 4,
+              "there is no distribution 'norml'", "normal"},
+        Wrong{"[parameters]\nf = { distribution = \"normal\", mean = 1, deviation = 0 }\n", 4,
+              "the deviation must be above 0"},
+        Wrong{"[parameters]\nf = { distribution = \"normal\", mean = 1 }\n", 4, "needs 'deviation'"},
+        Wrong{"[parameters]\nf = { distribution = \"normal\", mean = \"1\", deviation = 1 }\n", 4,
+              "expected a number for 'mean', found a text"},
+        Wrong{"[parameters]\nf = { distribution = \"normal\", mean = 1, deviation = 1, sd = 1 }\n", 4, "has no 'sd'"},
+        Wrong{"[parameters]\nf = { distribution = \"normal\", mean = 1, deviation = 1 }\n", 4, "no [design] says how"},
+        Wrong{"[parameters]\nf = { from = 2, to = 1 }\n", 4, "'to' must be above 'from'"},
+        Wrong{"[parameters]\nf = { from = 1, to = 2, by = -1 }\n", 4, "'by' must lead"},
+        Wrong{"[parameters]\nf = { from = 1, to = 2, count = 1 }\n", 4, "'count' must be"},
+        Wrong{"[parameters]\nf = { from = nan, to = 2 }\n", 4, "expected a number"},
+        Wrong{same_with_itself.c_str(), 9, "not correlated with itself"},
+        Wrong{too_much.c_str(), 9, "lies between -1 and 1"}, Wrong{no_such.c_str(), 9, "no parameter 'bb'"},
+        Wrong{no_samples.c_str(), 6, "'design' needs 'samples'"},
+        Wrong{misspelt_method.c_str(), 7, "there is no method 'latin-hypercub'", "latin-hypercube"},
+        Wrong{zero_samples.c_str(), 8, "'samples' must be 1"},
+        Wrong{"[parameters]\nf = [1, 2]\n[ask]\ntornado = \"slp\"\n", 6, "there is no result 'slp'", "slip"},
+        Wrong{"[parameters]\nf = [1, 2]\n[limits]\nseconds = -1\n", 6, "'seconds' must be above 0"},
+        Wrong{
+            "[parameters]\nf = [1, 2]\n[critical]\nparameter = \"g\"\nof = \"slip\"\nfrom = 0\nto = 1\ntolerance = 0.1\n",
+            4, "'f' varies besides a search"},
+        Wrong{"[critical]\nparameter = \"g\"\nof = \"slip\"\nfrom = 0\nto = 1\n", 3, "needs 'tolerance'"},
+        Wrong{"[parameters]\nf = [1, 2]\ng = [1]\n[design]\nmethod = \"list\"\n", 5, "a list needs as many values"},
+        Wrong{"[parameters]\nf = [1, 2]\n[design]\nmethod = \"one-at-a-time\"\n", 4, "needs the base of 'f'"},
+        Wrong{"[fit.parameters]\nf = { from = 0, to = 1, start = 2 }\n[fit.observed]\nslip = 1\n", 4,
+              "'start' must lie between"}));
 
 TEST_F(Reader, ADeckThatIsNotThereIsSaid) {
     try {
@@ -137,8 +154,9 @@ TEST_F(Reader, ADeckThatIsNotThereIsSaid) {
 }
 
 TEST_F(Reader, AnyTextIsAStudyOrAMessage) {
-    const std::string good = "deck = \"a.3dd\"\nkeep = [\"*\"]\n[parameters]\nf = { distribution = \"beta\", from = 1, to = 2, alpha = 2, beta = 3 }\ng = [1, 2.5, \"x\"]\n[design]\n"
-                             "method = \"list\"\n[results]\nslip = \"@slip\"\n[ask]\nresponse = \"slip\"\n";
+    const std::string good =
+        "deck = \"a.3dd\"\nkeep = [\"*\"]\n[parameters]\nf = { distribution = \"beta\", from = 1, to = 2, alpha = 2, beta = 3 }\ng = [1, 2.5, \"x\"]\n[design]\n"
+        "method = \"list\"\n[results]\nslip = \"@slip\"\n[ask]\nresponse = \"slip\"\n";
     unsigned random = 1;
     const auto next = [&] { return random = random * 1664525U + 1013904223U, random >> 8; };
     for (int i = 0; i < 3000; ++i) {
@@ -154,9 +172,7 @@ TEST_F(Reader, AnyTextIsAStudyOrAMessage) {
         }
         try {
             read(text);
-        } catch (const Diagnostic& error) {
-            EXPECT_FALSE(error.message.empty());
-        }
+        } catch (const Diagnostic& error) { EXPECT_FALSE(error.message.empty()); }
     }
 }
 

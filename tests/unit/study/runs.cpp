@@ -37,7 +37,9 @@ protected:
     }
     static int double_of(const Case& one, const fs::path& file) {
         Outcome outcome;
-        outcome.results = {{"twice", StudyValue(2 * number_of(one.values[0].second))}, {"none", StudyValue()}, {"truth", StudyValue(true)}};
+        outcome.results = {{"twice", StudyValue(2 * number_of(one.values[0].second))},
+                           {"none", StudyValue()},
+                           {"truth", StudyValue(true)}};
         std::ofstream("started", std::ios::app) << "x";
         write_outcome(file, one, outcome);
         return 0;
@@ -135,7 +137,9 @@ public:
             std::map<std::string, double> values;
             for (const auto& [name, value] : one.values) values[name] = number_of(value);
             outcomes.emplace_back();
-            outcomes.back().results = {{"f", StudyValue(f_(values))}, {"g", StudyValue(values["a"] - values["b"])}, {"h", StudyValue(values["a"] * values["b"])}};
+            outcomes.back().results = {{"f", StudyValue(f_(values))},
+                                       {"g", StudyValue(values["a"] - values["b"])},
+                                       {"h", StudyValue(values["a"] * values["b"])}};
         }
         return outcomes;
     }

@@ -74,12 +74,14 @@ TEST(Statistics, ATornadoHasTheLongestBarFirst) {
     Study study;
     study.design.method = Design::Method::one_at_a_time;
     study.tornado_of = "f";
-    study.factors = {{"a", {StudyValue(1.0), StudyValue(3.0)}, {}, StudyValue(2.0), {}}, {"b", {StudyValue(10.0), StudyValue(30.0)}, {}, StudyValue(20.0), {}}};
+    study.factors = {{"a", {StudyValue(1.0), StudyValue(3.0)}, {}, StudyValue(2.0), {}},
+                     {"b", {StudyValue(10.0), StudyValue(30.0)}, {}, StudyValue(20.0), {}}};
     const auto cases = cases_of(study);
     std::vector<Outcome> outcomes;
     for (const auto& one : cases) {
         outcomes.emplace_back();
-        outcomes.back().results = {{"f", StudyValue(number_of(one.values[0].second) - number_of(one.values[1].second))}};
+        outcomes.back().results = {
+            {"f", StudyValue(number_of(one.values[0].second) - number_of(one.values[1].second))}};
     }
     const auto bars = tornado_of(study, cases, outcomes);
     ASSERT_EQ(bars.size(), 2U);

@@ -34,7 +34,8 @@ struct Bench : testing::Test {
 
 TEST_F(Bench, MohrCoulombYieldsAtItsTriaxialStrengthAndDilatesAsAsked) {
     const double c = 2e6, phi = 30, psi = 10, confining = -3e6, bulk = 4e9, shear = 3e9;
-    const ZoneCurve curve = follow_zone_path(models.get("mohr-coulomb"), {bulk, shear, c, phi, psi, 1e9}, triaxial(confining, -0.02), start(confining));
+    const ZoneCurve curve = follow_zone_path(models.get("mohr-coulomb"), {bulk, shear, c, phi, psi, 1e9},
+                                             triaxial(confining, -0.02), start(confining));
     const double n = (1 + std::sin(phi * degree)) / (1 - std::sin(phi * degree));
     const SingleZone& last = curve.points.back();
     EXPECT_NEAR(last.stress[2], n * confining - 2 * c * std::sqrt(n), 1e-6 * std::abs(last.stress[2]));
@@ -42,7 +43,8 @@ TEST_F(Bench, MohrCoulombYieldsAtItsTriaxialStrengthAndDilatesAsAsked) {
     EXPECT_NEAR(last.stress[1], confining, 1e-6 * std::abs(confining));
     // In flow the volume grows by 2 sin psi / (1 - sin psi) of what the axis shortens by... less its own shortening.
     const SingleZone& before = curve.points[curve.points.size() - 2];
-    const double axial = last.strain[2] - before.strain[2], m = (1 + std::sin(psi * degree)) / (1 - std::sin(psi * degree));
+    const double axial = last.strain[2] - before.strain[2],
+                 m = (1 + std::sin(psi * degree)) / (1 - std::sin(psi * degree));
     EXPECT_NEAR(last.volume_strain() - before.volume_strain(), -axial * (m - 1), 1e-9 * std::abs(axial));
     EXPECT_NEAR(last.strain[0], last.strain[1], 1e-9); // on the edge of the surface both ways are open
     EXPECT_TRUE(curve.findings.empty());
@@ -52,7 +54,8 @@ TEST_F(Bench, MohrCoulombYieldsAtItsTriaxialStrengthAndDilatesAsAsked) {
 
 TEST_F(Bench, HoekBrownYieldsOnItsCurve) {
     const double sci = 30e6, mb = 1.7, s = 0.0039, confining = -5e6;
-    const ZoneCurve curve = follow_zone_path(models.get("hoek-brown"), {3.667e9, 2.2e9, sci, mb, s, 0.5, 0, 1}, triaxial(confining, -0.04), start(confining));
+    const ZoneCurve curve = follow_zone_path(models.get("hoek-brown"), {3.667e9, 2.2e9, sci, mb, s, 0.5, 0, 1},
+                                             triaxial(confining, -0.04), start(confining));
     const double s3 = -confining, s1 = s3 + sci * std::sqrt(mb * s3 / sci + s);
     EXPECT_NEAR(curve.points.back().stress[2], -s1, 1e-6 * s1);
     EXPECT_TRUE(curve.findings.empty());
@@ -73,12 +76,15 @@ TEST_F(Bench, HoekBrownWithAFactorYieldsWhereItsCircleTouchesTheLowerEnvelope) {
     for (const double factor : {1.0, 1.5, 0.8})
         for (const double confining : {-0.5e6, -5e6}) {
             const ZoneCurve curve =
-                follow_zone_path(models.get("hoek-brown"), {3.667e9, 2.2e9, sci, mb, s, a, 0, factor}, triaxial(confining, -0.04), start(confining));
-            const double s3 = -confining, s1 = -curve.points.back().stress[2], centre = 0.5 * (s1 + s3), radius = 0.5 * (s1 - s3);
+                follow_zone_path(models.get("hoek-brown"), {3.667e9, 2.2e9, sci, mb, s, a, 0, factor},
+                                 triaxial(confining, -0.04), start(confining));
+            const double s3 = -confining, s1 = -curve.points.back().stress[2], centre = 0.5 * (s1 + s3),
+                         radius = 0.5 * (s1 - s3);
             double nearest = INFINITY;
             for (int k = 1; k < 180; ++k) {
                 const double normal = centre + radius * std::cos(k * degree);
-                nearest = std::min(nearest, (envelope(normal, sci, mb, s, a) / factor - radius * std::sin(k * degree)) / radius);
+                nearest = std::min(nearest,
+                                   (envelope(normal, sci, mb, s, a) / factor - radius * std::sin(k * degree)) / radius);
             }
             EXPECT_NEAR(nearest, 0, 1e-3) << "factor " << factor << ", confined by " << confining;
             EXPECT_TRUE(curve.findings.empty());
@@ -93,7 +99,9 @@ TEST_F(Bench, AnisotropicRockIsAsSoftAsItsPlanesAreTurned) {
     path.points = {{{}, 0}, {{0, 0, load, 0, 0, 0}, 1}};
     for (const double dip : {0.0, 20.0, 45.0, 70.0, 90.0})
         for (const double dip_direction : {0.0, 90.0, 217.0}) {
-            const ZoneCurve curve = follow_zone_path(models.get("anisotropic-elastic"), {plane, normal, nu, nun, shear, dip, dip_direction}, path, start(0, 10));
+            const ZoneCurve curve =
+                follow_zone_path(models.get("anisotropic-elastic"), {plane, normal, nu, nun, shear, dip, dip_direction},
+                                 path, start(0, 10));
             const double c = std::cos(dip * degree), s = std::sin(dip * degree), c2 = c * c, s2 = s * s;
             const double softness = c2 * c2 / normal + s2 * s2 / plane + s2 * c2 * (1 / shear - 2 * nun / normal);
             const auto& strain = curve.points.back().strain;
@@ -101,7 +109,8 @@ TEST_F(Bench, AnisotropicRockIsAsSoftAsItsPlanesAreTurned) {
             // Across the load, along strike and square to it; and the shear that the planes bring.
             const double along_strike = -(c2 * nun / normal + s2 * nu / plane);
             const double down_dip = s2 * c2 * (1 / normal + 1 / plane - 1 / shear) - (c2 * c2 + s2 * s2) * nun / normal;
-            EXPECT_NEAR((strain[0] + strain[1]) / load / (along_strike + down_dip), 1, 1e-6) << dip << " " << dip_direction;
+            EXPECT_NEAR((strain[0] + strain[1]) / load / (along_strike + down_dip), 1, 1e-6)
+                << dip << " " << dip_direction;
             const double east = std::sin(dip_direction * degree), north = std::cos(dip_direction * degree);
             const double found = strain[0] * north * north - 2 * strain[3] * north * east + strain[1] * east * east;
             EXPECT_NEAR(found / load / along_strike, 1, 1e-6) << dip << " " << dip_direction;
@@ -168,7 +177,19 @@ ptrdiff_t run_badly(kaya_zbatch* batch) {
 TEST_F(Bench, WhatNoZoneModelShouldDoIsFound) {
     static const kaya_zproperty properties[] = {{"bulk", "", "stress", "bulk modulus", 1e9, 0, INFINITY, 0, 0},
                                                 {"shear", "", "stress", "shear modulus", 1e9, 0, INFINITY, 0, 0}};
-    static const kaya_zmodel bad{KAYA_ZMODEL_INTERFACE, sizeof(kaya_zmodel), "bad", "bad", "1", properties, 2, nullptr, 0, "", 0, run_badly, nullptr,
+    static const kaya_zmodel bad{KAYA_ZMODEL_INTERFACE,
+                                 sizeof(kaya_zmodel),
+                                 "bad",
+                                 "bad",
+                                 "1",
+                                 properties,
+                                 2,
+                                 nullptr,
+                                 0,
+                                 "",
+                                 0,
+                                 run_badly,
+                                 nullptr,
                                  [](const double* p, double* bulk, double* shear) { *bulk = p[0], *shear = p[1]; }};
     const ZoneModel model(&bad, "bad.so", nullptr);
     ZonePath path;
