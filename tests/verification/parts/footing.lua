@@ -1,15 +1,23 @@
 -- A strip footing on ground without weight: half of it, one cell wide. `footing(name, cells, friction, dilation, mesh, steps, low, high)`
--- presses it and compares N_c, which may lie `low` below the exact one and `high` above it, and must not grow any more.
+-- presses it and compares N_c, which may lie `low` below the exact one and `high` above it, and must not grow any more. With `slanting`
+-- the far side is no brick's, so that `gen edge` fills the ground with tetrahedra in no order; it is pressed faster then.
 local verify = require "verify"
 local half, width, height, cohesion = 3, 15, 7.5, 1e5
-return function(name, n, phi, psi, mesh, steps, low, high)
+return function(name, n, phi, psi, mesh, steps, low, high, slanting)
     if count("block") > 0 then command "delete\nreset time" end
     local size = half / n
-    command(("poly brick 0 %g 0 %g 0 %g"):format(width, size, height))
-    command(mesh:format(math.floor(width / size + 0.5), math.floor(height / size + 0.5)))
+    if slanting then
+        local side = ("0 %g 0 %g %g 0 %g %g %g 0 %g %g"):gsub("%%g", "%%.17g")
+        local function at(y) return side:format(y, width + 1, y, width, y, height, y, height) end
+        command("poly prism a " .. at(0) .. " b " .. at(size))
+        command(mesh:format(size))
+    else
+        command(("poly brick 0 %g 0 %g 0 %g"):format(width, size, height))
+        command(mesh:format(math.floor(width / size + 0.5), math.floor(height / size + 0.5)))
+    end
     command "set small on\nchange cons 2\ndamp local"
     command(("prop mat 1 dens 2000 k 2e8 g 1e8 bcoh %g bfric %g bdil %g bten 1e10"):format(cohesion, phi, psi))
-    command(("bound xvel 0 range x 0\nbound xvel 0 range x %g\nbound yvel 0\nbound zvel 0 xvel 0 range z 0"):format(width))
+    command(("bound xvel 0 range x 0\nbound xvel 0 range x %g %g\nbound yvel 0\nbound zvel 0 xvel 0 range z 0"):format(width - 1e-6, width + 2))
     local top = ("range z %g x 0 %g"):format(height, half + 0.01 * size)
     command("bound xvel 0 zvel 0 " .. top)
     local pressed = {}
@@ -22,7 +30,7 @@ return function(name, n, phi, psi, mesh, steps, low, high)
         for _, g in ipairs(pressed) do force = force - g.z_reaction end
         return force / (size * (half + 0.5 * size)) / cohesion
     end
-    local speed = 1e-2 * size
+    local speed = (slanting and 8 or 1) * 1e-2 * size
     command(("bound zvel %g %s"):format(-speed, top))
     command(("cycle %d"):format(steps))
     command(("bound zvel %g %s"):format(-speed / 5, top)) -- at a low speed inertia carries nothing
