@@ -2,9 +2,9 @@
 
 #include "lang/fish/command_lines.hpp"
 #include "lang/fish/expression_parser.hpp"
+#include "lang/fish/open_block.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 
 namespace kaya::fish {
@@ -13,28 +13,6 @@ namespace {
 
 constexpr std::size_t deepest_block = 40;
 constexpr std::size_t most_arguments = 50;
-
-/// A block that is open: what opened it, and the words that end it or one of its parts.
-struct Block {
-    std::string_view opening; ///< "loop", "if", "case_of", "section", "def"
-    std::string_view closing; ///< shown in messages
-    std::array<std::string_view, 5> closers;
-    Place place;
-};
-
-constexpr std::array<std::string_view, 5> loop_closers{"endloop", "end_loop"};
-constexpr std::array<std::string_view, 5> if_closers{"endif", "end_if", "else", "elseif"};
-constexpr std::array<std::string_view, 5> case_closers{"endcase", "end_case", "case"};
-constexpr std::array<std::string_view, 5> section_closers{"endsection", "end_section"};
-constexpr std::array<std::string_view, 5> function_closers{"end"};
-
-constexpr std::array<std::string_view, 14> all_closers{
-    "endloop",  "end_loop", "endif",      "end_if",      "else",       "elseif",      "endcase",
-    "end_case", "case",     "endsection", "end_section", "endcommand", "end_command", "end"};
-
-template <class Words> bool is_one_of(std::string_view word, const Words& words) {
-    return !word.empty() && std::find(words.begin(), words.end(), word) != words.end();
-}
 
 class Parser {
 public:

@@ -101,108 +101,112 @@ int list_plugins(const std::vector<std::string>& names, const std::vector<fs::pa
     return status;
 }
 
-} // namespace
-
-void add_model_commands(CLI::App& app, const fs::path& program_folder,
-                        const std::function<std::vector<fs::path>()>& joint_folders, std::function<int()>& chosen) {
-    auto* jmodel = app.add_subcommand("jmodel", "make a joint model");
-    jmodel->require_subcommand(1);
-    auto order = std::make_shared<BuildOrder>();
-    auto* building = jmodel->add_subcommand(
-        "build", "compile sources of a joint model, written for kaya or for 3DEC 4, 5, 7 or 9, into a library");
+/// `jmodel build` and `zmodel build`, apart from the options of sources for 3DEC.
+CLI::App* add_build(CLI::App* group, const std::shared_ptr<BuildOrder>& order, const char* help) {
+    auto* building = group->add_subcommand("build", help);
     building->add_option("source", order->sources, "its .cpp files")->required();
     building->add_option("--into", order->folder, "folder of the library; the present one if not given");
     building->add_option("--compiler", order->compiler, "the compiler; CXX, c++, g++ or clang++ if not given");
-    building->add_option("--std", order->standard, "language standard of sources for 3DEC: gnu++17");
+    return building;
+}
+
+void add_build_flags(CLI::App* building, const std::shared_ptr<BuildOrder>& order) {
     building
         ->add_option("--flag", order->flags, "one more word for the compiler: --flag=-g; may be given several times")
         ->allow_extra_args(false);
+}
+
+/// Builds the library, loads it once and describes it.
+template <class Models> int build(const BuildOrder& order, const fs::path& program_folder) {
+    const fs::path library = build_model(order, include_folder(program_folder));
+    Models models;
+    describe(models.get(fs::absolute(library).string()));
+    allow_built(library);
+    return 0;
+}
+
+void add_jmodel(CLI::App& app, const fs::path& program_folder, std::function<int()>& chosen) {
+    auto* jmodel = app.add_subcommand("jmodel", "make a joint model");
+    jmodel->require_subcommand(1);
+    auto order = std::make_shared<BuildOrder>();
+    auto* building = add_build(
+        jmodel, order, "compile sources of a joint model, written for kaya or for 3DEC 4, 5, 7 or 9, into a library");
+    building->add_option("--std", order->standard, "language standard of sources for 3DEC: gnu++17");
+    add_build_flags(building, order);
     building->add_flag("--displacement-at-end", order->displacement_at_end,
                        "normal_disp_ and shear_disp_ of a source for 3DEC include the increment of the step");
     building->add_flag("--as-it-is", order->as_it_is, "without the macro that makes std::exception(\"text\") compile");
     building->add_flag("--show", order->show, "show the compiler's line");
-    building->callback([order, program_folder, &chosen] {
-        chosen = [order, program_folder] {
-            const fs::path library = build_model(*order, include_folder(program_folder));
-            JointRegistry registry;
-            describe(registry.get(fs::absolute(library).string()));
-            allow_built(library);
-            return 0;
-        };
-    });
+    building->callback([=, &chosen] { chosen = [=] { return build<JointRegistry>(*order, program_folder); }; });
+}
 
+void add_zmodel(CLI::App& app, const fs::path& program_folder, std::function<int()>& chosen) {
     auto* zmodel = app.add_subcommand("zmodel", "make a zone model");
     zmodel->require_subcommand(1);
-    auto of_zones = std::make_shared<BuildOrder>();
-    of_zones->zone_model = true;
-    auto* building_zones = zmodel->add_subcommand("build", "compile sources of a zone model into a library");
-    building_zones->add_option("source", of_zones->sources, "its .cpp files")->required();
-    building_zones->add_option("--into", of_zones->folder, "folder of the library; the present one if not given");
-    building_zones->add_option("--compiler", of_zones->compiler, "the compiler; CXX, c++, g++ or clang++ if not given");
-    building_zones
-        ->add_option("--flag", of_zones->flags, "one more word for the compiler: --flag=-g; may be given several times")
-        ->allow_extra_args(false);
-    building_zones->add_flag("--show", of_zones->show, "show the compiler's line");
-    building_zones->callback([of_zones, program_folder, &chosen] {
-        chosen = [of_zones, program_folder] {
-            const fs::path library = build_model(*of_zones, include_folder(program_folder));
-            ZoneModels models;
-            describe(models.get(fs::absolute(library).string()));
-            allow_built(library);
+    auto order = std::make_shared<BuildOrder>();
+    order->zone_model = true;
+    auto* building = add_build(zmodel, order, "compile sources of a zone model into a library");
+    add_build_flags(building, order);
+    building->add_flag("--show", order->show, "show the compiler's line");
+    building->callback([=, &chosen] { chosen = [=] { return build<ZoneModels>(*order, program_folder); }; });
+}
+
+using Folders = std::function<std::vector<fs::path>()>;
+
+struct Writing {
+    std::array<std::string_view, 2> kinds; ///< of its templates
+    const char* next;                      ///< what to do with it
+};
+
+/// `new-jmodel` and `new-zmodel`: Models are those whose names are taken.
+template <class Models> void add_new(CLI::App& app, const char* command, const char* help, Writing native,
+                                     std::optional<Writing> lua, const Folders& folders, std::function<int()>& chosen) {
+    auto name = std::make_shared<std::string>();
+    auto in_lua = std::make_shared<bool>(false);
+    auto* making = app.add_subcommand(command, help);
+    making->add_option("name", *name, "its name")->required();
+    if (lua) making->add_flag("--lua", *in_lua, "in Lua, which needs no compiler");
+    making->callback([=, &chosen] {
+        chosen = [=] {
+            const Writing& writing = *in_lua ? *lua : native;
+            Models models;
+            models.set_path(folders());
+            for (const auto& file : write_new_model(writing.kinds, {*name, ".", models.available()}))
+                fmt::print("{}\n", file.string());
+            fmt::print(fmt::runtime(writing.next), *name);
             return 0;
         };
     });
+}
 
-    struct Writing {
-        std::array<std::string_view, 2> kinds; ///< of its templates
-        const char* next;                      ///< what to do with it
-    };
-    const auto add_new = [&](const char* command, const char* help, Writing native, std::optional<Writing> lua,
-                             auto names_taken) {
-        auto name = std::make_shared<std::string>();
-        auto in_lua = std::make_shared<bool>(false);
-        auto* making = app.add_subcommand(command, help);
-        making->add_option("name", *name, "its name")->required();
-        if (lua) making->add_flag("--lua", *in_lua, "in Lua, which needs no compiler");
-        making->callback([=, &chosen] {
-            chosen = [=] {
-                const Writing& writing = *in_lua ? *lua : native;
-                for (const auto& file : write_new_model(writing.kinds, {*name, ".", names_taken(joint_folders())}))
-                    fmt::print("{}\n", file.string());
-                fmt::print(fmt::runtime(writing.next), *name);
-                return 0;
-            };
-        });
-    };
-    add_new("new-jmodel", "write a joint model to begin with: source, deck, test and page",
-            {{"joint", "joint-shared"},
-             "build it:  kaya jmodel build {0}/{0}.cpp --into {0}\ntest it:   kaya {0}/test-{0}.3dd\n"},
-            Writing{{"joint-lua", "joint-shared"}, "test it:   kaya --joints {0} {0}/test-{0}.3dd\n"},
-            [](const auto& folders) {
-                JointRegistry registry;
-                registry.set_path(folders);
-                return registry.available();
-            });
-    add_new(
-        "new-zmodel", "write a zone model to begin with: source, path, test and page",
-        {{"zone"},
-         "build it:  kaya zmodel build {0}/{0}.cpp --into {0}\ntry it:    kaya ztest {0}/{0}.so {0}/triaxial.csv bulk=4e9 shear=3e9 "
-         "strength=2e7\ntest it:   kaya {0}/test-{0}.3dd\n"},
-        std::nullopt, [](const auto& folders) {
-            ZoneModels models;
-            models.set_path(folders);
-            return models.available();
-        });
-
+void add_plugin_list(CLI::App& app, const Folders& folders, std::function<int()>& chosen) {
     auto* plugin = app.add_subcommand("plugin", "look at joint and zone models");
     plugin->require_subcommand(1);
     auto names = std::make_shared<std::vector<std::string>>();
     auto* listing =
         plugin->add_subcommand("list", "file, name, versions, properties and states of joint and zone models");
     listing->add_option("model", *names, "names or files; all that are found if not given");
-    listing->callback([names, joint_folders, &chosen] {
-        chosen = [names, joint_folders] { return list_plugins(*names, joint_folders()); };
-    });
+    listing->callback([=, &chosen] { chosen = [=] { return list_plugins(*names, folders()); }; });
+}
+
+} // namespace
+
+void add_model_commands(CLI::App& app, const fs::path& program_folder, const Folders& joint_folders,
+                        std::function<int()>& chosen) {
+    add_jmodel(app, program_folder, chosen);
+    add_zmodel(app, program_folder, chosen);
+    add_new<JointRegistry>(app, "new-jmodel", "write a joint model to begin with: source, deck, test and page",
+                           {{"joint", "joint-shared"},
+                            "build it:  kaya jmodel build {0}/{0}.cpp --into {0}\ntest it:   kaya {0}/test-{0}.3dd\n"},
+                           Writing{{"joint-lua", "joint-shared"}, "test it:   kaya --joints {0} {0}/test-{0}.3dd\n"},
+                           joint_folders, chosen);
+    add_new<ZoneModels>(
+        app, "new-zmodel", "write a zone model to begin with: source, path, test and page",
+        {{"zone"},
+         "build it:  kaya zmodel build {0}/{0}.cpp --into {0}\ntry it:    kaya ztest {0}/{0}.so {0}/triaxial.csv "
+         "bulk=4e9 shear=3e9 strength=2e7\ntest it:   kaya {0}/test-{0}.3dd\n"},
+        std::nullopt, joint_folders, chosen);
+    add_plugin_list(app, joint_folders, chosen);
 }
 
 } // namespace kaya

@@ -3,7 +3,6 @@
 #include "base/vector.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -210,70 +209,88 @@ bool lie_on_each_other(const PlaneMesh& side1, const PlaneMesh& side2, double to
     return true;
 }
 
-} // namespace
+/// The parts of the triangles of side 1 that lie on one of side 2, and their points.
+class Pieces {
+public:
+    Pieces(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result)
+        : side1_(side1), side2_(side2), tolerance_(tolerance), edge_(edge), result_(result), points_(result.points),
+          finder_(result.points, tolerance) {}
 
-void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result) {
-    // Kept between calls, of which a search makes very many.
-    static thread_local std::vector<SweepItem> sweep1, sweep2;
-    static thread_local std::vector<int> ring, opposite_triangles;
-    std::vector<OverlayPoint>& points = result.points;
-    points.clear();
-    result.second_moment.setZero();
-    PointFinder finder(points, tolerance);
-    sweep_of(side1, sweep1);
-
-    // A piece: the part of a triangle of side 1 that lies on one of side 2.
-    const auto add_piece = [&](const SweepItem& one, int triangle2, const Polygon& polygon) {
-        // Its points, merged with those of its neighbours.
-        const auto point_at = [&](const Vec2& p) {
-            const int index = finder.find(p);
-            if (index >= 0) return index;
-            OverlayPoint& point = points.emplace_back();
-            point.place = p;
-            point.triangle1 = one.triangle;
-            point.triangle2 = triangle2;
-            point.vertex1 = vertex_at(side1, one.triangle, p, 2 * tolerance);
-            point.vertex2 = vertex_at(side2, triangle2, p, 2 * tolerance);
-            if (point.vertex1 < 0) point.weights1 = barycentric(side1, one.triangle, p);
-            if (point.vertex2 < 0) point.weights2 = barycentric(side2, triangle2, p);
-            return static_cast<int>(points.size()) - 1;
-        };
+    void add(const SweepItem& one, int triangle2, const Polygon& polygon) {
+        static thread_local std::vector<int> ring; // kept between calls
         ring.clear();
         for (int i = 0; i < polygon.size; ++i) {
-            const int index = point_at(polygon.corners[i]);
+            const int index = point_at(one, triangle2, polygon.corners[i]);
             if (ring.empty() || (ring.back() != index && ring.front() != index)) ring.push_back(index);
         }
         // Any fan integrates linear functions exactly.
         double area = 0;
         for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-            area += 0.5 * cross(points[ring[i]].place - points[ring[0]].place,
-                                points[ring[i + 1]].place - points[ring[0]].place);
+            area += 0.5 * cross(points_[ring[i]].place - points_[ring[0]].place,
+                                points_[ring[i + 1]].place - points_[ring[0]].place);
         const double extent = (one.high - one.low).maxCoeff();
-        if (ring.size() < 3 || area <= tolerance * extent) return; // its points keep area 0
-        const auto add = [&](const std::array<int, 3>& part) {
-            const Vec2 &a = points[part[0]].place, &b = points[part[1]].place, &c = points[part[2]].place;
-            const double third = cross(b - a, c - a) / 6.0;
-            const Vec2 sum = a + b + c;
-            result.second_moment +=
-                0.25 * third * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
-            for (const int r : part) {
-                points[r].area += third;
-                points[r].centre += 0.25 * third * (points[r].place + sum);
-            }
-        };
+        if (ring.size() < 3 || area <= tolerance_ * extent) return; // its points keep area 0
         for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-            if (edge > 0)
-                for_parts({points[ring[0]].place, points[ring[i]].place, points[ring[i + 1]].place}, edge,
+            if (edge_ > 0)
+                for_parts({points_[ring[0]].place, points_[ring[i]].place, points_[ring[i + 1]].place}, edge_,
                           [&](const std::array<Vec2, 3>& part) {
-                              add({point_at(part[0]), point_at(part[1]), point_at(part[2])});
+                              add_triangle({point_at(one, triangle2, part[0]), point_at(one, triangle2, part[1]),
+                                            point_at(one, triangle2, part[2])});
                           });
-            else add({ring[0], ring[i], ring[i + 1]});
+            else add_triangle({ring[0], ring[i], ring[i + 1]});
         }
-    };
+    }
+
+private:
+    const PlaneMesh &side1_, &side2_;
+    double tolerance_, edge_;
+    Overlay& result_;
+    std::vector<OverlayPoint>& points_;
+    PointFinder finder_;
+
+    /// The point here, which neighbouring pieces have in common.
+    int point_at(const SweepItem& one, int triangle2, const Vec2& p) {
+        const int index = finder_.find(p);
+        if (index >= 0) return index;
+        OverlayPoint& point = points_.emplace_back();
+        point.place = p;
+        point.triangle1 = one.triangle;
+        point.triangle2 = triangle2;
+        point.vertex1 = vertex_at(side1_, one.triangle, p, 2 * tolerance_);
+        point.vertex2 = vertex_at(side2_, triangle2, p, 2 * tolerance_);
+        if (point.vertex1 < 0) point.weights1 = barycentric(side1_, one.triangle, p);
+        if (point.vertex2 < 0) point.weights2 = barycentric(side2_, triangle2, p);
+        return static_cast<int>(points_.size()) - 1;
+    }
+
+    void add_triangle(const std::array<int, 3>& part) {
+        const Vec2 &a = points_[part[0]].place, &b = points_[part[1]].place, &c = points_[part[2]].place;
+        const double third = cross(b - a, c - a) / 6.0;
+        const Vec2 sum = a + b + c;
+        result_.second_moment +=
+            0.25 * third * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+        for (const int r : part) {
+            points_[r].area += third;
+            points_[r].centre += 0.25 * third * (points_[r].place + sum);
+        }
+    }
+};
+
+} // namespace
+
+void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result) {
+    // Kept between calls, of which a search makes very many.
+    static thread_local std::vector<SweepItem> sweep1, sweep2;
+    static thread_local std::vector<int> opposite_triangles;
+    std::vector<OverlayPoint>& points = result.points;
+    points.clear();
+    result.second_moment.setZero();
+    Pieces pieces(side1, side2, tolerance, edge, result);
+    sweep_of(side1, sweep1);
 
     // To the last bit what the sweep would give.
     if (lie_on_each_other(side1, side2, tolerance, opposite_triangles)) {
-        for (const auto& one : sweep1) add_piece(one, opposite_triangles[one.triangle], Polygon(one.corners));
+        for (const auto& one : sweep1) pieces.add(one, opposite_triangles[one.triangle], Polygon(one.corners));
     } else {
         sweep_of(side2, sweep2);
         for (auto& item : sweep2) item.find_sides(tolerance);
@@ -294,170 +311,12 @@ void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, d
                     continue;
                 Polygon polygon(one.corners);
                 for (int k = 0; k < 3 && polygon.size >= 3; ++k) clip(polygon, two->sides[k], tolerance);
-                if (polygon.size >= 3) add_piece(one, two->triangle, polygon);
+                if (polygon.size >= 3) pieces.add(one, two->triangle, polygon);
             }
         }
     }
     std::erase_if(points, [](const OverlayPoint& p) { return !(p.area > 0); });
     for (auto& point : points) point.centre /= point.area;
-}
-
-namespace {
-
-/// The shortest solution of a x = b for a symmetric matrix without negative eigenvalues, on the space where it has
-/// any: few points leave fewer than three things to choose.
-Vec3 least_squares(const Mat3& a, const Vec3& b) {
-    constexpr double nothing = 1e-9; // an eigenvalue, in parts of the largest
-    const double trace = a.trace();
-    const double pairs = 0.5 * (trace * trace - a.squaredNorm()); // sum of the products of two eigenvalues
-    if (pairs <= nothing * trace * trace) {
-        // One eigenvalue only, as four points leave it; the longest column is its eigenvector.
-        int longest = 0;
-        a.diagonal().maxCoeff(&longest);
-        const Vec3 mode = a.col(longest).normalized();
-        return mode * (mode.dot(b) / trace);
-    }
-    Mat3 adjoint; // its eigenvalues are those products
-    adjoint << a.col(1).cross(a.col(2)), a.col(2).cross(a.col(0)), a.col(0).cross(a.col(1));
-    const double determinant = a.col(0).dot(adjoint.col(0));
-    // Rounding makes a determinant of 1e-16 trace^3.
-    if (determinant > nothing * trace * std::max(pairs, 1e-6 * trace * trace)) return adjoint * b / determinant;
-    // Two, as five points leave them: the adjoint matrix is along the third eigenvector, which gets an eigenvalue.
-    int longest = 0;
-    adjoint.diagonal().maxCoeff(&longest);
-    const Vec3 none = adjoint.col(longest).normalized();
-    const Mat3 whole = a + trace * none * none.transpose();
-    const Vec3 right = b - none * none.dot(b);
-    adjoint << whole.col(1).cross(whole.col(2)), whole.col(2).cross(whole.col(0)), whole.col(0).cross(whole.col(1));
-    return adjoint * right / whole.col(0).dot(adjoint.col(0));
-}
-
-using Four = Eigen::Array4d;
-
-/// Four points, one in each place of a vector register; those that are not there weigh nothing.
-struct SampleGroup {
-    static constexpr std::size_t size = 4;
-    Four weight, u, v;
-    std::array<Four, 3> f;
-    Four change; ///< of their areas, in parts of them
-};
-
-double sum(const Four& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
-
-/// Where the areas change the second moments by less there is nothing to be had.
-constexpr double least_effect = 1e-9;
-
-/// No point may lose more than three quarters of its area, or come to own four times as much: the part of a change, in
-/// parts of the area, that keeps to this.
-double allowed_part(double change) { return change < -0.75 ? -0.75 / change : change > 3 ? 3 / change : 1; }
-
-/// The same for four points, which leave one change: that of the dependency between their places, sum n = sum n x = 0.
-void balance_four(std::vector<OverlayPoint>& points, double whole, const std::array<Vec2, 4>& at) {
-    const auto doubled = [&](int a, int b, int c) { return cross(at[b] - at[a], at[c] - at[a]); };
-    const std::array<double, 4> n{doubled(1, 2, 3), -doubled(0, 2, 3), doubled(0, 1, 3), -doubled(0, 1, 2)};
-    Vec3 wrong(-1, -1, 0), effect = Vec3::Zero();
-    double size = 0;
-    for (int i = 0; i < 4; ++i) {
-        const Vec3 f(at[i].x() * at[i].x(), at[i].y() * at[i].y(), std::sqrt(2.0) * at[i].x() * at[i].y());
-        const double weight = points[i].area / whole;
-        wrong += weight * f;
-        effect += n[i] * f;
-        size += n[i] * n[i] / weight;
-    }
-    const double squared = effect.squaredNorm();
-    if (!(squared > least_effect * size)) return;
-    const double amount = -effect.dot(wrong) / squared;
-    double part = 1;
-    std::array<double, 4> change;
-    for (int i = 0; i < 4; ++i) part = std::min(part, allowed_part(change[i] = amount * n[i] * whole / points[i].area));
-    for (int i = 0; i < 4; ++i) points[i].area *= 1 + part * change[i];
-}
-
-} // namespace
-
-void balance_areas(Overlay& overlay) {
-    auto& points = overlay.points;
-    if (points.size() < 4) return; // the centre decides
-    double whole = 0;
-    Vec2 centre = Vec2::Zero();
-    for (const auto& p : points) {
-        whole += p.area;
-        centre += p.area * p.place;
-    }
-    centre /= whole;
-
-    // Coordinates in which the overlap's own second moments are the unit matrix, by its Cholesky factor.
-    const Eigen::Matrix2d exact = overlay.second_moment / whole - centre * centre.transpose();
-    const double xx = exact(0, 0), xy = exact(0, 1), determinant = exact.determinant(), size = exact.trace();
-    if (!(xx > 0 && determinant > 1e-18 * size * size)) return;
-    const double scale_x = 1 / std::sqrt(xx), scale_y = std::sqrt(xx / determinant), shear = xy / xx;
-
-    if (points.size() == 4) {
-        std::array<Vec2, 4> at;
-        for (int i = 0; i < 4; ++i) {
-            const Vec2 d = points[i].place - centre;
-            at[i] = {scale_x * d.x(), scale_y * (d.y() - shear * d.x())};
-        }
-        return balance_four(points, whole, at);
-    }
-
-    // The second moments u u, v v, u v less what they are to be: 1, 1, 0. (The root of 2 makes a sum of squares that
-    // does not depend on the axes.)
-    static thread_local std::vector<SampleGroup> samples; // kept between calls
-    samples.clear();
-    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-    Eigen::Matrix<double, 3, 2> mixed = Eigen::Matrix<double, 3, 2>::Zero();
-    Vec3 mean = Vec3::Zero();
-    for (std::size_t first = 0; first < points.size(); first += SampleGroup::size) {
-        SampleGroup& s = samples.emplace_back();
-        Four x = Four::Zero(), y = Four::Zero();
-        s.weight.setZero();
-        for (std::size_t i = 0; i < SampleGroup::size && first + i < points.size(); ++i) {
-            const OverlayPoint& p = points[first + i];
-            x[i] = p.place.x() - centre.x();
-            y[i] = p.place.y() - centre.y();
-            s.weight[i] = p.area / whole;
-        }
-        s.u = scale_x * x;
-        s.v = scale_y * (y - shear * x);
-        s.f = {s.u * s.u, s.v * s.v, std::sqrt(2.0) * s.u * s.v};
-        const Four wu = s.weight * s.u, wv = s.weight * s.v;
-        spread(0, 0) += sum(wu * s.u);
-        spread(0, 1) += sum(wu * s.v);
-        spread(1, 1) += sum(wv * s.v);
-        for (int k = 0; k < 3; ++k) {
-            mixed(k, 0) += sum(wu * s.f[k]);
-            mixed(k, 1) += sum(wv * s.f[k]);
-            mean[k] += sum(s.weight * s.f[k]);
-        }
-    }
-    spread(1, 0) = spread(0, 1);
-    const Vec3 wrong = mean - Vec3(1, 1, 0);
-    if (wrong.norm() < 1e-12) return;
-    // Changes of the areas, in parts of them, that keep their sum and centre: the functions less their projections on
-    // 1, x and y in the scalar product weighted with the areas.
-    const Eigen::Matrix<double, 3, 2> slope = mixed * spread.inverse();
-    Mat3 effect = Mat3::Zero();
-    for (auto& s : samples) {
-        for (int k = 0; k < 3; ++k) s.f[k] -= mean[k] + slope(k, 0) * s.u + slope(k, 1) * s.v;
-        for (int k = 0; k < 3; ++k)
-            for (int l = 0; l <= k; ++l) effect(k, l) += sum(s.weight * s.f[k] * s.f[l]);
-    }
-    effect = Mat3(effect.selfadjointView<Eigen::Lower>());
-    const double trace = effect.trace();
-    if (!(trace > least_effect)) return;
-    const Vec3 amount = -least_squares(effect, wrong);
-
-    double part = 1;
-    for (auto& s : samples) {
-        s.change = amount[0] * s.f[0] + amount[1] * s.f[1] + amount[2] * s.f[2];
-        for (int i = 0; i < Four::SizeAtCompileTime; ++i) {
-            if (s.weight[i] > 0) part = std::min(part, allowed_part(s.change[i])); // otherwise no point
-        }
-    }
-    for (std::size_t i = 0; i < points.size(); ++i)
-        points[i].area *=
-            1 + part * samples[i / SampleGroup::size].change[static_cast<Eigen::Index>(i % SampleGroup::size)];
 }
 
 PlaneMesh radial_mesh(const PlaneMesh& mesh, FaceTriangles triangles) {

@@ -218,96 +218,136 @@ double crack_end(const SlopeColumns& columns, const SlipSurface& surface, double
     return lower;
 }
 
+/// Cuts the body above a slip surface, from x = first to last, into slices.
+class Slicer {
+public:
+    Slicer(const SlopeColumns& columns, const SlipSurface& surface, double first, double last, bool rightward)
+        : columns_(columns), section_(columns.section()), surface_(surface), first_(first), last_(last),
+          sense_(rightward ? 1 : -1),
+          chord_(last - first, surface_height(surface, last) - surface_height(surface, first)) {}
+
+    /// Slices end where the ground or the surface bends, so that both are straight over each of them.
+    std::vector<double> ends(int slices) const {
+        std::vector<double> marks;
+        for (int k = 0; k <= slices; ++k) marks.push_back(between(first_, last_, static_cast<double>(k) / slices));
+        const double least = 1e-3 * (last_ - first_) / slices;
+        const auto add = [&](double x) {
+            if (x > first_ + least && x < last_ - least) marks.push_back(x);
+        };
+        for (const SectionPoint& point : columns_.ground()) add(point.x());
+        if (!surface_.circle)
+            for (const SectionPoint& point : surface_.points) add(point.x());
+        std::ranges::sort(marks);
+        marks.erase(std::unique(marks.begin(), marks.end(), [&](double a, double b) { return b - a < least; }),
+                    marks.end());
+        marks.back() = last_;
+        return marks;
+    }
+
+    /// The middle of the base of the slice between two places.
+    SectionPoint base(double from, double to) const { return 0.5 * (on_surface(from) + on_surface(to)); }
+
+    /// None when the slice has no ground above it, or nothing that is known below.
+    std::optional<Slice> slice(double from, double to) const {
+        const SectionPoint a = on_surface(from), b = on_surface(to), base = 0.5 * (a + b);
+        const double middle = 0.5 * (from + to);
+        const auto top = columns_.ground_at(middle);
+        if (!top || *top < base.y() - 1e-9 * chord_.norm() || base.y() < columns_.lowest() - 1e-9 * chord_.norm())
+            return std::nullopt;
+        const SlopeColumns::Column column = columns_.column(base);
+        Slice slice;
+        slice.width = to - from;
+        slice.base_angle = sense_ * std::atan2(a.y() - b.y(), to - from);
+        slice.weight = column.weight * slice.width;
+        slice.centroid_arm = column.weight > 0 ? column.moment / column.weight : 0;
+        slice.pore_pressure = pressure(base) + section_.pressure_ratio * column.weight;
+        slice.strength = columns_.strength_at(base, surface_.circle ? SectionPoint::Zero() : SectionPoint(b - a));
+        if (slice.strength == nullptr) return std::nullopt;
+        add_open_water(slice, from, to, {middle, *top}, base.y());
+        return slice;
+    }
+
+    /// Of the middle of a base: how far from the chord.
+    double depth(const SectionPoint& base) const {
+        const SectionPoint off = base - SectionPoint(first_, surface_height(surface_, first_));
+        return std::abs(chord_.x() * off.y() - chord_.y() * off.x()) / chord_.norm();
+    }
+    double chord() const { return chord_.norm(); }
+
+private:
+    const SlopeColumns& columns_;
+    const SlopeSection& section_;
+    const SlipSurface& surface_;
+    double first_, last_, sense_;
+    SectionPoint chord_;
+
+    SectionPoint on_surface(double x) const { return {x, surface_height(surface_, x)}; }
+
+    double pressure(const SectionPoint& at) const {
+        return section_.pore_pressure ? std::max(0.0, section_.pore_pressure(at)) : 0.0;
+    }
+
+    /// Open water lies on the ground: its pressure acts along the normal, into it; and beside an upright part of the ground, on the
+    /// slice that it bounds.
+    void add_open_water(Slice& slice, double from, double to, const SectionPoint& top, double base_height) const {
+        using Side = SlopeColumns::Side;
+        const double left = *columns_.ground_at(from, Side::right), right = *columns_.ground_at(to, Side::left);
+        const double on_top = pressure(top);
+        slice.downward = on_top * slice.width;
+        double moment = 0;
+        const auto push = [&](double force, double height) {
+            slice.rightward += force;
+            moment += force * (height - base_height);
+        };
+        push(sense_ * on_top * (right - left), top.y());
+        const auto limit_side = [&](double x, double high, double low, double direction) {
+            if (!(high > low)) return;
+            const double force = 0.5 * (pressure({x, high}) + pressure({x, low})) * (high - low);
+            push(sense_ * direction * force, between(low, high, 1.0 / 3));
+        };
+        limit_side(to, right, to < last_ ? *columns_.ground_at(to, Side::right) : right, -1);
+        limit_side(from, left, from > first_ ? *columns_.ground_at(from, Side::left) : left, 1);
+        slice.rightward_arm = slice.rightward != 0 ? moment / slice.rightward : 0;
+    }
+};
+
+void add_crack_water(SlipBody& body, const SlopeSection& section, const SlipSurface& surface, double crack) {
+    const double height = std::min(section.crack_water, section.crack_depth);
+    body.water_force = 0.5 * section.water_weight * height * height;
+    body.water_arm = height / 3;
+    if (surface.circle)
+        body.water_height = surface.circle->centre.y() - (surface_height(surface, crack) + body.water_arm);
+}
+
 } // namespace
 
 std::optional<SlipBody> body_above(const SlopeColumns& columns, const SlipSurface& surface, int slices) {
     const SlopeSection& section = columns.section();
     if (surface.points.size() < 2) return std::nullopt;
     double first = surface.points.front().x(), last = surface.points.back().x();
-    const double z_first = surface.points.front().y(), z_last = surface.points.back().y();
     if (!(first < last)) return std::nullopt;
-    const bool rightward = z_first > z_last;
-    SlipBody body;
-    body.seismic = section.seismic;
+    const bool rightward = surface.points.front().y() > surface.points.back().y();
     if (section.crack_depth > 0) {
         (rightward ? first : last) = crack_end(columns, surface, rightward ? first : last, rightward ? last : first);
         if (!(first < last)) return std::nullopt;
     }
-    // Slices end where the ground or the surface bends, so that both are straight over each of them.
-    std::vector<double> marks;
-    for (int k = 0; k <= slices; ++k) marks.push_back(between(first, last, static_cast<double>(k) / slices));
-    const double least = 1e-3 * (last - first) / slices;
-    const auto add = [&](double x) {
-        if (x > first + least && x < last - least) marks.push_back(x);
-    };
-    for (const SectionPoint& point : columns.ground()) add(point.x());
-    if (!surface.circle)
-        for (const SectionPoint& point : surface.points) add(point.x());
-    std::ranges::sort(marks);
-    marks.erase(std::unique(marks.begin(), marks.end(), [&](double a, double b) { return b - a < least; }),
-                marks.end());
-    marks.back() = last;
-
-    const auto pressure = [&](const SectionPoint& at) {
-        return section.pore_pressure ? std::max(0.0, section.pore_pressure(at)) : 0.0;
-    };
-    const double sense = rightward ? 1 : -1;
-    const SectionPoint chord(last - first, surface_height(surface, last) - surface_height(surface, first));
+    SlipBody body;
+    body.seismic = section.seismic;
+    const Slicer slicer(columns, surface, first, last, rightward);
+    const std::vector<double> ends = slicer.ends(slices);
     double depth = 0;
-    for (std::size_t k = 0; k + 1 < marks.size(); ++k) {
-        const double from = marks[k], to = marks[k + 1], middle = 0.5 * (from + to);
-        const SectionPoint a(from, surface_height(surface, from)), b(to, surface_height(surface, to));
-        const SectionPoint base = 0.5 * (a + b);
-        const auto top = columns.ground_at(middle);
-        if (!top || *top < base.y() - 1e-9 * chord.norm() || base.y() < columns.lowest() - 1e-9 * chord.norm())
-            return std::nullopt;
-        const SlopeColumns::Column column = columns.column(base);
-        Slice slice;
-        slice.width = to - from;
-        slice.base_angle = sense * std::atan2(a.y() - b.y(), to - from);
-        slice.weight = column.weight * slice.width;
-        slice.centroid_arm = column.weight > 0 ? column.moment / column.weight : 0;
-        slice.pore_pressure = pressure(base) + section.pressure_ratio * column.weight;
-        slice.strength = columns.strength_at(base, surface.circle ? SectionPoint::Zero() : SectionPoint(b - a));
-        if (slice.strength == nullptr) return std::nullopt;
-        const SectionPoint left_top(from, *columns.ground_at(from, SlopeColumns::Side::right)),
-            right_top(to, *columns.ground_at(to, SlopeColumns::Side::left));
-        // Open water lies on the ground: its pressure acts along the normal, into it.
-        const double on_top = pressure(SectionPoint(middle, *top));
-        slice.downward = on_top * slice.width;
-        double moment = 0;
-        const auto push = [&](double force, double height) {
-            slice.rightward += force;
-            moment += force * (height - base.y());
-        };
-        push(sense * on_top * (right_top.y() - left_top.y()), *top);
-        // Beside an upright part of the ground, on the slice that it bounds.
-        const double beyond_right =
-            k + 2 < marks.size() ? *columns.ground_at(to, SlopeColumns::Side::right) : right_top.y();
-        const double beyond_left = k > 0 ? *columns.ground_at(from, SlopeColumns::Side::left) : left_top.y();
-        const auto limit_side = [&](double x, double high, double low, double direction) {
-            if (!(high > low)) return;
-            const double force = 0.5 * (pressure({x, high}) + pressure({x, low})) * (high - low);
-            push(sense * direction * force, between(low, high, 1.0 / 3));
-        };
-        limit_side(to, right_top.y(), beyond_right, -1);
-        limit_side(from, left_top.y(), beyond_left, 1);
-        slice.rightward_arm = slice.rightward != 0 ? moment / slice.rightward : 0;
-        body.slices.push_back(slice);
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+        const auto slice = slicer.slice(ends[k], ends[k + 1]);
+        if (!slice) return std::nullopt;
+        body.slices.push_back(*slice);
+        const SectionPoint base = slicer.base(ends[k], ends[k + 1]);
         if (surface.circle) body.centre_heights.push_back(surface.circle->centre.y() - base.y());
-        const SectionPoint off = base - SectionPoint(first, surface_height(surface, first));
-        depth = std::max(depth, std::abs(chord.x() * off.y() - chord.y() * off.x()) / chord.norm());
+        depth = std::max(depth, slicer.depth(base));
     }
     if (surface.circle) body.radius = surface.circle->radius;
-    body.depth_ratio = depth / chord.norm();
-    if (section.crack_water > 0 && section.crack_depth > 0) {
-        const double height = std::min(section.crack_water, section.crack_depth);
-        body.water_force = 0.5 * section.water_weight * height * height;
-        body.water_arm = height / 3;
-        if (surface.circle)
-            body.water_height =
-                surface.circle->centre.y() - (surface_height(surface, rightward ? first : last) + body.water_arm);
-    }
+    body.depth_ratio = depth / slicer.chord();
+    if (section.crack_water > 0 && section.crack_depth > 0)
+        add_crack_water(body, section, surface, rightward ? first : last);
     if (!rightward) {
         std::ranges::reverse(body.slices);
         std::ranges::reverse(body.centre_heights);
