@@ -123,15 +123,19 @@ struct Reset {
 
 // --- histories and output --------------------------------------------------------------------------
 struct HistoryItem {
+    /// A field of the model or of the nearest object; with a name for it, its rate: the change in the last step over the step.
     struct Quantity {
-        std::string word;
-    }; ///< one of recorded_words(): unbal, xdis, sstr, szz, ...
+        ObjectKind kind;
+        std::string field, rate;
+    };
+    /// What the nearest sub-contact has for itself.
     struct Own {
         std::string name;
-    }; ///< what the nearest sub-contact has for itself
+    };
+    /// A FISH function or variable; without @.
     struct Script {
         std::string symbol;
-    }; ///< without @
+    };
     std::variant<Quantity, Own, Script> what;
     Vec3 place = Vec3::Zero();
     Place text;

@@ -9,53 +9,66 @@ namespace {
 
 struct Recorded {
     std::vector<Spelling> words;
-    bool has_place;
+    ObjectKind kind;
+    const char* field;
+    const char* rate; ///< the name under which its rate is recorded; "": the field itself
     const char* help;
 };
 
+/// Words of `hist`: the field that each of them records. Fields of an object take a place, and the nearest object is recorded.
 const std::vector<Recorded>& recorded() {
+    using enum ObjectKind;
     static const std::vector<Recorded> words = {
-        {{"unbal", "unbalanced"}, false, "largest unbalanced force"},
-        {{"time"}, false, "time"},
-        {{"damp", "damping"}, false, "adaptive damping coefficient"},
-        {{"ekinetic"}, false, "kinetic energy"},
-        {{"egravity"}, false, "work of gravity on the blocks"},
-        {{"eboundary"}, false, "work of loads, prescribed velocities and water on the blocks"},
-        {{"edamped"}, false, "energy taken out by damping and dashpots"},
-        {{"ejoint"}, false, "work put into joints: stored or lost"},
-        {{"efriction"}, false, "of it, lost in slip and breaking"},
-        {{"etouch"}, false, "of it, lost where touches change"},
-        {{"ezone"}, false, "work put into zones"},
-        {{"ecable"}, false, "work put into cables: stored or lost"},
-        {{"eerror"}, false, "what the account of energy does not explain"},
-        {{"xdis", "xdisplacement"}, true, "displacement in x of the nearest gridpoint"},
-        {{"ydis", "ydisplacement"}, true, "displacement in y of the nearest gridpoint"},
-        {{"zdis", "zdisplacement"}, true, "displacement in z of the nearest gridpoint"},
-        {{"xvel", "xvelocity"}, true, "velocity in x of the nearest gridpoint"},
-        {{"yvel", "yvelocity"}, true, "velocity in y of the nearest gridpoint"},
-        {{"zvel", "zvelocity"}, true, "velocity in z of the nearest gridpoint"},
-        {{"xacc", "xacceleration"}, true, "acceleration in x of the nearest gridpoint, of the last step"},
-        {{"yacc", "yacceleration"}, true, "acceleration in y of the nearest gridpoint, of the last step"},
-        {{"zacc", "zacceleration"}, true, "acceleration in z of the nearest gridpoint, of the last step"},
-        {{"sxx"}, true, "stress of the nearest zone"},
-        {{"syy"}, true, "stress of the nearest zone"},
-        {{"szz"}, true, "stress of the nearest zone"},
-        {{"sxy"}, true, "stress of the nearest zone"},
-        {{"sxz"}, true, "stress of the nearest zone"},
-        {{"syz"}, true, "stress of the nearest zone"},
-        {{"sig1"}, true, "most compressive principal stress of the nearest zone"},
-        {{"sig2"}, true, "middle principal stress of the nearest zone"},
-        {{"sig3"}, true, "least compressive principal stress of the nearest zone"},
-        {{"pp"}, true, "pore pressure of the nearest zone: the mean of its gridpoints"},
-        {{"ndis", "ndisplacement"}, true, "normal displacement of the nearest sub-contact, closing negative"},
-        {{"sdis", "sdisplacement"}, true, "shear displacement of the nearest sub-contact"},
-        {{"nstr", "nstress"}, true, "normal stress of the nearest sub-contact, compression positive"},
-        {{"sstr", "sstress"}, true, "shear stress of the nearest sub-contact"},
-        {{"cforce"}, true, "tension of the cable at the nearest cable node"},
-        {{"cslip"}, true, "slip of the cable there, past the rock towards its last end"},
-        {{"cbond"}, true, "force of the grout there, per length of cable"},
-        {{"nfor", "nforce"}, true, "normal force of the nearest sub-contact, compression positive"},
-        {{"sfor", "sforce"}, true, "shear force of the nearest sub-contact"},
+        // A row per word.
+        // clang-format off
+        {{"unbal", "unbalanced"}, global, "unbalanced_force", "", "largest unbalanced force"},
+        {{"time"}, global, "time", "", "time"},
+        {{"damp", "damping"}, global, "global_viscosity", "", "adaptive damping coefficient"},
+        {{"ekinetic"}, global, "kinetic_energy", "", "kinetic energy"},
+        {{"egravity"}, global, "gravity_work", "", "work of gravity on the blocks"},
+        {{"eboundary"}, global, "boundary_work", "", "work of loads, prescribed velocities and water on the blocks"},
+        {{"edamped"}, global, "damped_energy", "", "energy taken out by damping and dashpots"},
+        {{"ejoint"}, global, "joint_work", "", "work put into joints: stored or lost"},
+        {{"efriction"}, global, "frictional_energy", "", "of it, lost in slip and breaking"},
+        {{"etouch"}, global, "touch_energy", "", "of it, lost where touches change"},
+        {{"ezone"}, global, "zone_work", "", "work put into zones"},
+        {{"ecable"}, global, "structure_work", "", "work put into cables: stored or lost"},
+        {{"eerror"}, global, "energy_error", "", "what the account of energy does not explain"},
+        {{"xdis", "xdisplacement"}, gridpoint, "x_displacement", "", "displacement in x of the nearest gridpoint"},
+        {{"ydis", "ydisplacement"}, gridpoint, "y_displacement", "", "displacement in y of the nearest gridpoint"},
+        {{"zdis", "zdisplacement"}, gridpoint, "z_displacement", "", "displacement in z of the nearest gridpoint"},
+        {{"xvel", "xvelocity"}, gridpoint, "x_velocity", "", "velocity in x of the nearest gridpoint"},
+        {{"yvel", "yvelocity"}, gridpoint, "y_velocity", "", "velocity in y of the nearest gridpoint"},
+        {{"zvel", "zvelocity"}, gridpoint, "z_velocity", "", "velocity in z of the nearest gridpoint"},
+        {{"xacc", "xacceleration"}, gridpoint, "x_velocity", "x_acceleration", "acceleration in x of the nearest gridpoint, of the last step"},
+        {{"yacc", "yacceleration"}, gridpoint, "y_velocity", "y_acceleration", "acceleration in y of the nearest gridpoint, of the last step"},
+        {{"zacc", "zacceleration"}, gridpoint, "z_velocity", "z_acceleration", "acceleration in z of the nearest gridpoint, of the last step"},
+        {{"sxx"}, zone, "xx_stress", "", "stress of the nearest zone"},
+        {{"syy"}, zone, "yy_stress", "", "stress of the nearest zone"},
+        {{"szz"}, zone, "zz_stress", "", "stress of the nearest zone"},
+        {{"sxy"}, zone, "xy_stress", "", "stress of the nearest zone"},
+        {{"sxz"}, zone, "xz_stress", "", "stress of the nearest zone"},
+        {{"syz"}, zone, "yz_stress", "", "stress of the nearest zone"},
+        {{"sig1"}, zone, "principal_stress_1", "", "most compressive principal stress of the nearest zone"},
+        {{"sig2"}, zone, "principal_stress_2", "", "middle principal stress of the nearest zone"},
+        {{"sig3"}, zone, "principal_stress_3", "", "least compressive principal stress of the nearest zone"},
+        {{"pp"}, zone, "pore_pressure", "", "pore pressure of the nearest zone: the mean of its gridpoints"},
+        {{"ndis", "ndisplacement"}, sub_contact, "normal_displacement", "", "normal displacement of the nearest sub-contact, closing negative"},
+        {{"sdis", "sdisplacement"}, sub_contact, "shear_displacement", "", "shear displacement of the nearest sub-contact"},
+        {{"xsdis", "xsdisplacement"}, sub_contact, "x_shear_displacement", "", "shear displacement in x of the nearest sub-contact"},
+        {{"ysdis", "ysdisplacement"}, sub_contact, "y_shear_displacement", "", "shear displacement in y of the nearest sub-contact"},
+        {{"zsdis", "zsdisplacement"}, sub_contact, "z_shear_displacement", "", "shear displacement in z of the nearest sub-contact"},
+        {{"nstr", "nstress"}, sub_contact, "normal_stress", "", "normal stress of the nearest sub-contact, compression positive"},
+        {{"sstr", "sstress"}, sub_contact, "shear_stress", "", "shear stress of the nearest sub-contact"},
+        {{"cforce"}, cable_node, "cable_force", "", "tension of the cable at the nearest cable node"},
+        {{"cslip"}, cable_node, "slip", "", "slip of the cable there, past the rock towards its last end"},
+        {{"cbond"}, cable_node, "grout_force", "", "force of the grout there, per length of cable"},
+        {{"nfor", "nforce"}, sub_contact, "normal_force", "", "normal force of the nearest sub-contact, compression positive"},
+        {{"sfor", "sforce"}, sub_contact, "shear_force", "", "shear force of the nearest sub-contact"},
+        {{"xsfor", "xsforce"}, sub_contact, "x_shear_force", "", "shear force in x of the nearest sub-contact"},
+        {{"ysfor", "ysforce"}, sub_contact, "y_shear_force", "", "shear force in y of the nearest sub-contact"},
+        {{"zsfor", "zsforce"}, sub_contact, "z_shear_force", "", "shear force in z of the nearest sub-contact"},
+        // clang-format on
     };
     return words;
 }
@@ -65,14 +78,14 @@ CommandSpec history_add() {
     entry.help("records quantities from now on; several may stand on one line");
     const auto place = vector("x y z").unit("length");
     for (const auto& item : recorded()) {
-        const std::string_view word = item.words.front().word;
-        const bool has_place = item.has_place;
+        const bool has_place = item.kind != ObjectKind::global;
+        const HistoryItem::Quantity quantity{item.kind, item.field, item.rate};
         entry.special(
             item.words, has_place ? std::vector{place.spec} : std::vector<ArgumentSpec>{},
             [=](Reader& reader, HistoryAdd& history) {
                 const Place at = reader.previous().place;
                 const Vec3 where = has_place ? reader.vector(place.spec) : Vec3(Vec3::Zero());
-                history.items.push_back({HistoryItem::Quantity{std::string(word)}, where, at});
+                history.items.push_back({quantity, where, at});
             },
             item.help);
     }
@@ -186,10 +199,10 @@ CommandSpec history_delete() {
 
 } // namespace
 
-std::vector<std::string_view> recorded_words() {
-    std::vector<std::string_view> words;
-    for (const auto& item : recorded()) words.push_back(item.words.front().word);
-    return words;
+std::vector<std::pair<ObjectKind, std::string_view>> recorded_fields() {
+    std::vector<std::pair<ObjectKind, std::string_view>> fields;
+    for (const auto& item : recorded()) fields.emplace_back(item.kind, item.field);
+    return fields;
 }
 
 Family history() {

@@ -26,8 +26,8 @@ std::vector<CommandSpec> selection_commands(); ///< group, mark, excavate, fill
 CommandSpec insitu();
 CommandSpec initialize();
 
-/// What `history` can record by a word of its own; the first spelling of each.
-std::vector<std::string_view> recorded_words();
+/// The fields that `history` records by a word of their own; with the rates, those of which it records the rate.
+std::vector<std::pair<ObjectKind, std::string_view>> recorded_fields();
 /// The whole words of `prop` for joints, whatever joint model they have.
 std::vector<std::string_view> joint_property_words();
 /// The names of the properties of structures.

@@ -17,27 +17,10 @@ namespace {
 
 using Kind = HistorySource::Kind;
 
-Kind kind_of(const Field& field) {
-    if (info_of(field.kind).history >= 0) return field.kind;
-    throw Diagnostic(fmt::format("'{}' cannot be recorded", field.name),
-                     "record a quantity of blocks, gridpoints, zones or sub-contacts");
-}
-
-/// Quantities that are the rate of another one.
-struct Rate {
-    std::string_view word, of, label;
-};
-constexpr std::array<Rate, 3> rates{{
-    {"xacc", "xvel", "x_acceleration"},
-    {"yacc", "yvel", "y_acceleration"},
-    {"zacc", "zvel", "z_acceleration"},
-}};
-
+/// "": that of the field.
 std::string label_of(const lang::HistoryItem& item) {
     const auto* quantity = std::get_if<lang::HistoryItem::Quantity>(&item.what);
-    if (quantity == nullptr) return {};
-    const auto rate = std::ranges::find(rates, std::string_view(quantity->word), &Rate::word);
-    return rate == rates.end() ? std::string() : std::string(rate->label);
+    return quantity == nullptr ? std::string() : quantity->rate;
 }
 
 /// What a kind of item records; the place is that of the item.
@@ -64,12 +47,9 @@ struct SourceOf {
         return source;
     }
     HistorySource operator()(const lang::HistoryItem::Quantity& item) {
-        const auto rate = std::ranges::find(rates, std::string_view(item.word), &Rate::word);
-        source.rate = rate != rates.end();
-        const Field* field = find_history_field(source.rate ? rate->of : std::string_view(item.word));
-        if (field == nullptr) throw Diagnostic(fmt::format("'{}' is not a quantity that can be recorded", item.word));
-        source.kind = kind_of(*field);
-        source.quantity = field->name;
+        source.kind = item.kind;
+        source.quantity = item.field;
+        source.rate = !item.rate.empty();
         // Contacts are found late, at the first cycle; a history of one wants them now.
         if (info_of(source.kind).found_late) find_contacts(session.model, session.joints);
         return source;

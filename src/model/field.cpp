@@ -85,11 +85,6 @@ const Field* find_classic_field(std::string_view classic) {
     return classic.empty() ? nullptr : find_field(index, classic);
 }
 
-const Field* find_history_field(std::string_view word) {
-    static const auto index = index_by<std::string_view>([](const Field& field) { return field.history; });
-    return word.empty() ? nullptr : find_field(index, word);
-}
-
 std::optional<std::int64_t> object_number(const Model& model, const Link& link) {
     const auto number = info_of(link.kind).number;
     if (link.row == no_row || number == nullptr) return std::nullopt;

@@ -26,7 +26,6 @@ struct Field {
     std::string_view classic; ///< "cx_nforce"; "" when there is none. A vector has its components as
                               ///< own fields: "x_velocity", classic "gp_xvel".
     std::string_view modern;  ///< "block.subcontact.force.norm": FISH of newer versions; "" when there is none
-    std::string_view history; ///< word of `hist`: "nforce"; "" when none
     std::string_view unit;    ///< quantity: "length", "stress", "force", "-"
     std::string_view help;
     FieldValue (*get)(const Model&, Row);
@@ -37,7 +36,6 @@ struct Field {
 std::span<const Field> fields();
 const Field* find_field(ObjectKind kind, std::string_view name);
 const Field* find_classic_field(std::string_view classic);
-const Field* find_history_field(std::string_view word);
 
 /// The number by which users know an object; none for no object and for what has none, such as a corner.
 std::optional<std::int64_t> object_number(const Model& model, const Link& link);

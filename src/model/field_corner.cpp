@@ -17,9 +17,9 @@ FieldValue gridpoint(const Model& model, Row corner) {
 
 const Fields& corner_fields() {
     static const Fields rows{
-        {table, "face", "", "", "", "-", "face that it is on", face, nullptr},
-        {table, "gridpoint", "vl_gp", "", "", "-", "gridpoint that is there", gridpoint, nullptr},
-        {table, "vertex", "vl_vertex", "", "", "-", "the same: a vertex of a rigid block is a gridpoint", gridpoint,
+        {table, "face", "", "", "-", "face that it is on", face, nullptr},
+        {table, "gridpoint", "vl_gp", "", "-", "gridpoint that is there", gridpoint, nullptr},
+        {table, "vertex", "vl_vertex", "", "-", "the same: a vertex of a rigid block is a gridpoint", gridpoint,
          nullptr},
     };
     return rows;

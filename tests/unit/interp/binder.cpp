@@ -93,14 +93,15 @@ TEST(Binder, Boundary) {
 TEST(Binder, Histories) {
     const auto h = bound_as<HistoryAdd>("hist sdis -1 1 0 NDIS (0,0,0) @njdisp unbal ncyc 5");
     ASSERT_EQ(h.items.size(), 4u);
-    EXPECT_EQ(std::get<HistoryItem::Quantity>(h.items[0].what).word, "sdis");
+    EXPECT_EQ(std::get<HistoryItem::Quantity>(h.items[0].what).field, "shear_displacement");
     EXPECT_EQ(h.items[0].place, Vec3(-1, 1, 0));
-    EXPECT_EQ(std::get<HistoryItem::Quantity>(h.items[1].what).word, "ndis");
+    EXPECT_EQ(std::get<HistoryItem::Quantity>(h.items[1].what).field, "normal_displacement");
     EXPECT_EQ(std::get<HistoryItem::Script>(h.items[2].what).symbol, "njdisp");
     EXPECT_EQ(h.items[2].text.column, 31);
-    EXPECT_EQ(std::get<HistoryItem::Quantity>(h.items[3].what).word, "unbal");
+    EXPECT_EQ(std::get<HistoryItem::Quantity>(h.items[3].what).field, "unbalanced_force");
     EXPECT_EQ(h.interval, 5);
-    EXPECT_EQ(std::get<HistoryItem::Quantity>(bound_as<HistoryAdd>("hist zdisp 0 0 1").items[0].what).word, "zdis");
+    EXPECT_EQ(std::get<HistoryItem::Quantity>(bound_as<HistoryAdd>("hist zdisp 0 0 1").items[0].what).field,
+              "z_displacement");
     EXPECT_FALSE(bound("hist @a").late) << "a history takes the name, not its value";
     const auto w = bound_as<HistoryWrite>("hist write 2 3 vs 1 'out file.csv'");
     EXPECT_EQ(w.numbers, (std::vector<std::int64_t>{2, 3}));

@@ -36,11 +36,10 @@ void set(Model& model, std::string_view classic, Row row, const FieldValue& v) {
 
 TEST(Fields, NamesAreUniqueWithinATable) {
     std::set<std::pair<ObjectKind, std::string_view>> names;
-    std::set<std::string_view> classics, words;
+    std::set<std::string_view> classics;
     for (const auto& field : fields()) {
         EXPECT_TRUE(names.insert({field.kind, field.name}).second) << field.name;
         if (!field.classic.empty()) { EXPECT_TRUE(classics.insert(field.classic).second) << field.classic; }
-        if (!field.history.empty()) { EXPECT_TRUE(words.insert(field.history).second) << field.history; }
     }
 }
 
@@ -53,7 +52,6 @@ TEST(Fields, EveryFieldHasNameUnitAndHelpAndIsFoundByItsWords) {
                 << field.name;
         EXPECT_EQ(find_field(field.kind, field.name), &field);
         if (!field.classic.empty()) { EXPECT_EQ(find_classic_field(field.classic), &field); }
-        if (!field.history.empty()) { EXPECT_EQ(find_history_field(field.history), &field); }
     }
 }
 
@@ -62,8 +60,6 @@ TEST(Fields, UnknownWordsFindNothing) {
     EXPECT_EQ(find_field(ObjectKind::block, ""), nullptr);
     EXPECT_EQ(find_classic_field("cx_nforces"), nullptr);
     EXPECT_EQ(find_classic_field(""), nullptr);
-    EXPECT_EQ(find_history_field(""), nullptr);
-    EXPECT_EQ(find_history_field("xdisp"), nullptr);
 }
 
 TEST(Fields, EveryFieldOfEveryRowCanBeReadAndLinksStayInsideTheModel) {
