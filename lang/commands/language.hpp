@@ -1,6 +1,7 @@
 // The classic language: all families in the order in which short words resolve.
 #pragma once
 
+#include "base/object_kind.hpp"
 #include "lang/interp/spec.hpp"
 
 namespace kaya::lang {

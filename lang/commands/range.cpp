@@ -49,7 +49,7 @@ void read_limits(Reader& reader, RangeElement& element, const ArgumentSpec& low,
             .at(reader.previous().place);
 }
 
-void coordinate(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
+void add_coordinate(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
     const auto low = real("low").unit("length").spec;
     const auto high = real("high").unit("length").optional().spec;
     table.special(
@@ -76,7 +76,7 @@ void named(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind,
         help);
 }
 
-void flag(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
+void add_flag(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
     table.special(
         std::move(words), {},
         [=](Reader& reader, RangePhrase& phrase) {
@@ -243,46 +243,37 @@ void named_ranges(Keywords<RangePhrase>& table) {
         "a range that was given a name with range name");
 }
 
+/// Elements whose parts have a reader of their own; some of them stand for all of a group.
+void own_element(Keywords<RangePhrase>& table, Kind kind) {
+    switch (kind) {
+    case Kind::box: return space_elements(table);
+    case Kind::polygon: return figure_elements(table);
+    case Kind::group: return group(table);
+    case Kind::group_intersection: return group_intersection(table);
+    case Kind::block_id: return block_id(table);
+    case Kind::named: return named_ranges(table);
+    case Kind::id_list: return id_list(table);
+    default: break;
+    }
+}
+
+void add_element(Keywords<RangePhrase>& table, const RangeWords& row) {
+    using enum RangeWords::Form;
+    switch (row.form) {
+    case coordinate: return add_coordinate(table, row.words, row.kind, row.help);
+    case number: return numbered(table, row.words, row.kind, row.help);
+    case limits_of_numbers: return numbers(table, row.words, row.kind, row.help);
+    case two_numbers: return both_sides(table, row.words, row.kind, row.help);
+    case limits: return between_limits(table, row.words, row.kind, row.unit, row.help);
+    case name: return named(table, row.words, row.kind, row.help);
+    case flag: return add_flag(table, row.words, row.kind, row.help);
+    case own: return own_element(table, row.kind);
+    }
+}
+
 std::vector<KeywordSpec> all_elements() {
     Keywords<RangePhrase> table;
-    coordinate(table, {"x", "xr", Spelling{"position-x", 10}}, Kind::x, "x between two limits, or at one value");
-    coordinate(table, {"y", "yr", Spelling{"position-y", 10}}, Kind::y, "y between two limits, or at one value");
-    coordinate(table, {"z", "zr", Spelling{"position-z", 10}}, Kind::z, "z between two limits, or at one value");
-    space_elements(table);
-    group(table);
-    numbered(table, {"material", "mat"}, Kind::material, "blocks of a material number, or of one of several");
-    numbered(table, {"constitutive", "cons"}, Kind::constitutive, "blocks of a constitutive number");
-    numbered(table, {"jmaterial", "jmat"}, Kind::joint_material,
-             "contacts of a joint material number, or of one of several");
-    numbered(table, {"jconstitutive", "jcons"}, Kind::joint_model, "contacts of a joint constitutive number");
-    numbered(table, {"region"}, Kind::region, "blocks of a region number, or of one of several");
-    numbered(table, {"jset", "joint-set"}, Kind::joint_set, "contacts of a joint set, or of one of several");
-    numbers(table, {"id"}, Kind::id, "identity numbers of the objects themselves");
-    numbers(table, {"bid"}, Kind::block_id, "identity numbers of the blocks that the objects belong to");
-    block_id(table);
-    both_sides(table, {"mintersection"}, Kind::material_intersection, "contacts between two materials");
-    both_sides(table, {"rintersection"}, Kind::region_intersection, "contacts between two regions");
-    named_ranges(table);
-    group_intersection(table);
-    named(table, {"jmodel"}, Kind::joint_model, "contacts that have a joint model");
-    between_limits(table, {"volume"}, Kind::volume, "volume", "blocks of a volume between two limits");
-    flag(table, {"deformable"}, Kind::deformable, "blocks with zones, and what belongs to them");
-    flag(table, {"visible"}, Kind::visible, "blocks that are not hidden");
-    id_list(table);
-    named(table, {"jgroup"}, Kind::joint_group, "contacts of a group of joints");
-    flag(table, {"excavated"}, Kind::excavated, "blocks that fill can put back");
-    named(
-        table, {Spelling{"state", 4}}, Kind::joint_state,
-        "sub-contacts in a state of their joint model, and contacts that have one; `slip` means slip-now and slip-past");
-    flag(table, {Spelling{"surface", 4}}, Kind::surface, "faces on which no other block lies, and what is on them");
-    flag(table, {Spelling{"concave", 4}}, Kind::concave, "joined blocks that make a body which is not convex");
-    between_limits(table, {Spelling{"edge-length", 4}}, Kind::edge_length, "length",
-                   "blocks whose shortest edge is between two limits");
-    between_limits(table, {Spelling{"aspect-ratio", 4}}, Kind::aspect_ratio, "",
-                   "blocks whose greatest extent over their thickness is between two limits");
-    numbers(table, {Spelling{"leader-id", 4}}, Kind::leader,
-            "blocks of bodies by the number of the body's first block; a block on its own is its own leader");
-    figure_elements(table);
+    for (const RangeWords& row : range_words()) add_element(table, row);
     table.action(
         {"extent"}, [](RangePhrase& phrase) { phrase.whole = true; },
         "all corners of a block, a face or a zone must lie inside, not only its centroid");
