@@ -131,26 +131,19 @@ void finish_contact(Model& model, Row c, JointForces& forces, JointWork& after) 
     after.add(own);
 }
 
-/// 1 over the masses of both blocks. With it the stiffness of a joint can be compared with that of the overlap that it becomes.
-double inverse_masses(const Model& model, Row c) {
-    double sum = 0;
-    for (const Row b : {model.contacts.block1[c], model.contacts.block2[c]})
-        if (model.blocks.fixed[b] != fix_all && model.blocks.inertial_mass[b] > 0)
-            sum += 1 / model.blocks.inertial_mass[b];
-    return sum;
-}
-
 /// A stiffness that grows by no more than this part in a cycle waits for the next look at all bodies.
 constexpr double slow_growth = 0.02;
 
 /// Marks a contact that is much stiffer than it was, or whose places have moved away from the centres of its blocks.
 void note_stiffness(const Model& model, Row c, JointForces& forces) {
-    const double sum = follows_overlap(model, c) ? stiffness_over_mass(model, c)
-                                                 : sum_of_stiffness(model, c) * inverse_masses(model, c);
+    const StiffnessOfSides now =
+        follows_overlap(model, c) ? stiffness_over_mass(model, c) : StiffnessOfSides{sum_of_stiffness(model, c), 0};
+    const StiffnessOfSides& before = forces.stiffness[c];
+    const auto grows = [&](int side) { return now[side] > (1 + slow_growth) * before[side]; };
     // What becomes an overlap, or a joint, turns its blocks about other places.
     const ContactKind kind = model.contacts.kind[c];
-    if (sum > (1 + slow_growth) * forces.stiffness[c] || kind != forces.kind[c]) forces.stiffness_changed[c] = 1;
-    forces.stiffness[c] = sum;
+    if (grows(0) || grows(1) || kind != forces.kind[c]) forces.stiffness_changed[c] = 1;
+    forces.stiffness[c] = now;
     forces.kind[c] = kind;
 }
 
@@ -272,7 +265,7 @@ void joint_forces(const Model& model, JointForces& forces) {
     forces.of_sub_contact.assign(any_deformable ? model.sub_contacts.size() : 0, Vec3::Zero());
     forces.of_contact.assign(model.contacts.size(), Vec3::Zero());
     forces.moment.assign(model.contacts.size(), Vec3::Zero());
-    forces.stiffness.assign(model.contacts.size(), 0);
+    forces.stiffness.assign(model.contacts.size(), StiffnessOfSides{});
     forces.kind.assign(model.contacts.kind.begin(), model.contacts.kind.end());
     forces.stiffness_changed.assign(model.contacts.size(), 0);
     for_chunks(model.contacts.size(), grain, [&](std::size_t first, std::size_t last) {

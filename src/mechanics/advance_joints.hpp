@@ -4,6 +4,7 @@
 #pragma once
 
 #include "mechanics/batches.hpp"
+#include "mechanics/contact_stiffness.hpp"
 #include "mechanics/phase_sums.hpp"
 #include "model/model.hpp"
 
@@ -16,9 +17,10 @@ struct JointForces {
     std::vector<Vec3> of_sub_contact; ///< on the second side, of contacts with a deformable block
     std::vector<Vec3> of_contact;     ///< sum on the second block
     std::vector<Vec3> moment;         ///< of that sum about Contacts::position
-    std::vector<double>
-        stiffness; ///< of each contact, to be compared with that of the last step only: its sub-contacts'
-                   ///< larger tangent stiffnesses, of overlaps over the masses as they feel it
+    /// Of each contact, to be compared with that of the last step only: of a joint its sub-contacts' larger tangent stiffnesses,
+    /// of an overlap what each of its blocks feels. It follows from the state: inertial masses, which density scaling changes
+    /// after it was taken, have no part in it.
+    std::vector<StiffnessOfSides> stiffness;
     std::vector<ContactKind> kind; ///< as it was when the stiffness was taken
     std::vector<char>
         stiffness_changed; ///< of contacts that are much stiffer or have other geometry, until someone clears it

@@ -9,7 +9,7 @@ namespace {
 /// The same as seen from one block.
 double over_mass_of(const Model& model, Row c, Row block) {
     const auto& blocks = model.blocks;
-    const double mass = blocks.inertial_mass[block];
+    const double mass = blocks.mass[block];
     if (blocks.fixed[block] == fix_all || blocks.deformable[block] || !(mass > 0)) return 0;
     const auto& q = blocks.orientation[block];
     const Rotor to_own = Rotor{q[0], {q[1], q[2], q[3]}}.conjugate();
@@ -50,9 +50,9 @@ double sum_of_stiffness(const Model& model, Row contact) {
     return sum;
 }
 
-double stiffness_over_mass(const Model& model, Row contact) {
-    return over_mass_of(model, contact, model.contacts.block1[contact]) +
-           over_mass_of(model, contact, model.contacts.block2[contact]);
+StiffnessOfSides stiffness_over_mass(const Model& model, Row contact) {
+    return {over_mass_of(model, contact, model.contacts.block1[contact]),
+            over_mass_of(model, contact, model.contacts.block2[contact])};
 }
 
 } // namespace kaya

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "mechanics/overlap_patch.hpp"
-#include "mechanics/overlap_patch.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace kaya {
@@ -41,8 +41,11 @@ inline Springs springs_of(const SubContacts& subs, Row s, const NormalAreaFactor
 /// Sum over the contact's sub-contacts of the larger stiffness, force/length.
 double sum_of_stiffness(const Model& model, Row contact);
 
-/// Trace of the contact's stiffness over the masses and moments of inertia of its rigid blocks, 1/time^2: no eigenvalue
-/// of the contact alone is greater. 0 for blocks that are fixed.
-double stiffness_over_mass(const Model& model, Row contact);
+/// One number for each block of a contact.
+using StiffnessOfSides = std::array<double, 2>;
+
+/// Trace of the contact's stiffness over the mass and the moments of inertia of each of its rigid blocks, 1/time^2: no eigenvalue
+/// of the contact alone is greater. 0 for blocks that are fixed. Masses are the true ones.
+StiffnessOfSides stiffness_over_mass(const Model& model, Row contact);
 
 } // namespace kaya

@@ -182,6 +182,28 @@ int check(std::uint64_t seed) {
     return looked_at;
 }
 
+/// Runs the deck while its density is scaled, and restores it right after cycles in which masses have changed: what was noted of a
+/// contact before that must not count. The number of times.
+int restore_after_changes_of_mass(std::uint64_t seed) {
+    constexpr int most = 4; // of a deck
+    Run run;
+    int restored = 0;
+    run.run("mscale on");
+    for (const Part& part : random_deck(seed)) {
+        if (!part.line.empty()) run.run(part.line);
+        for (int i = 0; i < part.cycles && restored < most; ++i) {
+            const auto before = run.session().model.blocks.inertial_mass;
+            if (!run.run("cycle 1")) return restored;
+            if (i == 0 || run.session().model.blocks.inertial_mass == before) continue;
+            expect_same_when_restored(run, 3,
+                                      fmt::format("{} scaled, cycle {}", seed, run.session().model.clock.cycle));
+            if (testing::Test::HasFailure()) return restored;
+            ++restored;
+        }
+    }
+    return restored;
+}
+
 /// The whole deck once more with so many threads.
 std::uint64_t final_hash(std::uint64_t seed, int threads) {
     Run run(threads);
@@ -207,6 +229,16 @@ TEST(RandomDecks, TheStepStaysBelowTheBoundAndARestoredRunGoesOnWithTheSameBits)
         ASSERT_FALSE(HasFailure()) << "seed " << seed;
     }
     EXPECT_GT(looked_at, 30 * decks); // most decks run to their end
+}
+
+TEST(RandomDecks, ARunThatIsRestoredWhenMassesHaveChangedGoesOnWithTheSameBits) {
+    const int decks = number_from("KAYA_RANDOM_DECKS", 40), first = number_from("KAYA_FIRST_SEED", 1);
+    int restored = 0;
+    for (int seed = first; seed < first + decks; ++seed) {
+        restored += restore_after_changes_of_mass(static_cast<std::uint64_t>(seed));
+        ASSERT_FALSE(HasFailure()) << "seed " << seed;
+    }
+    EXPECT_GE(restored, decks / 4); // masses do change
 }
 
 TEST(RandomDecks, OneTwoAndFourThreadsGiveTheSameBits) {
