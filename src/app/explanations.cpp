@@ -143,6 +143,9 @@ constexpr Explanation explanations[] = {
      "A name belongs to the first folder that has it. Give the other model another name in its descriptor."},
     {"zone-model-moduli", "a zone model that gives no moduli",
      "The time step needs bulk and shear moduli that are finite and above 0. Look at the values that the deck gives first."},
+    {"zone-model-trespass", "a zone model writes where it must not",
+     "It was tried on one zone whose columns lie between fences. It wrote to what it may only read, or next to its columns. In a\n"
+     "run that would spoil other zones, or memory that the program needs later."},
     {"zone-model-failed", "a zone model failed while it ran",
      "It threw an exception, or left a number that is not finite. The message says in which zone. Steps that are too long, or\n"
      "properties that do not fit together, are the usual reasons."},

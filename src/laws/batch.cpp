@@ -2,6 +2,7 @@
 
 #include "laws/arithmetic.hpp"
 #include "laws/crash_report.hpp"
+#include "laws/trespass.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -76,20 +77,9 @@ public:
     }
 
 private:
-    static std::uint64_t sum_of(const double* column, std::size_t n) {
-        // Two sums, one of them by places, so that it is a vector loop.
-        std::uint64_t sum = 0, placed = 0, place = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-            const auto bits = std::bit_cast<std::uint64_t>(column[i]);
-            sum += bits;
-            placed ^= bits + place;
-            place += 0x9e37'79b9'7f4a'7c15u;
-        }
-        return sum ^ placed << 1;
-    }
     /// Until visit() says that it is enough.
     template <class Visit> void each(const JointModel& model, const kaya_jbatch& b, Visit visit) const {
-        if (visit(0, "properties", sum_of(b.properties, model.properties.size())) || !columns_) return;
+        if (visit(0, "properties", sum_of_bits(b.properties, model.properties.size())) || !columns_) return;
         const std::pair<const char*, const double*> columns[] = {
             {"area", b.area},
             {"normal_disp", b.normal_disp},
@@ -104,7 +94,7 @@ private:
         };
         static_assert(std::size(columns) + 1 == count);
         for (std::size_t k = 0; k < std::size(columns); ++k)
-            if (visit(k + 1, columns[k].first, sum_of(columns[k].second, b.n))) return;
+            if (visit(k + 1, columns[k].first, sum_of_bits(columns[k].second, b.n))) return;
     }
 
     static constexpr std::size_t count = 11;

@@ -1,9 +1,10 @@
 #include "laws/lone_row.hpp"
 
+#include "laws/trespass.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
-#include <vector>
 
 namespace kaya {
 
@@ -21,18 +22,12 @@ void LoneColumns::add_to(kaya_jbatch& batch, const JointModel& model) {
 
 namespace {
 
-/// A number that no model computes.
-constexpr std::uint64_t fence = 0x7ff4'6b61'7961'2121;
-constexpr std::size_t width = 64; ///< of a fence, in numbers: beyond what a loop that is off by a lane writes
-
 /// The columns of one row, each between two fences. It is kept for its memory.
 class FencedRow {
 public:
-    FencedRow() : cells_((most + 1) * (width + 1), fence) {}
-
     /// Points the batch at the fenced columns, which get what its own hold.
     void take(const JointModel& model, kaya_jbatch& batch) {
-        count_ = 0;
+        fences_.clear();
         own_ = batch;
         // What is read is copied, too: a model may write to that.
         add("area", batch.area);
@@ -72,45 +67,13 @@ public:
         batch = own_;
     }
 
-    /// The first column next to which something was written; the fences are whole again then.
-    std::optional<std::string> breach() {
-        std::optional<std::string> found;
-        for (std::size_t k = 0; k < count_ && !found; ++k) {
-            const std::uint64_t* cell = cells_.data() + cell_of(k);
-            std::uint64_t tail = 0; // of a column whose numbers are shorter
-            std::memcpy(&tail, cell, sizeof tail);
-            const bool short_one = sizes_[k] < sizeof tail;
-            if (short_one && tail >> 32 != fence >> 32) found = fmt::format("after the column '{}'", names_[k]);
-            if (!is_whole(cell + 1)) found = fmt::format("after the column '{}'", names_[k]);
-            if (k == 0 && !is_whole(cell - width)) found = fmt::format("before the column '{}'", names_[k]);
-        }
-        if (found) std::fill(cells_.begin(), cells_.end(), fence);
-        return found;
-    }
+    std::optional<std::string> breach() { return fences_.breach(); }
 
 private:
-    static constexpr std::size_t most = 32 + KAYA_JMODEL_MAX_HISTORY;
-    static std::size_t cell_of(std::size_t k) { return width + k * (width + 1); }
-    static bool is_whole(const std::uint64_t* first) {
-        std::uint64_t others = 0; // all of them, so that it is a vector loop
-        for (std::size_t i = 0; i < width; ++i) others |= first[i] ^ fence;
-        return others == 0;
-    }
+    template <class T> void add(const char* name, T*& column) { fences_.add(name, column); }
 
-    template <class T> void add(const char* name, T*& column) {
-        std::uint64_t* cell = cells_.data() + cell_of(count_);
-        *cell = fence;
-        std::memcpy(cell, column, sizeof(T));
-        column = reinterpret_cast<T*>(cell);
-        names_[count_] = name;
-        sizes_[count_++] = sizeof(T);
-    }
-
-    std::vector<std::uint64_t> cells_;
+    Fences<32 + KAYA_JMODEL_MAX_HISTORY> fences_;
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history_{};
-    std::array<const char*, most> names_{};
-    std::array<std::size_t, most> sizes_{};
-    std::size_t count_ = 0;
     kaya_jbatch own_{};
 };
 

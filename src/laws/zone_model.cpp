@@ -5,6 +5,7 @@
 #include "laws/arithmetic.hpp"
 #include "laws/crash_report.hpp"
 #include "laws/library_file.hpp"
+#include "laws/trespass.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -91,6 +92,7 @@ ZoneModel::ZoneModel(const kaya_zmodel* descriptor, fs::path from, std::shared_p
 
 std::string ZoneModel::check(const std::vector<double>& values) const {
     if (!descriptor_.check) return {};
+    const AtWork at_work(who(), "check");
     try {
         const char* complaint = descriptor_.check(values.data());
         return complaint ? complaint : "";
@@ -102,6 +104,7 @@ std::string ZoneModel::check(const std::vector<double>& values) const {
 ZoneModuli ZoneModel::moduli(const std::vector<double>& values) const {
     ZoneModuli moduli{std::nan(""), std::nan("")};
     std::string reason;
+    const AtWork at_work(who(), "moduli");
     try {
         descriptor_.moduli(values.data(), &moduli.bulk, &moduli.shear);
     } catch (const std::exception& thrown) {
@@ -123,6 +126,7 @@ std::optional<ZoneFailure> ZoneModel::run(kaya_zbatch& batch) const {
     batch.row = batch.n;
     batch.tables = tables;
     const AtWork at_work(who(), "run");
+    const std::uint64_t values = sum_of_bits(batch.properties, properties.size());
     ArithmeticGuard arithmetic;
     ptrdiff_t row = -1;
     try {
@@ -135,6 +139,8 @@ std::optional<ZoneFailure> ZoneModel::run(kaya_zbatch& batch) const {
             0, fmt::format("zone model {} threw what is no std::exception in a batch that begins here", name)};
     }
     note_arithmetic(arithmetic.put_back());
+    if (sum_of_bits(batch.properties, properties.size()) != values)
+        return ZoneFailure{0, fmt::format("zone model {} wrote to 'properties', which it may only read", name), true};
     if (row == -1) {
         static constexpr const char* stresses[6] = {"xx stress", "yy stress", "zz stress",
                                                     "xy stress", "xz stress", "yz stress"};

@@ -19,6 +19,7 @@ struct ZoneModuli {
 struct ZoneFailure {
     std::size_t row;
     std::string message;
+    bool trespass = false; ///< it wrote where it must not
 };
 
 /// A zone model after loading: the descriptor, checked once, with its texts copied.
@@ -36,7 +37,8 @@ public:
     /// Throws Diagnostic when the model throws, or gives a modulus that is not finite and above 0.
     ZoneModuli moduli(const std::vector<double>& values) const;
 
-    /// One step of the rows of a batch. What the model throws and what it returns that is no number are failures too.
+    /// One step of the rows of a batch. What the model throws, what it returns that is no number and what it does to its properties
+    /// are failures too.
     std::optional<ZoneFailure> run(kaya_zbatch& batch) const;
 
     const kaya_jtables* tables = nullptr; ///< of the deck; NULL where there is none

@@ -1,5 +1,6 @@
 #include "mechanics/zone_laws.hpp"
 
+#include "laws/zone_trial.hpp"
 #include "mechanics/remedy.hpp"
 
 #include <algorithm>
@@ -161,6 +162,7 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
             auto values = values_of(zone_model, material_of(model, model.blocks.material[b]), given);
             check_values(model, block, zone_model, values, given);
             const auto [bulk, shear] = zone_model.moduli(values);
+            try_zone(zone_model, values);
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (!keeps(model.unreduced, zone_model.properties[i]))
                     values[i] = reduced(zone_model.properties[i], values[i], model.settings.strength_factor);

@@ -1,6 +1,7 @@
 #include "zonetest/single_zone.hpp"
 
 #include "base/diagnostic.hpp"
+#include "laws/zone_trial.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -131,7 +132,7 @@ void SingleZone::strain_by(const SixNumbers& increment, double time) {
         batch.strain_inc[k] = &increment[k];
         batch.stress[k] = &stress[k];
     }
-    if (const auto failure = model->run(batch))
+    if (const auto failure = run_fenced(*model, batch))
         throw Diagnostic(failure->message, fmt::format("the strain so far is {:g}", fmt::join(strain, ", ")),
                          Fault::run);
     for (std::size_t k = 0; k < 6; ++k) {

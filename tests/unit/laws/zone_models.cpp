@@ -1,6 +1,7 @@
 // Every zone model that ships, one zone at a time: strength against closed forms, and what must hold on any path.
 #include "base/diagnostic.hpp"
 #include "laws/joint_model.hpp"
+#include "laws/zone_trial.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -454,6 +455,22 @@ TEST(ZoneModels, WhatGoesWrongInAStepIsToldWithTheRow) {
         EXPECT_EQ(failure->row, 0u);
         EXPECT_EQ(failure->message, message);
     }
+}
+
+TEST(ZoneModels, WhatWritesWhereItMustNotIsFoundBeforeItRuns) {
+    const ZoneModel& model = models().get(std::string(KAYA_TEST_PLUGINS) + "/zones/hostile.so");
+    try_zone(model, {2e8, 1e8, 0});
+    for (const auto& [what, sentence] : {std::pair{10.0, "wrote to 'strain_inc', which it may only read"},
+                                         std::pair{11.0, "wrote after the column 'stress'"}}) {
+        try {
+            try_zone(model, {2e8, 1e8, what});
+            ADD_FAILURE() << what;
+        } catch (const Diagnostic& error) {
+            EXPECT_THAT(error.message, testing::HasSubstr(sentence));
+            EXPECT_EQ(error.code, "zone-model-trespass");
+        }
+    }
+    for (const Zone& zone : all_zones()) try_zone(zone.model, zone.values);
 }
 
 } // namespace
