@@ -1,8 +1,10 @@
 #include "mechanics/batches.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <fmt/format.h>
 #include <numeric>
+#include <optional>
 
 namespace kaya {
 
@@ -36,8 +38,18 @@ namespace {
 struct MadeColumns {
     std::vector<double> fields[KAYA_JMODEL_MAX_FIELDS], normal[3];
     const double* field[KAYA_JMODEL_MAX_FIELDS];
+    std::optional<double> alike[KAYA_JMODEL_MAX_FIELDS]; ///< the value of all rows of a field
     std::vector<std::int32_t> block[2];
 };
+
+/// The columns of a field from batch to batch mostly hold one value, and need not be filled again.
+void fill_field(MadeColumns& made, std::size_t k, std::size_t rows, double value) {
+    auto& alike = made.alike[k];
+    const bool same = alike && std::memcmp(&*alike, &value, sizeof value) == 0;
+    if (same && made.fields[k].size() >= rows) return;
+    made.fields[k].assign(std::max(rows, made.fields[k].size()), value);
+    alike = value;
+}
 
 MadeColumns& made_columns() {
     static thread_local MadeColumns columns;
@@ -50,12 +62,14 @@ void add_fields(kaya_jbatch& b, const Model& model, const Batch& batch) {
     const auto& fields = batch.model->fields;
     for (std::size_t k = 0; k < fields.size(); ++k) {
         const double otherwise = fields[k].property ? b.properties[*fields[k].property] : fields[k].initial;
-        made.fields[k].assign(b.n, otherwise);
+        fill_field(made, k, b.n, otherwise);
         made.field[k] = made.fields[k].data();
         if (static_cast<std::int32_t>(k) >= subs.field_columns) continue;
         for (std::size_t i = 0; i < b.n; ++i) {
             const Row row = batch.first + static_cast<Row>(i);
-            if (subs.field_set[row] >> k & 1u) made.fields[k][i] = subs.field[k][row];
+            if (!(subs.field_set[row] >> k & 1u)) continue;
+            made.fields[k][i] = subs.field[k][row];
+            made.alike[k].reset();
         }
     }
     b.field = made.field;

@@ -66,6 +66,25 @@ constexpr std::array<std::pair<std::int32_t, const char*>, 2> numbered_models{{{
 
 std::vector<char> initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts);
 
+/// Sub-contacts that have one of these properties for themselves take that of their contact again.
+void forget_own_values(Model& model, JointRegistry& joints, const std::vector<Row>& contacts, const Items& items) {
+    auto& subs = model.sub_contacts;
+    if (subs.field_columns == 0) return;
+    for (const Row c : contacts) {
+        const JointModel& joint = joints.get(model.joint_properties[model.contacts.properties[c]].model);
+        for (const auto& [name, value] : items) {
+            const auto field = joint.find_field(name);
+            if (!field || !joint.fields[*field].property || static_cast<std::int32_t>(*field) >= subs.field_columns)
+                continue;
+            const Span span = model.contacts.sub_contacts[c];
+            for (Row s = span.first; s < span.end(); ++s) {
+                subs.field_set[s] &= ~(1u << *field);
+                subs.field[*field][s] = 0;
+            }
+        }
+    }
+}
+
 bool are_all_joints(const Model& model, const std::vector<Row>& contacts) {
     return contacts.size() == model.contacts.size();
 }
@@ -173,6 +192,7 @@ void set_joint_properties(Model& model, JointRegistry& joints, const std::vector
     for (auto& [row, set] : changed) renamed[row] = shared_set(model, std::move(set));
     for (const Row c : contacts) model.contacts.properties[c] = renamed[model.contacts.properties[c]];
     if (all) model.settings.default_properties = renamed[model.settings.default_properties];
+    forget_own_values(model, joints, contacts, items);
     initialise_again(model, joints, contacts);
     ModelEdit(model, Change::contacts);
 }
@@ -193,6 +213,7 @@ void set_joint_material(Model& model, JointRegistry& joints, std::int32_t materi
     for (std::size_t c = 0; c < model.contacts.size(); ++c)
         if (model.joint_properties[model.contacts.properties[c]].material == material)
             contacts.push_back(static_cast<Row>(c));
+    forget_own_values(model, joints, contacts, items);
     initialise_again(model, joints, contacts);
     ModelEdit(model, Change::contacts);
 }

@@ -62,6 +62,8 @@ public:
         for (std::size_t i = 0; i < n; ++i) area_[i] = 0.01, normal_[i] = 0.01;
         history_.assign(model.history.size(), Column(n, 0));
         for (auto& column : history_) pointers_.push_back(column.data());
+        for (const auto& f : model.fields) fields_.emplace_back(n, f.property ? values_[*f.property] : f.initial);
+        field_pointers_.resize(fields_.size());
         auto b = batch(0, n);
         if (const auto failure = kaya::initialise_batch(model, b)) throw std::runtime_error(failure->message);
     }
@@ -107,6 +109,8 @@ private:
         b.state = state_.data() + first;
         for (std::size_t k = 0; k < history_.size(); ++k) pointers_[k] = history_[k].data() + first;
         b.history = pointers_.data();
+        for (std::size_t k = 0; k < fields_.size(); ++k) field_pointers_[k] = fields_[k].data() + first;
+        if (!fields_.empty()) b.field = field_pointers_.data();
         return b;
     }
 
@@ -115,8 +119,9 @@ private:
     Column values_, area_, opening_, normal_disp_, pressure_, normal_, normal_stiffness_, shear_stiffness_, work_;
     std::array<Column, 3> way_, disp_, force_;
     std::vector<std::uint32_t> state_;
-    std::vector<Column> history_;
+    std::vector<Column> history_, fields_;
     std::vector<double*> pointers_;
+    std::vector<const double*> field_pointers_;
 };
 
 /// Bytes per second of a = b + s c over as many bytes as the columns of a model have, far more than a cache.

@@ -1,6 +1,7 @@
 // Joint model `barton-bandis`: hyperbolic closure and mobilised roughness.
 // docs/joint-models/barton-bandis.md has the equations; (n) below are their numbers.
 #include "kaya/jmodel.h"
+#include "kaya/law/own_properties.hpp"
 #include "stdlib/joints/barton-bandis/law.hpp"
 
 #include <iterator>
@@ -70,6 +71,19 @@ constexpr kaya_jhistory history[] = {
     {"reversal-z", "stress", "shear stress at which the motion last turned back"},
 };
 static_assert(std::size(history) == history_count);
+
+/// Properties that may differ from one sub-contact to the next.
+constexpr kaya_jfield fields[] = {
+    {"jrco", "-", "roughness coefficient, where it differs", 0},
+    {"jcso", "stress", "wall strength, where it differs", 0},
+    {"sigmac", "stress", "uniaxial compressive strength of the rock, where it differs", 0},
+    {"friction-residual", "angle", "residual angle of friction, where it differs", 0},
+    {"stiffness-normal", "stress/length", "normal stiffness at first touch, where it differs", 0},
+    {"stiffness-shear", "stress/length", "shear stiffness at a normal stress of 1 MPa, where it differs", 0},
+};
+constexpr size_t field_count = std::size(fields);
+constexpr size_t property_of_field[field_count] = {jrco,           jcso, sigmac, friction_residual, stiffness_normal,
+                                                   stiffness_shear};
 
 constexpr const char* state_names = "open slipping past-peak unloading fallen";
 constexpr uint32_t is_open = 1, is_slipping = 2, is_past_peak = 4, is_unloading = 8, has_fallen = 16;
@@ -304,7 +318,7 @@ template <bool thesis> void run_rows(kaya_jbatch* batch, const Law& law) {
     batch->stiffness_changed = 1;
 }
 
-ptrdiff_t run(kaya_jbatch* batch) {
+ptrdiff_t run_alike(kaya_jbatch* batch) {
     const Law law(given(batch->properties));
     if (law.plain()) run_rows<false>(batch, law);
     else run_rows<true>(batch, law);
@@ -323,7 +337,7 @@ double displacement_of_stress(const Law& law, const Strength& s, double shear_st
     return high;
 }
 
-ptrdiff_t initialise(kaya_jbatch* batch) {
+ptrdiff_t initialise_alike(kaya_jbatch* batch) {
     const Law law(given(batch->properties));
     const double log_jcs = logarithm(law.jcs);
     for (size_t i = 0; i < batch->n; ++i) {
@@ -374,6 +388,14 @@ const char* check(const double* p) {
     return nullptr;
 }
 
+template <class Run> ptrdiff_t by_values(kaya_jbatch* batch, Run run) {
+    return by_properties<property_count, history_count>(batch, property_of_field, check, run);
+}
+
+ptrdiff_t run(kaya_jbatch* batch) { return by_values(batch, run_alike); }
+
+ptrdiff_t initialise(kaya_jbatch* batch) { return by_values(batch, initialise_alike); }
+
 void max_stiffness(const double* p, double* normal, double* shear) {
     *normal = p[stiffness_normal];
     *shear = p[stiffness_shear];
@@ -394,6 +416,9 @@ constexpr kaya_jmodel descriptor = {
     run,
     check,
     max_stiffness,
+    nullptr,
+    fields,
+    field_count,
 };
 
 } // namespace

@@ -58,6 +58,7 @@ TestJoint::TestJoint(const JointModel& model_, const Values& given, double area_
         for (auto* vector : {&shear_disp, &shear_disp_inc, &shear_force}) (*vector)[k].assign(rows, 0);
     state.assign(rows, 0);
     history.assign(model->history.size(), std::vector<double>(rows, 0));
+    for (const auto& f : model->fields) field.emplace_back(rows, f.property ? values[*f.property] : f.initial);
     object.resize(model->keeps_objects() ? rows : 0);
     initialise();
 }
@@ -65,6 +66,8 @@ TestJoint::TestJoint(const JointModel& model_, const Values& given, double area_
 kaya_jbatch TestJoint::batch() {
     history_columns_.clear();
     for (auto& column : history) history_columns_.push_back(column.data());
+    field_columns_.clear();
+    for (auto& column : field) field_columns_.push_back(column.data());
     kaya_jbatch b{};
     b.n = area.size();
     b.properties = values.data();
@@ -84,6 +87,7 @@ kaya_jbatch TestJoint::batch() {
     b.frictional_work = frictional_work.data();
     b.state = state.data();
     b.history = history_columns_.data();
+    b.field = field.empty() ? nullptr : field_columns_.data();
     b.object = object.empty() ? nullptr : object[0].address();
     b.tables = model->tables;
     return b;

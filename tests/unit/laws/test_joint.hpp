@@ -63,10 +63,12 @@ public:
     std::array<std::vector<double>, 3> shear_disp, shear_disp_inc, shear_force;
     std::vector<std::uint32_t> state;
     std::vector<std::vector<double>> history;
+    std::vector<std::vector<double>> field; ///< what rows have for themselves, of fields of the model
     std::vector<JointObject> object;
 
 private:
     std::vector<double*> history_columns_;
+    std::vector<const double*> field_columns_;
 };
 
 /// Work that the forces of row 0 took up in a step from `before` to `after` (trapezoid).
