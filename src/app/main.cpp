@@ -4,6 +4,7 @@
 #include "app/run.hpp"
 #include "app/study_commands.hpp"
 #include "app/tool_commands.hpp"
+#include "base/memory.hpp"
 #include "app/model_commands.hpp"
 #include "laws/crash_report.hpp"
 
@@ -132,6 +133,7 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
     kaya::report_crashes();
+    kaya::limit_memory_to_available();
     try {
         return kaya::start(argc, argv);
     } catch (const std::bad_alloc&) {

@@ -1,5 +1,6 @@
 #include "base/memory.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <limits>
@@ -9,6 +10,7 @@
 #endif
 #ifdef __linux__
 #include <sys/mman.h>
+#include <sys/resource.h>
 #endif
 
 namespace kaya {
@@ -19,12 +21,34 @@ void give_back_memory() {
 #endif
 }
 
-std::size_t memory_available() {
+namespace {
+
+/// An entry of the system's table of memory, in bytes; the largest number where the system does not tell.
+std::size_t memory_entry(const std::string& name) {
     std::ifstream table("/proc/meminfo");
     std::string word;
     while (table >> word)
-        if (std::size_t kilobytes = 0; word == "MemAvailable:" && table >> kilobytes) return kilobytes << 10;
+        if (std::size_t kilobytes = 0; word == name && table >> kilobytes) return kilobytes << 10;
     return std::numeric_limits<std::size_t>::max();
+}
+
+} // namespace
+
+std::size_t memory_available() { return memory_entry("MemAvailable:"); }
+
+void limit_memory_to_available() {
+    // Sanitizers reserve far more than there is.
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
+    const std::size_t all = memory_entry("MemTotal:"), swap = memory_entry("SwapFree:");
+    rlimit limit{};
+    if (all == unknown || getrlimit(RLIMIT_DATA, &limit) != 0) return;
+    // What others hold now they may give back while a long run goes on.
+    const rlim_t wanted = std::max(memory_available(), all / 2) + (swap == unknown ? 0 : swap);
+    if (limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur <= wanted) return;
+    limit.rlim_cur = wanted;
+    setrlimit(RLIMIT_DATA, &limit);
+#endif
 }
 
 void use_large_pages([[maybe_unused]] const void* first, [[maybe_unused]] std::size_t bytes) {

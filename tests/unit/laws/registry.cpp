@@ -210,6 +210,12 @@ TEST(JointRegistry, SurvivesACrashWhileLoading) {
     EXPECT_THAT(refusal_of_plugin("exits-at-load").message, HasSubstr("ends the program when it is loaded"));
 }
 
+TEST(JointRegistry, GivesUpALibraryThatDoesNotComeBackWhenItIsLoaded) {
+    const auto d = refusal_of_plugin("slow/loops-at-load");
+    EXPECT_THAT(d.message, HasSubstr("does not come back within 30 seconds when it is loaded"));
+    EXPECT_EQ(d.code, "joint-model-crashes");
+}
+
 TEST(JointRegistry, KeepsNothingOfARefusedLibrary) {
     JointRegistry registry;
     refusal(registry, (plugin_folder / "version-99.so").string());

@@ -1,0 +1,16 @@
+// Does not come back when it is loaded.
+#include "kaya/jmodel.h"
+
+namespace {
+
+int wait_for_ever() {
+    volatile int again = 1;
+    while (again == 1) again = 1;
+    return again;
+}
+
+const int never = wait_for_ever();
+
+} // namespace
+
+const kaya_jmodel* kaya_joint_model(void) { return never == 0 ? nullptr : nullptr; }
