@@ -1,11 +1,10 @@
 // Loads, velocities and initial values.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
+#include "lang/commands/directions.hpp"
 #include "lang/commands/language.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
 
 namespace kaya::lang {
 
@@ -23,17 +22,6 @@ const std::vector<Spelling> velocity_words[6] = {
 
 Argument<double> velocity_argument(std::size_t component) {
     return component < 3 ? real("v").unit("velocity") : real("v").unit("angle in radians/time");
-}
-
-Vec3 read_direction(Reader& reader, const ArgumentSpec& spec) {
-    const Word* word = reader.peek();
-    const Vec3 direction = reader.vector(spec);
-    const double length = direction.norm();
-    if (!reader.wildcards() && !(length > 0 && std::isfinite(length)))
-        throw Diagnostic(fmt::format("({:g}, {:g}, {:g}) is not a direction", direction[0], direction[1], direction[2]),
-                         "give a vector of any length but 0, such as 1 1 0")
-            .at(word->place);
-    return direction;
 }
 
 /// Kinds of `hist`: each makes what is left of the line a factor that changes with time.
@@ -139,6 +127,7 @@ CommandSpec bound() {
                   "change of the stress with y");
     entry.keyword({"zgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"), &Boundary::z_gradient,
                   "change of the stress with z");
+    add_local_axes(entry);
     add_multiplier(entry);
     static constexpr const char* quiet[][2] = {
         {"xviscous", "viscous (absorbing) boundary in x"},
@@ -195,6 +184,9 @@ CommandSpec bound() {
     entry.right("bound dvel 0 1 0 1 range x 0").right("bound dload -1e3 1 0 2 hist sine 5 range region 1");
     entry.wrong("bound dvel 0 0 0 0", "(0, 0, 0) is not a direction");
     entry.wrong("bound dload 5 1 0", "a number is missing after '0'");
+    entry.right("bound stress -5e6 -2e6 -1e6 0 0 0 local 1 1 0 0 0 1 range x 0");
+    entry.wrong("bound local 1 0 0 0 1 0", "local has no stress to turn");
+    entry.wrong("bound stress 0 0 -1 0 0 0 local 1 0 0 2 0 0", "(2, 0, 0) is parallel to (1, 0, 0)");
     entry.wrong("bound dvel 1 0 0 1 hist sine 5", "hist has nothing to multiply");
     entry.wrong("bound", "bound does not say what acts on the boundary");
     entry.wrong("bound xvel range x 0", "expected a number, found 'range'");

@@ -1,6 +1,7 @@
 // insitu: the stress that is there before anything happens.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
+#include "lang/commands/directions.hpp"
 #include "lang/commands/language.hpp"
 
 namespace kaya::lang {
@@ -28,6 +29,7 @@ CommandSpec insitu() {
     entry.keyword({"xgradient"}, gradient, &InSitu::x_gradient, "change of the stress with x");
     entry.keyword({"ygradient"}, gradient, &InSitu::y_gradient, "change of the stress with y");
     entry.keyword({"zgradient"}, gradient, &InSitu::z_gradient, "change of the stress with z");
+    add_local_axes(entry);
     entry
         .action(
             {"nodisplacements"}, [](InSitu&) {}, "joints keep their displacements, as they always do")
@@ -64,6 +66,10 @@ CommandSpec insitu() {
     entry.right("insitu stress -1e6 -1e6 -2e6 0 0 0");
     entry.right("insitu str 0 0 0 0 0 0 zgrad 1.3e4 1.3e4 2.6e4 0 0 0 nodis range z -100 0");
     entry.right("insitu topo kx 0.5 ky 0.8 range z -100 0").right("insitu pp 1e5 gradient 0 0 -1e4");
+    entry.right("insitu stress -5e6 -3e6 -2e6 0 0 0 local 1 1 0 0 0 1");
+    entry.wrong("insitu stress -1 -1 -1 0 0 0 local 0 0 0 1 0 0", "(0, 0, 0) is not a direction");
+    entry.wrong("insitu stress -1 -1 -1 0 0 0 local 1 0 0 0 1 0 zgrad 1 1 1 0 0 0",
+                "'zgrad' stands after local, which turns what stands before it");
     entry.wrong("insitu", "insitu does not say which stress");
     entry.wrong("insitu stress -1e6 -1e6", "a number is missing after '-1e6'");
     entry.wrong("insitu zgrad 0 0 1 0 0 0", "insitu does not say which stress");

@@ -1,0 +1,35 @@
+// Directions, and axes of stresses, as commands give them.
+#pragma once
+
+#include "lang/commands/builder.hpp"
+
+#include <array>
+#include <optional>
+
+namespace kaya::lang {
+
+/// A vector of any length but 0.
+Vec3 read_direction(Reader& reader, const ArgumentSpec& spec);
+
+/// Reads two vectors that say in which axes the components of tensors (xx yy zz xy xz yz) are given, and turns these into global ones: x along the first vector, y
+/// in the plane of both. What is given after it on the line would stay as it is, and is refused.
+void read_local_axes(Reader& reader, const std::array<std::array<double, 6>*, 4>& tensors, const ArgumentSpec& first,
+                     const ArgumentSpec& second);
+
+/// The word `local` of a command with a stress and its gradients.
+template <class Command> void add_local_axes(Entry<Command>& entry) {
+    const auto first = vector("ax ay az"), second = vector("bx by bz");
+    entry.special(
+        {"local"}, {first.spec, second.spec},
+        [=](Reader& reader, Command& command) {
+            if (!command.stress)
+                throw Diagnostic("local has no stress to turn",
+                                 "it stands after stress sxx syy szz sxy sxz syz and its gradients")
+                    .at(reader.previous().place);
+            read_local_axes(reader, {&*command.stress, &command.x_gradient, &command.y_gradient, &command.z_gradient},
+                            first.spec, second.spec);
+        },
+        "axes in which the stress and the gradients before it are given: x along the first vector, y in the plane of both");
+}
+
+} // namespace kaya::lang
