@@ -3,6 +3,7 @@
 #include "lang/commands/language.hpp"
 #include "lang/fish/doubts.hpp"
 #include "lang/fish/inner_commands.hpp"
+#include "lang/interp/script_files.hpp"
 
 #include <any>
 #include <fmt/format.h>
@@ -44,17 +45,19 @@ void DeckReview::file(const lang::BoundFile& file) {
     for (const auto& step : file.steps) {
         statement(step.command, false);
         if (step.called) this->file(*step.called);
-        else if (step.command.spec->flow == lang::Flow::call) names_.anything_may_be_made();
+        else if (step.command.spec->flow == lang::Flow::call) anything_may_be_made();
     }
     doubt_last_line(*file.source);
 }
 
 void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
     names_.check(command, inside);
+    materials_.check(command);
     if (on_statement) on_statement(command);
     if (!inside) find_file(command);
     if (const auto* set = std::any_cast<lang::Set>(&command.command)) doubt_values(*set, command);
-    if (inside && command.spec->flow == lang::Flow::call) names_.anything_may_be_made();
+    if (inside && command.spec->flow == lang::Flow::call) anything_may_be_made();
+    if (const auto* chunk = std::any_cast<lang::LuaChunk>(&command.command)) materials_.check_script(chunk->text);
     if (const auto* function = std::any_cast<lang::FishDefinition>(&command.command)) this->inside(*function);
 }
 
@@ -62,6 +65,7 @@ void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
 void DeckReview::inside(const lang::FishDefinition& definition) {
     const auto function = fish::read_function(definition.text, definition.place);
     const auto doubts = fish::doubts(function);
+    materials_.check_script(definition.text);
     other_.insert(other_.end(), doubts.begin(), doubts.end());
     for (const auto& inner : fish::inner_commands(function)) {
         if (inner.joined) {
@@ -74,10 +78,15 @@ void DeckReview::inside(const lang::FishDefinition& definition) {
         try {
             statement(lang::bind_with_names(lang::classic(), words, bare_), true);
         } catch (const Diagnostic& mistake) {
-            names_.anything_may_be_made();
+            anything_may_be_made();
             if (on_inner) on_inner(&mistake);
         }
     }
+}
+
+void DeckReview::anything_may_be_made() {
+    names_.anything_may_be_made();
+    materials_.anything_may_be_given();
 }
 
 /// A mark that asks for a line that is not there.
@@ -96,33 +105,43 @@ void DeckReview::doubt_last_line(const SourceText& source) {
     }
 }
 
-/// `set @w = 1+2`: a word without quotes that looks like arithmetic.
+/// `set @w = 1+2`, `set @w = stone`: a word without quotes.
 void DeckReview::doubt_values(const lang::Set& set, const lang::BoundCommand& command) {
     lang::Lexer lexer(command.place.source, command.place.line);
     lang::Statement statement;
     if (set.fish.empty() || !lexer.next(statement)) return;
-    for (const auto& word : statement.words) {
+    for (std::size_t i = 1; i < statement.words.size(); ++i) {
+        const auto& word = statement.words[i];
+        if (word.kind != lang::WordKind::word || statement.words[i - 1].kind != lang::WordKind::symbol) continue;
         const bool begins =
             !word.text.empty() && std::string_view("0123456789.+-").find(word.text.front()) != std::string_view::npos;
-        if (word.kind != lang::WordKind::word || !begins || word.text.find_first_of("+-*/^", 1) == std::string::npos)
-            continue;
+        const bool arithmetic = begins && word.text.find_first_of("+-*/^", 1) != std::string::npos;
         other_.push_back(doubt(
             fmt::format("'{}' is taken as a text", word.text),
-            fmt::format("brackets make arithmetic of it: [{}]; quotes say that it is a text", word.text), word.place));
+            arithmetic ? fmt::format("brackets make arithmetic of it: [{}]; quotes say that it is a text", word.text)
+                       : fmt::format("@{} is the value of that name; quotes say that it is a text", word.text),
+            word.place));
     }
 }
 
 void DeckReview::find_file(const lang::BoundCommand& command) {
-    if (!command.spec->body_end.empty()) script_seen_ = true;
+    if (lang::may_write_files(command)) may_have_written_ = true;
+    if (const auto* function = std::any_cast<lang::FishDefinition>(&command.command))
+        defined_.insert(fish::read_function(function->text, function->place).name);
     const FileRead read = command.late ? FileRead{} : file_read_by(command);
-    const bool may_be_written = script_seen_ || earlier_words_.contains(read.name);
+    const bool may_be_written = may_have_written_ || earlier_words_.contains(read.name);
     lang::Lexer lexer(command.place.source, command.place.line);
     lang::Statement words;
-    if (command.spec->body_end.empty() && lexer.next(words))
+    if (command.spec->body_end.empty() && lexer.next(words)) {
+        const bool may_write =
+            words.words.front().late() ||
+            lang::may_write_files(command.text()); // hist write @name; @f may be one of an earlier deck
         for (const auto& word : words.words) {
             earlier_words_.insert(word.text);
-            if (word.late()) script_seen_ = true;
+            if (word.late() && may_write && !defined_.contains(lang::fold(word.text.substr(0, word.text.find('(')))))
+                may_have_written_ = true;
         }
+    }
     if (read.name.empty()) return;
     for (const auto& folder : folders_) {
         std::error_code failed;
@@ -132,8 +151,8 @@ void DeckReview::find_file(const lang::BoundCommand& command) {
         return;
     }
     if (command.command.type() == typeid(lang::LuaFile)) {
-        names_.anything_may_be_made();
-        script_seen_ = true;
+        anything_may_be_made();
+        may_have_written_ = true;
     }
     if (may_be_written) return;
     Diagnostic d(fmt::format("there is no {} file '{}'", read.kind, read.name),
@@ -143,13 +162,14 @@ void DeckReview::find_file(const lang::BoundCommand& command) {
 }
 
 void DeckReview::check_lua_file(const fs::path& path, const std::string& name, const Place& place) {
-    script_seen_ = true;
     std::error_code failed;
     std::ifstream stream(path, std::ios::binary);
-    if (!fs::is_regular_file(path, failed) || !stream) return names_.anything_may_be_made(); // the run says why
+    if (!fs::is_regular_file(path, failed) || !stream) return anything_may_be_made(); // the run says why
     std::ostringstream text;
     text << stream.rdbuf();
     names_.check_lua(text.str());
+    materials_.check_script(text.str());
+    if (lang::may_write_files(text.str())) may_have_written_ = true;
     try {
         script::check_lua_text(text.str(), {lang::source_from_text(name, text.str()), 1, 1, 1});
     } catch (Diagnostic& mistake) {
@@ -162,6 +182,8 @@ std::vector<Diagnostic> DeckReview::findings() const {
     std::vector<Diagnostic> all = other_;
     const auto of_names = names_.findings();
     all.insert(all.end(), of_names.begin(), of_names.end());
+    const auto of_materials = materials_.findings();
+    all.insert(all.end(), of_materials.begin(), of_materials.end());
     return all;
 }
 

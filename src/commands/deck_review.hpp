@@ -2,6 +2,7 @@
 // it wants to read.
 #pragma once
 
+#include "commands/deck_materials.hpp"
 #include "commands/deck_names.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/interp/deck.hpp"
@@ -38,15 +39,18 @@ private:
     void doubt_last_line(const SourceText& source);
     void doubt_values(const lang::Set& set, const lang::BoundCommand& command);
     void find_file(const lang::BoundCommand& command);
+    void anything_may_be_made();
     void check_lua_file(const std::filesystem::path& path, const std::string& name, const Place& place);
 
     const lang::BareNames& bare_;
     std::vector<std::filesystem::path> folders_;
     DeckNames names_;
+    DeckMaterials materials_;
     std::vector<Diagnostic> other_;
     std::set<const lang::BoundFile*> seen_;
     std::set<std::string> earlier_words_; ///< a command in front that names a file may write it
-    bool script_seen_ = false;            ///< so may a script
+    std::set<std::string> defined_;       ///< functions of the deck, whose texts tell
+    bool may_have_written_ = false; ///< so may a script that can write files, and a line that is known at run time only
 };
 
 } // namespace kaya
