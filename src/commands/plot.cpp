@@ -179,7 +179,9 @@ Chart chart_of(Session& session, const PlotView& view) {
                 const auto& tables = session.scripts->tables();
                 const auto found = tables.find(number);
                 if (found == tables.end()) throw Diagnostic(fmt::format("there is no table {}", number));
-                Curve& curve = chart.curves.emplace_back(Curve{fmt::format("table {}", number), {}, {}});
+                const std::string& given = found->second.name;
+                Curve& curve =
+                    chart.curves.emplace_back(Curve{given.empty() ? fmt::format("table {}", number) : given, {}, {}});
                 for (const auto& [x, y] : found->second.points) curve.x.push_back(x), curve.y.push_back(y);
             }
         if (!item.x_label.empty()) chart.x_label = item.x_label;

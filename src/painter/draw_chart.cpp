@@ -4,6 +4,7 @@
 #include "scene/ticks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vtkAxis.h>
@@ -119,6 +120,44 @@ void add_net(vtkChartXY* chart, int font) {
     }
 }
 
+/// A corner of the chart.
+struct Corner {
+    bool right, top;
+};
+
+/// The corner in which the legend covers least of the curves.
+Corner free_corner(const Chart& given) {
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    const auto each = [&](auto visit) {
+        for (const Curve& curve : given.curves)
+            for (std::size_t i = 0; i < curve.x.size(); ++i)
+                if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) visit(curve, i);
+    };
+    each([&](const Curve& curve, std::size_t i) {
+        low[0] = std::min(low[0], curve.x[i]), high[0] = std::max(high[0], curve.x[i]);
+        low[1] = std::min(low[1], curve.y[i]), high[1] = std::max(high[1], curve.y[i]);
+    });
+    const double wide = 0.3, tall = std::min(0.5, 0.05 + 0.035 * static_cast<double>(given.curves.size()));
+    constexpr std::array<Corner, 4> corners{{{true, true}, {false, true}, {true, false}, {false, false}}};
+    std::array<int, 4> covered{};
+    const auto look_at = [&](double x, double y) {
+        for (std::size_t k = 0; k < corners.size(); ++k)
+            covered[k] += (corners[k].right ? x > 1 - wide : x < wide) && (corners[k].top ? y > 1 - tall : y < tall);
+    };
+    each([&](const Curve& curve, std::size_t i) {
+        const std::size_t next = std::min(i + 1, curve.x.size() - 1); // the line to the next point, in pieces
+        constexpr int pieces = 20;
+        for (int part = 0; part < pieces; ++part) {
+            const double t = static_cast<double>(part) / pieces;
+            const double x = curve.x[i] + t * (curve.x[next] - curve.x[i]);
+            const double y = curve.y[i] + t * (curve.y[next] - curve.y[i]);
+            look_at(high[0] > low[0] ? (x - low[0]) / (high[0] - low[0]) : 0.5,
+                    high[1] > low[1] ? (y - low[1]) / (high[1] - low[1]) : 0.5);
+        }
+    });
+    return corners[static_cast<std::size_t>(std::ranges::min_element(covered) - covered.begin())];
+}
+
 } // namespace
 
 std::string png_of(const Chart& given) {
@@ -153,7 +192,9 @@ std::string png_of(const Chart& given) {
         add_curve(chart, given.curves[i], i, static_cast<float>(font / 6.0));
     chart->SetShowLegend(given.curves.size() > 1 || given.net);
     chart->GetLegend()->SetLabelSize(font);
-    chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
+    const Corner corner = given.net ? Corner{true, true} : free_corner(given);
+    chart->GetLegend()->SetHorizontalAlignment(corner.right ? vtkChartLegend::RIGHT : vtkChartLegend::LEFT);
+    chart->GetLegend()->SetVerticalAlignment(corner.top ? vtkChartLegend::TOP : vtkChartLegend::BOTTOM);
     return png_of(view->GetRenderWindow(), finer);
 }
 
