@@ -4,6 +4,7 @@
 #include "lang/commands/language.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace kaya::lang {
 
@@ -99,6 +100,29 @@ bool read_element(Reader& reader, List& command) {
     return true;
 }
 
+/// A word that is neither a list nor a range nor near to one: what may follow is little.
+void refuse_after(const Word& word, const Listed& item) {
+    if (word.kind != WordKind::word || word.text == "?") return;
+    std::vector<std::string_view> others{"range", "jmat"};
+    for (const auto& element : range_elements())
+        for (const auto& spelling : element.words) others.push_back(spelling.word);
+    for (const auto& list : listed())
+        for (const auto& spelling : list.words) others.push_back(spelling.word);
+    const bool is_list = std::ranges::any_of(listed(), [&](const Listed& list) {
+        return std::ranges::any_of(list.words, [&](const Spelling& s) { return s.matches(word.folded); });
+    });
+    if (is_list || !did_you_mean(word.folded, others).empty()) return;
+    const std::string_view name = item.words.front().word;
+    std::string hint = fmt::format("nothing follows it but a range: list {} range ...", name);
+    if (item.follows == Follows::number) hint = fmt::format("a number may follow: list {} 2", name);
+    if (item.follows == Follows::objects)
+        hint = fmt::format("a number or a range may follow: list {0} 2, list {0} range ...", name);
+    if (item.follows == Follows::parts) hint = fmt::format("mat or jmat may follow, and a number: list {} mat 2", name);
+    Diagnostic d(fmt::format("'{}' does not follow 'list {}'", word.text, name), std::move(hint));
+    d.code = "unknown-word";
+    throw d.at(word.place);
+}
+
 /// What follows the word of a list.
 bool read_after(Reader& reader, List& command) {
     const Word& word = *reader.peek();
@@ -115,6 +139,7 @@ bool read_after(Reader& reader, List& command) {
     }
     const auto item = std::ranges::find(listed(), command.what, &Listed::what);
     const bool number = word.kind == WordKind::number || word.late();
+    if (!number) refuse_after(word, *item);
     if (!number || item->follows == Follows::range || command.number || command.range.place) return false;
     command.number = reader.integer(integer("n").at_least(1).spec);
     if (item->follows != Follows::objects) return true;
@@ -171,6 +196,8 @@ CommandSpec list() {
     entry.wrong("list blocks 1.5", "blocks takes a whole number, not 1.5");
     entry.wrong("list blocks z", "a number is missing after 'z'");
     entry.wrong("print x", "'x' is not a keyword of list");
+    entry.wrong("print hist one", "'one' does not follow 'list hist'");
+    entry.wrong("list time zonse", "'zonse' is not a keyword of list");
     entry.wrong("list 5", "'5' stands where a keyword of list must be");
     return entry;
 }

@@ -238,12 +238,30 @@ const Token& Line::expect_name(std::string_view what) {
 
 void Line::expect_end(std::string_view after) {
     if (done()) return;
-    throw Diagnostic(fmt::format("{} is left over after {}", shown(peek()), after), "one statement stands on one line")
-        .at(peek().place);
+    const Token& rest = peek();
+    std::string hint = "one statement stands on one line";
+    if (rest.is_name("and") || rest.is_name("or")) hint = "FISH writes & for and, | for or";
+    if (rest.is_sign(",")) hint = "numbers have a point: 3.5; values of one call stand in its parentheses";
+    throw Diagnostic(fmt::format("{} is left over after {}", shown(rest), after), std::move(hint)).at(rest.place);
 }
 
-void fail_expected(const Line& line, std::string_view expected) {
-    throw Diagnostic(fmt::format("expected {}, found {}", expected, shown(line.peek()))).at(line.peek().place);
+void fail_expected(const Line& line, std::string_view expected, std::string hint) {
+    throw Diagnostic(fmt::format("expected {}, found {}", expected, shown(line.peek())), std::move(hint))
+        .at(line.peek().place);
+}
+
+std::string hint_for_missing_equals(const Line& line, std::string_view name) {
+    // Lines of decks that stand in functions by mistake.
+    constexpr std::array<std::string_view, 16> words_of_commands{"print", "list", "cycle",  "cyc", "step", "solve",
+                                                                 "poly",  "prop", "delete", "gen", "hist", "save",
+                                                                 "plot",  "fix",  "bound",  "grav"};
+    const Token &sign = line.peek(), &next = line.peek(1);
+    if ((sign.is_sign("+") || sign.is_sign("-")) && (next.is_sign("=") || next.is_sign(sign.text))) // a += 1, a++
+        return fmt::format("write: {0} = {0} {1} {2}", name, sign.text, next.is_sign("=") ? "..." : "1");
+    if (sign.is_sign("==")) return "one '=' gives a value; '==' compares, after `if` and `loop while`";
+    if (std::ranges::find(words_of_commands, name) != words_of_commands.end())
+        return "a command stands between the lines `command` and `endcommand`";
+    return {};
 }
 
 Node parse_expression(Line& line) { return ExpressionParser(line).disjunction(); }

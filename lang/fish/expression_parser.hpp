@@ -38,6 +38,8 @@ Node parse_expression(Line& line);
 /// name or name(arguments)
 Node parse_name(Line& line);
 /// "expected X, found Y" at the current token.
-[[noreturn]] void fail_expected(const Line& line, std::string_view expected);
+[[noreturn]] void fail_expected(const Line& line, std::string_view expected, std::string hint = {});
+/// What is meant by a line that begins with this name and goes on without a '='; empty when nobody can tell.
+std::string hint_for_missing_equals(const Line& line, std::string_view name);
 
 } // namespace kaya::fish

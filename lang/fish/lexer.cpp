@@ -139,7 +139,9 @@ void Lexer::scan_token(Cursor& cursor, std::vector<Token>& tokens) const {
         for (const auto sign : signs)
             if (token.text.empty() && cursor.code.substr(from, sign.size()) == sign) token.text = sign;
         if (token.text.empty())
-            throw Diagnostic(fmt::format("'{}' has no meaning in FISH", c)).at(place(cursor.line, from, 1));
+            throw Diagnostic(fmt::format("'{}' has no meaning in FISH", c),
+                             c == '[' || c == ']' ? "elements of an array stand in parentheses: a(1)" : "")
+                .at(place(cursor.line, from, 1));
         token.kind = TokenKind::sign;
         cursor.at += token.text.size();
     }

@@ -121,6 +121,9 @@ private:
     }
 
     [[noreturn]] void fail_wrong_closer(const Block& opened, const Token& word) {
+        if (word.text == "case" && !inside("case_of"))
+            throw Diagnostic("'case' stands outside of a case_of block", "it begins with a line: case_of EXPRESSION")
+                .at(word.place);
         if (opened.opening == "def")
             throw Diagnostic(fmt::format("'{}' closes nothing: no block is open here", word.text)).at(word.place);
         throw Diagnostic(fmt::format("'{}' stands where '{}' must close the '{}' of line {}", word.text, opened.closing,
@@ -203,7 +206,7 @@ private:
                 throw Diagnostic(fmt::format("'{}' begins no statement", left.text),
                                  fmt::format("did you mean '{}'?", near))
                     .at(made.place);
-            fail_expected(line_, fmt::format("'=' after '{}'", left.text));
+            fail_expected(line_, fmt::format("'=' after '{}'", left.text), hint_for_missing_equals(line_, left.text));
         }
         made.kind = StatementKind::evaluate;
         made.value = std::move(left);
@@ -289,7 +292,10 @@ private:
     }
 
     void stray(Statement& made) {
-        throw Diagnostic(fmt::format("'{}' cannot begin a statement", line_.peek().text)).at(made.place);
+        const std::string& word = line_.peek().text;
+        throw Diagnostic(fmt::format("'{}' cannot begin a statement", word),
+                         word == "then" ? "" : fmt::format("loops begin with `loop`: loop {} ... endloop", word))
+            .at(made.place);
     }
 
     void nested_function(Statement& made) {
@@ -323,6 +329,9 @@ private:
                 throw Diagnostic(fmt::format("'{}' is no kind of loop", made.target.text),
                                  fmt::format("did you mean '{}'?", near))
                     .at(made.target.place);
+            if (!line_.peek().is_sign("(") && !line_.done())
+                fail_expected(line_, "'(' for the limits of the loop",
+                              fmt::format("write: loop {} (from, to)", made.target.text));
             line_.expect_sign("(", "the limits of the loop");
             do made.expressions.push_back(parse_expression(line_));
             while (line_.take_sign(","));

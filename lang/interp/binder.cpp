@@ -1,5 +1,7 @@
 #include "lang/interp/binder.hpp"
 
+#include "lang/interp/odd_letters.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>
@@ -77,6 +79,34 @@ void refuse_ambiguous(const Word& word, const std::vector<std::string_view>& can
     throw d.at(word.place);
 }
 
+bool is_form(const CommandSpec& spec, const Word& word) {
+    return word.kind == WordKind::word &&
+           std::any_of(spec.form.begin(), spec.form.end(), [&](const Spelling& s) { return s.matches(word.folded); });
+}
+
+/// "poly brick" for `brick poly 0 1`: the second word is a command, and the first one of its forms.
+std::string in_other_order(const Language& language, const Statement& statement) {
+    if (statement.words.size() < 2) return {};
+    const Word &first = statement.words[0], &second = statement.words[1];
+    if (second.kind != WordKind::word) return {};
+    for (const auto* spec : commands_called(language, second.folded))
+        if (is_form(*spec, first)) return fmt::format("{} {}", second.text, first.text);
+    return {};
+}
+
+std::string hint_for_unknown(const Language& language, const Statement& statement,
+                             const std::vector<std::string_view>& candidates) {
+    const Word& word = statement.words.front();
+    if (auto odd = odd_letter_hint(word.text); !odd.empty()) return odd;
+    if (word.text.starts_with("//") || word.text.starts_with("#") || word.text.starts_with("--"))
+        return "a comment begins with ;";
+    if (const auto ordered = in_other_order(language, statement); !ordered.empty())
+        return fmt::format("did you mean '{}'?", ordered);
+    const bool letters = !word.folded.empty() && word.folded.front() >= 'a' && word.folded.front() <= 'z';
+    const auto near = word.kind == WordKind::word && letters ? did_you_mean(word.folded, candidates) : "";
+    return near.empty() ? "'kaya help' lists the commands" : fmt::format("did you mean '{}'?", near);
+}
+
 [[noreturn]] void unknown_command(const Language& language, const Statement& statement) {
     std::vector<std::string_view> candidates;
     for_each_command(language, [&](const CommandSpec& command) { add_words(candidates, command.words); });
@@ -84,16 +114,9 @@ void refuse_ambiguous(const Word& word, const std::vector<std::string_view>& can
     if (word.text == "?" || word.kind == WordKind::open)
         Reader(statement, 0, 1, nullptr).unknown("a command", candidates);
     if (word.kind == WordKind::word) refuse_ambiguous(word, candidates);
-    const auto near = word.kind == WordKind::word ? did_you_mean(word.folded, candidates) : "";
-    Diagnostic d(fmt::format("{} is not a command", word.shown()),
-                 near.empty() ? "'kaya help' lists the commands" : fmt::format("did you mean '{}'?", near));
+    Diagnostic d(fmt::format("{} is not a command", word.shown()), hint_for_unknown(language, statement, candidates));
     d.code = "unknown-command";
     throw d.at(word.place);
-}
-
-bool is_form(const CommandSpec& spec, const Word& word) {
-    return word.kind == WordKind::word &&
-           std::any_of(spec.form.begin(), spec.form.end(), [&](const Spelling& s) { return s.matches(word.folded); });
 }
 
 /// Index of the word that names the form, 0 when there is none. Options may stand before it.
@@ -294,6 +317,22 @@ void take_text_below(const Language& language, Lexer& lexer, Statement& statemen
 
 } // namespace
 
+namespace {
+
+/// The line of the second lone `end` behind a line, with nothing but one function's body before each; 0 without one. It shows
+/// that one function was written inside of another.
+int second_end(const Lexer& lexer, int from, int last, std::string_view end) {
+    int found = 0;
+    for (int line = from + 1; line <= last; ++line) {
+        const auto words = lexer.words_of_line(line);
+        if (words.size() == 2 && words[0].folded.starts_with("def")) return 0;
+        if (words.size() == 1 && words[0].folded == end && ++found == 2) return line;
+    }
+    return 0;
+}
+
+} // namespace
+
 bool next_statement(const Language& language, Lexer& lexer, Statement& statement) {
     if (!lexer.next(statement)) return false;
     const Word& first = statement.words.front();
@@ -310,11 +349,14 @@ bool next_statement(const Language& language, Lexer& lexer, Statement& statement
     const int count = static_cast<int>(lines.size());
     // A script keeps its own first line when it is part of the script (def NAME), else starts below (lua).
     const int body_first = opens->body_needs_bare_line ? statement.last_line + 1 : statement.first_line;
-    const auto never_ended = [&](int next_line) {
+    const auto never_ended = [&](int next_line, std::string_view next_name = {}) {
         lexer.go_to(next_line);
         const std::string name = statement.words.size() > 1 ? " '" + statement.words.back().text + "'" : "";
+        const std::string before = next_name.empty()
+                                       ? "after its last line"
+                                       : fmt::format("before '{}' begins in line {}", next_name, next_line);
         Diagnostic d(fmt::format("{}{} is never ended", opens->name(), name),
-                     fmt::format("write a line '{}' after its last line", opens->body_end));
+                     fmt::format("write a line '{}' {}", opens->body_end, before));
         d.code = "never-ended";
         return d.at(first.place);
     };
@@ -324,8 +366,17 @@ bool next_statement(const Language& language, Lexer& lexer, Statement& statement
         const bool assigns = lines[static_cast<std::size_t>(line - 1)].find('=') != std::string::npos;
         if (words.size() == 2 && !opens->body_needs_bare_line && !assigns && words[1].kind == WordKind::word &&
             std::any_of(opens->words.begin(), opens->words.end(),
-                        [&](const Spelling& s) { return s.matches(words[0].folded); }))
-            throw never_ended(line); // the next function starts: reading goes on there
+                        [&](const Spelling& s) { return s.matches(words[0].folded); })) {
+            if (const int end = second_end(lexer, line, count, opens->body_end); end > 0) {
+                lexer.go_to(end + 1);
+                Diagnostic d(fmt::format("'{}' stands inside of {} '{}'", words[1].text, opens->name(),
+                                         statement.words.back().text),
+                             "one function stands behind the other: put it before or behind the whole of that one");
+                d.code = "never-ended";
+                throw d.at(words[0].place);
+            }
+            throw never_ended(line, words[1].text); // the next function starts: reading goes on there
+        }
         if (words.size() != 1 || words[0].folded != opens->body_end) continue;
 
         const int body_last = opens->body_needs_bare_line ? line - 1 : line;

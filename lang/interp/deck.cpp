@@ -44,7 +44,8 @@ public:
         bound->path = path;
         Lexer lexer(source);
         Statement statement;
-        bool newer = false; // said once for a file
+        const std::size_t before = problems_.size();
+        std::vector<Diagnostic> newer; // of lines in the dialect of later versions: said once for a file
         while (problems_.size() < most_problems_) {
             try {
                 if (!next_statement(language_, lexer, statement)) break;
@@ -53,9 +54,14 @@ public:
                 if (bound->steps.back().command.spec->flow == Flow::leave_file) break;
             } catch (const Diagnostic& problem) {
                 const auto dialect = problem.code == "unknown-command" ? newer_dialect(statement) : std::nullopt;
-                if (!dialect) problems_.push_back(problem);
-                else if (!std::exchange(newer, true)) problems_.push_back(*dialect);
+                if (dialect) newer.push_back(*dialect);
+                if (!dialect || newer.size() == 1) problems_.push_back(dialect ? *dialect : problem);
             }
+        }
+        // Where most of what is wrong is of that dialect, so are the lines that only look like classic ones.
+        if (newer.size() > 1 && 2 * newer.size() > problems_.size() - before) {
+            problems_.resize(before, Diagnostic(""));
+            problems_.push_back(newer.front());
         }
         return bound;
     }

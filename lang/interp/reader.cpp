@@ -1,5 +1,7 @@
 #include "lang/interp/reader.hpp"
 
+#include "lang/interp/odd_letters.hpp"
+
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -102,6 +104,20 @@ void Reader::missing(const ArgumentSpec& argument) const {
                 expected(argument));
 }
 
+namespace {
+
+/// 9,81: a number right behind a comma that stands right behind a number.
+bool follows_comma(const Word& word) {
+    if (word.kind != WordKind::number || !word.place || word.place.column < 3) return false;
+    const auto& lines = word.place.source->lines;
+    if (word.place.line > static_cast<int>(lines.size())) return false;
+    const std::string& line = lines[static_cast<std::size_t>(word.place.line - 1)];
+    const auto comma = static_cast<std::size_t>(word.place.column - 2);
+    return comma < line.size() && line[comma] == ',' && line[comma - 1] >= '0' && line[comma - 1] <= '9';
+}
+
+} // namespace
+
 void Reader::unknown(std::string_view what, const std::vector<std::string_view>& candidates,
                      const std::vector<std::string_view>& listed) const {
     const Word& word = *peek();
@@ -112,13 +128,16 @@ void Reader::unknown(std::string_view what, const std::vector<std::string_view>&
                       {candidates.begin(), candidates.end()}, word.place);
     if (candidates.empty())
         throw wrong("left-over", word.place, fmt::format("unexpected {} after the end of the command", word.shown()),
-                    "nothing more is expected here");
+                    follows_comma(word) ? "a comma separates values: numbers have a point"
+                                        : "nothing more is expected here");
     if (word.kind != WordKind::word)
         throw wrong("not-a-word", word.place, fmt::format("{} stands where {} must be", word.shown(), what),
                     "expected: " + list);
     if (word.text == "&" || word.text == "...")
         throw wrong("unknown-word", word.place, fmt::format("'{}' stands in the middle of the line", word.text),
                     "a line is continued by a mark at its very end");
+    if (auto odd = odd_letter_hint(word.text); !odd.empty())
+        throw wrong("unknown-word", word.place, fmt::format("'{}' is not {}", word.text, what), std::move(odd));
     const auto near = did_you_mean(word.folded, candidates);
     throw wrong("unknown-word", word.place, fmt::format("'{}' is not {}", word.text, what),
                 near.empty() ? "expected: " + list : fmt::format("did you mean '{}'?", near));
@@ -140,6 +159,24 @@ const Word& Reader::take_value(const ArgumentSpec& argument) {
     return word;
 }
 
+namespace {
+
+std::string hint_for_number(const Word& word, const ArgumentSpec& argument) {
+    auto odd = odd_letter_hint(word.text);
+    return odd.empty() ? expected(argument) : odd;
+}
+
+std::string hint_for_whole_number(double number) {
+    constexpr double most = 9e18; // 64 bits
+    if (std::abs(number) > most) return fmt::format("it is too large: at most {:.0f} is possible", most);
+    constexpr double most_exact = 9e15;
+    if (std::trunc(number) == number && std::abs(number) <= most_exact)
+        return fmt::format("write it as {:.0f}", number);
+    return "write it without a point or an exponent";
+}
+
+} // namespace
+
 double Reader::real(const ArgumentSpec& argument) {
     const Word& word = take_value(argument);
     if (word.late()) {
@@ -151,7 +188,7 @@ double Reader::real(const ArgumentSpec& argument) {
     }
     if (word.kind != WordKind::number)
         throw wrong("not-a-number", word.place, fmt::format("expected a number, found {}", word.shown()),
-                    expected(argument));
+                    hint_for_number(word, argument));
     if (std::isinf(word.number))
         throw wrong("out-of-limits", word.place, fmt::format("{} is too large for a number", word.text));
     check_limits(argument, word.number);
@@ -171,11 +208,11 @@ std::int64_t Reader::integer(const ArgumentSpec& argument) {
         else throw wrong_value(word, got, argument, "a whole number");
     } else if (word.kind != WordKind::number) {
         throw wrong("not-a-number", word.place, fmt::format("{} stands where a whole number must be", word.shown()),
-                    expected(argument));
+                    hint_for_number(word, argument));
     } else if (!word.whole) {
         throw wrong("not-whole", word.place,
                     fmt::format("{} takes a whole number, not {}", name_of_value(argument), word.text),
-                    "write it without a point or an exponent");
+                    hint_for_whole_number(word.number));
     }
     check_limits(argument, static_cast<double>(value));
     return value;

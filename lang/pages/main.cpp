@@ -154,7 +154,7 @@ std::string range_page(const Language& language) {
     argument_rows(rows, language.range_elements, "");
     return "# The range phrase\n\n"
            "The last words of many commands: `range` and elements that say which objects are meant. All elements must\n"
-           "hold, or one of them when the word `union` stands among them; `not` after an element turns it round.\n"
+           "hold, or one of them when the word `union` stands among them; `not` after an element negates it.\n"
            "Limits are inclusive, with a small tolerance. Blocks and zones are tested by their centroid, gridpoints by\n"
            "their position, contacts and sub-contacts by theirs: `hide range z 0 0.1` hides the blocks whose centroid lies between 0 and\n"
            "0.1, not those that reach into it. `extent` asks for all corners. Hidden blocks and what belongs to them are never meant.\n"

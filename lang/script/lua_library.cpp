@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace kaya::script {
 
@@ -24,8 +25,10 @@ std::int32_t table_argument(lua_State* L, const char* function) {
     std::vector<std::string_view> names;
     for (const auto& known : world.tables()) names.push_back(known.name);
     const auto meant = did_you_mean(name, names);
-    throw Diagnostic(fmt::format("a model has no '{}'", name),
-                     meant.empty() ? std::string() : fmt::format("did you mean '{}'?", meant), Fault::run);
+    throw Diagnostic(fmt::format("there is no kind of object '{}'", name),
+                     meant.empty() ? fmt::format("kinds: {}", fmt::join(names, ", "))
+                                   : fmt::format("did you mean '{}'?", meant),
+                     Fault::run);
 }
 
 int tables(lua_State* L) {
@@ -151,10 +154,15 @@ int history(lua_State* L) {
     return 1;
 }
 
-/// (x, y, z)
+/// (x, y, z), or nothing: zero
 int vector(lua_State* L) {
+    const int given = lua_gettop(L);
+    if (given != 0 && given != 3)
+        throw Diagnostic(
+            fmt::format("'vector' takes x, y and z, here it is given {} value{}", given, given == 1 ? "" : "s"),
+            "write all three: vector(x, y, z); vector() is zero", Fault::run);
     Vec3 v = Vec3::Zero();
-    for (int i = 0; i < std::min(lua_gettop(L), 3); ++i) v[i] = number_argument(L, i + 1, "vector");
+    for (int i = 0; i < given; ++i) v[i] = number_argument(L, i + 1, "vector");
     push_vector(L, v);
     return 1;
 }

@@ -53,6 +53,11 @@ std::string joined(lua_State* L, int table) {
 int fail_outside(lua_State* L) {
     const std::string name = lua_tostring(L, 2);
     lua_getfield(L, 1, "dimensions");
+    const auto given = lua_rawlen(L, 3), has = lua_rawlen(L, 4);
+    if (given != has)
+        throw Diagnostic(fmt::format("the array {}({}) has {} {}, here it is given {}", name, joined(L, 4), has,
+                                     has == 1 ? "index" : "indices", given),
+                         "give one for each dimension", Fault::run);
     throw Diagnostic(fmt::format("{}({}) is outside of the array {}({})", name, joined(L, 3), name, joined(L, 4)),
                      "indices are whole numbers and count from 1", Fault::run);
 }

@@ -139,11 +139,11 @@ std::string render(const Diagnostic& d, bool colour, bool with_code) {
 
 std::string_view did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
     if (word.empty()) return {};
-    // One mistake in a word of two letters, two in a short word, three in a longer one: beyond that a guess hurts
+    // One mistake in a word of up to four letters, two in one of five, three in a longer one: beyond that a guess hurts
     // more than it helps.
     // In halves, so that a shortened word loses against a whole one with as many mistakes, and that the same
     // letters in another order, the commonest slip, win.
-    const int limit = 2 * (word.size() <= 2 ? 1 : word.size() <= 5 ? 2 : most_mistakes);
+    const int limit = 2 * (word.size() <= 4 ? 1 : word.size() <= 5 ? 2 : most_mistakes);
     std::string_view best;
     int best_halves = limit + 1;
     Rows rows;

@@ -3,6 +3,7 @@
 #include "base/counted.hpp"
 #include "commands/bodies.hpp"
 #include "commands/handlers.hpp"
+#include "commands/plausible.hpp"
 #include "commands/tables.hpp"
 
 #include "mechanics/boundary.hpp"
@@ -262,7 +263,10 @@ void run(Session& session, const lang::Free& command) {
     if (command.directions || (bits & all_axes) == all_axes) free_directions(session.model, {blocks, {}});
 }
 
-void run(Session& session, const lang::Gravity& command) { session.model.settings.gravity = command.value; }
+void run(Session& session, const lang::Gravity& command) {
+    doubt_gravity(session, command.value, session.interpreter.current_place());
+    session.model.settings.gravity = command.value;
+}
 
 namespace {
 

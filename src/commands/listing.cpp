@@ -153,11 +153,11 @@ std::string list_histories(Session& session, const lang::List& command) {
             none ? std::pair<double, double>{} : std::pair{std::ranges::min(h.values), std::ranges::max(h.values)};
         const bool function = h.source.kind == HistorySource::Kind::function;
         const auto object = sampled_object(session.model, h.source);
-        table.add({std::to_string(h.number), h.label, (function ? "@" : "") + h.source.quantity,
-                   object ? object->name : "-", object ? place_text(object->place) : "-",
-                   object ? number_text(object->distance) : "-", std::to_string(h.values.size()),
-                   none ? "-" : number_text(range.first), none ? "-" : number_text(range.second),
-                   none ? "-" : number_text(h.values.back())});
+        const std::string kind = function ? "@" : h.source.rate ? "rate of " : "";
+        table.add({std::to_string(h.number), h.label, kind + h.source.quantity, object ? object->name : "-",
+                   object ? place_text(object->place) : "-", object ? number_text(object->distance) : "-",
+                   std::to_string(h.values.size()), none ? "-" : number_text(range.first),
+                   none ? "-" : number_text(range.second), none ? "-" : number_text(h.values.back())});
     }
     if (table.size() == 0) return fmt::format("no history {}", *command.number);
     return table.text() + (histories.interval == 1 ? std::string("\na sample every cycle")

@@ -8,6 +8,7 @@
 #include "jointtest/bench.hpp"
 #include "lang/commands/language.hpp"
 #include "mechanics/contact_properties.hpp"
+#include "mechanics/property_sets.hpp"
 #include "mechanics/zone_laws.hpp"
 
 #include <algorithm>
@@ -104,6 +105,22 @@ bool is_joint_word(const JointRegistry& joints, std::string_view word) {
                                [&](const auto& model) { return model->find_property(word).has_value(); });
 }
 
+/// Letters of formulas, and the words that stand for them in a deck.
+struct Symbol {
+    std::string_view word, of_blocks, of_joints;
+};
+constexpr std::array<Symbol, 11> symbols{{{"e", "ymodulus, with pratio", ""},
+                                          {"em", "ymodulus, with pratio", ""},
+                                          {"emod", "ymodulus, with pratio", ""},
+                                          {"nu", "pratio, with ymodulus", ""},
+                                          {"v", "pratio, with ymodulus", ""},
+                                          {"rho", "density", ""},
+                                          {"gamma", "density: mass per volume, and not weight", ""},
+                                          {"ro", "density", ""},
+                                          {"phi", "bfriction for blocks, jfriction for joints", "jfriction"},
+                                          {"c", "bcohesion for blocks, jcohesion for joints", "jcohesion"},
+                                          {"psi", "bdilation for blocks, jdilation for joints", "jdilation"}}};
+
 [[noreturn]] void refuse_word(const Session& session, const lang::Property::Item& item, bool joint_only) {
     std::vector<std::string_view> known = joint_words();
     if (!joint_only)
@@ -114,10 +131,13 @@ bool is_joint_word(const JointRegistry& joints, std::string_view word) {
             known.insert(known.end(), property.aliases.begin(), property.aliases.end());
         }
     const auto near = did_you_mean(item.word, known);
+    const auto symbol = std::ranges::find(symbols, std::string_view(item.word), &Symbol::word);
+    const std::string_view meant = symbol == symbols.end() ? "" : joint_only ? symbol->of_joints : symbol->of_blocks;
     throw Diagnostic(
         fmt::format("'{}' is not a property of {}", item.word, joint_only ? "joints" : "blocks, nor of joints"),
-        near.empty() ? "if it belongs to a joint model, load that first: jmodel load NAME"
-                     : fmt::format("did you mean '{}'?", near))
+        !meant.empty() ? fmt::format("write {}", meant)
+        : near.empty() ? "if it belongs to a joint model, load that first: jmodel load NAME"
+                       : fmt::format("did you mean '{}'?", near))
         .at(item.place);
 }
 
@@ -213,7 +233,8 @@ void warn_unused(Session& session, std::int32_t number, const Material& material
 /// Words of zones that no zone model in use has: a deck that asks for rock that yields must not get elastic rock without a word.
 void warn_unused_by_zones(Session& session, std::int32_t number, const Material& material) {
     const auto models = zone_models_in_use(session.model, number);
-    if (models.empty()) return;
+    const auto& used = session.model.blocks.material;
+    if (models.empty() && std::ranges::find(used, number) == used.end()) return;
     std::map<std::string, double> words = material.zone;
     for (const auto& property : block_properties)
         if (property.word.starts_with("b") && property.word != "bulk" && material.*property.value != 0)
@@ -222,14 +243,59 @@ void warn_unused_by_zones(Session& session, std::int32_t number, const Material&
         const bool known = std::ranges::any_of(models, [&, &name = word](const std::string& model) {
             return session.joints.zones.get(model).find_property(name).has_value();
         });
-        if (known || !session.said_once.insert(fmt::format("zone prop {} {} {}", number, word, *models.begin())).second)
-            continue;
+        const std::string by = models.empty() ? "rigid" : *models.begin();
+        if (known || !session.said_once.insert(fmt::format("zone prop {} {} {}", number, word, by)).second) continue;
         const auto place = session.property_places.find({number, word});
-        Diagnostic warning(
-            fmt::format("'{}' of material {} has no effect: its zones are {}", word, number, fmt::join(models, ", ")),
-            "zones that yield need a zone model that has it: `change cons 2` or `zone model mohr-coulomb`");
+        Diagnostic warning =
+            models.empty()
+                ? Diagnostic(fmt::format("'{}' of material {} has no effect: its blocks are rigid", word, number),
+                             "rock that yields needs zones: generate edge ..., and `change cons 2`")
+                : Diagnostic(
+                      fmt::format("'{}' of material {} has no effect: its zones are {}", word, number,
+                                  fmt::join(models, ", ")),
+                      "zones that yield need a zone model that has it: `change cons 2` or `zone model mohr-coulomb`");
         if (place != session.property_places.end()) warning.at(place->second);
         session.warn(std::move(warning));
+    }
+}
+
+/// A zone model that was given to blocks without zones.
+void warn_of_rigid_models(Session& session) {
+    const auto& blocks = session.model.blocks;
+    std::size_t rigid = 0;
+    Row first = no_row;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const bool yields = blocks.zone_properties[b] != 0 || blocks.constitutive[b] > 1;
+        if (blocks.deformable[b] || !yields) continue;
+        if (rigid++ == 0) first = static_cast<Row>(b);
+    }
+    if (rigid == 0 || !session.said_once.insert("rigid zone model").second) return;
+    const std::string name = zone_model_of(session.model, first);
+    session.warn(Diagnostic(
+        rigid == 1 ? fmt::format("block {} is rigid: its zone model {} has no effect", blocks.number[first], name)
+                   : fmt::format("{} blocks are rigid, block {} among them: their zone model {} has "
+                                 "no effect",
+                                 rigid, blocks.number[first], name),
+        "give them zones before the run: generate edge ..."));
+}
+
+/// Values of joints that the model which they will have refuses: said where they were given.
+void refuse_joint_values(Session& session, std::int32_t number, const Material& material) {
+    std::set<std::string> models = models_in_use(session.model, number);
+    if (models.empty() && session.model.contacts.empty()) models.insert(default_joint_model(session.model));
+    for (const auto& name : models) {
+        const JointModel* joint = session.joints.find(name);
+        for (const auto& [word, value] : material.joint) {
+            const auto index = joint == nullptr ? std::nullopt : joint->find_property(word);
+            const auto place = session.property_places.find({number, word});
+            if (!index || place == session.property_places.end()) continue;
+            const auto& property = joint->properties[*index];
+            if (value >= property.minimum && value <= property.maximum) continue;
+            throw Diagnostic(fmt::format("{} = {} is outside of its limits {} to {} in joint model '{}'", word,
+                                         number_text(value), number_text(property.minimum),
+                                         number_text(property.maximum), joint->name))
+                .at(place->second);
+        }
     }
 }
 
@@ -408,10 +474,13 @@ void check_materials(Session& session) {
     std::set<std::int32_t> in_use(session.model.blocks.material.begin(), session.model.blocks.material.end());
     for (const auto& [number, material] : session.model.materials) {
         if (in_use.contains(number)) check_elastic_pair(number, material);
+        refuse_joint_values(session, number, material);
         warn_unused(session, number, material);
         warn_unused_by_zones(session, number, material);
     }
+    warn_of_rigid_models(session);
     doubt_elasticity(session);
+    doubt_densities(session);
 }
 
 void add_handlers(HandlerTable& table, lang::MaterialCommands list) { fill(table, list); }

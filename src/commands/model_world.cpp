@@ -33,7 +33,12 @@ FieldValue field_value(const Value& value, const Field& field) {
 void write(Model& model, const Field& field, Row row, const Value& value) {
     if (field.set == nullptr)
         throw Diagnostic(fmt::format("'{}' can be read but not written", field.name), {}, Fault::run);
-    field.set(model, row, field_value(value, field));
+    try {
+        field.set(model, row, field_value(value, field));
+    } catch (Diagnostic& mistake) { // of the value alone: which field it was for
+        if (!mistake.message.starts_with("'")) mistake.message = fmt::format("'{}': {}", field.name, mistake.message);
+        throw;
+    }
 }
 
 /// A list of FISH ends with the object that it belongs to.

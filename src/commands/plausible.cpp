@@ -64,6 +64,21 @@ void doubt_elasticity(Session& session) {
     }
 }
 
+void doubt_densities(Session& session) {
+    constexpr double most = 1e5; // kg/m3, tonnes or megagrams: no rock, steel or lead in any usual unit
+    for (const auto& [number, material] : session.model.materials) {
+        if (!(material.density > most)) continue;
+        const std::string message = fmt::format("material {} has a density of {}: nothing is that heavy", number,
+                                                number_text(material.density));
+        if (session.said_once.insert(message).second) session.warn(doubt(message, "rock has 2700 kg/m3"));
+    }
+}
+
+void doubt_gravity(Session& session, const Vec3& gravity, const Place& place) {
+    if (!(gravity.z() > 0 && gravity.x() == 0 && gravity.y() == 0)) return;
+    session.show_note(doubt("gravity points up, along z", "down is gravity 0 0 -9.81").at(place));
+}
+
 void doubt_damping(Session& session, const lang::Damp& command) {
     using enum lang::Damp::Kind;
     if ((command.kind == local || command.kind == combined) && command.value.value_or(0) >= 1)

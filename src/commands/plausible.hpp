@@ -13,6 +13,10 @@ class Session;
 void doubt_angles(Session& session, const std::vector<lang::Property::Item>& items);
 /// Poisson's ratios below 0 of materials that blocks have.
 void doubt_elasticity(Session& session);
+/// Densities that nothing has.
+void doubt_densities(Session& session);
+/// Weight that pulls up: a note, since some models count depth downwards.
+void doubt_gravity(Session& session, const Vec3& gravity, const Place& place);
 /// Damping that takes all force away from what moves.
 void doubt_damping(Session& session, const lang::Damp& command);
 /// A run in which nothing can move.

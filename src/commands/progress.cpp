@@ -22,7 +22,7 @@ std::string scaling_text(const Model& model) {
     const ScaledMasses masses = scaled_masses(model);
     if (masses.scaled == 0) return {};
     const double added = masses.inertial - masses.real;
-    return fmt::format("density scaling: {} of {} bodies have another mass, {} is added to {} ({:.3g} %)",
+    return fmt::format("density scaling: {} of {} bodies have scaled masses, {} is added to {} ({:.3g} %)",
                        masses.scaled, masses.bodies, number_text(added), number_text(masses.real),
                        100 * added / masses.real);
 }

@@ -104,7 +104,9 @@ class Confirmation {
 public:
     /// To be called after each cycle in which the ratio is reached, and with `false` after others.
     enum class Answer { wait, rest, motion };
-    Answer check(const Model& model, std::int64_t cycles_before, bool ratio_reached) {
+    /// `whole` has seen the run from its beginning: a body that moves on slowly shows there.
+    Answer check(const Model& model, std::int64_t cycles_before, bool ratio_reached,
+                 const RestMonitor* whole = nullptr) {
         if (!ratio_reached) {
             monitor_.reset();
             return Answer::wait;
@@ -118,6 +120,7 @@ public:
         monitor_->sample();
         if (monitor_->cycles() < needed_) return Answer::wait;
         moving_ = monitor_->moving();
+        if (!moving_ && whole != nullptr) moving_ = whole->moving();
         if (!moving_) return Answer::rest;
         if (needed_ >= longest_) return Answer::motion;
         needed_ *= 2;
@@ -140,13 +143,13 @@ std::string equilibrium(const Limits& limits, const Clock& start, const Clock& n
         double now;
     };
     if (now.cycle <= start.cycle) return {};
-    for (const Ratio& ratio : {Ratio{"ratio", limits.ratio, now.average_ratio},
+    for (const Ratio& ratio : {Ratio{"average ratio", limits.ratio, now.average_ratio},
                                Ratio{"maximum ratio", limits.maximum_ratio, now.maximum_ratio},
                                Ratio{"local ratio", limits.local_ratio, now.local_ratio}})
         if (ratio.limit && ratio.now <= *ratio.limit)
-            return fmt::format("the {} {:.3e} is not above {}", ratio.name, ratio.now, number_text(*ratio.limit));
+            return fmt::format("{} {:.3e} is below {}", ratio.name, ratio.now, number_text(*ratio.limit));
     if (limits.force && now.unbalanced_force <= *limits.force)
-        return fmt::format("the unbalanced force {} is not above {}", number_text(now.unbalanced_force),
+        return fmt::format("unbalanced force {} is below {}", number_text(now.unbalanced_force),
                            number_text(*limits.force));
     return {};
 }
@@ -219,7 +222,7 @@ std::string advance_until(Session& session, const Limits& limits, RestMonitor* m
         std::string at_rest = equilibrium(limits, start, session.model.clock);
         if (limits.still) {
             const auto answer =
-                confirmation.check(session.model, session.model.clock.cycle - start.cycle, !at_rest.empty());
+                confirmation.check(session.model, session.model.clock.cycle - start.cycle, !at_rest.empty(), monitor);
             if (answer == Confirmation::Answer::wait) at_rest.clear();
             if (answer == Confirmation::Answer::rest) at_rest += ", and nothing moves";
             if (answer == Confirmation::Answer::motion)

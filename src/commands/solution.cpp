@@ -20,8 +20,14 @@ namespace kaya {
 
 namespace {
 
+/// "solve: average ratio 9.98e-06 is below 1e-05", "solve: stopped by 5000 cycles"
+std::string end_text(std::string_view run, const std::string& why) {
+    const bool reached = why.find(" is below ") != why.npos;
+    return fmt::format("{}: {}{}", run, reached ? "" : "stopped by ", why);
+}
+
 /// How near to rest a run has come, and who does not come to rest at all.
-void tell_rest(Session& session, const RestMonitor& monitor, const Place& place) {
+void tell_rest(Session& session, const RestMonitor& monitor, bool still, const Place& place) {
     const Clock& clock = session.model.clock;
     std::string text = fmt::format("average ratio {:.3e}  local ratio {:.3e}", clock.average_ratio, clock.local_ratio);
     if (const auto fastest = fastest_body(session.model))
@@ -34,7 +40,8 @@ void tell_rest(Session& session, const RestMonitor& monitor, const Place& place)
         Diagnostic(fmt::format("{} does not come to rest: its velocity is {}, and it has gone {} lately",
                                body_text(session.model, *moving), number_text(moving->speed),
                                number_text(moving->gained)),
-                   "a ratio does not see one body among many: with `still` the run goes on until nothing moves")
+                   still ? "look at what holds it, or let the run go on: more cycles"
+                         : "a ratio does not see one body among many: with `still` the run goes on until nothing moves")
             .at(place));
 }
 
@@ -90,12 +97,12 @@ void run(Session& session, const lang::Solve& command) {
         if (!strong.strengthened())
             session.warn(Diagnostic("no joint in use has a cohesion or a tensile strength that could be raised",
                                     "'elastic' has no effect"));
-        session.output.say("solve elastic: stopped by " + advance_until(session, limits));
+        session.output.say(end_text("solve elastic", advance_until(session, limits)));
     }
     RestMonitor monitor(session.model);
     session.world.stopped_by = advance_until(session, limits, &monitor);
-    session.output.say("solve: stopped by " + session.world.stopped_by);
-    tell_rest(session, monitor, command.place);
+    session.output.say(end_text("solve", session.world.stopped_by));
+    tell_rest(session, monitor, command.still, command.place);
 }
 
 void run(Session& session, const lang::Damp& command) {

@@ -153,6 +153,21 @@ void pull_to_planes(Surface& surface) {
         if (count[v]) surface.vertices[v] += move[v] / count[v];
 }
 
+/// What to do with a face that is not flat. Two triangles with the diagonal that stands out keep a block convex.
+std::string advice_for(const Surface& surface, const Surface::Face& face) {
+    if (face.vertices.size() != 4) return "correct the corners, or give triangles instead";
+    const auto corner = [&](std::size_t i) -> const Vec3& { return surface.vertices[face.vertices[i]]; };
+    Vec3 inside = Vec3::Zero();
+    for (const Vec3& v : surface.vertices) inside += v / static_cast<double>(surface.vertices.size());
+    Vec3 outward = (corner(2) - corner(0)).cross(corner(3) - corner(1));
+    if (outward.dot(mean_point(surface, face) - inside) < 0) outward = -outward;
+    const bool first = outward.dot(corner(0) + corner(2)) >= outward.dot(corner(1) + corner(3));
+    const Vec3 &from = corner(first ? 0 : 1), &to = corner(first ? 2 : 3);
+    return fmt::format(
+        "correct the corners, or give two triangles, cut from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})",
+        from.x(), from.y(), from.z(), to.x(), to.y(), to.z());
+}
+
 } // namespace
 
 void merge_flat_neighbours(Surface& surface) {
@@ -198,7 +213,7 @@ double flatten(Surface& surface, const Flatness& flatness, std::vector<std::stri
         } else {
             throw Diagnostic(
                 fmt::format("{} is not flat: its corners lie up to {:.3g} off its mean plane", face.name, off),
-                "correct the corners, or give triangles instead");
+                advice_for(surface, face));
         }
     }
     surface.faces = std::move(faces);

@@ -43,6 +43,11 @@ std::size_t lines_in(const std::string& text) {
            (!text.empty() && text.back() != '\n' ? 1 : 0);
 }
 
+/// An item of scripts in the words of a user.
+std::string what_is(const std::string& item) {
+    return item == "scripts" ? "functions, variables and tables of FISH and Lua" : item;
+}
+
 } // namespace
 
 std::string describe_save_file(const std::string& path) {
@@ -72,7 +77,7 @@ std::string describe_save_file(const std::string& path) {
         add_line(text, "deck", fmt::format("{}, {}", deck.name, counted(lines_in(deck.content), "line")));
     for (const auto& script : extras.scripts)
         if (script.name == remark_item) add_line(text, "remark", script.content);
-        else add_line(text, "script", fmt::format("{}, {} bytes", script.name, script.content.size()));
+        else add_line(text, "also", fmt::format("{}, {} bytes", what_is(script.name), script.content.size()));
     add_line(text, "state hash", fmt::format("{:016x}", state_hash(model)));
     return text;
 }

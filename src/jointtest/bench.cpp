@@ -66,7 +66,7 @@ std::string report_of(const JointCurve& curve) {
          fmt::format("{}, largest at {:.6g}; {:.6g} at the end", shear.text(), peak_at, last.resistance[0]));
     line("normal stress", normal.text());
     line("opening", opening.text());
-    line("energy per area", fmt::format("{:.6g} put in, {:.6g} counted as taken up", last.put_in, last.taken_up));
+    line("energy per area", fmt::format("work done {:.6g}, dissipated {:.6g}", last.put_in, last.taken_up));
     if (std::isfinite(normal_ratio.least))
         line("normal tangent", fmt::format("{} of the stiffness reported", normal_ratio.text()));
     if (std::isfinite(shear_ratio.least))

@@ -189,6 +189,9 @@ Row add_block_row(Model& model) {
 
 Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& options) {
     const MassProperties mass = mass_properties(polyhedron);
+    if (!std::isfinite(mass.volume))
+        throw Diagnostic("the block is so large, or so far away, that its volume is no number",
+                         "look at the exponents of its coordinates");
     if (!(mass.volume > 0))
         throw Diagnostic(fmt::format("the block has no volume ({})", mass.volume),
                          "look at the order and the place of its vertices");

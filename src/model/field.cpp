@@ -20,7 +20,11 @@ const char* kind_of(const FieldValue& value) {
 } // namespace
 
 double number(const FieldValue& value) {
-    if (const auto* real = std::get_if<double>(&value)) return *real;
+    if (const auto* real = std::get_if<double>(&value)) {
+        if (std::isfinite(*real)) return *real;
+        throw Diagnostic(std::isnan(*real) ? "this is no number: it comes from 0/0 or the like"
+                                           : "this number is infinite: it comes from a division by 0 or the like");
+    }
     if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
     throw Diagnostic(fmt::format("a number is needed here, and this is {}", kind_of(value)));
 }
@@ -33,7 +37,10 @@ std::int64_t whole_number(const FieldValue& value) {
 }
 
 Vec3 vector(const FieldValue& value) {
-    if (const auto* given = std::get_if<Vec3>(&value)) return *given;
+    if (const auto* given = std::get_if<Vec3>(&value)) {
+        for (int k = 0; k < 3; ++k) number((*given)[k]);
+        return *given;
+    }
     throw Diagnostic(fmt::format("a vector is needed here, and this is {}", kind_of(value)));
 }
 

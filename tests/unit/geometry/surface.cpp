@@ -182,6 +182,22 @@ TEST(Surface, SmallWarpIsMendedAndLargeIsRefused) {
         for (Vec3& v : loop)
             if (v == Vec3(1, 1, 1)) v.z() += 0.1;
     EXPECT_EQ(message_of(loops), "face 2 is not flat: its corners lie up to 0.0249 off its mean plane");
+    // Either way round, the diagonal that the advice names gives one convex block.
+    for (const double raised : {0.1, -0.1}) {
+        loops = cube();
+        for (auto& loop : loops)
+            for (Vec3& v : loop)
+                if (v == Vec3(1, 1, 1)) v.z() += raised;
+        try {
+            make_from_faces(loops);
+            ADD_FAILURE() << "a face that is not flat was taken";
+        } catch (const Diagnostic& d) {
+            EXPECT_EQ(d.hint, raised > 0
+                                  ? "correct the corners, or give two triangles, cut from (0, 0, 1) to (1, 1, 1.1)"
+                                  : "correct the corners, or give two triangles, cut from (1, 0, 1) to (0, 1, 1)")
+                << raised;
+        }
+    }
 }
 
 // Blocks of a few centimetres whose coordinates have three decimals: faces lie up to a hundredth of the size off their planes.

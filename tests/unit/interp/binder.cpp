@@ -172,7 +172,34 @@ TEST(Binder, UnendedScriptPointsAtItsFirstLine) {
     const Diagnostic d = mistake("def one\n x = 1\n\ndef two\n y = 1\nend");
     EXPECT_EQ(d.message, "define 'one' is never ended");
     EXPECT_EQ(d.place.line, 1);
-    EXPECT_EQ(d.hint, "write a line 'end' after its last line");
+    EXPECT_EQ(d.hint, "write a line 'end' before 'two' begins in line 4");
+    EXPECT_EQ(mistake("def one\n x = 1").hint, "write a line 'end' after its last line");
+}
+
+TEST(Binder, AFunctionInsideOfAnotherIsOneMistake) {
+    const Diagnostic d = mistake("def one\n def two\n  y = 1\n end\nend");
+    EXPECT_EQ(d.message, "'two' stands inside of define 'one'");
+    EXPECT_EQ(d.place.line, 2);
+}
+
+TEST(Binder, LettersThatOnlyLookRightAreNamed) {
+    EXPECT_EQ(mistake("grav 0 0 \u22129.81").hint, "there is the letter U+2212 in it: write the plain -");
+    EXPECT_EQ(mistake("poly\u00a0brick 0 1").hint, "there is the letter U+00A0 in it: write a blank instead");
+    EXPECT_EQ(mistake("print \u201cx\u201d").hint, "there is the letter U+201C in it: write the plain \"");
+}
+
+TEST(Binder, CommandsOfOtherProgramsGetNoGuess) {
+    EXPECT_EQ(mistake("// a note").hint, "a comment begins with ;");
+    EXPECT_EQ(mistake("# a note").hint, "a comment begins with ;");
+    EXPECT_EQ(mistake("!ls").hint, "'kaya help' lists the commands");
+    EXPECT_EQ(mistake("foo1").hint, "'kaya help' lists the commands");
+    EXPECT_EQ(mistake("brick poly 0 1 0 1 0 1").hint, "did you mean 'poly brick'?");
+}
+
+TEST(Binder, WholeNumbersAreWrittenOutInTheHint) {
+    EXPECT_EQ(mistake("cycle 1e3").hint, "write it as 1000");
+    EXPECT_EQ(mistake("cycle 1.5").hint, "write it without a point or an exponent");
+    EXPECT_EQ(mistake("cycle 1e30").hint, "it is too large: at most 9000000000000000000 is possible");
 }
 
 TEST(Binder, MessagesPointAtTheWord) {

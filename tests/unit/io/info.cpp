@@ -38,7 +38,7 @@ TEST(Info, ASaveFileInWords) {
                           "deck            a.3dd, 2 lines\n"
                           "deck            b.fis, 2 lines\n"
                           "deck            c.dat, 0 lines\n"
-                          "script          lua, 5 bytes\n"
+                          "also            lua, 5 bytes\n"
                           "state hash      {:016x}\n",
                           folder / "a.sav", state_hash(model)));
 }

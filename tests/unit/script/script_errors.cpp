@@ -121,7 +121,7 @@ TEST(ScriptErrors, FishArrays) {
     EXPECT_EQ(fish_message("array a(3)\nb = a(1.5)"),
               "a(1.5) is outside of the array a(3) | indices are whole numbers and count from 1");
     EXPECT_EQ(fish_message("array a(3,2)\nb = a(1)"),
-              "a(1) is outside of the array a(3,2) | indices are whole numbers and count from 1");
+              "the array a(3,2) has 2 indices, here it is given 1 | give one for each dimension");
     EXPECT_EQ(fish_message("array a(3,2)\na(1,3) = 0"),
               "a(1,3) is outside of the array a(3,2) | indices are whole numbers and count from 1");
     EXPECT_EQ(fish_message("array a(3)\nb = a(1,1)"),
@@ -223,17 +223,25 @@ TEST(ScriptErrors, LuaFields) {
               "a block has no list of sub_contacts");
     EXPECT_EQ(lua_message("sum('sub_contact','norm')"),
               "sub_contact has no field 'norm' | did you mean 'normal_force'?");
-    EXPECT_EQ(lua_message("sum('subcontact','norm')"), "a model has no 'subcontact' | did you mean 'sub_contact'?");
+    EXPECT_EQ(lua_message("sum('subcontact','norm')"),
+              "there is no kind of object 'subcontact' | did you mean 'sub_contact'?");
 }
 
 TEST(ScriptErrors, LuaLanguage) {
     EXPECT_EQ(lua_message("x = = 3"), "unexpected symbol near '='");
     EXPECT_EQ(lua_message("while true do"), "'end' expected near <eof>");
-    EXPECT_EQ(lua_message("local a\nprint(a.b)"), "attempt to index a nil value (local 'a')");
+    EXPECT_EQ(lua_message("local a\nprint(a.b)"), "'a' is nil here: it has no fields");
+    EXPECT_EQ(lua_message("prnt('x')"), "there is no function 'prnt' here | did you mean 'print'?");
+    EXPECT_EQ(lua_message("stone = {}\nston.x = 3"), "'ston' is nil here: it has no fields | did you mean 'stone'?");
+    EXPECT_EQ(lua_message("local y = 1 + lenght"), "'lenght' is nil here: nothing has set it");
+    EXPECT_EQ(lua_message("coroutine.create(print)"), "'coroutine' of Lua is not available in decks");
     EXPECT_EQ(lua_message("error('my own')"), "my own");
     EXPECT_EQ(lua_message("error({})"), "the script stopped with a table as error value");
     EXPECT_EQ(lua_message("local v = vector(1,2,3)\nv.x = 3"),
               "the components of a vector cannot be set one by one | make a new one: v = vector(1, v.y, v.z)");
+    EXPECT_EQ(
+        lua_message("v = vector(1,2)"),
+        "'vector' takes x, y and z, here it is given 2 values | write all three: vector(x, y, z); vector() is zero");
     EXPECT_EQ(lua_message("print(vector(1,2,3).w)"),
               "a vector has no 'w' | it has x, y, z, and the functions length(), unit(), dot(v), cross(v)");
     EXPECT_EQ(lua_message("hook.after_cycle(3)"), "hook.after_cycle needs a function, here it is given the integer 3");
@@ -253,7 +261,7 @@ TEST(ScriptErrors, TheSandboxHolds) {
     EXPECT_EQ(lua_message("debug.getregistry()"), "debug.getregistry cannot be used in a deck" + trust);
     EXPECT_THAT(lua_message("io.open('/etc/passwd')"), HasSubstr("lies outside of the folders"));
     EXPECT_THAT(lua_message("for l in io.lines('../x') do end"), HasSubstr("lies outside of the folders"));
-    EXPECT_EQ(lua_message("dofile('x')"), "attempt to call a nil value (global 'dofile')");
+    EXPECT_EQ(lua_message("dofile('x')"), "'dofile' of Lua is not available in decks");
     EXPECT_EQ(lua_message("assert(load('\\27Lua') == nil)"), "no error"); // no bytecode
     EXPECT_EQ(lua_message("assert(_G.os == os and _G._G == _G)"), "no error");
     EXPECT_EQ(lua_message("assert(load('return os')() == os)"), "no error");
