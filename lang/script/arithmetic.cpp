@@ -134,7 +134,8 @@ int vector_index(lua_State* L) {
     lua_pushvalue(L, 2);
     lua_rawget(L, lua_upvalueindex(1));
     if (lua_isnil(L, -1))
-        throw Diagnostic(fmt::format("a vector has no '{}'", key ? key : describe_value(L, 2)),
+        throw Diagnostic(key ? fmt::format("a vector has no '{}'", key)
+                             : fmt::format("a vector has no element for {}", describe_value(L, 2)),
                          "it has x, y, z, and the functions length(), unit(), dot(v), cross(v)", Fault::run);
     return 1;
 }

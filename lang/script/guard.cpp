@@ -1,13 +1,11 @@
 #include "lang/script/guard.hpp"
 
+#include "lang/script/lua_messages.hpp"
 #include "lang/script/machine.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cstring>
 #include <fmt/format.h>
 #include <memory>
-#include <optional>
 
 namespace kaya::script {
 
@@ -70,61 +68,6 @@ void add_stack(lua_State* L, Diagnostic& diagnostic) {
     }
 }
 
-/// Names of Lua that decks do not have.
-constexpr std::array<std::string_view, 7> left_out{"coroutine",  "debug",   "dofile", "loadfile",
-                                                   "loadstring", "setfenv", "getfenv"};
-
-/// Names in the table of globals, for a proposal.
-std::string near_global(lua_State* L, std::string_view word) {
-    const int level = lua_gettop(L);
-    luaL_checkstack(L, 8, "for a message");
-    std::vector<std::string> names;
-    const auto add = [&] {
-        lua_pushnil(L);
-        while (lua_next(L, -2) != 0) {
-            if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -2));
-            lua_pop(L, 1);
-        }
-    };
-    lua_pushglobaltable(L);
-    add();
-    // What a deck cannot change stands behind the table.
-    if (lua_getmetatable(L, -1) != 0) {
-        lua_pushstring(L, "__index");
-        if (lua_rawget(L, -2) == LUA_TTABLE) add();
-    }
-    lua_settop(L, level);
-    std::ranges::sort(names); // the order of a table of Lua is not always the same
-    return std::string(did_you_mean(word, {names.begin(), names.end()}));
-}
-
-/// "attempt to call a nil value (global 'prnt')": what is missing, and what may be meant.
-std::optional<Diagnostic> of_nil(lua_State* L, std::string_view text) {
-    constexpr std::string_view begins = "attempt to ", nil = " a nil value (";
-    const auto at = text.find(nil), open = text.find('\''), close = text.rfind('\'');
-    if (!text.starts_with(begins) || at == text.npos || open == text.npos || close <= open || at > open) return {};
-    const std::string_view action = text.substr(begins.size(), at - begins.size()),
-                           name = text.substr(open + 1, close - open - 1);
-    const bool global = text.substr(at + nil.size()).starts_with("global"), calls = action == "call";
-    if (global && std::ranges::find(left_out, name) != left_out.end())
-        return Diagnostic(fmt::format("'{}' of Lua is not available in decks", name), {}, Fault::run);
-    const std::string near = global ? near_global(L, name) : std::string();
-    const std::string hint = near.empty() ? std::string() : fmt::format("did you mean '{}'?", near);
-    if (calls) return Diagnostic(fmt::format("there is no function '{}' here", name), hint, Fault::run);
-    if (action == "index") return Diagnostic(fmt::format("'{}' is nil here: it has no fields", name), hint, Fault::run);
-    return Diagnostic(fmt::format("'{}' is nil here: nothing has set it", name), hint, Fault::run);
-}
-
-/// Lua's own words, where they would not be understood by somebody who wrote FISH.
-Diagnostic translated(lua_State* L, std::string_view text) {
-    if (auto missing = of_nil(L, text)) return *missing;
-    if (text.find("stack overflow") != std::string_view::npos)
-        return Diagnostic("functions call each other too deeply", "a function that calls itself needs a way to end",
-                          Fault::run);
-    if (text == "not enough memory") return Diagnostic("the script needs more memory than there is", {}, Fault::run);
-    return Diagnostic(std::string(text), {}, Fault::run);
-}
-
 Diagnostic from_error_value(lua_State* L, int index) {
     if (const Diagnostic* known = diagnostic_at(L, index)) return *known;
     std::size_t size = 0;
@@ -137,7 +80,7 @@ Diagnostic from_error_value(lua_State* L, int index) {
     int line = 0;
     const Source* source = nullptr;
     if (split_message(message, chunk, line, text)) source = machine_of(L).sources.find(chunk);
-    Diagnostic diagnostic = translated(L, source ? text : std::string_view(message));
+    Diagnostic diagnostic = in_plain_words(L, source ? text : std::string_view(message));
     if (source) diagnostic.at(line_place(*source, line));
     return diagnostic;
 }

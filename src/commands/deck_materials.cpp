@@ -23,8 +23,9 @@ void DeckMaterials::check(const lang::BoundCommand& command) {
     // Any word that begins so and is followed by a number gives, or picks, what has it: change mat 2, poly brick ... mat 2, set jmatdf 2.
     for (std::size_t i = 0; i + 1 < statement.words.size(); ++i) {
         const std::string& word = statement.words[i].folded;
-        const bool joint = word.starts_with("jmat");
-        if (!joint && !word.starts_with("mat")) continue;
+        if (word.empty()) continue;
+        const bool joint = word.starts_with("jmat") || (word.size() > 1 && std::string_view("jmat").starts_with(word));
+        if (!joint && !word.starts_with("mat") && !std::string_view("mat").starts_with(word)) continue;
         for (std::size_t k = i + 1; k < statement.words.size(); ++k) {
             const lang::Word& number = statement.words[k];
             if (number.late()) open_ = true;

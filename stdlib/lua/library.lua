@@ -211,7 +211,13 @@ library.set_property = native.set_property
 
 -- contacts(), blocks(), ...: one function for each table of the model.
 for _, name in ipairs(native.tables()) do
-    library[name .. "s"] = function() return native.list(name) end
+    library[name .. "s"] = function(...)
+        -- `for b in blocks do` calls it as an iterator, for ever.
+        if select("#", ...) > 0 then
+            native.fail(("'%ss' takes no values"):format(name), ("write: for x in %ss() do ... end"):format(name))
+        end
+        return native.list(name)
+    end
 end
 
 for word, way in next, { sum = "sum", minimum = "minimum", maximum = "maximum", mean = "mean" } do

@@ -234,6 +234,21 @@ TEST(ScriptErrors, LuaLanguage) {
     EXPECT_EQ(lua_message("prnt('x')"), "there is no function 'prnt' here | did you mean 'print'?");
     EXPECT_EQ(lua_message("stone = {}\nston.x = 3"), "'ston' is nil here: it has no fields | did you mean 'stone'?");
     EXPECT_EQ(lua_message("local y = 1 + lenght"), "'lenght' is nil here: nothing has set it");
+    EXPECT_EQ(lua_message("local t = {}\nt[3].x = 1"), "this value is nil here: it has no fields | what was called or "
+                                                       "looked up before gave nothing");
+    EXPECT_EQ(lua_message("x = string.formt('%d', 3)"), "there is no function 'formt' here | did you mean 'format'?");
+    EXPECT_EQ(lua_message("for c in contacts do print(c) end"),
+              "'contacts' takes no values | write: for x in contacts() do ... end");
+    EXPECT_EQ(lua_message("print(contacts()[1])"), "a function has no fields or elements | objects come one after the "
+                                                   "other: for b in blocks() do ... end");
+    EXPECT_EQ(lua_message("print(#contacts())"),
+              "a function has no length | objects come one after the other: for b in blocks() do ... end; "
+              "count(\"block\") is their number");
+    EXPECT_EQ(lua_message("local v = {size = 3}\nprint(v.size())"),
+              "'size' is a number and no function | write it without parentheses: .size");
+    EXPECT_EQ(lua_message("print(vector(1,2,3)[1])"),
+              "a vector has no element for the integer 1 | it has x, y, z, and the functions length(), unit(), dot(v), "
+              "cross(v)");
     EXPECT_EQ(lua_message("coroutine.create(print)"), "'coroutine' of Lua is not available in decks");
     EXPECT_EQ(lua_message("error('my own')"), "my own");
     EXPECT_EQ(lua_message("error({})"), "the script stopped with a table as error value");
