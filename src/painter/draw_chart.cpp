@@ -140,7 +140,7 @@ Corner free_corner(const Chart& given) {
     const double wide = 0.3, tall = std::min(0.5, 0.05 + 0.035 * static_cast<double>(given.curves.size()));
     constexpr std::array<Corner, 4> corners{{{true, true}, {false, true}, {true, false}, {false, false}}};
     std::array<int, 4> covered{};
-    const auto look_at = [&](double x, double y) {
+    const auto cover = [&](double x, double y) {
         for (std::size_t k = 0; k < corners.size(); ++k)
             covered[k] += (corners[k].right ? x > 1 - wide : x < wide) && (corners[k].top ? y > 1 - tall : y < tall);
     };
@@ -151,8 +151,8 @@ Corner free_corner(const Chart& given) {
             const double t = static_cast<double>(part) / pieces;
             const double x = curve.x[i] + t * (curve.x[next] - curve.x[i]);
             const double y = curve.y[i] + t * (curve.y[next] - curve.y[i]);
-            look_at(high[0] > low[0] ? (x - low[0]) / (high[0] - low[0]) : 0.5,
-                    high[1] > low[1] ? (y - low[1]) / (high[1] - low[1]) : 0.5);
+            cover(high[0] > low[0] ? (x - low[0]) / (high[0] - low[0]) : 0.5,
+                  high[1] > low[1] ? (y - low[1]) / (high[1] - low[1]) : 0.5);
         }
     });
     return corners[static_cast<std::size_t>(std::ranges::min_element(covered) - covered.begin())];
