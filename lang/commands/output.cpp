@@ -111,7 +111,8 @@ void refuse_after(const Word& word, const Listed& item) {
     const bool is_list = std::ranges::any_of(listed(), [&](const Listed& list) {
         return std::ranges::any_of(list.words, [&](const Spelling& s) { return s.matches(word.folded); });
     });
-    if (is_list || !did_you_mean(word.folded, others).empty()) return;
+    constexpr std::size_t telling = 4; // fewer letters are near to anything
+    if (is_list || (word.folded.size() >= telling && !did_you_mean(word.folded, others).empty())) return;
     const std::string_view name = item.words.front().word;
     std::string hint = fmt::format("nothing follows it but a range: list {} range ...", name);
     if (item.follows == Follows::number) hint = fmt::format("a number may follow: list {} 2", name);

@@ -145,7 +145,8 @@ std::string_view did_you_mean(std::string_view word, const std::vector<std::stri
     // letters in another order, the commonest slip, win.
     const int limit = 2 * (word.size() <= 4 ? 1 : word.size() <= 5 ? 2 : most_mistakes);
     std::string_view best;
-    int best_halves = limit + 1;
+    // A slip in what a word is shortened to counts as well: genn for generate.
+    int best_halves = std::max(limit + 1, 4);
     Rows rows;
     for (const auto candidate : candidates) {
         // A word that is so much longer has too many mistakes; it may be a whole file without a blank.
@@ -153,7 +154,7 @@ std::string_view did_you_mean(std::string_view word, const std::vector<std::stri
         const auto [whole, beginning] = mistakes(word, candidate, rows);
         int halves = 2 * whole;
         if (std::is_permutation(word.begin(), word.end(), candidate.begin(), candidate.end())) --halves;
-        if (whole >= static_cast<int>(std::max(word.size(), candidate.size()))) halves = limit + 1;
+        if (whole >= static_cast<int>(std::max(word.size(), candidate.size()))) continue; // nothing in common
         if (word.size() >= 3 && beginning <= 1) halves = std::min(halves, 2 * beginning + 1);
         // Between equals the one that starts like the word is the likelier.
         const bool likelier =

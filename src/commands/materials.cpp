@@ -284,9 +284,9 @@ void refuse_joint_values(Session& session, std::int32_t number, const Material& 
     std::set<std::string> models = models_in_use(session.model, number);
     if (models.empty() && session.model.contacts.empty()) models.insert(default_joint_model(session.model));
     for (const auto& name : models) {
-        const JointModel* joint = session.joints.find(name);
+        const JointModel* joint = &session.joints.get(name);
         for (const auto& [word, value] : material.joint) {
-            const auto index = joint == nullptr ? std::nullopt : joint->find_property(word);
+            const auto index = joint->find_property(word);
             const auto place = session.property_places.find({number, word});
             if (!index || place == session.property_places.end()) continue;
             const auto& property = joint->properties[*index];

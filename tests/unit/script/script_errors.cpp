@@ -125,7 +125,7 @@ TEST(ScriptErrors, FishArrays) {
     EXPECT_EQ(fish_message("array a(3,2)\na(1,3) = 0"),
               "a(1,3) is outside of the array a(3,2) | indices are whole numbers and count from 1");
     EXPECT_EQ(fish_message("array a(3)\nb = a(1,1)"),
-              "a(1,1) is outside of the array a(3) | indices are whole numbers and count from 1");
+              "the array a(3) has 1 index, here it is given 2 | give one for each dimension");
     EXPECT_EQ(fish_message("a = 3\nb = a(1)"), "'a' is no array but the integer 3");
     EXPECT_EQ(fish_message("a(1,2) = 5"),
               "'a' is neither a function nor an array | define it, or make the array with: array a(n)");
