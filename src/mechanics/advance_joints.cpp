@@ -6,7 +6,6 @@
 #include "mechanics/overlap_contact.hpp"
 #include "mechanics/advance_joints.hpp"
 #include "mechanics/move_contact.hpp"
-#include "model/lanes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -71,7 +70,7 @@ Recovered recover(Model& model, Row c, double lost) {
 }
 
 /// A joint model sees displacements at the start of the step; now they are those of its end.
-void add_increments(SubContacts& subs, Row row, const LaneGroup& group, const Lanes& opening, const Lanes3& slip) {
+void add_increments(SubContacts& subs, Row row, const RowsOfEight& group, const Eight& opening, const Eight3& slip) {
     double* const opened = subs.normal_displacement.data() + row;
     group.store(opened, group.load(opened) + opening);
     group.store(subs.shear_displacement, row, group.load(subs.shear_displacement, row) + slip);
@@ -82,23 +81,23 @@ void add_increments(SubContacts& subs, Row row, const LaneGroup& group, const La
 template <class Each> void sum_contact(const Model& model, Row c, JointForces& forces, Each each) {
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
-    const Lanes3 n = Lanes3::of(contacts.normal[c]), origin = Lanes3::of(contacts.position[c]);
+    const Eight3 n = eights(contacts.normal[c]), origin = eights(contacts.position[c]);
     const Span span = contacts.sub_contacts[c];
     const bool deformable = model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]];
     const bool damped = joints_are_damped(model.settings);
-    Lanes3 force = Lanes3::of(Vec3::Zero()), moment = force;
-    for (Row i = 0; i < span.count; i += lane_count) {
-        const LaneGroup group(span.count - i);
+    Eight3 force = eights(Vec3::Zero()), moment = force;
+    for (Row i = 0; i < span.count; i += eight) {
+        const RowsOfEight group(span.count - i);
         const Row first = span.first + i;
-        Lanes normal = group.load(subs.normal_force.data() + first);
-        Lanes3 shear = group.load(subs.shear_force, first);
+        Eight normal = group.load(subs.normal_force.data() + first);
+        Eight3 shear = group.load(subs.shear_force, first);
         each(first, group, normal, shear);
         normal += group.load(subs.pore_pressure.data() + first) * group.load(subs.area.data() + first);
         if (damped) {
             normal += group.load(subs.dashpot_normal.data() + first);
             shear = shear + group.load(subs.dashpot_shear, first);
         }
-        const Lanes3 f = n * normal + shear;
+        const Eight3 f = n * normal + shear;
         if (deformable)
             for (Row k = 0; k < group.rows(); ++k) forces.of_sub_contact[first + k] = {f.x[k], f.y[k], f.z[k]};
         force = force + f;
@@ -114,16 +113,16 @@ template <class Each> void sum_contact(const Model& model, Row c, JointForces& f
 }
 
 void sum_contact(const Model& model, Row c, JointForces& forces) {
-    sum_contact(model, c, forces, [](Row, const LaneGroup&, const Lanes&, const Lanes3&) {});
+    sum_contact(model, c, forces, [](Row, const RowsOfEight&, const Eight&, const Eight3&) {});
 }
 
 /// The sums, and besides: work with the forces that the joint model has given, displacements at the end of the step.
 void finish_contact(Model& model, Row c, JointForces& forces, JointWork& after) {
     auto& subs = model.sub_contacts;
     JointWork own; // stays in registers
-    sum_contact(model, c, forces, [&](Row row, const LaneGroup& group, const Lanes& normal, const Lanes3& shear) {
-        const Lanes opening = group.load(subs.normal_displacement_increment.data() + row);
-        const Lanes3 slip = group.load(subs.shear_displacement_increment, row);
+    sum_contact(model, c, forces, [&](Row row, const RowsOfEight& group, const Eight& normal, const Eight3& shear) {
+        const Eight opening = group.load(subs.normal_displacement_increment.data() + row);
+        const Eight3 slip = group.load(subs.shear_displacement_increment, row);
         own.joint += normal * opening + shear.dot(slip);
         own.friction += group.load(subs.frictional_work.data() + row);
         add_increments(subs, row, group, opening, slip);
@@ -201,9 +200,12 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     friction.resize(batch.contacts.size());
     for (std::size_t i = 0; i < batch.contacts.size(); ++i) {
         const Row c = batch.contacts[i];
-        if (follows_overlap(model, c)) sums.lost += move_overlap_contact(model, c, before);
-        else move_contact(model, c, before);
-        if (!batch.model->vectors.empty()) turn_kept_vectors(model, c, batch.model->vectors);
+        if (follows_overlap(model, c)) {
+            sums.lost += move_overlap_contact(model, c, before);
+            turn_kept_vectors(model, c, batch.model->vectors);
+        } else {
+            move_contact(model, c, batch.model->vectors, before);
+        }
         if (model.contacts.unforced_overlap[c] > 0) friction[i] = frictional_work(model, c);
     }
     auto columns = columns_of(model, batch, model.clock.time_step, history.data());

@@ -2,6 +2,7 @@
 // lane, as in model/lanes.hpp, so that a result does not depend on how wide the registers are.
 #pragma once
 
+#include "model/column.hpp"
 #include "model/lanes.hpp"
 
 #include <array>
@@ -42,6 +43,90 @@ inline Eight load_rows(const double* column, std::ptrdiff_t count) {
 inline void store_rows(double* column, std::ptrdiff_t count, const Eight& e) {
     if (count >= eight) return store(column, e);
     for (std::ptrdiff_t l = 0; l < count; ++l) column[l] = e[l];
+}
+
+/// Up to eight rows of columns: one joint between rigid blocks is one such group as a rule. Rows that are not there read as 0 and are
+/// not written.
+class RowsOfEight {
+public:
+    explicit RowsOfEight(std::ptrdiff_t rows) : rows_(rows < eight ? rows : eight) {}
+
+    Eight load(const double* column) const {
+#if defined(__AVX512F__)
+        return _mm512_maskz_loadu_pd(mask(), column);
+#else
+        return load_rows(column, rows_);
+#endif
+    }
+    Eight3 load(const VectorColumn& column, std::ptrdiff_t first) const {
+        const auto& c = column.component;
+        return {load(c[0].data() + first), load(c[1].data() + first), load(c[2].data() + first)};
+    }
+    /// Rows that are not there read as `otherwise`.
+    Eight load(const double* column, const Eight& otherwise) const {
+#if defined(__AVX512F__)
+        return _mm512_mask_loadu_pd(otherwise, mask(), column);
+#else
+        Eight e = otherwise;
+        for (std::ptrdiff_t l = 0; l < rows_; ++l) e[l] = column[l];
+        return e;
+#endif
+    }
+    Eight3 load(const VectorColumn& column, std::ptrdiff_t first, const Eight3& otherwise) const {
+        const auto& c = column.component;
+        return {load(c[0].data() + first, otherwise.x), load(c[1].data() + first, otherwise.y),
+                load(c[2].data() + first, otherwise.z)};
+    }
+    void store(double* column, const Eight& e) const {
+#if defined(__AVX512F__)
+        _mm512_mask_storeu_pd(column, mask(), e);
+#else
+        store_rows(column, rows_, e);
+#endif
+    }
+    void store(VectorColumn& column, std::ptrdiff_t first, const Eight3& e) const {
+        auto& c = column.component;
+        store(c[0].data() + first, e.x);
+        store(c[1].data() + first, e.y);
+        store(c[2].data() + first, e.z);
+    }
+    std::ptrdiff_t rows() const { return rows_; }
+
+    /// Whether one of the rows that are there is below, or not above, the limit.
+    bool any_below(const Eight& value, const Eight& limit) const {
+#if defined(__AVX512F__)
+        return _mm512_mask_cmp_pd_mask(mask(), value, limit, _CMP_LT_OQ) != 0;
+#else
+        bool any = false;
+        for (std::ptrdiff_t l = 0; l < rows_; ++l) any |= value[l] < limit[l];
+        return any;
+#endif
+    }
+    bool any_not_above(const Eight& value, const Eight& limit) const {
+#if defined(__AVX512F__)
+        return _mm512_mask_cmp_pd_mask(mask(), value, limit, _CMP_LE_OQ) != 0;
+#else
+        bool any = false;
+        for (std::ptrdiff_t l = 0; l < rows_; ++l) any |= value[l] <= limit[l];
+        return any;
+#endif
+    }
+
+private:
+#if defined(__AVX512F__)
+    __mmask8 mask() const { return static_cast<__mmask8>((1u << rows_) - 1u); }
+#endif
+    std::ptrdiff_t rows_;
+};
+
+/// The same vector in all rows.
+inline Eight3 eights(const Vec3& v) { return {eights(v.x()), eights(v.y()), eights(v.z())}; }
+
+inline Eight larger_of(const Eight& a, const Eight& b) { return a > b ? a : b; }
+inline double largest(const Eight& e) {
+    double most = e[0];
+    for (int l = 1; l < eight; ++l) most = e[l] > most ? e[l] : most;
+    return most;
 }
 
 inline Eight joined(const Four& low, const Four& high) {
@@ -89,6 +174,17 @@ inline bool all_above_zero(const Eight& e) {
     return all;
 #endif
 }
+
+inline bool all_zero(const Eight& e) {
+#if defined(__AVX512F__)
+    return _mm512_cmp_pd_mask(e, _mm512_setzero_pd(), _CMP_NEQ_UQ) == 0;
+#else
+    bool all = true;
+    for (int l = 0; l < eight; ++l) all &= e[l] == 0;
+    return all;
+#endif
+}
+inline bool all_zero(const Eight3& e) { return all_zero(e.x) && all_zero(e.y) && all_zero(e.z); }
 
 /// Four rows, or the same numbers as four columns of them.
 inline void transpose(std::array<Four, 4>& r) {
@@ -193,6 +289,7 @@ inline ThreeEights for_each_row(const Vec3& v) {
 }
 inline Eight size_of(const Eight& e) { return e < 0 ? -e : e; }
 inline double sum(const Eight& e) { return ((e[0] + e[1]) + (e[2] + e[3])) + ((e[4] + e[5]) + (e[6] + e[7])); }
+inline Vec3 sum(const Eight3& e) { return {sum(e.x), sum(e.y), sum(e.z)}; }
 
 /// Adds the eight to sums of four in a fixed order: the first four, then the others.
 inline void add_to(Lanes& sum, const Eight& e) {

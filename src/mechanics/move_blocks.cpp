@@ -44,22 +44,58 @@ Triple turn(Quaternion& orientation, const SymmetricInverse& inverse_inertia, co
     return start.turned(velocity);
 }
 
+/// Where the vertices of a block are when it has moved.
+class VertexPlaces {
+public:
+    VertexPlaces(const Vec3& centroid, const Mat3& turn) : centroid_(centroid), turn_(turn) {
+        eight_centroid_ = for_each_row(centroid);
+        for (int k = 0; k < 3; ++k) eight_turn_[k] = for_each_row(turn.col(k));
+    }
+    /// Of rows [row, row + 8). Operations and their order are those of one row. Returns the square of the longest way.
+    double place_eight(Gridpoints& g, Row row) const {
+        const Eight3 x = columns_of(load_three(g.reference[row].data()));
+        const std::array<ThreeEights, 3> of{for_each_of_three(x.x), for_each_of_three(x.y), for_each_of_three(x.z)};
+        ThreeEights place = load_three(g.position[row].data()), squares,
+                    displacement = load_three(g.displacement[row].data());
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Eight there = eight_centroid_[i] + of[0][i] * eight_turn_[0][i] + of[1][i] * eight_turn_[1][i] +
+                                of[2][i] * eight_turn_[2][i];
+            const Eight shift = there - place[i];
+            displacement[i] += shift;
+            place[i] = there;
+            squares[i] = shift * shift;
+        }
+        store(g.displacement[row].data(), displacement);
+        store(g.position[row].data(), place);
+        const Eight3 square = columns_of(squares);
+        return largest(square.x + square.y + square.z);
+    }
+    double place_one(Gridpoints& g, Row row) const {
+        const Vec3 x = g.reference[row];
+        const Vec3 place = centroid_ + x[0] * turn_.col(0) + x[1] * turn_.col(1) + x[2] * turn_.col(2);
+        const Vec3 shift = place - g.position[row];
+        g.displacement[row] += shift;
+        g.position[row] = place;
+        return shift[0] * shift[0] + shift[1] * shift[1] + shift[2] * shift[2];
+    }
+
+private:
+    Vec3 centroid_;
+    Mat3 turn_;
+    ThreeEights eight_centroid_;
+    std::array<ThreeEights, 3> eight_turn_;
+};
+
 /// Positions of the vertices follow the block. Returns the longest way of one.
 double place_vertices(Model& model, std::size_t b) {
     const auto& blocks = model.blocks;
-    auto& g = model.gridpoints;
-    const Mat3 r = quaternion(blocks.orientation[b]).toRotationMatrix();
-    const std::array<Lanes, 3> arm_of{lanes(r.col(0)), lanes(r.col(1)), lanes(r.col(2))};
-    const Lanes centroid = lanes(blocks.centroid[b]);
+    const VertexPlaces places(blocks.centroid[b], quaternion(blocks.orientation[b]).toRotationMatrix());
+    const Span span = blocks.gridpoints[b];
     double travel = 0;
-    for (Row row = blocks.gridpoints[b].first; row < blocks.gridpoints[b].end(); ++row) {
-        const Vec3& x = g.reference[row];
-        const Lanes place = centroid + x[0] * arm_of[0] + x[1] * arm_of[1] + x[2] * arm_of[2];
-        const Lanes shift = place - lanes(g.position[row]);
-        store(g.displacement[row], lanes(g.displacement[row]) + shift);
-        store(g.position[row], place);
-        travel = std::max(travel, sum(shift * shift));
-    }
+    Row row = span.first;
+    for (; row + eight <= span.end(); row += eight)
+        travel = std::max(travel, places.place_eight(model.gridpoints, row));
+    for (; row < span.end(); ++row) travel = std::max(travel, places.place_one(model.gridpoints, row));
     return std::sqrt(travel);
 }
 

@@ -54,22 +54,38 @@ void turn_plane(Model& model, Row c) {
     n = ((1.5 - 0.5 * turned.dot(turned)) * turned).vector();
 }
 
-inline void add_work(JointWork& work, const SubContacts& subs, Row row, const LaneGroup& group,
-                     const Lanes3& shear_force, const Lanes& opening, const Lanes3& slip) {
+inline void add_work(JointWork& work, const SubContacts& subs, Row row, const RowsOfEight& group,
+                     const Eight3& shear_force, const Eight& opening, const Eight3& slip) {
     work.joint += group.load(subs.normal_force.data() + row) * opening + shear_force.dot(slip);
     work.friction += group.load(subs.frictional_work.data() + row);
     work.fluid += group.load(subs.pore_pressure.data() + row) * group.load(subs.area.data() + row) * opening;
 }
 
 /// What lies in the plane of a contact stays there, and turns in it with the mean of the blocks.
-inline Lanes3 turned_in_plane(const Lanes3& vector, const Lanes3& n, const Lanes& twist) {
-    const Lanes3 in_plane = vector - n * vector.dot(n);
+inline Eight3 turned_in_plane(const Eight3& vector, const Eight3& n, const Eight& twist) {
+    const Eight3 in_plane = vector - n * vector.dot(n);
     return in_plane + n.cross(in_plane) * twist;
+}
+
+/// Most joints have never dilated, and have nothing to turn.
+inline void turn_kept(SubContacts& subs, const std::vector<std::size_t>& kept, Row row, const RowsOfEight& group,
+                      const Eight3& n, const Eight& twist) {
+    for (const std::size_t k : kept) {
+        auto* const column = &subs.history[k];
+        const Eight3 vector{group.load(column[0].data() + row), group.load(column[1].data() + row),
+                            group.load(column[2].data() + row)};
+        if (all_zero(vector)) continue;
+        const Eight3 turned = turned_in_plane(vector, n, twist);
+        group.store(column[0].data() + row, turned.x);
+        group.store(column[1].data() + row, turned.y);
+        group.store(column[2].data() + row, turned.z);
+    }
 }
 
 /// Two rigid blocks: the relative velocity is linear in the place, so that a few numbers per contact
 /// serve all its sub-contacts.
-void move_between_rigid(Model& model, Row c, const Vec3& normal_before, JointWork& work) {
+void move_between_rigid(Model& model, Row c, const Vec3& normal_before, const std::vector<std::size_t>& kept,
+                        JointWork& work) {
     auto& subs = model.sub_contacts;
     auto& contacts = model.contacts;
     const Triple o(contacts.position[c]), normal(contacts.normal[c]);
@@ -81,37 +97,39 @@ void move_between_rigid(Model& model, Row c, const Vec3& normal_before, JointWor
     const Triple velocity1 = one.at(middle), velocity2 = two.at(middle);
     const Triple shift = 0.5 * step * (velocity2 + velocity1), turn = 0.5 * step * (two.spin + one.spin);
 
-    const Lanes3 n = normal.lanes(), origin = o.lanes();
-    const Lanes3 n_middle = (0.5 * (normal + Triple(normal_before))).lanes();
-    const Lanes3 apart = (step * (velocity2 - velocity1)).lanes();
-    const Lanes3 apart_turn = (step * (two.spin - one.spin)).lanes();
-    const Lanes3 mean = shift.lanes(), mean_turn = turn.lanes();
-    const Lanes twist = Lanes::Constant(turn.dot(normal));
+    const Eight3 n = normal.eights(), origin = o.eights();
+    const Eight3 n_middle = (0.5 * (normal + Triple(normal_before))).eights();
+    const Eight3 apart = (step * (velocity2 - velocity1)).eights();
+    const Eight3 apart_turn = (step * (two.spin - one.spin)).eights();
+    const Eight3 mean = shift.eights(), mean_turn = turn.eights();
+    const Eight twist = eights(turn.dot(normal));
 
     const Span span = contacts.sub_contacts[c];
-    Lanes farthest = Lanes::Zero();
+    Eight farthest{};
     JointWork own; // stays in registers, which `work` would not
-    for (Row i = span.first; i < span.end(); i += lane_count) {
-        const LaneGroup group(span.end() - i);
-        const Lanes3 x = group.load(subs.position, i), arm = x - origin;
-        const Lanes3 turned = mean_turn.cross(arm);
-        const Lanes3 u = apart + apart_turn.cross(arm + turned * Lanes::Constant(half));
-        const Lanes opening = u.dot(n_middle);
-        const Lanes3 shear = u - n * u.dot(n);
+    for (Row i = span.first; i < span.end(); i += eight) {
+        const RowsOfEight group(span.end() - i);
+        // Rows that are not there move as the origin does, or they would seem to slip far.
+        const Eight3 x = group.load(subs.position, i, origin), arm = x - origin;
+        const Eight3 turned = mean_turn.cross(arm);
+        const Eight3 u = apart + apart_turn.cross(arm + turned * eights(half));
+        const Eight opening = u.dot(n_middle);
+        const Eight3 shear = u - n * u.dot(n);
         group.store(subs.normal_displacement_increment.data() + i, opening);
         group.store(subs.shear_displacement_increment, i, shear);
-        Lanes3 force = group.load(subs.shear_force, i);
+        Eight3 force = group.load(subs.shear_force, i);
         if (large) {
-            farthest = farthest.max(shear.dot(shear));
+            farthest = larger_of(farthest, shear.dot(shear));
             group.store(subs.position, i, x + (mean + turned));
             force = turned_in_plane(force, n, twist);
             group.store(subs.shear_force, i, force);
+            turn_kept(subs, kept, i, group, n, twist);
         }
         add_work(own, subs, i, group, force, opening, shear);
     }
     work.add(own);
     if (!large) return;
-    contacts.slip_since_update[c] += std::sqrt(farthest.maxCoeff());
+    contacts.slip_since_update[c] += std::sqrt(largest(farthest));
     contacts.position[c] += Vec3(shift.x, shift.y, shift.z); // the origin of moments goes with the mean of the blocks
 }
 
@@ -159,8 +177,8 @@ void move_between(Model& model, Row c, JointWork& work) {
         subs.shear_force.set(s, force - force.dot(n) * n);
     }
     if (large) contacts.slip_since_update[c] += std::sqrt(farthest);
-    for (Row row = span.first; row < span.end(); row += lane_count) {
-        const LaneGroup group(span.end() - row);
+    for (Row row = span.first; row < span.end(); row += eight) {
+        const RowsOfEight group(span.end() - row);
         add_work(work, subs, row, group, group.load(subs.shear_force, row),
                  group.load(subs.normal_displacement_increment.data() + row),
                  group.load(subs.shear_displacement_increment, row));
@@ -169,37 +187,30 @@ void move_between(Model& model, Row c, JointWork& work) {
 
 } // namespace
 
-void move_contact(Model& model, Row c, JointWork& work) {
+void move_contact(Model& model, Row c, const std::vector<std::size_t>& kept, JointWork& work) {
     const auto& contacts = model.contacts;
     const Vec3 normal_before = contacts.normal[c];
     if (model.settings.large_strain) turn_plane(model, c);
-    if (model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]])
+    if (model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]]) {
         move_between(model, c, work);
-    else move_between_rigid(model, c, normal_before, work);
+        turn_kept_vectors(model, c, kept);
+    } else {
+        move_between_rigid(model, c, normal_before, kept, work);
+    }
 }
 
-void turn_kept_vectors(Model& model, Row c, const std::vector<std::size_t>& vectors) {
-    if (!model.settings.large_strain) return;
+void turn_kept_vectors(Model& model, Row c, const std::vector<std::size_t>& kept) {
+    if (kept.empty() || !model.settings.large_strain) return;
     const auto& contacts = model.contacts;
     const auto& blocks = model.blocks;
     const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
-    const Lanes3 n = Lanes3::of(contacts.normal[c]);
+    const Eight3 n = eights(contacts.normal[c]);
     const bool rigid = !blocks.deformable[b1] && !blocks.deformable[b2];
     const Vec3 turn = 0.5 * model.clock.time_step * (blocks.rotational_velocity[b1] + blocks.rotational_velocity[b2]);
-    const Lanes twist = Lanes::Constant(rigid ? turn.dot(contacts.normal[c]) : 0);
+    const Eight twist = eights(rigid ? turn.dot(contacts.normal[c]) : 0);
     const Span span = contacts.sub_contacts[c];
-    for (const std::size_t k : vectors) {
-        auto* const column = &model.sub_contacts.history[k];
-        for (Row i = span.first; i < span.end(); i += lane_count) {
-            const LaneGroup group(span.end() - i);
-            const Lanes3 kept{group.load(column[0].data() + i), group.load(column[1].data() + i),
-                              group.load(column[2].data() + i)};
-            const Lanes3 turned = turned_in_plane(kept, n, twist);
-            group.store(column[0].data() + i, turned.x);
-            group.store(column[1].data() + i, turned.y);
-            group.store(column[2].data() + i, turned.z);
-        }
-    }
+    for (Row i = span.first; i < span.end(); i += eight)
+        turn_kept(model.sub_contacts, kept, i, RowsOfEight(span.end() - i), n, twist);
 }
 
 } // namespace kaya

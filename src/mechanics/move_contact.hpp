@@ -1,7 +1,7 @@
 // The part of advance_joints in which a contact follows its blocks.
 #pragma once
 
-#include "model/lanes.hpp"
+#include "mechanics/eight.hpp"
 #include "model/model.hpp"
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace kaya {
 
-/// Rates of work on the blocks times the step, in lanes of sub-contacts.
+/// Rates of work on the blocks times the step, in eights of sub-contacts.
 struct JointWork {
-    Lanes joint = Lanes::Zero(), friction = Lanes::Zero();
-    Lanes fluid = Lanes::Zero(); ///< of the pore pressure; a joint model does not change it
-    double dashpots = 0;         ///< of the viscous forces of overlaps
+    Eight joint{}, friction{};
+    Eight fluid{};       ///< of the pore pressure; a joint model does not change it
+    double dashpots = 0; ///< of the viscous forces of overlaps
 
     void add(const JointWork& other) {
         joint += other.joint;
@@ -24,11 +24,11 @@ struct JointWork {
 };
 
 /// Turns the plane of a contact with its blocks and writes the displacement increments of its
-/// sub-contacts; turns their shear forces with the plane. Adds the work of the forces as they then are to `work`.
-void move_contact(Model& model, Row contact, JointWork& work);
+/// sub-contacts; turns their shear forces with the plane, and the vectors that a joint model keeps of them: `kept` has the
+/// first of the three history variables of each. Adds the work of the forces as they then are to `work`.
+void move_contact(Model& model, Row contact, const std::vector<std::size_t>& kept, JointWork& work);
 
-/// Turns the vectors that a joint model keeps of each sub-contact as its shear force was turned: `vectors` has the first
-/// of the three history variables of each. Only where strain is large; call it after move_contact.
-void turn_kept_vectors(Model& model, Row contact, const std::vector<std::size_t>& vectors);
+/// Turns the vectors only, of a contact that has moved. Nothing in small strain.
+void turn_kept_vectors(Model& model, Row contact, const std::vector<std::size_t>& kept);
 
 } // namespace kaya

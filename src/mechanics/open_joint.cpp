@@ -1,6 +1,7 @@
 // Joints between rigid blocks that begin to open: from then on their force follows the overlap.
 #include "mechanics/contact_load.hpp"
 #include "mechanics/contact_geometry.hpp"
+#include "mechanics/eight.hpp"
 #include "mechanics/overlap_contact.hpp"
 
 #include <Eigen/Geometry>
@@ -20,11 +21,14 @@ bool is_partly_open(const Model& model, Row c) {
     const double margin = std::min(model.blocks.margin[contacts.block1[c]], model.blocks.margin[contacts.block2[c]]);
     const Span span = contacts.sub_contacts[c];
     bool open = false, closed = false;
-    for (Row s = span.first; s < span.end(); ++s) {
-        const double force = subs.normal_force[s], of_margin = subs.normal_stiffness[s] * subs.area[s] * margin;
-        if (force < -none * of_margin) return false;
-        open = open || force <= none * of_margin;
-        closed = closed || force > some * of_margin;
+    for (Row s = span.first; s < span.end(); s += eight) {
+        const RowsOfEight group(span.end() - s);
+        const Eight force = group.load(subs.normal_force.data() + s),
+                    of_margin =
+                        group.load(subs.normal_stiffness.data() + s) * group.load(subs.area.data() + s) * margin;
+        if (group.any_below(force, -none * of_margin)) return false;
+        open = open || group.any_not_above(force, none * of_margin);
+        closed = closed || group.any_below(some * of_margin, force);
     }
     return open && closed;
 }

@@ -10,6 +10,9 @@
 #include <immintrin.h>
 #endif
 
+// Vectors of eight that registers are too narrow for are passed in another way; only inlined functions pass them.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace kaya {
 
 using Lanes = Eigen::Array4d;
