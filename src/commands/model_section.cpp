@@ -1,6 +1,7 @@
 #include "commands/model_section.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/plane_cross.hpp"
 #include "commands/model_strengths.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "model/joined.hpp"
@@ -18,8 +19,6 @@
 namespace kaya {
 
 namespace {
-
-double cross(const SectionPoint& a, const SectionPoint& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Andrew's monotone chain; blocks are convex.
 std::vector<SectionPoint> convex_hull(std::vector<SectionPoint> points, double near) {

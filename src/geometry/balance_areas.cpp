@@ -1,6 +1,7 @@
 // Areas of sub-contacts by which rigid faces resist tilting as a continuous joint does.
 #include "geometry/overlay.hpp"
 
+#include "base/plane_cross.hpp"
 #include "base/vector.hpp"
 
 #include <Eigen/Geometry>
@@ -11,8 +12,6 @@
 namespace kaya {
 
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The shortest solution of a x = b for a symmetric matrix without negative eigenvalues, on the space where it has
 /// any: few points leave fewer than three things to choose.

@@ -1,5 +1,6 @@
 #include "geometry/overlay.hpp"
 
+#include "base/plane_cross.hpp"
 #include "base/vector.hpp"
 
 #include <Eigen/Geometry>
@@ -24,8 +25,6 @@ struct Polygon {
     }
     void push_back(const Vec2& p) { corners[size++] = p; }
 };
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// A line through a point, with its direction of length 1; a line too short to have one is 0.
 struct Line {

@@ -1,5 +1,7 @@
 #include "geometry/polygon_overlay.hpp"
 
+#include "base/plane_cross.hpp"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -7,8 +9,6 @@
 namespace kaya {
 
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double signed_area(const std::vector<Vec2>& polygon) {
     double twice = 0;

@@ -1,5 +1,6 @@
 #include "slopes/joint_surfaces.hpp"
 
+#include "base/plane_cross.hpp"
 #include "base/stop_point.hpp"
 
 #include <algorithm>
@@ -21,8 +22,6 @@ struct Line {
     bool upright() const { return !(to.x() - from.x() > 1e-6 * length()); }
     double at(double x) const { return from.y() + (to.y() - from.y()) * (x - from.x()) / (to.x() - from.x()); }
 };
-
-double cross(const SectionPoint& a, const SectionPoint& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 std::vector<Line> lines_of(const SlopeColumns& columns) {
     const double near = 1e-6 * (columns.right() - columns.left());
