@@ -207,7 +207,7 @@ RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, Failu
     return span;
 }
 
-std::string advance_until(Session& session, const Limits& limits, RestMonitor* monitor) {
+RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monitor) {
     make_ready(session);
     session.autosave.begins();
     warn_of_long_step(session);
@@ -218,7 +218,7 @@ std::string advance_until(Session& session, const Limits& limits, RestMonitor* m
 
     Progress progress(session.output, session.model, target);
     Confirmation confirmation;
-    const auto stops = [&](double seconds) {
+    const auto stops = [&](double seconds) -> RunEnd {
         std::string at_rest = equilibrium(limits, start, session.model.clock);
         if (limits.still) {
             const auto answer =
@@ -228,10 +228,11 @@ std::string advance_until(Session& session, const Limits& limits, RestMonitor* m
             if (answer == Confirmation::Answer::motion)
                 at_rest += ", but " + body_text(session.model, *confirmation.moving()) + " does not come to rest";
         }
-        return at_rest.empty() ? reached(limits, start, session.model, seconds) : at_rest;
+        if (!at_rest.empty()) return {at_rest, true};
+        return {reached(limits, start, session.model, seconds)};
     };
-    std::string why = stops(0);
-    while (why.empty()) {
+    RunEnd end = stops(0);
+    while (end.why.empty()) {
         try {
             refuse_standing_still(limits, start, session.model.clock);
             advance(session);
@@ -242,10 +243,10 @@ std::string advance_until(Session& session, const Limits& limits, RestMonitor* m
         }
         if (progress.advanced()) session.autosave.advanced();
         if (monitor) monitor->sample();
-        why = stops(progress.seconds());
+        end = stops(progress.seconds());
     }
     progress.finish();
-    return why;
+    return end;
 }
 
 ElasticJoints::ElasticJoints(Session& session) : session_(session) {

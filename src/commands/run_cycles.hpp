@@ -27,8 +27,14 @@ struct Limits {
 /// are others now.
 bool settle_forces(Session& session);
 
-/// Runs until a limit is reached; returns which, in words. A watch sees every cycle.
-std::string advance_until(Session& session, const Limits& limits, RestMonitor* monitor = nullptr);
+/// Why a run has ended, in words, and whether it was a ratio or a force that came below its limit.
+struct RunEnd {
+    std::string why;
+    bool at_rest = false;
+};
+
+/// Runs until a limit is reached; returns which. A watch sees every cycle.
+RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monitor = nullptr);
 
 /// What a number of cycles has shown.
 struct RestSpan {

@@ -21,9 +21,8 @@ namespace kaya {
 namespace {
 
 /// "solve: average ratio 9.98e-06 is below 1e-05", "solve: stopped by 5000 cycles"
-std::string end_text(std::string_view run, const std::string& why) {
-    const bool reached = why.find(" is below ") != why.npos;
-    return fmt::format("{}: {}{}", run, reached ? "" : "stopped by ", why);
+std::string end_text(std::string_view run, const RunEnd& end) {
+    return fmt::format("{}: {}{}", run, end.at_rest ? "" : "stopped by ", end.why);
 }
 
 /// How near to rest a run has come, and who does not come to rest at all.
@@ -79,7 +78,7 @@ void run(Session& session, const lang::CycleCommand& command) {
     Limits limits;
     limits.cycles = command.cycles;
     limits.time = command.time;
-    session.world.stopped_by = advance_until(session, limits);
+    session.world.stopped_by = advance_until(session, limits).why;
 }
 
 void run(Session& session, const lang::Solve& command) {
@@ -100,8 +99,9 @@ void run(Session& session, const lang::Solve& command) {
         session.output.say(end_text("solve elastic", advance_until(session, limits)));
     }
     RestMonitor monitor(session.model);
-    session.world.stopped_by = advance_until(session, limits, &monitor);
-    session.output.say(end_text("solve", session.world.stopped_by));
+    const RunEnd end = advance_until(session, limits, &monitor);
+    session.world.stopped_by = end.why;
+    session.output.say(end_text("solve", end));
     tell_rest(session, monitor, command.still, command.place);
 }
 
