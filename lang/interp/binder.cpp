@@ -315,10 +315,6 @@ void take_text_below(const Language& language, Lexer& lexer, Statement& statemen
     lexer.go_to(below + 1);
 }
 
-} // namespace
-
-namespace {
-
 /// The line of the second lone `end` behind a line, with nothing but one function's body before each; 0 without one. It shows
 /// that one function was written inside of another.
 int second_end(const Lexer& lexer, int from, int last, std::string_view end) {

@@ -15,7 +15,6 @@
 #include <exception>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <new>
 #include <system_error>
 #include <unistd.h>

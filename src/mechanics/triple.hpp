@@ -19,7 +19,6 @@ struct Triple {
     friend Triple operator*(double s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
     double dot(const Triple& o) const { return x * o.x + y * o.y + z * o.z; }
     Triple cross(const Triple& o) const { return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x}; }
-    Lanes3 lanes() const { return {Lanes::Constant(x), Lanes::Constant(y), Lanes::Constant(z)}; }
     Eight3 eights() const { return {kaya::eights(x), kaya::eights(y), kaya::eights(z)}; }
     Vec3 vector() const { return {x, y, z}; }
 };
