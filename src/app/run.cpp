@@ -1,6 +1,7 @@
 #include "app/run.hpp"
 
 #include "app/command_line.hpp"
+#include "app/deck_parameters.hpp"
 #include "app/interrupt.hpp"
 #include "app/prompt.hpp"
 #include "app/run_report.hpp"
@@ -82,7 +83,39 @@ std::string parameter_line(const std::string& given) {
     return fmt::format("param {}{}{} = {}", quoted ? "'" : "", name, quoted ? "'" : "", value);
 }
 
+/// What the decks mention; none when that is not known before they run.
+std::optional<DeckWords> words_of(const std::vector<std::string>& decks) {
+    DeckWords words;
+    for (const auto& deck : decks)
+        if (!fs::is_regular_file(deck) || !words.take(deck)) return std::nullopt;
+    return words;
+}
+
+void take_parameters(Session& session, const RunOrder& order, const DeckWords* words) {
+    for (const auto& given : order.parameters) {
+        const std::string line = parameter_line(given);
+        if (words) words->require(given.substr(0, given.find('=')), Place{});
+        session.interpreter.run_text(line, "command line");
+    }
+}
+
+/// Says which values of `--set` the decks did not use.
+void doubt_parameters(Session& session, const RunOrder& order, const DeckWords* words) {
+    for (const auto& name : session.given_properties.unused())
+        session.warn(
+            Diagnostic(fmt::format("no command set '{}'", name), "the value that was given for it was not used"));
+    for (const auto& given : order.parameters) {
+        const std::string name = given.substr(0, given.find('='));
+        const auto value = session.parameters.find(lang::fold(name));
+        if (!words || value == session.parameters.end() || words->declared().contains(lang::fold(name))) continue;
+        if (session.scripts->value(name) != value->second)
+            session.warn(Diagnostic(fmt::format("the deck gives '{}' a value of its own: --set was not used", name),
+                                    fmt::format("write there param {} = VALUE", name)));
+    }
+}
+
 int run_decks(Session& session, const RunOrder& order) {
+    const auto words = words_of(order.decks);
     const auto journal = journal_of(session, order);
     int status = 0;
     if (!order.journal.empty()) {
@@ -95,16 +128,14 @@ int run_decks(Session& session, const RunOrder& order) {
     } else {
         const InterruptGuard guard(session);
         if (journal && !order.parameters.empty()) journal->deck(order.decks.front());
-        for (const auto& given : order.parameters) session.interpreter.run_text(parameter_line(given), "command line");
+        take_parameters(session, order, words ? &*words : nullptr);
         if (order.begun) order.begun(session);
         for (const auto& deck : order.decks) {
             if (journal) journal->deck(deck);
             if (session.run_deck(deck) == lang::Ended::quit) break;
         }
     }
-    for (const auto& name : session.given_properties.unused())
-        session.warn(
-            Diagnostic(fmt::format("no command set '{}'", name), "the value that was given for it was not used"));
+    doubt_parameters(session, order, words ? &*words : nullptr);
     if (journal) journal->finish();
     session.autosave.done();
     const auto& clock = session.model.clock;

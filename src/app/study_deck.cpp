@@ -1,67 +1,16 @@
 #include "app/study_deck.hpp"
 
-#include "base/lower_case.hpp"
+#include "app/deck_parameters.hpp"
 #include "io/whole_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
-#include <set>
-#include <sstream>
 
 namespace kaya {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t most_files = 1000;
-
-/// All words of a deck and of the files that it reads as text.
-class Words {
-public:
-    /// False when a file cannot be read: then nothing is known about names.
-    bool take(const fs::path& file) {
-        if (files_.size() > most_files || !files_.insert(file.lexically_normal()).second) return true;
-        std::string text;
-        try {
-            text = read_whole_file(file.string());
-        } catch (const Diagnostic&) { return false; }
-        std::istringstream lines(text);
-        for (std::string line; std::getline(lines, line);)
-            if (!take_line(line, file.parent_path())) return false;
-        return true;
-    }
-    bool has(const std::string& word) const { return words_.contains(lower_case(word)); }
-    const std::set<std::string>& declared() const { return declared_; }
-    std::vector<std::string_view> all() const { return {words_.begin(), words_.end()}; }
-
-private:
-    bool take_line(const std::string& line, const fs::path& folder) {
-        std::istringstream rest(line);
-        std::string command, name;
-        rest >> command >> name;
-        const auto in_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-        for (auto at = line.begin(); at != line.end();) {
-            const auto begin = std::find_if(at, line.end(), in_word);
-            at = std::find_if_not(begin, line.end(), in_word);
-            if (begin != at) words_.insert(lower_case(std::string(begin, at)));
-        }
-        command = lower_case(command);
-        if (command.size() >= 5 && std::string("parameter").starts_with(command)) {
-            std::erase_if(name, [](char c) { return c == '@' || c == '\''; });
-            declared_.insert(lower_case(name.substr(0, name.find('='))));
-        }
-        const bool reads =
-            (command.size() >= 3 && std::string("call").starts_with(command)) || (command == "lua" && !name.empty());
-        if (!reads || name.empty()) return true;
-        std::erase_if(name, [](char c) { return c == '\'' || c == '"'; });
-        return take(fs::path(name).has_extension() ? folder / name : folder / (name + ".3dd"));
-    }
-
-    std::set<fs::path> files_;
-    std::set<std::string> words_, declared_;
-};
 
 std::string param_line(const std::string& name, const StudyValue& value) {
     const std::string text = text_of(value);
@@ -72,27 +21,19 @@ std::string param_line(const std::string& name, const StudyValue& value) {
 } // namespace
 
 std::set<std::string> declared_names(const Study& study) {
-    Words words;
+    DeckWords words;
     words.take(study.deck);
     return words.declared();
 }
 
 void check_names(const Study& study) {
-    Words words;
+    DeckWords words;
     if (!words.take(study.deck)) return;
-    const auto check = [&](const std::string& name, const Place& place) {
-        if (is_property(name) || words.has(name)) return; // of properties the run says whether the deck sets them
-        const auto near = did_you_mean(lower_case(name), words.all());
-        throw Diagnostic(fmt::format("the deck does not mention '{}'", name),
-                         near.empty() ? fmt::format("write param {} = 30 in the deck, and use @{}", name, name)
-                                      : fmt::format("did you mean '{}'?", near))
-            .at(place);
-    };
-    for (const auto& factor : study.factors) check(factor.name, factor.place);
-    if (study.critical) check(study.critical->parameter, study.critical->place);
+    for (const auto& factor : study.factors) words.require(factor.name, factor.place);
+    if (study.critical) words.require(study.critical->parameter, study.critical->place);
     if (study.fit)
-        for (const auto& unknown : study.fit->unknowns) check(unknown.parameter, study.fit->place);
-    for (const auto& [name, value] : study.fixed) check(name, Place{});
+        for (const auto& unknown : study.fit->unknowns) words.require(unknown.parameter, study.fit->place);
+    for (const auto& [name, value] : study.fixed) words.require(name, Place{});
 }
 
 fs::path write_case_deck(const Study& study, const Case& one) {

@@ -27,8 +27,9 @@ void run(Session& session, const lang::Parameter& command) {
     const auto value = std::visit([](const auto& v) { return script::Value(v); }, command.value);
     const auto [known, is_new] = session.parameters.try_emplace(lang::fold(command.name), value);
     if (!is_new && known->second != value)
-        session.output.say(fmt::format("{} = {}, which was given before", command.name,
-                                       script::to_text(known->second, &session.world)));
+        session.output.say(fmt::format("{} = {}, as given before; {} is not used", command.name,
+                                       script::to_text(known->second, &session.world),
+                                       script::to_text(value, &session.world)));
     session.scripts->set(command.name, known->second, command.place);
 }
 

@@ -1,0 +1,65 @@
+#include "app/deck_parameters.hpp"
+
+#include "base/lower_case.hpp"
+#include "io/whole_file.hpp"
+#include "study/study.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <sstream>
+
+namespace kaya {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t most_files = 1000;
+
+} // namespace
+
+bool DeckWords::take(const fs::path& file) {
+    if (files_.size() > most_files || !files_.insert(file.lexically_normal()).second) return true;
+    std::string text;
+    try {
+        text = read_whole_file(file.string());
+    } catch (const Diagnostic&) { return false; }
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        if (!take_line(line, file.parent_path())) return false;
+    return true;
+}
+
+bool DeckWords::take_line(const std::string& line, const fs::path& folder) {
+    std::istringstream rest(line);
+    std::string command, name;
+    rest >> command >> name;
+    const auto in_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+    for (auto at = line.begin(); at != line.end();) {
+        const auto begin = std::find_if(at, line.end(), in_word);
+        at = std::find_if_not(begin, line.end(), in_word);
+        if (begin != at) words_.insert(lower_case(std::string(begin, at)));
+    }
+    command = lower_case(command);
+    if (command.size() >= 5 && std::string("parameter").starts_with(command)) {
+        std::erase_if(name, [](char c) { return c == '@' || c == '\''; });
+        declared_.insert(lower_case(name.substr(0, name.find('='))));
+    }
+    const bool reads =
+        (command.size() >= 3 && std::string("call").starts_with(command)) || (command == "lua" && !name.empty());
+    if (!reads || name.empty()) return true;
+    std::erase_if(name, [](char c) { return c == '\'' || c == '"'; });
+    return take(fs::path(name).has_extension() ? folder / name : folder / (name + ".3dd"));
+}
+
+void DeckWords::require(const std::string& name, const Place& place) const {
+    if (is_property(name) || words_.contains(lower_case(name))) return;
+    const auto near = did_you_mean(lower_case(name), std::vector<std::string_view>(words_.begin(), words_.end()));
+    throw Diagnostic(fmt::format("the deck does not mention '{}'", name),
+                     near.empty() ? fmt::format("write param {} = 30 in the deck, and use @{}", name, name)
+                                  : fmt::format("did you mean '{}'?", near))
+        .at(place);
+}
+
+} // namespace kaya

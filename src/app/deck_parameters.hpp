@@ -1,0 +1,32 @@
+// Parameters that a deck is run with, of `--set` and of studies: whether it uses them.
+#pragma once
+
+#include "base/diagnostic.hpp"
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kaya {
+
+/// All words of decks and of the files that they read, in lower case.
+class DeckWords {
+public:
+    /// False when the file, or one that it reads, cannot be read: then nothing is known about names.
+    bool take(const std::filesystem::path& file);
+    /// Names that `param` lines declare.
+    const std::set<std::string>& declared() const { return declared_; }
+    /// Throws Diagnostic at a parameter that no deck mentions. A property ('prop 1 jfric') is none: the run says whether it
+    /// was set.
+    void require(const std::string& name, const Place& place) const;
+
+private:
+    bool take_line(const std::string& line, const std::filesystem::path& folder);
+
+    std::set<std::filesystem::path> files_;
+    std::set<std::string> words_, declared_;
+};
+
+} // namespace kaya
