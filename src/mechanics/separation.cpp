@@ -108,99 +108,136 @@ private:
     std::vector<char> found_;
 };
 
+/// The search for one pair of blocks.
+class SeparationSearch {
+public:
+    SeparationSearch(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
+                     const SeparationLimits& limits)
+        : model_(model), surfaces_(surfaces), block1_(block1), block2_(block2), limits_(limits),
+          old_axis_(model, limits.old), along_(distances_of_thread()),
+          of_block1_(lane_count * surfaces.planes(block2).size()) {
+        along_.begin(surfaces, block1, block2);
+    }
+    Separation run() {
+        // The lower block (block 2) first: at a tie its face gives the normal.
+        try_faces(false);
+        if (best_.distance > limits_.enough) return best_;
+        // Most neighbours in a pile touch with edges and corners of faces that lie on each other: no face contact is possible.
+        best_.apart_sideways = overhangs(false);
+        if (best_.apart_sideways) {
+            find_opposite(model_, surfaces_, block1_, best_.normal, best_);
+            if (best_.cosine > limits_.flat) return best_;
+        }
+        try_faces(true);
+        if (best_.distance > limits_.enough || best_.normal.isZero(0)) return best_;
+        best_.apart_sideways = overhangs(false) || overhangs(true);
+
+        // Two faces on each other: no pair of edges separates the blocks much better.
+        if (best_.face1 == no_row) find_opposite(model_, surfaces_, block1_, best_.normal, best_);
+        else find_opposite(model_, surfaces_, block2_, -best_.normal, best_);
+        if (best_.cosine <= limits_.flat) try_edges();
+        return best_;
+    }
+
+private:
+    static FaceDistances& distances_of_thread() {
+        static thread_local FaceDistances kept;
+        return kept;
+    }
+    void try_faces(bool of_first);
+    bool overhangs(bool of_first);
+    void try_edges();
+    bool try_edge_pair(const Arc& e1, const Arc& e2, const Vec3& d1, const Vec3& towards);
+
+    const Model& model_;
+    const Surfaces& surfaces_;
+    Row block1_, block2_;
+    const SeparationLimits& limits_;
+    OldAxis old_axis_;
+    FaceDistances& along_; ///< the faces' normals, block 2 first
+    std::size_t of_block1_;
+    Separation best_;
+    double best_score_ = best_.distance; ///< distance, and more for the axis that was the best before
+};
+
+void SeparationSearch::try_faces(bool of_first) {
+    const Row own = of_first ? block1_ : block2_, other = of_first ? block2_ : block1_;
+    const Span faces = model_.blocks.faces[own];
+    const std::size_t start = of_first ? of_block1_ : 0;
+    // No vertex needs to be looked at where another face is farther away.
+    const std::size_t likely = along_.bound(surfaces_, own, model_.blocks.centroid[other], start);
+    const double least =
+        along_.find(surfaces_, likely, faces.first + static_cast<Row>(likely - start), other) - limits_.tie;
+    std::size_t i = start;
+    for (Row f = faces.first; f < faces.end(); ++f, ++i) {
+        const double bonus = old_axis_.is(f) ? limits_.stay : 0, at_most = along_.at_most(i);
+        if (at_most <= limits_.enough && (at_most + bonus <= best_score_ || at_most + bonus < least)) continue;
+        const double distance = along_.find(surfaces_, i, f, other);
+        if (distance > limits_.enough || distance + bonus > best_score_ + (best_.normal.isZero(0) ? 0 : limits_.tie)) {
+            best_score_ = distance + bonus;
+            best_.distance = distance;
+            best_.normal = of_first ? surfaces_.normal(f) : Vec3(-surfaces_.normal(f));
+            best_.face1 = of_first ? f : no_row;
+            best_.face2 = of_first ? no_row : f;
+        }
+        if (best_.distance > limits_.enough) return;
+    }
+}
+
+/// Whether the other block ends at a side of this one.
+bool SeparationSearch::overhangs(bool of_first) {
+    std::size_t i = of_first ? of_block1_ : 0;
+    const Span faces = model_.blocks.faces[of_first ? block1_ : block2_];
+    for (Row f = faces.first; f < faces.end(); ++f, ++i)
+        if (-along_.at_most(i) <= limits_.sliver && std::abs(surfaces_.normal(f).dot(best_.normal)) < cos_across &&
+            -along_.find(surfaces_, i, f, of_first ? block2_ : block1_) <= limits_.sliver)
+            return true;
+    return false;
+}
+
+void SeparationSearch::try_edges() {
+    const Vec3 towards = model_.blocks.centroid[block2_] - model_.blocks.centroid[block1_];
+    static thread_local std::vector<Arc> arcs1, arcs2;
+    arcs_of(surfaces_, block1_, 1, arcs1);
+    arcs_of(surfaces_, block2_, -1, arcs2);
+    const auto& x = model_.gridpoints.position;
+    for (const auto& e1 : arcs1) {
+        const Vec3 d1 = x[e1.ends[1]] - x[e1.ends[0]];
+        for (const auto& e2 : arcs2)
+            if (cross(e1, e2) && try_edge_pair(e1, e2, d1, towards)) return;
+    }
+}
+
+/// Returns whether the blocks are farther apart than matters. `d1` is along the edge of block 1.
+bool SeparationSearch::try_edge_pair(const Arc& e1, const Arc& e2, const Vec3& d1, const Vec3& towards) {
+    const auto& x = model_.gridpoints.position;
+    const Vec3 d2 = x[e2.ends[1]] - x[e2.ends[0]];
+    Vec3 axis = d1.cross(d2);
+    const double length = axis.norm();
+    if (length <= 1e-6 * d1.norm() * d2.norm()) return false;
+    axis /= length;
+    if (axis.dot(towards) < 0) axis = -axis;
+    const double high1 = -lowest(surfaces_.vertices(block1_), -axis);
+    if (axis.dot(x[e1.ends[0]]) < high1 - limits_.tie) return false; // not an outermost edge
+    const double low2 = lowest(surfaces_.vertices(block2_), axis);
+    if (axis.dot(x[e2.ends[0]]) > low2 + limits_.tie) return false;
+    const double distance = low2 - high1, score = distance + (old_axis_.is(e1.ends, e2.ends) ? limits_.stay : 0);
+    const double margin = best_.edge1[0] == no_row ? limits_.clear : limits_.tie;
+    if (!(distance > limits_.enough || score > best_score_ + margin)) return false;
+    best_score_ = score;
+    best_.distance = distance;
+    best_.normal = axis;
+    best_.face1 = best_.face2 = no_row;
+    best_.edge1 = e1.ends;
+    best_.edge2 = e2.ends;
+    return best_.distance > limits_.enough;
+}
+
 } // namespace
 
 Separation find_separation(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
                            const SeparationLimits& limits) {
-    const auto& [enough, tie, clear, sliver, flat, stay, old] = limits;
-    const OldAxis old_axis(model, old);
-    Separation best;
-    double best_score = best.distance; // distance, and more for the axis that was the best before
-    static thread_local FaceDistances kept;
-    FaceDistances& along = kept; // the faces' normals, block 2 first
-    along.begin(surfaces, block1, block2);
-    const std::size_t of_block1 = lane_count * surfaces.planes(block2).size();
-    const auto try_faces = [&](bool of_first) {
-        const Row own = of_first ? block1 : block2, other = of_first ? block2 : block1;
-        const Span faces = model.blocks.faces[own];
-        const std::size_t start = of_first ? of_block1 : 0;
-        // No vertex needs to be looked at where another face is farther away.
-        const std::size_t likely = along.bound(surfaces, own, model.blocks.centroid[other], start);
-        const double least = along.find(surfaces, likely, faces.first + static_cast<Row>(likely - start), other) - tie;
-        std::size_t i = start;
-        for (Row f = faces.first; f < faces.end(); ++f, ++i) {
-            const double bonus = old_axis.is(f) ? stay : 0, at_most = along.at_most(i);
-            if (at_most <= enough && (at_most + bonus <= best_score || at_most + bonus < least)) continue;
-            const double distance = along.find(surfaces, i, f, other);
-            if (distance > enough || distance + bonus > best_score + (best.normal.isZero(0) ? 0 : tie)) {
-                best_score = distance + bonus;
-                best.distance = distance;
-                best.normal = of_first ? surfaces.normal(f) : Vec3(-surfaces.normal(f));
-                best.face1 = of_first ? f : no_row;
-                best.face2 = of_first ? no_row : f;
-            }
-            if (best.distance > enough) return;
-        }
-    };
-    const auto overhangs = [&](bool of_first) {
-        std::size_t i = of_first ? of_block1 : 0;
-        const Span faces = model.blocks.faces[of_first ? block1 : block2];
-        for (Row f = faces.first; f < faces.end(); ++f, ++i)
-            if (-along.at_most(i) <= sliver && std::abs(surfaces.normal(f).dot(best.normal)) < cos_across &&
-                -along.find(surfaces, i, f, of_first ? block2 : block1) <= sliver)
-                return true;
-        return false;
-    };
-    // The lower block (block 2) first: at a tie its face gives the normal.
-    try_faces(false);
-    if (best.distance > enough) return best;
-    // Most neighbours in a pile touch with edges and corners of faces that lie on each other: no face contact is possible.
-    best.apart_sideways = overhangs(false);
-    if (best.apart_sideways) {
-        find_opposite(model, surfaces, block1, best.normal, best);
-        if (best.cosine > flat) return best;
-    }
-    try_faces(true);
-    if (best.distance > enough || best.normal.isZero(0)) return best;
-    best.apart_sideways = overhangs(false) || overhangs(true);
-
-    // Two faces on each other: no pair of edges separates the blocks much better.
-    if (best.face1 == no_row) find_opposite(model, surfaces, block1, best.normal, best);
-    else find_opposite(model, surfaces, block2, -best.normal, best);
-    if (best.cosine > flat) return best;
-
-    const Vec3 towards = model.blocks.centroid[block2] - model.blocks.centroid[block1];
-    static thread_local std::vector<Arc> arcs1, arcs2;
-    arcs_of(surfaces, block1, 1, arcs1);
-    arcs_of(surfaces, block2, -1, arcs2);
-    const auto& x = model.gridpoints.position;
-    for (const auto& e1 : arcs1) {
-        const Vec3 d1 = x[e1.ends[1]] - x[e1.ends[0]];
-        for (const auto& e2 : arcs2) {
-            if (!cross(e1, e2)) continue;
-            const Vec3 d2 = x[e2.ends[1]] - x[e2.ends[0]];
-            Vec3 axis = d1.cross(d2);
-            const double length = axis.norm();
-            if (length <= 1e-6 * d1.norm() * d2.norm()) continue;
-            axis /= length;
-            if (axis.dot(towards) < 0) axis = -axis;
-            const double high1 = -lowest(surfaces.vertices(block1), -axis);
-            if (axis.dot(x[e1.ends[0]]) < high1 - tie) continue; // not an outermost edge
-            const double low2 = lowest(surfaces.vertices(block2), axis);
-            if (axis.dot(x[e2.ends[0]]) > low2 + tie) continue;
-            const double distance = low2 - high1, score = distance + (old_axis.is(e1.ends, e2.ends) ? stay : 0);
-            if (distance > enough || score > best_score + (best.edge1[0] == no_row ? clear : tie)) {
-                best_score = score;
-                best.distance = distance;
-                best.normal = axis;
-                best.face1 = best.face2 = no_row;
-                best.edge1 = e1.ends;
-                best.edge2 = e2.ends;
-                if (best.distance > enough) return best;
-            }
-        }
-    }
-    return best;
+    return SeparationSearch(model, surfaces, block1, block2, limits).run();
 }
 
 } // namespace kaya

@@ -105,113 +105,161 @@ struct Advance {
     return a;
 }
 
+/// What all rows of a batch share.
+struct Joint {
+    explicit Joint(const double* p)
+        : springs(springs_of(p)), per_roughness(1 / p[roughness]), intrinsic(p[friction]),
+          worn(coulomb::tan_degrees(p[friction])), at_first(coulomb::tan_degrees(p[friction_initial])) {}
+
+    PowerSprings springs;
+    double per_roughness, intrinsic, worn, at_first;
+};
+
+/// The columns of a batch.
+struct Rows {
+    explicit Rows(kaya_jbatch& b)
+        : area(b.area), opening(b.normal_disp_inc), motion_x(b.shear_disp_inc[0]), motion_y(b.shear_disp_inc[1]),
+          motion_z(b.shear_disp_inc[2]), normal_force(b.normal_force), force_x(b.shear_force[0]),
+          force_y(b.shear_force[1]), force_z(b.shear_force[2]), work(b.frictional_work), closures(b.history[closure]),
+          angles(b.history[friction_mobilised]), plastics(b.history[plastic]), ratios(b.history[reversal_ratio]),
+          heads(b.history[heading]), normal_stiffness(b.normal_stiffness), shear_stiffness(b.shear_stiffness),
+          states(b.state) {}
+
+    const double *area, *opening, *motion_x, *motion_y, *motion_z;
+    double *normal_force, *force_x, *force_y, *force_z, *work, *closures, *angles, *plastics, *ratios, *heads,
+        *normal_stiffness, *shear_stiffness;
+    std::uint32_t* states;
+};
+
+constexpr double tiny = std::numeric_limits<double>::min();
+
+/// By value: std::max refers to its arguments, which keeps what they are members of in memory, and rows are then not done
+/// eight at a time.
+[[gnu::always_inline]] inline double larger(double a, double b) { return a < b ? b : a; }
+[[gnu::always_inline]] inline double smaller(double a, double b) { return b < a ? b : a; }
+
+/// What a row is before the step, and how it moves.
+struct Start {
+    double area, angle, ratio, head, tangent; ///< tangent of the mobilised angle
+    double normal, ks, bound, closed;     ///< stress, stiffness and bounding strength before; closure without dilation
+    Shear resistance, motion;             ///< resistance on the side that is moved: minus the force on block 2
+    double size, travel, dot, per_travel; ///< of the resistance, of the motion, their product, 1 / travel
+    double over;                          ///< a bound that has worn off under the resistance: how far it is above
+    bool turns;                           ///< the motion turns back (4)
+};
+
+[[gnu::always_inline]] inline Start start_of(const Joint& joint, const Rows& r, std::size_t i) {
+    Start s;
+    const double per_area = r.area[i] > 0 ? 1 / r.area[i] : 0;
+    s.area = r.area[i];
+    s.angle = r.angles[i], s.ratio = r.ratios[i], s.head = r.heads[i], s.tangent = tangent_of_degrees(s.angle);
+    s.normal = r.normal_force[i] * per_area, s.ks = joint.springs.shear.at(s.normal), s.bound = s.normal * s.tangent;
+    s.closed = r.closures[i] - r.opening[i];
+    s.resistance = {-r.force_x[i] * per_area, -r.force_y[i] * per_area, -r.force_z[i] * per_area};
+    s.motion = {r.motion_x[i], r.motion_y[i], r.motion_z[i]};
+    s.size = length(s.resistance), s.travel = length(s.motion);
+    s.dot = s.resistance.x * s.motion.x + s.resistance.y * s.motion.y + s.resistance.z * s.motion.z;
+    s.per_travel = s.travel > 0 ? 1 / larger(s.travel, tiny) : 0;
+    // Never more than it was worth at first.
+    const double worn_off_by = smaller(s.size / larger(s.bound, tiny), joint.at_first / larger(s.tangent, tiny));
+    s.over = s.bound > 0 ? larger(1.0, worn_off_by) : 1;
+    // It goes against the resistance after it went with it, or the other way round.
+    s.turns = s.dot * s.head < 0;
+    return s;
+}
+
+/// What the passes over a row find.
+struct Found {
+    double bound = 0, kept = 1; ///< bounding strength; part of the resistance that a falling normal stress leaves
+    double along = 0;           ///< component of the resistance in the direction of motion
+    double lifting = 0;         ///< dilation
+    double across = 1;          ///< part of the resistance across the motion that is left
+    Advance step{};
+};
+
 /// With dilation the step is done three times: it closes the joint further, which changes the normal stress (1) and with it
 /// all the rest.
-template <int passes> void run_rows(kaya_jbatch* batch) {
-    constexpr double tiny = std::numeric_limits<double>::min();
-    const double* p = batch->properties;
-    const PowerSprings springs = springs_of(p);
-    const PowerSpring spring = springs.normal;
-    const PowerStiffness shear = springs.shear;
-    const double per_roughness = 1 / p[roughness], intrinsic = p[friction], worn = coulomb::tan_degrees(p[friction]);
-    const double at_first = coulomb::tan_degrees(p[friction_initial]);
+template <int passes> [[gnu::always_inline]] inline Found find_step(const Joint& joint, const Start& s) {
+    Found f;
+#pragma GCC unroll 3
+    for (int pass = 0; pass < passes; ++pass) {
+        const double normal = larger(0.0, joint.springs.normal.stress(s.closed + f.lifting));
+        const double ks = joint.springs.shear.at(normal);
+        f.bound = normal * s.tangent;
+        // A normal stress that falls takes resistance with it, as much as stiffness (7) and bounding strength say.
+        const double softer = smaller(1.0, ks / s.ks), held = f.bound * s.over / larger(s.size, tiny);
+        f.kept = s.size * softer > f.bound * s.over ? held : softer;
+        f.along = s.dot * s.per_travel * f.kept;
+        const bool moves = s.travel > 0 && f.bound > 0;
+        const double some_bound = larger(f.bound, tiny), some_normal = larger(normal, tiny);
+        const double turned = smaller(largest_ratio, f.along / some_bound);
+        const Advance moved = advance(f.along, s.travel, ks, s.turns ? turned : s.ratio, some_normal, s.angle,
+                                      joint.intrinsic, joint.per_roughness);
+        f.step.stress = moves ? moved.stress : f.along;
+        f.step.plastic = moves ? moved.plastic : 0;
+        f.step.friction = moves ? moved.friction : s.angle;
+        // Resistance across the motion is worn off by the plastic part of the motion.
+        const double worn_off = left_of(-ks * moved.plastic / moved.bound_before);
+        f.across = moves ? worn_off : f.across;
+        // The tangent of the angle of the stress above the intrinsic friction (8).
+        const double slope = moved.stress / some_normal,
+                     above = larger(0.0, (slope - joint.worn) / (1 + slope * joint.worn));
+        f.lifting = passes > 1 && moves ? above * moved.plastic : f.lifting;
+    }
+    return f;
+}
 
-    const double *area_of = batch->area, *openings = batch->normal_disp_inc;
-    const double *motion_x = batch->shear_disp_inc[0], *motion_y = batch->shear_disp_inc[1],
-                 *motion_z = batch->shear_disp_inc[2];
-    double *normal_force = batch->normal_force, *force_x = batch->shear_force[0], *force_y = batch->shear_force[1],
-           *force_z = batch->shear_force[2], *work = batch->frictional_work;
-    double *closures = batch->history[closure], *angles = batch->history[friction_mobilised],
-           *plastics = batch->history[plastic];
-    double *ratios = batch->history[reversal_ratio], *heads = batch->history[heading];
-    double *normal_stiffness = batch->normal_stiffness, *shear_stiffness = batch->shear_stiffness;
-    std::uint32_t* states = batch->state;
+/// Forces, work and state of row `i` at the end of the step.
+[[gnu::always_inline]] inline void end_row(const Joint& joint, const Rows& r, std::size_t i, const Start& s,
+                                           const Found& f) {
+    const double turned = smaller(largest_ratio, f.along / larger(f.bound, tiny));
+    const double new_ratio = s.turns ? turned : s.ratio;
+
+    // What is along the motion, and what is across it.
+    const bool bears = f.bound > 0;
+    const double forward = bears ? (s.travel > 0 ? f.step.stress : 0) * s.per_travel : 0;
+    const double taken = f.along * s.per_travel, rest = bears ? f.across : 0;
+    const Shear fresh = {(s.resistance.x * f.kept - taken * s.motion.x) * rest + forward * s.motion.x,
+                         (s.resistance.y * f.kept - taken * s.motion.y) * rest + forward * s.motion.y,
+                         (s.resistance.z * f.kept - taken * s.motion.z) * rest + forward * s.motion.z};
+    const double worked = 0.5 * ((s.resistance.x + fresh.x) * s.motion.x + (s.resistance.y + fresh.y) * s.motion.y +
+                                 (s.resistance.z + fresh.z) * s.motion.z);
+    const double new_closed = s.closed + f.lifting, new_normal = larger(0.0, joint.springs.normal.stress(new_closed));
+    const double new_ks = joint.springs.shear.at(new_normal), new_size = length(fresh);
+    // What is put in and neither stored in the springs nor spent on dilation.
+    // A force that was put where nothing presses has nothing stored.
+    const double stored_before = s.normal > 0 ? 0.5 * s.size * s.size / s.ks : 0;
+    const double stored = 0.5 * new_size * new_size / new_ks - stored_before;
+    const double lifted = 0.5 * (s.normal + new_normal) * f.lifting;
+    r.work[i] += s.area * (worked - stored - lifted);
+
+    const double cosine =
+        (fresh.x * s.motion.x + fresh.y * s.motion.y + fresh.z * s.motion.z) * s.per_travel / larger(new_size, tiny);
+    const double new_head = s.travel > 0 && new_size > 0 ? cosine : s.head;
+    const bool past_peak =
+        f.step.stress > 0 && f.step.stress >= new_normal * tangent_of_degrees(f.step.friction) && f.step.plastic > 0;
+    r.closures[i] = new_closed;
+    r.angles[i] = f.step.friction;
+    r.ratios[i] = bears ? new_ratio : 0;
+    r.heads[i] = bears ? new_head : 0;
+    r.plastics[i] += f.step.plastic;
+    r.normal_force[i] = new_normal * s.area;
+    r.force_x[i] = -fresh.x * s.area;
+    r.force_y[i] = -fresh.y * s.area;
+    r.force_z[i] = -fresh.z * s.area;
+    r.normal_stiffness[i] = joint.springs.normal.reported(new_normal, s.area);
+    r.shear_stiffness[i] = new_ks;
+    r.states[i] = (new_normal > 0 ? 0 : is_open) | (past_peak ? is_past_peak : 0);
+}
+
+template <int passes> void run_rows(kaya_jbatch* batch) {
+    const Joint joint(batch->properties);
+    const Rows rows(*batch);
     const std::size_t n = batch->n;
 #pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
-        const double area = area_of[i], per_area = area > 0 ? 1 / area : 0;
-        const double angle = angles[i], ratio = ratios[i], head = heads[i], tangent = tangent_of_degrees(angle);
-        const double old_normal = normal_force[i] * per_area, old_ks = shear.at(old_normal),
-                     old_bound = old_normal * tangent;
-        const double closed = closures[i] - openings[i];
-
-        // Resistance on the side that is moved: minus the force on block 2.
-        const Shear resistance = {-force_x[i] * per_area, -force_y[i] * per_area, -force_z[i] * per_area};
-        const Shear motion = {motion_x[i], motion_y[i], motion_z[i]};
-        const double size = length(resistance), travel = length(motion);
-        const double dot = resistance.x * motion.x + resistance.y * motion.y + resistance.z * motion.z;
-        const double per_travel = travel > 0 ? 1 / std::max(travel, tiny) : 0;
-        // A bound that has worn off under the resistance; never more than it was worth at first.
-        const double worn_off_by = std::min(size / std::max(old_bound, tiny), at_first / std::max(tangent, tiny));
-        const double over = old_bound > 0 ? std::max(1.0, worn_off_by) : 1;
-        // The motion turns back when it goes against the resistance after it went with it, or the other way round (4).
-        const bool turns = dot * head < 0;
-
-        double normal = 0, bound = 0, kept = 1, along = 0, lifting = 0, across = 1;
-        Advance step{};
-#pragma GCC unroll 3
-        for (int pass = 0; pass < passes; ++pass) {
-            normal = std::max(0.0, spring.stress(closed + lifting));
-            const double ks = shear.at(normal);
-            bound = normal * tangent;
-            // A normal stress that falls takes resistance with it, as much as stiffness (7) and bounding strength say.
-            const double softer = std::min(1.0, ks / old_ks), held = bound * over / std::max(size, tiny);
-            kept = size * softer > bound * over ? held : softer;
-            along = dot * per_travel * kept; // component in the direction of motion
-            const bool moves = travel > 0 && bound > 0;
-            const double some_bound = std::max(bound, tiny), some_normal = std::max(normal, tiny);
-            const double turned = std::min(largest_ratio, along / some_bound);
-            const Advance moved =
-                advance(along, travel, ks, turns ? turned : ratio, some_normal, angle, intrinsic, per_roughness);
-            step.stress = moves ? moved.stress : along;
-            step.plastic = moves ? moved.plastic : 0;
-            step.friction = moves ? moved.friction : angle;
-            // Resistance across the motion is worn off by the plastic part of the motion.
-            const double worn_off = left_of(-ks * moved.plastic / moved.bound_before);
-            across = moves ? worn_off : across;
-            // The tangent of the angle of the stress above the intrinsic friction (8).
-            const double slope = moved.stress / some_normal, above = std::max(0.0, (slope - worn) / (1 + slope * worn));
-            lifting = passes > 1 && moves ? above * moved.plastic : lifting;
-        }
-        const double turned = std::min(largest_ratio, along / std::max(bound, tiny));
-        const double new_ratio = turns ? turned : ratio;
-
-        // What is along the motion, and what is across it.
-        const bool bears = bound > 0;
-        const double forward = bears ? (travel > 0 ? step.stress : 0) * per_travel : 0;
-        const double taken = along * per_travel, rest = bears ? across : 0;
-        const Shear fresh = {(resistance.x * kept - taken * motion.x) * rest + forward * motion.x,
-                             (resistance.y * kept - taken * motion.y) * rest + forward * motion.y,
-                             (resistance.z * kept - taken * motion.z) * rest + forward * motion.z};
-        const double worked = 0.5 * ((resistance.x + fresh.x) * motion.x + (resistance.y + fresh.y) * motion.y +
-                                     (resistance.z + fresh.z) * motion.z);
-        const double new_closed = closed + lifting, new_normal = std::max(0.0, spring.stress(new_closed));
-        const double new_ks = shear.at(new_normal), new_size = length(fresh);
-        // What is put in and neither stored in the springs nor spent on dilation.
-        // A force that was put where nothing presses has nothing stored.
-        const double stored_before = old_normal > 0 ? 0.5 * size * size / old_ks : 0;
-        const double stored = 0.5 * new_size * new_size / new_ks - stored_before;
-        const double lifted = 0.5 * (old_normal + new_normal) * lifting;
-        work[i] += area * (worked - stored - lifted);
-
-        const double cosine =
-            (fresh.x * motion.x + fresh.y * motion.y + fresh.z * motion.z) * per_travel / std::max(new_size, tiny);
-        const double new_head = travel > 0 && new_size > 0 ? cosine : head;
-        const double new_angle = step.friction;
-        const bool past_peak =
-            step.stress > 0 && step.stress >= new_normal * tangent_of_degrees(new_angle) && step.plastic > 0;
-        closures[i] = new_closed;
-        angles[i] = new_angle;
-        ratios[i] = bears ? new_ratio : 0;
-        heads[i] = bears ? new_head : 0;
-        plastics[i] += step.plastic;
-        normal_force[i] = new_normal * area;
-        force_x[i] = -fresh.x * area;
-        force_y[i] = -fresh.y * area;
-        force_z[i] = -fresh.z * area;
-        normal_stiffness[i] = spring.reported(new_normal, area);
-        shear_stiffness[i] = new_ks;
-        states[i] = (new_normal > 0 ? 0 : is_open) | (past_peak ? is_past_peak : 0);
+        const Start start = start_of(joint, rows, i);
+        end_row(joint, rows, i, start, find_step<passes>(joint, start));
     }
     batch->stiffness_changed = 1;
 }

@@ -122,22 +122,110 @@ void slip_to_strength(const PowerSpring& spring, double dilatancy, double end, T
     }
 }
 
+/// What all rows of a batch share.
+struct Joint {
+    explicit Joint(const double* p)
+        : springs(springs_of(p)), friction_before(tan_degrees(p[friction])),
+          friction_after(std::isnan(p[friction_residual]) ? friction_before : tan_degrees(p[friction_residual])),
+          cohesion_before(p[cohesion]), cohesion_after(p[cohesion_residual]), tension_before(p[tension]),
+          dilatancy(tan_degrees(p[dilation])), last_dilation(p[dilation_zero] > 0 ? p[dilation_zero] : INFINITY) {}
+
+    PowerSprings springs;
+    double friction_before, friction_after, cohesion_before, cohesion_after, tension_before, dilatancy, last_dilation;
+    bool bonded = tension_before > 0;
+    bool springs_at_rest = springs.shear.exponent == 0 || springs.shear.least > 0; // what nothing presses resists shear
+};
+
+/// The elastic trial of row `i`, and its slip where nothing changes the strength on the way.
+template <bool dilates> [[gnu::always_inline]] inline void try_row(const Joint& joint, const Columns& c, std::size_t i,
+                                                                   std::size_t j, Trials& t) {
+    const double area = c.area[i], per_area = area > 0 ? 1 / area : 0;
+    const bool failed = c.states[i] != 0;
+    const double closed = c.gaps[i] - c.opening[i], elastic = joint.springs.normal.stress(closed); // (1)
+    const bool breaks = elastic < (failed ? 0 : -joint.tension_before);
+    const double normal = breaks ? 0 : elastic, unbroken = breaks ? 0.0 : 1.0;
+    t.closed[j] = closed;
+    t.normal[j] = normal;
+    t.kept[j] = (failed && closed < 0) || (normal == 0 && !joint.springs_at_rest) ? 0 : unbroken;
+    t.broken[j] = 1 - unbroken;
+    // A falling normal stress takes shear force with its stiffness; a rising one adds none (2).
+    const double k = joint.springs.shear.at(normal),
+                 kept = std::min(1.0, k / joint.springs.shear.at(c.normal_force[i] * per_area)) * per_area;
+    t.ks[j] = k;
+    t.x[j] = c.force_x[i] * kept - k * c.shear_x[i];
+    t.y[j] = c.force_y[i] * kept - k * c.shear_y[i];
+    t.z[j] = c.force_z[i] * kept - k * c.shear_z[i];
+    t.size[j] = length({t.x[j], t.y[j], t.z[j]});
+    t.cohesion[j] = failed ? joint.cohesion_after : joint.cohesion_before;
+    t.tangent[j] = failed ? joint.friction_after : joint.friction_before;
+    if constexpr (dilates) {
+        const double per_size = -1 / std::max(t.size[j], std::numeric_limits<double>::min());
+        const auto climb = Climb::of(c, i, {t.x[j] * per_size, t.y[j] * per_size, t.z[j] * per_size}, joint.dilatancy,
+                                     joint.last_dilation);
+        t.along[j] = climb.along;
+        t.across2[j] = climb.across2;
+        t.height[j] = climb.height;
+        t.fall[j] = climb.fall;
+        // Coming down may take strength faster than the spring takes force: see coulomb::step.
+        const bool meet = climb.slope(0) * t.tangent[j] * joint.springs.normal.tangent(normal) > -0.9 * k;
+        t.alone[j] = meet ? -1 : t.kept[j] * std::max(0.0, t.size[j] - strength(t, j, normal)) / k;
+    }
+    // Without dilation it is known at once.
+    t.slipped[j] = dilates ? 0 : t.kept[j] * std::max(0.0, t.size[j] - strength(t, j, normal)) / k;
+}
+
+/// Forces, work and state of row `i` at the end of the step.
+template <bool dilates> [[gnu::always_inline]] inline void end_row(const Joint& joint, const Columns& c, double* kn,
+                                                                   double* ks, std::size_t i, std::size_t j,
+                                                                   const Trials& t) {
+    const double area = c.area[i], per_area = area > 0 ? 1 / area : 0;
+    const double old_normal = c.normal_force[i] * per_area, old_ks = joint.springs.shear.at(old_normal);
+    const bool slides = t.slipped[j] > 0;
+    const double climbed = dilates ? t.climb(j, joint.dilatancy, joint.last_dilation).change(t.slipped[j]) : 0;
+    // Sides that come down where nothing presses them together part.
+    const double closed = t.closed[j] + climbed, on_curve = joint.springs.normal.stress(closed);
+    const double dilated = climbed < 0 ? std::max(on_curve, std::min(0.0, t.normal[j])) : on_curve;
+    const double normal = slides ? dilated : t.normal[j];
+    const double normal_of_limit = dilates && t.alone[j] >= 0 ? t.normal[j] : normal;
+    const double most = slides ? std::min(t.size[j], strength(t, j, normal_of_limit)) : t.size[j],
+                 limit = t.kept[j] * most;
+    const double scale = limit / std::max(t.size[j], std::numeric_limits<double>::min());
+    const Shear old = {c.force_x[i] * per_area, c.force_y[i] * per_area, c.force_z[i] * per_area};
+    const Shear now = {t.x[j] * scale, t.y[j] * scale, t.z[j] * scale};
+    const double sheared =
+        -0.5 * ((old.x + now.x) * c.shear_x[i] + (old.y + now.y) * c.shear_y[i] + (old.z + now.z) * c.shear_z[i]);
+
+    // What is put in and neither stored in the springs nor spent on dilation (4), and the energy of a bond that breaks.
+    const double new_ks = joint.springs.shear.at(normal), old_size = length(old);
+    // A force that was put where no spring is has nothing stored.
+    const double stored_before = old_normal != 0 || joint.springs_at_rest ? 0.5 * old_size * old_size / old_ks : 0;
+    const double stored = 0.5 * limit * limit / new_ks - stored_before;
+    const double lifted = 0.5 * (old_normal + normal) * climbed;
+    const double pull = std::min(0.0, old_normal),
+                 lost = joint.bonded ? t.broken[j] * joint.springs.normal.energy(pull) : 0;
+    c.work[i] += area * (sheared - stored - lifted + lost);
+
+    if constexpr (dilates) {
+        const double part = t.slipped[j] / std::max(t.size[j], std::numeric_limits<double>::min());
+        c.dilated[i] += climbed;
+        c.travel_x[i] -= part * t.x[j];
+        c.travel_y[i] -= part * t.y[j];
+        c.travel_z[i] -= part * t.z[j];
+    }
+    c.gaps[i] = closed;
+    c.slips[i] += t.slipped[j];
+    c.normal_force[i] = normal * area;
+    c.force_x[i] = now.x * area;
+    c.force_y[i] = now.y * area;
+    c.force_z[i] = now.z * area;
+    kn[i] = joint.springs.normal.reported(normal, area);
+    ks[i] = new_ks;
+    c.states[i] = (c.states[i] & ~coulomb::now) | ((c.states[i] & coulomb::now) << coulomb::from_now_to_past) |
+                  (slides ? coulomb::slip_now : 0) | (t.broken[j] > 0 ? coulomb::tension_now : 0);
+}
+
 template <bool dilates> void run_rows(kaya_jbatch* batch) {
-    const double* p = batch->properties;
-    const PowerSprings springs = springs_of(p);
-    const PowerSpring normal_spring = springs.normal;
-    const PowerStiffness shear_spring = springs.shear;
-    const double friction_before = tan_degrees(p[friction]);
-    const double friction_after =
-        std::isnan(p[friction_residual]) ? friction_before : tan_degrees(p[friction_residual]);
-    const double cohesion_before = p[cohesion], cohesion_after = p[cohesion_residual], tension_before = p[tension];
-    const double dilatancy = tan_degrees(p[dilation]);
-    const bool bonded = tension_before > 0;
-    const double last_dilation = p[dilation_zero] > 0 ? p[dilation_zero] : INFINITY;
-
-    const bool springs_at_rest =
-        shear_spring.exponent == 0 || shear_spring.least > 0; // what nothing presses resists shear
-
+    const Joint joint(batch->properties);
     const Columns c(*batch, dilation_at); // its gap is the closure here
     double *kn = batch->normal_stiffness, *ks = batch->shear_stiffness;
     Trials t{};
@@ -145,90 +233,10 @@ template <bool dilates> void run_rows(kaya_jbatch* batch) {
     for (std::size_t begin = 0; begin < batch->n; begin += together) {
         const std::size_t count = std::min(together, batch->n - begin);
 #pragma GCC ivdep
-        for (std::size_t j = 0; j < count; ++j) {
-            const std::size_t i = begin + j;
-            const double area = c.area[i], per_area = area > 0 ? 1 / area : 0;
-            const bool failed = c.states[i] != 0;
-            const double closed = c.gaps[i] - c.opening[i], elastic = normal_spring.stress(closed); // (1)
-            const bool breaks = elastic < (failed ? 0 : -tension_before);
-            const double normal = breaks ? 0 : elastic, unbroken = breaks ? 0.0 : 1.0;
-            t.closed[j] = closed;
-            t.normal[j] = normal;
-            t.kept[j] = (failed && closed < 0) || (normal == 0 && !springs_at_rest) ? 0 : unbroken;
-            t.broken[j] = 1 - unbroken;
-            // A falling normal stress takes shear force with its stiffness; a rising one adds none (2).
-            const double k = shear_spring.at(normal),
-                         kept = std::min(1.0, k / shear_spring.at(c.normal_force[i] * per_area)) * per_area;
-            t.ks[j] = k;
-            t.x[j] = c.force_x[i] * kept - k * c.shear_x[i];
-            t.y[j] = c.force_y[i] * kept - k * c.shear_y[i];
-            t.z[j] = c.force_z[i] * kept - k * c.shear_z[i];
-            t.size[j] = length({t.x[j], t.y[j], t.z[j]});
-            t.cohesion[j] = failed ? cohesion_after : cohesion_before;
-            t.tangent[j] = failed ? friction_after : friction_before;
-            if constexpr (dilates) {
-                const double per_size = -1 / std::max(t.size[j], std::numeric_limits<double>::min());
-                const auto climb = Climb::of(c, i, {t.x[j] * per_size, t.y[j] * per_size, t.z[j] * per_size}, dilatancy,
-                                             last_dilation);
-                t.along[j] = climb.along;
-                t.across2[j] = climb.across2;
-                t.height[j] = climb.height;
-                t.fall[j] = climb.fall;
-                // Coming down may take strength faster than the spring takes force: see coulomb::step.
-                const bool meet = climb.slope(0) * t.tangent[j] * normal_spring.tangent(normal) > -0.9 * k;
-                t.alone[j] = meet ? -1 : t.kept[j] * std::max(0.0, t.size[j] - strength(t, j, normal)) / k;
-            }
-            // Without dilation it is known at once.
-            t.slipped[j] = dilates ? 0 : t.kept[j] * std::max(0.0, t.size[j] - strength(t, j, normal)) / k;
-        }
-        if constexpr (dilates) slip_to_strength(normal_spring, dilatancy, last_dilation, t);
+        for (std::size_t j = 0; j < count; ++j) try_row<dilates>(joint, c, begin + j, j, t);
+        if constexpr (dilates) slip_to_strength(joint.springs.normal, joint.dilatancy, joint.last_dilation, t);
 #pragma GCC ivdep
-        for (std::size_t j = 0; j < count; ++j) {
-            const std::size_t i = begin + j;
-            const double area = c.area[i], per_area = area > 0 ? 1 / area : 0;
-            const double old_normal = c.normal_force[i] * per_area, old_ks = shear_spring.at(old_normal);
-            const bool slides = t.slipped[j] > 0;
-            const double climbed = dilates ? t.climb(j, dilatancy, last_dilation).change(t.slipped[j]) : 0;
-            // Sides that come down where nothing presses them together part.
-            const double closed = t.closed[j] + climbed, on_curve = normal_spring.stress(closed);
-            const double dilated = climbed < 0 ? std::max(on_curve, std::min(0.0, t.normal[j])) : on_curve;
-            const double normal = slides ? dilated : t.normal[j];
-            const double normal_of_limit = dilates && t.alone[j] >= 0 ? t.normal[j] : normal;
-            const double most = slides ? std::min(t.size[j], strength(t, j, normal_of_limit)) : t.size[j],
-                         limit = t.kept[j] * most;
-            const double scale = limit / std::max(t.size[j], std::numeric_limits<double>::min());
-            const Shear old = {c.force_x[i] * per_area, c.force_y[i] * per_area, c.force_z[i] * per_area};
-            const Shear now = {t.x[j] * scale, t.y[j] * scale, t.z[j] * scale};
-            const double sheared = -0.5 * ((old.x + now.x) * c.shear_x[i] + (old.y + now.y) * c.shear_y[i] +
-                                           (old.z + now.z) * c.shear_z[i]);
-
-            // What is put in and neither stored in the springs nor spent on dilation (4), and the energy of a bond that breaks.
-            const double new_ks = shear_spring.at(normal), old_size = length(old);
-            // A force that was put where no spring is has nothing stored.
-            const double stored_before = old_normal != 0 || springs_at_rest ? 0.5 * old_size * old_size / old_ks : 0;
-            const double stored = 0.5 * limit * limit / new_ks - stored_before;
-            const double lifted = 0.5 * (old_normal + normal) * climbed;
-            const double pull = std::min(0.0, old_normal), lost = bonded ? t.broken[j] * normal_spring.energy(pull) : 0;
-            c.work[i] += area * (sheared - stored - lifted + lost);
-
-            if constexpr (dilates) {
-                const double part = t.slipped[j] / std::max(t.size[j], std::numeric_limits<double>::min());
-                c.dilated[i] += climbed;
-                c.travel_x[i] -= part * t.x[j];
-                c.travel_y[i] -= part * t.y[j];
-                c.travel_z[i] -= part * t.z[j];
-            }
-            c.gaps[i] = closed;
-            c.slips[i] += t.slipped[j];
-            c.normal_force[i] = normal * area;
-            c.force_x[i] = now.x * area;
-            c.force_y[i] = now.y * area;
-            c.force_z[i] = now.z * area;
-            kn[i] = normal_spring.reported(normal, area);
-            ks[i] = new_ks;
-            c.states[i] = (c.states[i] & ~coulomb::now) | ((c.states[i] & coulomb::now) << coulomb::from_now_to_past) |
-                          (slides ? coulomb::slip_now : 0) | (t.broken[j] > 0 ? coulomb::tension_now : 0);
-        }
+        for (std::size_t j = 0; j < count; ++j) end_row<dilates>(joint, c, kn, ks, begin + j, j, t);
     }
     batch->stiffness_changed = 1;
 }

@@ -147,6 +147,9 @@ struct Path {
     Mobilised before, after;             ///< if all of the motion is spent on the curve
     double on_curve;                     ///< 1: the motion follows the mobilised curve; 0: unloading or reloading
     double fallen;                       ///< 1: the residual strength holds
+    double from_x, from_y, from_z;       ///< stress at the last reversal
+    double spent_before;                 ///< displacement spent on the curve
+    double free_closure;                 ///< closure without dilation
 };
 
 /// The elastic trial and what of the motion is spent on the mobilised curve.
@@ -203,117 +206,123 @@ template <bool thesis>
     return t;
 }
 
+/// The columns of a batch.
+struct Rows {
+    explicit Rows(kaya_jbatch& b)
+        : areas(b.area), opening(b.normal_disp_inc), shear_x(b.shear_disp_inc[0]), shear_y(b.shear_disp_inc[1]),
+          shear_z(b.shear_disp_inc[2]), normal_force(b.normal_force), force_x(b.shear_force[0]),
+          force_y(b.shear_force[1]), force_z(b.shear_force[2]), normal_stiffness(b.normal_stiffness),
+          shear_stiffness(b.shear_stiffness), work(b.frictional_work), closures(b.history[closure]),
+          spent_before(b.history[mobilised]), turn_x(b.history[reversal_x]), turn_y(b.history[reversal_y]),
+          turn_z(b.history[reversal_z]), states(b.state) {}
+
+    const double *areas, *opening, *shear_x, *shear_y, *shear_z;
+    double *normal_force, *force_x, *force_y, *force_z, *normal_stiffness, *shear_stiffness, *work, *closures,
+        *spent_before, *turn_x, *turn_y, *turn_z;
+    uint32_t* states;
+};
+
+template <bool thesis> [[gnu::always_inline]] inline Path path_of(const Rows& r, const Law& law, size_t i) {
+    const double per_area = r.areas[i] > 0 ? 1 / r.areas[i] : 0;
+    Path path;
+    path.spent_before = r.spent_before[i];
+    path.free_closure = r.closures[i] - r.opening[i];
+    path.start_x = r.force_x[i] * per_area;
+    path.start_y = r.force_y[i] * per_area;
+    path.start_z = r.force_z[i] * per_area;
+    path.motion_x = r.shear_x[i];
+    path.motion_y = r.shear_y[i];
+    path.motion_z = r.shear_z[i];
+    const double motion =
+        std::sqrt(path.motion_x * path.motion_x + path.motion_y * path.motion_y + path.motion_z * path.motion_z);
+
+    // The motion turns back when it works against the stress that it has built up since the last
+    // turn; the stress is then counted from here (Masing).
+    const double since_x = path.start_x - r.turn_x[i];
+    const double since_y = path.start_y - r.turn_y[i];
+    const double since_z = path.start_z - r.turn_z[i];
+    const double along = -(since_x * path.motion_x + since_y * path.motion_y + since_z * path.motion_z);
+    const bool turns = along < 0;
+    path.from_x = turns ? path.start_x : r.turn_x[i];
+    path.from_y = turns ? path.start_y : r.turn_y[i];
+    path.from_z = turns ? path.start_z : r.turn_z[i];
+    path.stiffness = r.shear_stiffness[i]; // as it was left by the step before, or by initialise
+    path.swing = turns ? 0 : std::sqrt(since_x * since_x + since_y * since_y + since_z * since_z);
+    const double was_on_curve = (r.states[i] & is_unloading) != 0 ? 0 : 1;
+    path.on_curve = turns ? 0 : was_on_curve;
+
+    // Dilation can keep a joint closed whose sides move apart; it cannot close an open one.
+    const double closed = r.closures[i], most_closed = closed < path.free_closure ? path.free_closure : closed;
+    path.motion = most_closed > 0 ? motion : 0;
+    path.before = mobilised_at<thesis>(law, path.spent_before);
+    path.after = mobilised_at<thesis>(law, path.spent_before + path.motion);
+    path.fallen = thesis && (r.states[i] & has_fallen) != 0 ? 1 : 0;
+    return path;
+}
+
+/// Forces, work and state of row `i` at the end of the step.
+template <bool thesis> [[gnu::always_inline]] inline void end_row(const Rows& r, const Law& law, size_t i,
+                                                                  const Path& path, const Strength& strength,
+                                                                  const Trial& last, double new_closure) {
+    constexpr double tiny = std::numeric_limits<double>::min();
+    const double area = r.areas[i];
+    const double per_area = area > 0 ? 1 / area : 0;
+    const double spent = new_closure > 0 ? last.spent : 0;
+    const double after = path.spent_before + spent;
+    const double limit = mobilised_strength<thesis>(law, strength, mobilised_at<thesis>(law, after), path.fallen);
+    const double trial = last.size, size = limit < trial ? limit : trial;
+    const double scale = size / std::max(trial, tiny);
+    const double end_x = last.x * scale, end_y = last.y * scale, end_z = last.z * scale;
+
+    // What is put in and neither stored in the springs nor spent on dilation.
+    const double old_square = path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z;
+    const double worked = -0.5 * ((path.start_x + end_x) * path.motion_x + (path.start_y + end_y) * path.motion_y +
+                                  (path.start_z + end_z) * path.motion_z);
+    // Where there is no spring nothing is stored, whatever force was put there.
+    const double before = path.stiffness, now = strength.stiffness;
+    const double stored_after = now > 0 ? 0.5 * size * size / std::max(now, tiny) : 0;
+    const double stored_before = before > 0 ? 0.5 * old_square / std::max(before, tiny) : 0;
+    const double stored = stored_after - stored_before;
+    const double lifted = 0.5 * (r.normal_force[i] * per_area + strength.stress) * last.dilation * spent;
+    r.work[i] += area * (worked - stored - lifted);
+
+    r.normal_force[i] = strength.stress * area;
+    r.force_x[i] = end_x * area;
+    r.force_y[i] = end_y * area;
+    r.force_z[i] = end_z * area;
+    r.normal_stiffness[i] = normal_tangent(law, new_closure);
+    r.shear_stiffness[i] = now;
+    r.closures[i] = new_closure;
+    r.spent_before[i] = after;
+
+    // After a separation the joint loads as it reloads: it keeps what it has spent.
+    const double closes = new_closure > 0 ? 1 : 0;
+    const double worn = path.spent_before > 0 ? 0 : 1;
+    const double reaches = last.excess > 0 ? 1 : path.on_curve;
+    const double continues = closes > 0 ? reaches : worn;
+    const double unloads = closes > 0 ? 1 - continues : 0;
+    r.turn_x[i] = unloads * last.kept * path.from_x;
+    r.turn_y[i] = unloads * last.kept * path.from_y;
+    r.turn_z[i] = unloads * last.kept * path.from_z;
+    r.states[i] = (closes > 0 ? 0 : is_open) | (spent > 0 ? is_slipping : 0) |
+                  (after > law.peak_displacement ? is_past_peak : 0) | (continues > 0 ? 0 : is_unloading) |
+                  (thesis ? (r.states[i] & has_fallen) | (law.falls && last.excess > 0 ? has_fallen : 0) : 0);
+}
+
 template <bool thesis> void run_rows(kaya_jbatch* batch, const Law& law) {
     const double log_jcs = logarithm(law.jcs);
-
-    const double* areas = batch->area;
-    const double* opening = batch->normal_disp_inc;
-    const double* shear_x = batch->shear_disp_inc[0];
-    const double* shear_y = batch->shear_disp_inc[1];
-    const double* shear_z = batch->shear_disp_inc[2];
-    double* normal_force = batch->normal_force;
-    double* force_x = batch->shear_force[0];
-    double* force_y = batch->shear_force[1];
-    double* force_z = batch->shear_force[2];
-    double* normal_stiffness = batch->normal_stiffness;
-    double* shear_stiffness = batch->shear_stiffness;
-    double* work = batch->frictional_work;
-    uint32_t* states = batch->state;
-    double* closures = batch->history[closure];
-    double* spent_before = batch->history[mobilised];
-    double* turn_x = batch->history[reversal_x];
-    double* turn_y = batch->history[reversal_y];
-    double* turn_z = batch->history[reversal_z];
-
+    const Rows rows(*batch);
 #pragma GCC ivdep
     for (size_t i = 0; i < batch->n; ++i) {
-        const double area = areas[i];
-        const double per_area = area > 0 ? 1 / area : 0;
-        const double before = spent_before[i];
-        const double free_closure = closures[i] - opening[i]; // before dilation
-
-        Path path;
-        path.start_x = force_x[i] * per_area;
-        path.start_y = force_y[i] * per_area;
-        path.start_z = force_z[i] * per_area;
-        path.motion_x = shear_x[i];
-        path.motion_y = shear_y[i];
-        path.motion_z = shear_z[i];
-        path.motion =
-            std::sqrt(path.motion_x * path.motion_x + path.motion_y * path.motion_y + path.motion_z * path.motion_z);
-
-        // The motion turns back when it works against the stress that it has built up since the last
-        // turn; the stress is then counted from here (Masing).
-        const double since_x = path.start_x - turn_x[i];
-        const double since_y = path.start_y - turn_y[i];
-        const double since_z = path.start_z - turn_z[i];
-        const double along = -(since_x * path.motion_x + since_y * path.motion_y + since_z * path.motion_z);
-        const bool turns = along < 0;
-        const double from_x = turns ? path.start_x : turn_x[i];
-        const double from_y = turns ? path.start_y : turn_y[i];
-        const double from_z = turns ? path.start_z : turn_z[i];
-        path.stiffness = shear_stiffness[i]; // as it was left by the step before, or by initialise
-        path.swing = turns ? 0 : std::sqrt(since_x * since_x + since_y * since_y + since_z * since_z);
-        const double was_on_curve = (states[i] & is_unloading) != 0 ? 0 : 1;
-        path.on_curve = turns ? 0 : was_on_curve;
-
-        // Dilation can keep a joint closed whose sides move apart; it cannot close an open one.
-        const double contact_motion = std::max(closures[i], free_closure) > 0 ? path.motion : 0;
-        path.before = mobilised_at<thesis>(law, before);
-        path.after = mobilised_at<thesis>(law, before + contact_motion);
-        path.motion = contact_motion;
-        path.fallen = thesis && (states[i] & has_fallen) != 0 ? 1 : 0;
-
+        const Path path = path_of<thesis>(rows, law, i);
         // Dilation closes the joint further, which changes the normal stress, which changes dilation
         // and slip: two passes bring the error to a millionth of the dilation of the step.
-        const Trial first = trial_at<thesis>(law, strength_at(law, log_jcs, free_closure), path);
+        const Trial first = trial_at<thesis>(law, strength_at(law, log_jcs, path.free_closure), path);
         const Trial second =
-            trial_at<thesis>(law, strength_at(law, log_jcs, free_closure + first.dilation * first.spent), path);
-        const double new_closure = free_closure + second.dilation * second.spent;
-        const Strength strength = strength_at(law, log_jcs, new_closure);
-        const Trial last = trial_at<thesis>(law, strength, path);
-
-        const double spent = new_closure > 0 ? last.spent : 0;
-        const double after = before + spent;
-        const double limit = mobilised_strength<thesis>(law, strength, mobilised_at<thesis>(law, after), path.fallen);
-        const double size = std::min(last.size, limit);
-        const double scale = size / std::max(last.size, std::numeric_limits<double>::min());
-        const double end_x = last.x * scale, end_y = last.y * scale, end_z = last.z * scale;
-
-        // What is put in and neither stored in the springs nor spent on dilation.
-        constexpr double tiny = std::numeric_limits<double>::min();
-        const double old_square =
-            path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z;
-        const double worked = -0.5 * ((path.start_x + end_x) * path.motion_x + (path.start_y + end_y) * path.motion_y +
-                                      (path.start_z + end_z) * path.motion_z);
-        // Where there is no spring nothing is stored, whatever force was put there.
-        const double stored_after = strength.stiffness > 0 ? 0.5 * size * size / std::max(strength.stiffness, tiny) : 0;
-        const double stored_before = path.stiffness > 0 ? 0.5 * old_square / std::max(path.stiffness, tiny) : 0;
-        const double stored = stored_after - stored_before;
-        const double lifted = 0.5 * (normal_force[i] * per_area + strength.stress) * last.dilation * spent;
-        work[i] += area * (worked - stored - lifted);
-
-        normal_force[i] = strength.stress * area;
-        force_x[i] = end_x * area;
-        force_y[i] = end_y * area;
-        force_z[i] = end_z * area;
-        normal_stiffness[i] = normal_tangent(law, new_closure);
-        shear_stiffness[i] = strength.stiffness;
-        closures[i] = new_closure;
-        spent_before[i] = after;
-
-        // After a separation the joint loads as it reloads: it keeps what it has spent.
-        const double closes = new_closure > 0 ? 1 : 0;
-        const double worn = before > 0 ? 0 : 1;
-        const double reaches = last.excess > 0 ? 1 : path.on_curve;
-        const double continues = closes > 0 ? reaches : worn;
-        const double unloads = closes > 0 ? 1 - continues : 0;
-        turn_x[i] = unloads * last.kept * from_x;
-        turn_y[i] = unloads * last.kept * from_y;
-        turn_z[i] = unloads * last.kept * from_z;
-        states[i] = (closes > 0 ? 0 : is_open) | (spent > 0 ? is_slipping : 0) |
-                    (after > law.peak_displacement ? is_past_peak : 0) | (continues > 0 ? 0 : is_unloading) |
-                    (thesis ? (states[i] & has_fallen) | (law.falls && last.excess > 0 ? has_fallen : 0) : 0);
+            trial_at<thesis>(law, strength_at(law, log_jcs, path.free_closure + first.dilation * first.spent), path);
+        const double closed = path.free_closure + second.dilation * second.spent;
+        const Strength strength = strength_at(law, log_jcs, closed);
+        end_row<thesis>(rows, law, i, path, strength, trial_at<thesis>(law, strength, path), closed);
     }
     batch->stiffness_changed = 1;
 }
