@@ -29,8 +29,6 @@ CommandSpec initialize();
 
 /// The fields that `history` records by a word of their own; with the rates, those of which it records the rate.
 std::vector<std::pair<ObjectKind, std::string_view>> recorded_fields();
-/// The whole words of `prop` for joints, whatever joint model they have.
-std::vector<std::string_view> joint_property_words();
 /// The names of the properties of structures.
 std::vector<std::string_view> structure_property_words();
 

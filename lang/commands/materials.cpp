@@ -2,48 +2,13 @@
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
+#include "lang/commands/property_words.hpp"
 
 #include <array>
 
 namespace kaya::lang {
 
 namespace {
-
-struct ClassicWord {
-    enum class Of { blocks, joints } of;
-    std::vector<Spelling> words; ///< the last is the whole word
-    const char* unit;
-    const char* help;
-    bool from_zero = false; ///< no joint model has a meaning for less
-};
-
-/// The property words of the classic language. Others belong to loaded joint models and are passed on.
-const std::vector<ClassicWord>& classic_words() {
-    using enum ClassicWord::Of;
-    static const std::vector<ClassicWord> words = {
-        {blocks, {"density"}, "mass/length^3", "density of blocks"},
-        {blocks, {"bulk", "k"}, "stress", "bulk modulus of blocks"},
-        {blocks, {"shear", "g"}, "stress", "shear modulus of blocks"},
-        {blocks, {"ymod", "ymodulus", "young"}, "stress", "Young's modulus, with prat in place of bulk and shear"},
-        {blocks, {"prat", "pratio", "poisson"}, "", "Poisson's ratio"},
-        {blocks, {"bcoh", "bcohesion"}, "stress", "cohesion of Mohr-Coulomb blocks"},
-        {blocks, {"bfric", "bfriction"}, "degrees", "friction angle of Mohr-Coulomb blocks"},
-        {blocks, {"bten", "btension"}, "stress", "tensile strength of Mohr-Coulomb blocks"},
-        {blocks, {"bdil", "bdilation"}, "degrees", "dilation angle of Mohr-Coulomb blocks"},
-        {joints, {"jkn"}, "stress/length", "normal stiffness of joints", true},
-        {joints, {"jks"}, "stress/length", "shear stiffness of joints", true},
-        {joints, {"jfric", "jfriction"}, "degrees", "friction angle of joints"},
-        {joints, {"jcoh", "jcohesion"}, "stress", "cohesion of joints", true},
-        {joints, {"jten", "jtension"}, "stress", "tensile strength of joints", true},
-        {joints, {"jdil", "jdilation"}, "degrees", "dilation angle of joints"},
-        {joints, {"zdil", "zdilation"}, "length", "slip at which dilation stops"},
-        // In full only: jrc and jrco are properties of other joint models.
-        {joints, {Spelling{"jrfric", 6}, Spelling{"jrfriction", 6}}, "degrees", "residual friction angle of joints"},
-        {joints, {Spelling{"jrcoh", 5}, Spelling{"jrcohesion", 5}}, "stress", "residual cohesion of joints"},
-        {joints, {Spelling{"jrten", 5}, Spelling{"jrtension", 5}}, "stress", "residual tensile strength of joints"},
-    };
-    return words;
-}
 
 /// A word that only a joint model knows, and its value. The handler looks at the word when it runs.
 bool read_unknown_property(Reader& reader, std::vector<Property::Item>& items) {
@@ -79,17 +44,18 @@ CommandSpec prop() {
     entry.keyword(
         {"jmaterial", "jmat"}, number, [](Property& p, std::int64_t n) { p.number = n, p.joint = true; },
         "number of the joint material");
-    for (const auto& known : classic_words()) {
-        auto value = real(known.words.front().word).unit(known.unit);
-        if (known.from_zero) value.spec.limits.low = 0;
-        entry.special(
-            known.words, {value.spec},
-            [value](Reader& reader, Property& property) {
-                const Place place = reader.previous().place;
-                property.items.push_back({std::string(value.spec.name), reader.real(value.spec), place});
-            },
-            known.help);
-    }
+    for (const auto* table : {&block_property_words(), &joint_property_words()})
+        for (const auto& known : *table) {
+            auto value = real(known.words.front().word).unit(known.unit);
+            if (table == &joint_property_words()) value.spec.limits.low = known.limits.low;
+            entry.special(
+                known.words, {value.spec},
+                [value](Reader& reader, Property& property) {
+                    const Place place = reader.previous().place;
+                    property.items.push_back({std::string(value.spec.name), reader.real(value.spec), place});
+                },
+                known.help);
+        }
     model_properties(entry, &Property::items);
     entry.finish([](const Reader& reader, Property& property) {
         if (property.items.empty())
@@ -270,13 +236,6 @@ CommandSpec zone_nmd() {
 }
 
 } // namespace
-
-std::vector<std::string_view> joint_property_words() {
-    std::vector<std::string_view> words;
-    for (const auto& known : classic_words())
-        if (known.of == ClassicWord::Of::joints) words.push_back(known.words.back().word);
-    return words;
-}
 
 Family materials() {
     return {"materials",

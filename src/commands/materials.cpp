@@ -7,6 +7,7 @@
 #include "commands/handlers.hpp"
 #include "jointtest/bench.hpp"
 #include "lang/commands/language.hpp"
+#include "lang/commands/property_words.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/property_sets.hpp"
 #include "mechanics/zone_laws.hpp"
@@ -25,34 +26,19 @@ using Items = std::vector<lang::Property::Item>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A property of blocks: the words that name it, in the order in which abbreviations are resolved.
-struct BlockProperty {
-    std::string_view word;
-    double Material::*value;
-    lang::Limits limits;
-    const char* limits_in_words;
-};
-constexpr lang::Limits above_zero{0, infinity, true, true}, from_zero{0, infinity, false, true};
-constexpr std::array<BlockProperty, 12> block_properties{{
-    {"density", &Material::density, above_zero, "above 0"},
-    {"bulk", &Material::bulk, above_zero, "above 0"},
-    {"k", &Material::bulk, above_zero, "above 0"},
-    {"shear", &Material::shear, above_zero, "above 0"},
-    {"g", &Material::shear, above_zero, "above 0"},
-    {"ymodulus", &Material::young, above_zero, "above 0"},
-    {"pratio", &Material::poisson, {-1, 0.5, true, true}, "between -1 and 0.5"},
-    {"poisson", &Material::poisson, {-1, 0.5, true, true}, "between -1 and 0.5"},
-    {"bcohesion", &Material::cohesion, from_zero, "0 or more"},
-    {"bfriction", &Material::friction, {0, 90, false, true}, "from 0 to below 90 degrees"},
-    {"btension", &Material::tension, from_zero, "0 or more"},
-    {"bdilation", &Material::dilation, {-90, 90, true, true}, "between -90 and 90 degrees"},
-}};
+/// Where a material keeps its properties of blocks.
+constexpr std::array<double Material::*, lang::block_property_count> members{
+    &Material::density,  &Material::bulk,     &Material::shear,   &Material::young,   &Material::poisson,
+    &Material::cohesion, &Material::friction, &Material::tension, &Material::dilation};
+
+double Material::*member_of(lang::BlockProperty property) { return members[static_cast<std::size_t>(property)]; }
 
 /// Words of joints that every deck may use with `prop`, whatever joint model is loaded: those that the language explains, and two of
 /// joint models of early versions.
 const std::vector<std::string_view>& joint_words() {
     static const std::vector<std::string_view> words = [] {
-        auto list = lang::joint_property_words();
+        std::vector<std::string_view> list;
+        for (const auto& known : lang::joint_property_words()) list.push_back(known.name);
         list.insert(list.end(), {"jphi", "jrdilation"});
         return list;
     }();
@@ -68,11 +54,20 @@ constexpr std::array<EarlyWord, 6> early_words{{{"kn", "jkn"},
                                                 {"ten", "jtension"},
                                                 {"dil", "jdilation"}}};
 
-const BlockProperty* find_block_property(std::string_view word) {
-    const auto exact = std::ranges::find(block_properties, word, &BlockProperty::word);
-    if (exact != block_properties.end()) return &*exact;
-    const auto longer = std::ranges::find_if(block_properties, [&](const auto& p) { return p.word.starts_with(word); });
-    return longer != block_properties.end() ? &*longer : nullptr;
+/// Which property of blocks a word or its beginning names.
+std::optional<lang::BlockProperty> find_block_property(std::string_view word) {
+    const auto& known = lang::block_property_words();
+    const auto with = [&](auto fits) {
+        return std::ranges::find_if(known, [&](const auto& p) { return std::ranges::any_of(p.words, fits); });
+    };
+    auto found = with([&](const auto& spelling) { return spelling.word == word; });
+    if (found == known.end()) found = with([&](const auto& spelling) { return spelling.word.starts_with(word); });
+    if (found == known.end()) return std::nullopt;
+    return static_cast<lang::BlockProperty>(found - known.begin());
+}
+
+std::string_view name_of(lang::BlockProperty property) {
+    return lang::block_property_words()[static_cast<std::size_t>(property)].name;
 }
 
 /// The whole word that a classic joint word is short for; other words stand for themselves.
@@ -124,7 +119,8 @@ constexpr std::array<Symbol, 11> symbols{{{"e", "ymodulus, with pratio", ""},
 [[noreturn]] void refuse_word(const Session& session, const lang::Property::Item& item, bool joint_only) {
     std::vector<std::string_view> known = joint_words();
     if (!joint_only)
-        for (const auto& property : block_properties) known.push_back(property.word);
+        for (const auto& property : lang::block_property_words())
+            for (const auto& spelling : property.words) known.push_back(spelling.word);
     for (const auto& model : session.joints.loaded())
         for (const auto& property : model->properties) {
             known.push_back(property.name);
@@ -148,17 +144,18 @@ double checked(const LawTable::Property& property, const lang::Property::Item& i
         .at(item.place);
 }
 
-void set_block_property(Material& material, const BlockProperty& property, const lang::Property::Item& item) {
-    if (!property.limits.hold(item.value))
+void set_block_property(Material& material, lang::BlockProperty property, const lang::Property::Item& item) {
+    const auto& known = lang::block_property_words()[static_cast<std::size_t>(property)];
+    if (!known.limits.hold(item.value))
         throw Diagnostic(
-            fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value), property.limits_in_words))
+            fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value), known.limits_in_words))
             .at(item.place);
-    material.*property.value = item.value;
+    material.*member_of(property) = item.value;
     // The pair that was given last counts.
+    using enum lang::BlockProperty;
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    if (property.value == &Material::bulk || property.value == &Material::shear)
-        material.young = material.poisson = nan;
-    if (property.value != &Material::young && property.value != &Material::poisson) return;
+    if (property == bulk || property == shear) material.young = material.poisson = nan;
+    if (property != young && property != poisson) return;
     const bool both = !std::isnan(material.young) && !std::isnan(material.poisson);
     material.bulk = both ? material.young / (3 * (1 - 2 * material.poisson)) : nan;
     material.shear = both ? material.young / (2 * (1 + material.poisson)) : nan;
@@ -236,9 +233,9 @@ void warn_unused_by_zones(Session& session, std::int32_t number, const Material&
     const auto& used = session.model.blocks.material;
     if (models.empty() && std::ranges::find(used, number) == used.end()) return;
     std::map<std::string, double> words = material.zone;
-    for (const auto& property : block_properties)
-        if (property.word.starts_with("b") && property.word != "bulk" && material.*property.value != 0)
-            words.emplace(property.word, material.*property.value);
+    using enum lang::BlockProperty;
+    for (const auto property : {cohesion, friction, tension, dilation})
+        if (material.*member_of(property) != 0) words.emplace(name_of(property), material.*member_of(property));
     for (const auto& [word, value] : words) {
         const bool known = std::ranges::any_of(models, [&, &name = word](const std::string& model) {
             return session.joints.zones.get(model).find_property(name).has_value();
@@ -302,9 +299,7 @@ void refuse_joint_values(Session& session, std::int32_t number, const Material& 
 } // namespace
 
 std::string whole_property_word(std::string_view word) {
-    if (const auto* property = find_block_property(word))
-        return std::string(std::ranges::find(block_properties, property->value, &BlockProperty::value)
-                               ->word); // one word of bulk and k
+    if (const auto property = find_block_property(word)) return std::string(name_of(*property));
     const auto early = std::ranges::find(early_words, word, &EarlyWord::first);
     return std::string(whole_word(early != early_words.end() ? early->second : word));
 }
@@ -319,10 +314,10 @@ void run(Session& session, const lang::Property& typed) {
     Material material = existing == session.model.materials.end() ? Material{} : existing->second;
     Items of_joints;
     for (const auto& item : command.items) {
-        const BlockProperty* property = command.joint ? nullptr : find_block_property(item.word);
-        if (property != nullptr) {
+        const auto property = command.joint ? std::nullopt : find_block_property(item.word);
+        if (property) {
             set_block_property(material, *property, item);
-            session.property_places[{number, std::string(property->word)}] = item.place;
+            session.property_places[{number, std::string(name_of(*property))}] = item.place;
         } else if (is_joint_word(session.joints, item.word)) of_joints.push_back(item);
         else if (const auto early = std::ranges::find(early_words, std::string_view(item.word), &EarlyWord::first);
                  early != early_words.end())
@@ -442,13 +437,13 @@ void run(Session& session, const lang::JointModelTest& command) {
 }
 
 double material_value(const Model& model, const JointRegistry& joints, std::int64_t number, std::string_view word) {
-    const BlockProperty* property = find_block_property(word);
-    if (property == nullptr && !is_joint_word(joints, word))
+    const auto property = find_block_property(word);
+    if (!property && !is_joint_word(joints, word))
         throw Diagnostic(fmt::format("'{}' is not a property of blocks, nor of joints", word), {}, Fault::run);
     const auto found = model.materials.find(static_cast<std::int32_t>(number));
     if (found == model.materials.end()) return 0;
-    if (property != nullptr) {
-        const double value = found->second.*property->value;
+    if (property) {
+        const double value = found->second.*member_of(*property);
         return std::isnan(value) ? 0 : value;
     }
     for (const auto& [name, value] : found->second.joint)

@@ -1,5 +1,6 @@
 // Words that stand in a table of the language and in one of the model: the two say the same.
 #include "lang/commands/language.hpp"
+#include "lang/commands/property_words.hpp"
 #include "laws/joint_model.hpp"
 #include "model/cables.hpp"
 #include "model/field.hpp"
@@ -36,7 +37,24 @@ TEST(Words, PropertiesOfJointsAreThoseOfMohr) {
     JointRegistry joints;
     joints.set_path({KAYA_TEST_JOINTS});
     const JointModel& mohr = joints.get("mohr");
-    for (const auto word : words_of(lang::joint_property_words())) EXPECT_TRUE(mohr.find_property(word)) << word;
+    for (const auto& property : lang::joint_property_words())
+        for (const auto& spelling : property.words)
+            EXPECT_EQ(mohr.find_property(spelling.word), mohr.find_property(property.name)) << spelling.word;
+}
+
+TEST(Words, PropertiesOfBlocksStandInTheOrderOfTheirNumbers) {
+    using enum lang::BlockProperty;
+    constexpr std::pair<lang::BlockProperty, std::string_view> names[] = {
+        {density, "density"},    {bulk, "bulk"},        {shear, "shear"},
+        {young, "ymodulus"},     {poisson, "pratio"},   {cohesion, "bcohesion"},
+        {friction, "bfriction"}, {tension, "btension"}, {dilation, "bdilation"}};
+    const auto& known = lang::block_property_words();
+    ASSERT_EQ(known.size(), lang::block_property_count);
+    for (const auto& [property, name] : names) {
+        const auto& words = known[static_cast<std::size_t>(property)];
+        EXPECT_EQ(words.name, name);
+        EXPECT_TRUE(std::ranges::any_of(words.words, [&, &n = name](const auto& w) { return w.word == n; })) << name;
+    }
 }
 
 } // namespace
