@@ -121,11 +121,10 @@ constexpr std::array<Symbol, 11> symbols{{{"e", "ymodulus, with pratio", ""},
     if (!joint_only)
         for (const auto& property : lang::block_property_words())
             for (const auto& spelling : property.words) known.push_back(spelling.word);
-    for (const auto& model : session.joints.loaded())
-        for (const auto& property : model->properties) {
-            known.push_back(property.name);
-            known.insert(known.end(), property.aliases.begin(), property.aliases.end());
-        }
+    for (const auto& model : session.joints.loaded()) {
+        const auto words = model->property_words();
+        known.insert(known.end(), words.begin(), words.end());
+    }
     const auto near = did_you_mean(item.word, known);
     const auto symbol = std::ranges::find(symbols, std::string_view(item.word), &Symbol::word);
     const std::string_view meant = symbol == symbols.end() ? "" : joint_only ? symbol->of_joints : symbol->of_blocks;
@@ -138,9 +137,9 @@ constexpr std::array<Symbol, 11> symbols{{{"e", "ymodulus, with pratio", ""},
 }
 
 double checked(const LawTable::Property& property, const lang::Property::Item& item) {
-    if (item.value >= property.minimum && item.value <= property.maximum) return item.value;
-    throw Diagnostic(fmt::format("'{}' is {}, but must be from {} to {}", item.word, number_text(item.value),
-                                 number_text(property.minimum), number_text(property.maximum)))
+    if (property.holds(item.value)) return item.value;
+    throw Diagnostic(
+        fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value), property.limits_in_words()))
         .at(item.place);
 }
 
@@ -287,10 +286,9 @@ void refuse_joint_values(Session& session, std::int32_t number, const Material& 
             const auto place = session.property_places.find({number, word});
             if (!index || place == session.property_places.end()) continue;
             const auto& property = joint->properties[*index];
-            if (value >= property.minimum && value <= property.maximum) continue;
-            throw Diagnostic(fmt::format("{} = {} is outside of its limits {} to {} in joint model '{}'", word,
-                                         number_text(value), number_text(property.minimum),
-                                         number_text(property.maximum), joint->name))
+            if (property.holds(value)) continue;
+            throw Diagnostic(fmt::format("'{}' is {}, but for joint model {} it must be {}", word, number_text(value),
+                                         joint->name, property.limits_in_words()))
                 .at(place->second);
         }
     }

@@ -92,10 +92,9 @@ bool ModelWorld::set_own_value(Row sub_contact, const std::string& name, double 
     if (const auto field = joint.find_field(name)) {
         if (property) {
             const auto& p = joint.properties[*property];
-            if (value < p.minimum || value > p.maximum)
-                throw Diagnostic(
-                    fmt::format("'{}' is {}, outside of its limits {} and {}", p.name, value, p.minimum, p.maximum),
-                    "give a value within them", Fault::run);
+            if (!p.holds(value))
+                throw Diagnostic(fmt::format("'{}' is {}, but must be {}", p.name, value, p.limits_in_words()), {},
+                                 Fault::run);
         }
         subs.keep_fields(joint.fields.size());
         subs.set_field(*field, sub_contact, value);

@@ -38,20 +38,15 @@ std::map<std::string, double> values_of(const ZoneModel& model, const std::vecto
     for (const auto& item : items) {
         const auto found = model.find_property(item.word);
         if (!found) {
-            std::vector<std::string_view> known;
-            for (const auto& property : model.properties) {
-                known.push_back(property.name);
-                known.insert(known.end(), property.aliases.begin(), property.aliases.end());
-            }
-            const auto near = did_you_mean(item.word, known);
+            const auto near = did_you_mean(item.word, model.property_words());
             throw Diagnostic(fmt::format("zone model '{}' has no property '{}'", model.name, item.word),
                              near.empty() ? "" : fmt::format("did you mean '{}'?", near))
                 .at(item.place);
         }
         const auto& property = model.properties[*found];
-        if (!(item.value >= property.minimum && item.value <= property.maximum))
-            throw Diagnostic(fmt::format("'{}' is {}, but must be from {} to {}", item.word, number_text(item.value),
-                                         number_text(property.minimum), number_text(property.maximum)))
+        if (!property.holds(item.value))
+            throw Diagnostic(fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value),
+                                         property.limits_in_words()))
                 .at(item.place);
         values[property.name] = item.value;
     }

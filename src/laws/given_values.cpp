@@ -14,21 +14,16 @@ std::vector<double> values_of(const LawTable& law, const char* noun,
     for (const auto& [word, value] : given) {
         const auto index = law.find_property(word);
         if (!index) {
-            std::vector<std::string_view> names;
-            for (const auto& p : law.properties) {
-                names.push_back(p.name);
-                names.insert(names.end(), p.aliases.begin(), p.aliases.end());
-            }
+            const auto names = law.property_words();
             const auto near = did_you_mean(word, names);
             throw Diagnostic(fmt::format("{} {} has no property '{}'", noun, law.name, word),
                              near.empty() ? fmt::format("its properties: {}", fmt::join(names, ", "))
                                           : fmt::format("did you mean '{}'?", near));
         }
         const auto& p = law.properties[*index];
-        if (!(value >= p.minimum && value <= p.maximum))
-            throw Diagnostic(
-                fmt::format("{} is {:g}; it must be from {:g} to {:g}", p.name, value, p.minimum, p.maximum),
-                "give a value within the limits");
+        if (!p.holds(value))
+            throw Diagnostic(fmt::format("{} is {:g}; it must be {}", p.name, value, p.limits_in_words()),
+                             "give a value within the limits");
         values[*index] = value;
     }
     return values;

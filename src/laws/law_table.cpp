@@ -157,6 +157,21 @@ template kaya_zmodel LawTable::understood(const LawKind&, const kaya_zmodel*) co
 template void LawTable::read_table(const LawKind&, const kaya_jmodel&);
 template void LawTable::read_table(const LawKind&, const kaya_zmodel&);
 
+std::string LawTable::Property::limits_in_words() const {
+    if (std::isinf(maximum)) return std::isinf(minimum) ? "a number" : fmt::format("at least {:.6g}", minimum);
+    if (std::isinf(minimum)) return fmt::format("at most {:.6g}", maximum);
+    return fmt::format("from {:.6g} to {:.6g}", minimum, maximum);
+}
+
+std::vector<std::string_view> LawTable::property_words() const {
+    std::vector<std::string_view> words;
+    for (const auto& p : properties) {
+        words.push_back(p.name);
+        words.insert(words.end(), p.aliases.begin(), p.aliases.end());
+    }
+    return words;
+}
+
 std::optional<std::size_t> LawTable::find_property(std::string_view typed) const {
     const std::string word = lower_case(typed);
     if (word.empty()) return std::nullopt;

@@ -39,6 +39,10 @@ public:
 
         /// Whether a law can do without being given one.
         bool has_default() const { return optional || initial == initial; }
+        /// Whether a value lies within the limits; NaN does not.
+        bool holds(double value) const { return value >= minimum && value <= maximum; }
+        /// "at least 0", "from 0 to 90": what follows "must be".
+        std::string limits_in_words() const;
     };
     struct HistoryVariable {
         std::string name, unit, help;
@@ -52,6 +56,9 @@ public:
 
     /// Index of the property with that name or alias (case folded, any unambiguous leading part), or none.
     std::optional<std::size_t> find_property(std::string_view word) const;
+
+    /// Names and aliases of all properties.
+    std::vector<std::string_view> property_words() const;
 
     /// Properties that must be given and are not.
     std::vector<std::string> missing(const std::vector<double>& values) const;

@@ -34,23 +34,19 @@ void put(const JointModel& joint, std::vector<double>& values, const Items& item
         const auto index = joint.find_property(name);
         if (!index) {
             if (!strict) continue;
-            std::vector<std::string_view> words;
-            std::string list;
-            for (const auto& property : joint.properties) {
-                words.push_back(property.name);
-                for (const auto& alias : property.aliases) words.push_back(alias);
-                list += (list.empty() ? "" : ", ") + property.name;
-            }
-            const auto meant = did_you_mean(name, words);
+            const auto meant = did_you_mean(name, joint.property_words());
+            std::vector<std::string_view> names;
+            for (const auto& property : joint.properties) names.push_back(property.name);
             Diagnostic d(fmt::format("joint model '{}' has no property '{}'", joint.name, name),
-                         meant.empty() ? "it has: " + list : fmt::format("did you mean '{}'?", meant));
+                         meant.empty() ? fmt::format("it has: {}", fmt::join(names, ", "))
+                                       : fmt::format("did you mean '{}'?", meant));
             d.code = "unknown-property";
             throw d;
         }
         const auto& property = joint.properties[*index];
-        if (!(value >= property.minimum && value <= property.maximum))
-            throw Diagnostic(fmt::format("{} = {:.6g} is outside its limits {:.6g} to {:.6g} in joint model '{}'", name,
-                                         value, property.minimum, property.maximum, joint.name));
+        if (!property.holds(value))
+            throw Diagnostic(fmt::format("'{}' is {:.6g}, but for joint model {} it must be {}", name, value,
+                                         joint.name, property.limits_in_words()));
         values[*index] = value;
     }
 }

@@ -76,10 +76,10 @@ void check_values(const Model& model, Row block, const ZoneModel& zone_model, co
                        Advice::give_material_value, {material, property.name}),
                    given);
         }
-        if (values[i] >= property.minimum && values[i] <= property.maximum) continue;
+        if (property.holds(values[i])) continue;
         refuse(Advised(about_block(model, block,
-                                   fmt::format("has {} {}, but zone model {} takes {:g} to {:g}", property.name,
-                                               values[i], zone_model.name, property.minimum, property.maximum)),
+                                   fmt::format("has {} {}, but for zone model {} it must be {}", property.name,
+                                               values[i], zone_model.name, property.limits_in_words())),
                        Advice::change_material_value, {material, property.name}),
                given);
     }
