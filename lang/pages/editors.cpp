@@ -18,6 +18,7 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <string>
@@ -28,6 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace kaya::lang;
 
+using Json = nlohmann::ordered_json;
 using Words = std::set<std::string>;
 
 void add(Words& to, const std::vector<Spelling>& spellings) {
@@ -83,15 +85,6 @@ Words fish_names() {
     return names;
 }
 
-std::string json(std::string_view text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += c;
-    }
-    return out + "\"";
-}
-
 /// "brick" with two letters enough: "br(?:i(?:c(?:k)?)?)?".
 std::string shortened(const std::string& word, std::size_t shortest) {
     std::string out = word.substr(0, shortest), close;
@@ -109,88 +102,86 @@ std::string alternatives(const Words& words) {
     return fmt::format("{}", fmt::join(sorted, "|"));
 }
 
-/// A regular expression of JSON, and what it is.
-std::string pattern(std::string_view name, const std::string& match) {
-    return fmt::format("    {{ \"name\": {}, \"match\": {} }}", json(name), json(match));
+/// A rule of a grammar: what the expression matches is called `name`.
+Json pattern(std::string_view name, const std::string& match) { return {{"name", name}, {"match", match}}; }
+Json text_between(std::string_view name, const std::string& quote) {
+    return {{"name", name}, {"begin", quote}, {"end", quote + "|$"}};
+}
+/// Names for the groups of an expression, from the first on.
+Json captures(const std::vector<std::string_view>& names) {
+    Json groups = Json::object();
+    for (std::size_t i = 0; i < names.size(); ++i) groups[std::to_string(i + 1)] = {{"name", names[i]}};
+    return groups;
+}
+Json include(std::string_view rules) { return Json::array({{{"include", rules}}}); }
+
+/// Rules around others: what looks the same in commands and in functions.
+Json with_common_rules(const std::vector<Json>& rules) {
+    Json list = Json::array(
+        {pattern("comment.line.semicolon.kaya", ";.*$"), text_between("string.quoted.single.kaya", "'"),
+         text_between("string.quoted.double.kaya", "\""), pattern("variable.other.kaya", "@[A-Za-z_$][A-Za-z0-9_$]*")});
+    for (const auto& rule : rules) list.push_back(rule);
+    list.push_back(
+        pattern("constant.numeric.kaya", "[-+]?(?<![A-Za-z_0-9])(?:[0-9]+\\.?[0-9]*|\\.[0-9]+)(?:[eE][-+]?[0-9]+)?"));
+    list.push_back(pattern("keyword.operator.continuation.kaya", "(?:&|\\.\\.\\.)\\s*(?=;|$)"));
+    return list;
 }
 
-/// What looks the same in commands and in functions.
-std::vector<std::string> common_patterns() {
-    return {
-        pattern("comment.line.semicolon.kaya", ";.*$"),
-        "    { \"name\": \"string.quoted.single.kaya\", \"begin\": \"'\", \"end\": \"'|$\" }",
-        "    { \"name\": \"string.quoted.double.kaya\", \"begin\": \"\\\"\", \"end\": \"\\\"|$\" }",
-        pattern("variable.other.kaya", "@[A-Za-z_$][A-Za-z0-9_$]*"),
-    };
-}
-
-std::vector<std::string> closing_patterns() {
-    return {
-        pattern("constant.numeric.kaya", "[-+]?(?<![A-Za-z_0-9])(?:[0-9]+\\.?[0-9]*|\\.[0-9]+)(?:[eE][-+]?[0-9]+)?"),
-        pattern("keyword.operator.continuation.kaya", "(?:&|\\.\\.\\.)\\s*(?=;|$)"),
-    };
-}
-
-std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
-
-/// Commands, functions of FISH and chunks of Lua each have rules of their own.
-std::string vscode_grammar(const Vocabulary& words) {
+Json rules_of_commands(const Vocabulary& words) {
     std::vector<std::string> commands;
     for (const auto& [word, shortest] : words.shortest) commands.push_back(shortened(word, shortest));
-    const std::vector<std::string> in_commands = {
-        pattern("support.function.kaya", fmt::format("(?i)^\\s*(?:{})\\b", fmt::join(commands, "|"))),
-        // Many a range element is a keyword elsewhere: mat, block, plane.
-        fmt::format(
-            "    {{ \"begin\": {}, \"end\": {}, \"beginCaptures\": {{ \"1\": {{ \"name\": \"keyword.other.range.kaya\" }} }}, "
-            "\"patterns\": [\n{}\n    ] }}",
-            json("(?i)\\b(range)\\b"), json("(?=;|$)"),
-            fmt::join(joined(joined(common_patterns(),
-                                    {pattern("keyword.other.range.kaya",
-                                             fmt::format("(?i)\\b(?:{})\\b", alternatives(words.elements)))}),
-                             closing_patterns()),
-                      ",\n")),
-        pattern("support.type.property-name.kaya", fmt::format("(?i)\\b(?:{})\\b", alternatives(words.keywords))),
-    };
+    constexpr std::string_view range = "keyword.other.range.kaya";
+    // Many a range element is a keyword elsewhere: mat, block, plane.
+    const Json elements = pattern(range, fmt::format("(?i)\\b(?:{})\\b", alternatives(words.elements)));
+    return with_common_rules(
+        {pattern("support.function.kaya", fmt::format("(?i)^\\s*(?:{})\\b", fmt::join(commands, "|"))),
+         {{"begin", "(?i)\\b(range)\\b"},
+          {"end", "(?=;|$)"},
+          {"beginCaptures", captures({range})},
+          {"patterns", with_common_rules({elements})}},
+         pattern("support.type.property-name.kaya", fmt::format("(?i)\\b(?:{})\\b", alternatives(words.keywords)))});
+}
+
+Json rules_of_functions() {
     std::string intrinsics;
     for (const char c : alternatives(fish_names())) {
         if (c == '.') intrinsics += '\\';
         intrinsics += c;
     }
-    const std::vector<std::string> in_functions = {
-        fmt::format(
-            "    {{ \"begin\": {}, \"end\": {}, \"beginCaptures\": {{ \"1\": {{ \"name\": \"keyword.control.kaya\" }} }}, "
-            "\"endCaptures\": {{ \"1\": {{ \"name\": \"keyword.control.kaya\" }} }}, \"patterns\": [{{ \"include\": \"#commands\" }}] }}",
-            json("(?i)^\\s*(command)\\b"), json("(?i)^\\s*(end_?command)\\b")),
-        pattern("keyword.control.kaya", fmt::format("(?i)(?<![.@])\\b(?:{})\\b", fmt::join(fish_words, "|"))),
-        pattern("support.function.intrinsic.kaya", fmt::format("(?i)(?<![.@\\w])(?:{})(?![.\\w])", intrinsics)),
-    };
-    const auto list = [](const std::vector<std::string>& patterns) {
-        return fmt::format("{}", fmt::join(patterns, ",\n"));
-    };
-    return fmt::format(
-        "{{\n  \"name\": \"kaya\",\n  \"scopeName\": \"source.kaya\",\n  \"fileTypes\": [\"3dd\", \"3ddat\", \"fis\"],\n"
-        "  \"patterns\": [\n"
-        "    {{ \"begin\": {}, \"while\": {}, \"beginCaptures\": {{ \"1\": {{ \"name\": \"support.function.kaya\" }} }}, \"contentName\": "
-        "\"meta.embedded.block.lua\", \"patterns\": [{{ \"include\": \"source.lua\" }}] }},\n"
-        "    {{ \"begin\": {}, \"end\": {}, \"beginCaptures\": {{ \"1\": {{ \"name\": \"keyword.control.kaya\" }}, \"2\": {{ \"name\": "
-        "\"entity.name.function.kaya\" }} }}, \"endCaptures\": {{ \"1\": {{ \"name\": \"keyword.control.kaya\" }} }}, \"patterns\": "
-        "[{{ \"include\": \"#fish\" }}] }},\n"
-        "    {{ \"include\": \"#commands\" }}\n  ],\n"
-        "  \"repository\": {{\n  \"commands\": {{ \"patterns\": [\n{}\n  ] }},\n  \"fish\": {{ \"patterns\": [\n{}\n  ] }}\n  }}\n}}\n",
-        json("(?i)^\\s*(lua)\\s*(?:;.*)?$"), json("(?i)^(?!\\s*endlua\\b)"),
-        json("(?i)^\\s*((?:fish\\s+)?def(?:ine)?)\\s+([A-Za-z_$][A-Za-z0-9_$]*)"), json("(?i)^\\s*(end)\\s*(?=;|$)"),
-        list(joined(joined(common_patterns(), in_commands), closing_patterns())),
-        list(joined(joined(common_patterns(), in_functions), closing_patterns())));
+    return with_common_rules(
+        {{{"begin", "(?i)^\\s*(command)\\b"},
+          {"end", "(?i)^\\s*(end_?command)\\b"},
+          {"beginCaptures", captures({"keyword.control.kaya"})},
+          {"endCaptures", captures({"keyword.control.kaya"})},
+          {"patterns", include("#commands")}},
+         pattern("keyword.control.kaya", fmt::format("(?i)(?<![.@])\\b(?:{})\\b", fmt::join(fish_words, "|"))),
+         pattern("support.function.intrinsic.kaya", fmt::format("(?i)(?<![.@\\w])(?:{})(?![.\\w])", intrinsics))});
 }
 
-std::string completion_words(const Language& language) {
-    std::vector<std::string> entries;
+/// Commands, functions of FISH and chunks of Lua each have rules of their own.
+Json vscode_grammar(const Vocabulary& words) {
+    const Json lua = {{"begin", "(?i)^\\s*(lua)\\s*(?:;.*)?$"},
+                      {"while", "(?i)^(?!\\s*endlua\\b)"},
+                      {"beginCaptures", captures({"support.function.kaya"})},
+                      {"contentName", "meta.embedded.block.lua"},
+                      {"patterns", include("source.lua")}};
+    const Json function = {{"begin", "(?i)^\\s*((?:fish\\s+)?def(?:ine)?)\\s+([A-Za-z_$][A-Za-z0-9_$]*)"},
+                           {"end", "(?i)^\\s*(end)\\s*(?=;|$)"},
+                           {"beginCaptures", captures({"keyword.control.kaya", "entity.name.function.kaya"})},
+                           {"endCaptures", captures({"keyword.control.kaya"})},
+                           {"patterns", include("#fish")}};
+    return {{"name", "kaya"},
+            {"scopeName", "source.kaya"},
+            {"fileTypes", {"3dd", "3ddat", "fis"}},
+            {"patterns", {lua, function, {{"include", "#commands"}}}},
+            {"repository",
+             {{"commands", {{"patterns", rules_of_commands(words)}}}, {"fish", {{"patterns", rules_of_functions()}}}}}};
+}
+
+Json completion_words(const Language& language) {
+    Json entries = Json::array();
     const auto entry = [&](std::string_view label, std::string_view of, std::string_view help) {
-        entries.push_back(
-            fmt::format("  {{ \"label\": {}, \"of\": {}, \"help\": {} }}", json(label), json(of), json(help)));
+        entries.push_back({{"label", label}, {"of", of}, {"help", help}});
     };
     for (const auto& family : language.families)
         for (const auto& command : family.commands) {
@@ -202,7 +193,7 @@ std::string completion_words(const Language& language) {
         }
     for (const auto& element : language.range_elements)
         if (element.support != Support::not_yet) entry(element.words.front().word, "range", element.help);
-    return fmt::format("[\n{}\n]\n", fmt::join(entries, ",\n"));
+    return entries;
 }
 
 /// What a snippet must not take as its own.
@@ -215,9 +206,9 @@ std::string literal(std::string_view text) {
     return out;
 }
 
-/// A command with its values as places to be filled in.
-std::string snippets(const Language& language) {
-    std::vector<std::string> entries;
+/// A command with its values as places to be filled in. Of two forms of one name (lua with and without a file) the first.
+Json snippets(const Language& language) {
+    Json entries = Json::object();
     for (const auto& family : language.families)
         for (const auto& command : family.commands) {
             if (command.support == Support::not_yet || command.words.front().word == "@") continue;
@@ -227,18 +218,14 @@ std::string snippets(const Language& language) {
                 if (!positional.argument.optional)
                     body += fmt::format(" ${{{}:{}}}", ++place, literal(positional.argument.name));
             if (command.range_elements) body += " $0";
-            entries.push_back(fmt::format("  {}: {{ \"prefix\": {}, \"body\": {}, \"description\": {} }}",
-                                          json(command.name()), json(command.name()), json(body), json(command.help)));
+            if (!entries.contains(command.name()))
+                entries[command.name()] = {{"prefix", command.name()}, {"body", body}, {"description", command.help}};
         }
-    // Two forms of one name (lua with and without a file) cannot both be keys.
-    std::vector<std::string> kept;
-    for (const auto& entry : entries) {
-        const auto key = entry.substr(0, entry.find(": {"));
-        if (std::ranges::none_of(kept, [&](const auto& other) { return other.starts_with(key + ":"); }))
-            kept.push_back(entry);
-    }
-    return fmt::format("{{\n{}\n}}\n", fmt::join(kept, ",\n"));
+    return entries;
 }
+
+/// As a file.
+std::string text_of(const Json& value) { return value.dump(1) + "\n"; }
 
 /// Words as one expression: what is defined later wins at one place, and commands come last.
 std::string vim_match(std::string_view group, std::string_view before, const std::vector<std::string>& words,
@@ -320,9 +307,9 @@ int main(int argc, char** argv) {
     const Vocabulary words(language);
     std::map<fs::path, std::string> wanted;
     for (const auto& [name, text] : std::map<std::string, std::string>{
-             {"vscode/syntaxes/kaya.tmLanguage.json", vscode_grammar(words)},
-             {"vscode/snippets/kaya.json", snippets(language)},
-             {"vscode/words.json", completion_words(language)},
+             {"vscode/syntaxes/kaya.tmLanguage.json", text_of(vscode_grammar(words))},
+             {"vscode/snippets/kaya.json", text_of(snippets(language))},
+             {"vscode/words.json", text_of(completion_words(language))},
              {"vim/syntax/kaya.vim", vim_syntax(words)},
              {"fuzz/kaya.dict", fuzz_dictionary(words)},
          })

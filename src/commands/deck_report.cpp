@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace kaya {
 
@@ -17,26 +18,6 @@ namespace {
 constexpr std::array outlook_words{"runs", "ignored", "warning", "not supported yet", "unknown", "wrong"};
 
 const char* word_of(Outlook outlook) { return outlook_words[static_cast<std::size_t>(outlook)]; }
-
-/// A text of JSON. What is no UTF-8 in a deck is shown as the sign for that.
-std::string json(std::string_view text) {
-    std::string out = "\"";
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto c = static_cast<unsigned char>(text[i]);
-        if (c == '"' || c == '\\') out += {'\\', text[i]};
-        else if (c < 0x20) out += fmt::format("\\u{:04x}", c);
-        else if (c < 0x80) out += text[i];
-        else {
-            const std::size_t length = c >= 0xf0 && c < 0xf5 ? 4 : c >= 0xe0 ? 3 : c >= 0xc2 ? 2 : 0;
-            bool whole = length > 0 && c < 0xf5 && i + length <= text.size();
-            for (std::size_t k = 1; whole && k < length; ++k)
-                whole = (static_cast<unsigned char>(text[i + k]) & 0xc0) == 0x80;
-            if (whole) out += text.substr(i, length), i += length - 1;
-            else out += "\xef\xbf\xbd";
-        }
-    }
-    return out + "\"";
-}
 
 Outlook outlook_of(const Diagnostic& problem) {
     if (problem.severity == Severity::warning) return Outlook::doubtful;
@@ -138,11 +119,17 @@ std::string DeckReport::json_lines() const {
         const std::string proposal = from == line.hint.npos || to == line.hint.npos
                                          ? ""
                                          : line.hint.substr(from + begin.size(), to - from - begin.size());
-        text += fmt::format(
-            "{{\"file\": {}, \"line\": {}, \"column\": {}, \"severity\": \"{}\", \"kind\": \"{}\", \"code\": {}, "
-            "\"message\": {}, \"hint\": {}, \"proposal\": {}}}\n",
-            json(line.file), line.line, line.column, severity, word_of(line.outlook), json(line.code), json(line.text),
-            json(line.hint), json(proposal));
+        const nlohmann::ordered_json object = {{"file", line.file},
+                                               {"line", line.line},
+                                               {"column", line.column},
+                                               {"severity", severity},
+                                               {"kind", word_of(line.outlook)},
+                                               {"code", line.code},
+                                               {"message", line.text},
+                                               {"hint", line.hint},
+                                               {"proposal", proposal}};
+        // What is no UTF-8 in a deck is shown as the sign for that.
+        text += object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     }
     return text;
 }
