@@ -153,7 +153,47 @@ struct SideMotion {
     }
 };
 
-void move_between(Model& model, Row c, JointWork& work) {
+/// How far what lies in a plane turns about its normal in a step: with the mean motion of places in it.
+class PlaneTwist {
+public:
+    PlaneTwist(const Vec3& normal, const Vec3& origin) : normal_(normal), origin_(origin) {}
+
+    void add(const Vec3& place, const Vec3& velocity) {
+        const Vec3 arm = place - origin_;
+        ++count_;
+        arms_ += arm;
+        velocities_ += velocity;
+        moment_ += normal_.dot(arm.cross(velocity));
+        square_ += square(arm);
+    }
+    double angle(double step) const {
+        const double own = square_ - square(arms_) / count_;
+        if (!(own > 1e-12 * square_)) return 0; // one place
+        return step * (moment_ - normal_.dot(arms_.cross(velocities_)) / count_) / own;
+    }
+
+private:
+    double square(const Vec3& arm) const { return arm.squaredNorm() - arm.dot(normal_) * arm.dot(normal_); }
+
+    Vec3 normal_, origin_, arms_ = Vec3::Zero(), velocities_ = Vec3::Zero();
+    double count_ = 0, moment_ = 0, square_ = 0;
+};
+
+/// That of a contact with zones, after its sub-contacts have moved: the way itself does not change it.
+double twist_with_zones(const Model& model, Row c) {
+    const auto& subs = model.sub_contacts;
+    const SideMotion side1(model, model.contacts.block1[c]), side2(model, model.contacts.block2[c]);
+    const Span span = model.contacts.sub_contacts[c];
+    if (span.count == 0) return 0;
+    PlaneTwist twist(model.contacts.normal[c], subs.position[span.first]);
+    for (Row s = span.first; s < span.end(); ++s) {
+        const Vec3 place = subs.position[s];
+        twist.add(place, 0.5 * (side1.at(subs.side1[s], place) + side2.at(subs.side2[s], place)));
+    }
+    return twist.angle(model.clock.time_step);
+}
+
+void move_between(Model& model, Row c, const std::vector<std::size_t>& kept, JointWork& work) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const SideMotion side1(model, contacts.block1[c]), side2(model, contacts.block2[c]);
@@ -162,6 +202,8 @@ void move_between(Model& model, Row c, JointWork& work) {
     const bool large = model.settings.large_strain;
     double farthest = 0;
     const Span span = contacts.sub_contacts[c];
+    if (span.count == 0) return;
+    PlaneTwist twist(n, subs.position[span.first]);
     for (Row s = span.first; s < span.end(); ++s) {
         const Vec3 place = subs.position[s];
         const Vec3 v1 = side1.at(subs.side1[s], place), v2 = side2.at(subs.side2[s], place);
@@ -172,15 +214,22 @@ void move_between(Model& model, Row c, JointWork& work) {
         subs.shear_displacement_increment.set(s, shear);
         farthest = std::max(farthest, shear.squaredNorm());
         if (!large) continue;
-        subs.position.set(s, place + 0.5 * step * (v1 + v2));
-        const Vec3 force = subs.shear_force[s];
-        subs.shear_force.set(s, force - force.dot(n) * n);
+        const Vec3 mean = 0.5 * (v1 + v2);
+        twist.add(place, mean);
+        subs.position.set(s, place + step * mean);
     }
     if (large) contacts.slip_since_update[c] += std::sqrt(farthest);
+    const Eight3 normal = eights(n);
+    const Eight angle = eights(large ? twist.angle(step) : 0);
     for (Row row = span.first; row < span.end(); row += eight) {
         const RowsOfEight group(span.end() - row);
-        add_work(work, subs, row, group, group.load(subs.shear_force, row),
-                 group.load(subs.normal_displacement_increment.data() + row),
+        Eight3 force = group.load(subs.shear_force, row);
+        if (large) {
+            force = turned_in_plane(force, normal, angle);
+            group.store(subs.shear_force, row, force);
+            turn_kept(subs, kept, row, group, normal, angle);
+        }
+        add_work(work, subs, row, group, force, group.load(subs.normal_displacement_increment.data() + row),
                  group.load(subs.shear_displacement_increment, row));
     }
 }
@@ -192,8 +241,7 @@ void move_contact(Model& model, Row c, const std::vector<std::size_t>& kept, Joi
     const Vec3 normal_before = contacts.normal[c];
     if (model.settings.large_strain) turn_plane(model, c);
     if (model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]]) {
-        move_between(model, c, work);
-        turn_kept_vectors(model, c, kept);
+        move_between(model, c, kept, work);
     } else {
         move_between_rigid(model, c, normal_before, kept, work);
     }
@@ -207,7 +255,7 @@ void turn_kept_vectors(Model& model, Row c, const std::vector<std::size_t>& kept
     const Eight3 n = eights(contacts.normal[c]);
     const bool rigid = !blocks.deformable[b1] && !blocks.deformable[b2];
     const Vec3 turn = 0.5 * model.clock.time_step * (blocks.rotational_velocity[b1] + blocks.rotational_velocity[b2]);
-    const Eight twist = eights(rigid ? turn.dot(contacts.normal[c]) : 0);
+    const Eight twist = eights(rigid ? turn.dot(contacts.normal[c]) : twist_with_zones(model, c));
     const Span span = contacts.sub_contacts[c];
     for (Row i = span.first; i < span.end(); i += eight)
         turn_kept(model.sub_contacts, kept, i, RowsOfEight(span.end() - i), n, twist);
