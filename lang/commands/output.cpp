@@ -48,7 +48,7 @@ const std::vector<Listed>& listed() {
         {unbalanced, {Spelling{"unbalanced", 3}}, "largest unbalanced force, and its ratios to the forces that act"},
         {damping, {"damping"}, "kind of damping and its numbers"},
         {information, {Spelling{"information", 3}}, "what there is: time, cycle, numbers of blocks, contacts, zones"},
-        {time_step, {"timestep"}, "time step and what limits it"},
+        {time_step, {"timestep"}, "time step, what limits it, and what mass longer ones take"},
         {timing, {"timing"}, "seconds spent in each phase of the cycle"},
         {energy, {"energy"}, "energies and their balance"},
         {hash, {"hash"}, "one number that tells two states of a model apart"},

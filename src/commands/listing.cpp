@@ -6,6 +6,7 @@
 #include "commands/handlers.hpp"
 #include "commands/materials.hpp"
 #include "commands/progress.hpp"
+#include "commands/time_step.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "model/measure.hpp"
 #include "model/sampling.hpp"
@@ -200,7 +201,10 @@ std::string list_information(Session& session, const lang::List&) {
 std::string list_time_step(Session& session, const lang::List&) {
     session.cycle->prepare();
     const std::string scaling = scaling_text(session.model);
-    return session.cycle->time_step_report() + (scaling.empty() ? "" : "\n" + scaling);
+    std::string text = session.cycle->time_step_report();
+    for (const std::string& part : {scaling, added_mass_table(session.model)})
+        if (!part.empty()) text += "\n" + part;
+    return text;
 }
 
 std::string list_extremes(Session& session, const lang::List&) {

@@ -211,6 +211,7 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
     make_ready(session);
     session.autosave.begins();
     warn_of_long_step(session);
+    if (monitor) note_added_mass(session);
     const Clock start = session.model.clock;
     Target target;
     if (limits.cycles) target.cycle = start.cycle + *limits.cycles;

@@ -1,9 +1,12 @@
 #include "commands/time_step.hpp"
 
 #include "base/diagnostic.hpp"
+#include "commands/text_table.hpp"
 #include "mechanics/step_bounds.hpp"
 
+#include <array>
 #include <fmt/format.h>
+#include <vector>
 
 namespace kaya {
 
@@ -28,7 +31,74 @@ bool has_velocity_history(const Model& model) {
     return false;
 }
 
+/// What a longer step costs: bodies that allow a shorter one get more mass.
+struct AddedMass {
+    double step = 0;
+    double part = 0; ///< of the mass that moves
+    std::size_t bodies = 0;
+};
+
+/// For the step of the true masses and multiples of it, until more than the whole mass is added.
+std::vector<AddedMass> added_masses(const Model& model) {
+    constexpr std::array multiples{1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000};
+    const Adjacency adjacency = make_adjacency(model);
+    StepBounds bounds;
+    bounds.update(model, adjacency);
+    const StepLimit limit = bounds.limit(model, adjacency, Masses::real);
+    if (!limit.exists()) return {};
+    const BodyStiffness& stiffness = bounds.stiffness(model, adjacency);
+    std::vector<AddedMass> rows;
+    for (const int multiple : multiples) {
+        AddedMass row{multiple * limit.stable * time_step_fraction(model.settings), 0, 0};
+        double whole = 0, added = 0;
+        const auto add = [&](const Resistance& body, double mass) {
+            if (!body.acts()) return;
+            whole += mass;
+            const double more = body.needed_for(multiple * limit.stable) - mass;
+            if (!(more > 1e-6 * mass)) return;
+            added += more;
+            ++row.bodies;
+        };
+        for (std::size_t b = 0; b < model.blocks.size(); ++b) add(stiffness.of_block[b], model.blocks.mass[b]);
+        for (std::size_t g = 0; g < model.gridpoints.size(); ++g)
+            add(stiffness.of_gridpoint[g], model.gridpoints.mass[g]);
+        row.part = whole > 0 ? added / whole : 0;
+        rows.push_back(row);
+        if (row.part > 1) break;
+    }
+    return rows;
+}
+
 } // namespace
+
+std::string added_mass_table(const Model& model) {
+    TextTable table({"mscale part", "added mass, %", "bodies"});
+    for (const AddedMass& row : added_masses(model))
+        table.add({number_text(row.step), fmt::format("{:.3g}", 100 * row.part), std::to_string(row.bodies)});
+    return table.size() > 0 ? table.text() : "";
+}
+
+void note_added_mass(Session& session) {
+    const Settings& settings = session.model.settings;
+    const bool to_rest =
+        settings.mass_scaling == MassScaling::none && !settings.dynamic && settings.given_time_step == 0;
+    const std::string key = "added mass"; // the message has numbers, which would make it another one each time
+    if (!to_rest || session.said_once.contains(key) || has_velocity_history(session.model)) return;
+    constexpr double little = 0.01; // of the mass
+    constexpr double much = 10;     // times the step
+    const std::vector<AddedMass> rows = added_masses(session.model);
+    const AddedMass* best = nullptr;
+    for (const AddedMass& row : rows)
+        if (row.part <= little) best = &row;
+    if (!best || best->step < much * rows.front().step) return;
+    session.said_once.insert(key);
+    session.note_once(
+        fmt::format(
+            "a few small or stiff bodies set the time step: with {:.2g} % more mass it would be {:.0f} times as long",
+            100 * best->part, best->step / rows.front().step),
+        fmt::format("`mscale part {}`, or `mscale on` where only rest counts; `list timestep` shows more",
+                    number_text(best->step)));
+}
 
 void warn_of_long_step(Session& session) {
     const Model& model = session.model;
