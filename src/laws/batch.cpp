@@ -109,7 +109,7 @@ std::optional<BatchFailure> call(const JointModel& model, const std::function<pt
         return BatchFailure{0, fmt::format("joint model {} keeps objects, and here is no room for them", model.name)};
     batch.row = batch.n; // a model that works row by row will say where it is
     ptrdiff_t row = -1;
-    const AtWork at_work(model.who(), what, &batch, numbers);
+    const AtWork at_work(model.who(), what, {.rows = batch.n, .row = &batch.row, .numbers = numbers});
     ArithmeticGuard arithmetic; // puts back also after what is thrown
     const ReadOnly read_only(model, batch, guard);
     try {

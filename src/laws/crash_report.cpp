@@ -128,14 +128,14 @@ const char* deed_of(int signal, int code) {
 }
 
 /// Where in the batch: a model that works row by row says so, of others only the ends are known.
-void add_place(Sentence& sentence, const kaya_jbatch& batch, const std::int32_t* numbers) {
-    const auto number = [numbers](std::size_t row) {
-        return numbers ? static_cast<long>(numbers[row]) : static_cast<long>(row);
+void add_place(Sentence& sentence, const AtRows& at) {
+    if (at.rows == 0) return;
+    const auto number = [&at](std::size_t row) {
+        return at.numbers ? static_cast<long>(at.numbers[row]) : at.first + static_cast<long>(row);
     };
-    const char* what = numbers ? "sub-contact " : "row ";
-    if (batch.n == 0) return;
-    if (batch.row < batch.n) sentence << ", at " << what << number(batch.row);
-    else sentence << ", between " << what << number(0) << " and " << what << number(batch.n - 1);
+    const char* noun = at.numbers || at.first > 0 ? at.noun : "row";
+    if (*at.row < at.rows) sentence << ", at " << noun << " " << number(*at.row);
+    else sentence << ", between " << noun << " " << number(0) << " and " << number(at.rows - 1);
 }
 
 constexpr const char* what_is_left = "\n  the program ends here; files that were saved before are whole\n";
@@ -147,7 +147,7 @@ void report(int signal, siginfo_t* info, void*) {
     Sentence sentence;
     if (const CrashReport::Call* call = at_work) {
         sentence << "\nerror: " << call->who->noun << " '" << call->who->name.c_str() << "' crashed in " << call->what;
-        if (call->batch) add_place(sentence, *call->batch, call->numbers);
+        add_place(sentence, call->rows);
         sentence << ": it" << deed << "\n  its library: " << call->who->file.c_str() << what_is_left;
         sentence.write();
     } else if (const Called* last = called_last.load()) {
@@ -172,7 +172,7 @@ void refuse_exit() {
     Sentence sentence;
     sentence << "\nerror: " << call->who->noun << " '" << call->who->name.c_str() << "' ended the program by exit() in "
              << call->what;
-    if (call->batch) add_place(sentence, *call->batch, call->numbers);
+    add_place(sentence, call->rows);
     sentence << "\n  its library: " << call->who->file.c_str()
              << "\n  a model that fails returns the row and writes a sentence to batch->message" << what_is_left;
     if (::ftrylockfile(stdout) == 0) ::fflush_unlocked(stdout);
@@ -242,8 +242,7 @@ void report_crashes() {
     std::atexit(refuse_exit);
 }
 
-AtWork::AtWork(const Called* who, const char* what, const kaya_jbatch* batch, const std::int32_t* numbers)
-    : call_{who, what, batch, numbers}, before_(at_work) {
+AtWork::AtWork(const Called* who, const char* what, const AtRows& rows) : call_{who, what, rows}, before_(at_work) {
     if (reporting.load(std::memory_order_relaxed)) {
         thread_local SpareStack spare;
         static_cast<void>(spare);

@@ -1,8 +1,7 @@
 // Says which joint model or zone model was at work when the program crashes, ends or does not come back.
 #pragma once
 
-#include "kaya/jmodel.h"
-
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -33,13 +32,20 @@ void end_at_once(int signal);
 /// For a signal handler: says that the program waits for the models that are at work, if there are any.
 void tell_whom_it_waits_for();
 
+/// Where in a batch a law is. It says so itself by writing to `row`; until then it is anywhere.
+struct AtRows {
+    std::size_t rows = 0;
+    const std::size_t* row = nullptr;      ///< of the batch
+    const std::int32_t* numbers = nullptr; ///< of the rows that users see; NULL: they follow `first`
+    std::int32_t first = 0;                ///< number of the first row; 0: the report gives rows
+    const char* noun = "sub-contact";      ///< of what has a number
+};
+
 /// While it lives, a law is at work in this thread. Costs a few stores; nothing is allocated.
 class AtWork {
 public:
-    /// `what` is "run", "initialise", ...; it must outlive all reports, as literals do. `batch` may be NULL; `numbers` are
-    /// those of its rows that users see, NULL: the report gives rows.
-    AtWork(const Called* who, const char* what, const kaya_jbatch* batch = nullptr,
-           const std::int32_t* numbers = nullptr);
+    /// `what` is "run", "initialise", ...; it must outlive all reports, as literals do.
+    AtWork(const Called* who, const char* what, const AtRows& rows = {});
     ~AtWork();
     AtWork(const AtWork&) = delete;
     AtWork& operator=(const AtWork&) = delete;
@@ -49,8 +55,7 @@ private:
     struct Call {
         const Called* who;
         const char* what;
-        const kaya_jbatch* batch;
-        const std::int32_t* numbers;
+        AtRows rows;
     } call_;
     const Call* before_;
 };

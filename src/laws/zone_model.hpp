@@ -38,8 +38,8 @@ public:
     ZoneModuli moduli(const std::vector<double>& values) const;
 
     /// One step of the rows of a batch. What the model throws, what it returns that is no number and what it does to its properties
-    /// are failures too.
-    std::optional<ZoneFailure> run(kaya_zbatch& batch) const;
+    /// are failures too. `first` is the number of the first zone, for the report of a crash; 0: it gives rows.
+    std::optional<ZoneFailure> run(kaya_zbatch& batch, std::int32_t first = 0) const;
 
     const kaya_jtables* tables = nullptr; ///< of the deck; NULL where there is none
 

@@ -152,7 +152,7 @@ private:
     ZoneSums run_batch(Row first, Row count) {
         Columns columns(model_, first, count, law_);
         strain(columns, first, count);
-        if (const auto failure = law_.model->run(columns.batch)) throw failed(first, *failure);
+        if (const auto failure = law_.model->run(columns.batch, first + 1)) throw failed(first, *failure);
         ZoneSums sums;
         sums.work = finish(columns, first, count);
         if (damped_) {
