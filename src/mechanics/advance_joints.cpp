@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,12 @@ constexpr std::size_t grain = 256; ///< contacts
 constexpr double negligible = 1e-3;
 /// The part of it that comes back in each cycle.
 constexpr double recovery = 5e-3;
+
+double frictional_work(const Model& model, Row c) {
+    const Span span = model.contacts.sub_contacts[c];
+    const double* const work = model.sub_contacts.frictional_work.data();
+    return std::accumulate(work + span.first, work + span.end(), 0.0);
+}
 
 /// Energy that has gone into a contact's springs.
 struct Recovered {
@@ -187,7 +194,8 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
     JointSums sums;
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
     auto& subs = model.sub_contacts;
-    static thread_local std::vector<double> friction; // before the step, of contacts that overlap; kept for its memory
+    static thread_local std::vector<double>
+        friction; // before the step, of contacts that have overlap; kept for its memory
     JointWork before;
     friction.resize(batch.contacts.size());
     for (std::size_t i = 0; i < batch.contacts.size(); ++i) {
@@ -198,8 +206,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         } else {
             move_contact(model, c, batch.model->vectors, before);
         }
-        if (follows_overlap(model, c) || model.contacts.unforced_overlap[c] > 0)
-            friction[i] = frictional_work(model, c);
+        if (model.contacts.unforced_overlap[c] > 0) friction[i] = frictional_work(model, c);
     }
     auto columns = columns_of(model, batch, model.clock.time_step, history.data());
     std::optional<BatchDashpots> dashpots;
@@ -213,7 +220,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         const Row c = batch.contacts[i];
         if (follows_overlap(model, c)) {
             const bool closed_by_law = model.contacts.depth[c] == 0 && is_pressed(model, c);
-            sums.lost += finish_overlap_contact(model, c, friction[i], after);
+            sums.lost += finish_overlap_contact(model, c, after);
             if (closed_by_law) begin_again(model, batch, c);
             sum_contact(model, c, forces);
             note_stiffness(model, c, forces);
@@ -222,12 +229,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         }
         finish_contact(model, c, forces, after);
         if (opens_in_part(model, c)) {
-            const double work_before = work_of_step(model, c);
             sums.lost += follow_overlap(model, c);
-            // The force that it has other than before acts in half of the step, and is not of the energy that the springs hold.
-            const double more = work_of_step(model, c) - work_before;
-            after.joint[0] += more;
-            sums.lost -= 0.5 * more;
             sum_contact(model, c, forces);
             note_stiffness(model, c, forces);
             sums.stiffness_changed = true;

@@ -221,22 +221,49 @@ double keep_shear(Model& model, Row c, const ContactLoad& before) {
     return before.stored() - after.energy - scale * scale * after.shear_energy;
 }
 
-/// Between rigid blocks a contact may have other forces with its new geometry.
-bool books_change(const Model& model, Row c) { return model.settings.energy && between_rigid(model, c); }
-
-/// The forces that a contact has other than before act in half of the step. What they made there is of the joints' work, and negative in
-/// what is lost, which is returned.
-double book_change(Model& model, Row c, double work_before) {
-    if (!books_change(model, c)) return 0;
-    const double made = 0.5 * (work_of_step(model, c) - work_before);
-    model.energy.joint_work -= made;
-    return -made;
-}
-
 /// What is lost when a contact's geometry has been made anew.
 double settle(Model& model, Row c, const ContactLoad& before) {
     if (model.contacts.kind[c] == ContactKind::overlap) return 0;
     return between_rigid(model, c) ? keep_shear(model, c, before) : keep_passive(model, c, before);
+}
+
+/// Makes a joint of an overlap that is closed everywhere: normal force by the closure of each place, in all what it was;
+/// shear force in the same parts. `row` of the first place; history comes from the overlap's first sub-contact.
+void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
+                 const ClosureOffset& offset) {
+    auto& subs = model.sub_contacts;
+    const Vec3& n = draft.plane.normal;
+    const Vec3 origin = model.blocks.centroid[draft.block1], shear = before.shear_sum - before.shear_sum.dot(n) * n;
+    const auto closure = [&](const ContactPoint& p) {
+        return offset.closure + offset.tilt.dot(p.position - origin) - p.gap;
+    };
+    double whole = 0;
+    for (const auto& point : draft.points) whole += point.area * closure(point);
+    for (std::size_t i = 0; i < draft.points.size(); ++i) {
+        const ContactPoint& point = draft.points[i];
+        const Row s = first + static_cast<Row>(i);
+        const double part = point.area * closure(point) / whole;
+        subs.contact[s] = c;
+        subs.type[s] = point.type;
+        subs.side1[s] = point.side1;
+        subs.side2[s] = point.side2;
+        subs.position.set(s, point.position);
+        subs.area[s] = point.area;
+        subs.normal_force[s] = part * before.normal;
+        subs.shear_force.set(s, part * shear);
+        subs.normal_displacement[s] = -closure(point);
+        subs.normal_displacement_increment[s] = 0;
+        if (s == first) continue;
+        for (std::size_t h = 0; h < static_cast<std::size_t>(subs.history_columns); ++h)
+            subs.history[h][s] = subs.history[h][first];
+        for (std::size_t k = 0; k < static_cast<std::size_t>(subs.field_columns); ++k)
+            subs.field[k][s] = subs.field[k][first];
+        if (subs.field_columns > 0) subs.field_set[s] = subs.field_set[first];
+        if (subs.keeps_objects) subs.object[s] = subs.object[first];
+        subs.state[s] = subs.state[first];
+        subs.normal_stiffness[s] = subs.normal_stiffness[first];
+        subs.shear_stiffness[s] = subs.shear_stiffness[first];
+    }
 }
 
 /// Whether an overlap becomes a joint.
@@ -245,21 +272,12 @@ bool closes(const Model& model, const ContactDraft& draft) {
            model.contacts.kind[draft.old] == ContactKind::overlap;
 }
 
-struct LoadBefore {
-    Row row; ///< of the draft
-    ContactLoad load;
-    double work; ///< of its forces in the step
-
-    LoadBefore(const Model& model, Row draft, Row old)
-        : row(draft), load(model, old), work(books_change(model, old) ? work_of_step(model, old) : 0) {}
-};
-
-/// The loads of contacts that get new geometry.
-std::vector<LoadBefore> loads_of(const Model& model, const std::vector<ContactDraft>& drafts) {
-    std::vector<LoadBefore> loads;
+/// The loads of contacts that get new geometry, by row of the draft.
+std::vector<std::pair<Row, ContactLoad>> loads_of(const Model& model, const std::vector<ContactDraft>& drafts) {
+    std::vector<std::pair<Row, ContactLoad>> loads;
     for (std::size_t c = 0; c < drafts.size(); ++c)
         if (drafts[c].old != no_row && drafts[c].kind == DraftKind::new_geometry)
-            loads.emplace_back(model, static_cast<Row>(c), drafts[c].old);
+            loads.emplace_back(static_cast<Row>(c), ContactLoad(model, drafts[c].old));
     return loads;
 }
 
@@ -305,7 +323,7 @@ bool same_rows(const Model& model, const std::vector<ContactDraft>& drafts) {
     return true;
 }
 
-/// Returns what is lost of the energy in springs where joints become overlaps and overlaps joints.
+/// Returns what is lost of the energy in springs where joints become overlaps.
 double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Changes& changes) {
     const auto& blocks = model.blocks;
     double lost = 0;
@@ -317,12 +335,12 @@ double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, C
         }
         const auto& g = draft.plane;
         const bool from_overlap = closes(model, draft);
-        const OverlapBefore overlap(model.contacts, draft.old);
+        const ClosureOffset offset{model.contacts.offset[draft.old], model.contacts.offset_tilt[draft.old]};
         const Span span = model.contacts.sub_contacts[draft.old];
         const ContactLoad before = from_overlap ? ContactLoad(model, draft.old) : ContactLoad();
         write_contact(model, draft.old, g);
         if (from_overlap) {
-            close_joint(model, draft, draft.old, span.first, before, overlap);
+            close_joint(model, draft, draft.old, span.first, before, offset);
             continue;
         }
         for (Row i = 0; i < span.count; ++i)
@@ -342,15 +360,13 @@ void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vec
 
 bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts) {
     if (!all_keep_places(model, drafts)) return false;
-    const auto loads = loads_of(model, drafts);
+    std::vector<ContactLoad> loads;
+    for (const auto& draft : drafts) loads.emplace_back(model, draft.old);
     Changes changes(model.sub_contacts.size());
     double lost = refresh_in_place(model, drafts, changes);
     tell_joint_models(model, joints, changes, true);
-    for (const auto& before : loads) {
-        const Row c = drafts[before.row].old;
-        lost += settle(model, c, before.load);
-        lost += book_change(model, c, before.work);
-    }
+    for (std::size_t i = 0; i < drafts.size(); ++i)
+        if (drafts[i].kind == DraftKind::new_geometry) lost += settle(model, drafts[i].old, loads[i]);
     if (model.settings.energy) model.energy.joint_lost += lost;
     return true;
 }
@@ -419,7 +435,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
             draft.kind == DraftKind::new_geometry && draft.old != no_row && contacts.kind[c] == ContactKind::overlap;
         const bool is_new =
             draft.kind == DraftKind::new_geometry || (draft.kind == DraftKind::overlap && draft.old == no_row);
-        const OverlapBefore overlap(contacts, row);
+        const ClosureOffset offset{contacts.offset[c], contacts.offset_tilt[c]};
         const bool other_type =
             is_new && !closing && draft.old != no_row && draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_type;
         if (is_new) write_contact(model, row, draft.plane);
@@ -442,8 +458,8 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
                               draft.plane.type == ContactType::face_face, changes);
         }
         if (closing) {
-            const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.row == row; });
-            close_joint(model, draft, row, spans[c].first, load->load, overlap);
+            const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.first == row; });
+            close_joint(model, draft, row, spans[c].first, load->second, offset);
         }
     }
     for (std::size_t c = 0; c < contact_kept.size(); ++c)
@@ -454,10 +470,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     ModelEdit(model, Change::lists); // even if a joint model gives up below
     for (const Row c : converted) lost += follow_overlap(model, c);
     tell_joint_models(model, joints, changes, moving);
-    for (const auto& before : loads) {
-        lost += settle(model, before.row, before.load);
-        if (moving) lost += book_change(model, before.row, before.work);
-    }
+    for (const auto& [row, load] : loads) lost += settle(model, row, load);
     for (std::size_t c = 0; c < drafts.size(); ++c)
         if (drafts[c].old == no_row) lost -= ContactLoad(model, static_cast<Row>(c)).stored();
     if (model.settings.energy) model.energy.joint_lost += lost;

@@ -43,8 +43,6 @@ struct Closures {
     Row open = no_row; ///< one that carries nothing
     double area = 0;
     double deepest = 0;
-    double volume = 0, square = 0; ///< integrals of the closure and of its square over the places that are closed
-    double overdrawn = 0; ///< by which places that have opened in the step gave more than the square said that they had
     double mean_offset = 0; ///< closure besides that of the places, weighted with the forces
     double misfit = 0;      ///< by which places are closed or open that the mean offset says are not so
 };
@@ -74,9 +72,6 @@ Closures closures_of(const Model& model, Row c) {
         found.area += subs.area[s];
         if (!(subs.normal_force[s] > 0)) {
             found.open = s;
-            // Half the force of the start acted along the whole way.
-            const double gap = std::max(0.0, subs.normal_displacement[s]);
-            found.overdrawn += subs.area[s] * gap * std::max(0.0, subs.normal_displacement_increment[s] - gap);
             if (!known) continue;
             open += geometric_closure(model, s, n) + subs.normal_displacement[s];
             nearest = std::max(nearest, geometric_closure(model, s, n));
@@ -89,8 +84,6 @@ Closures closures_of(const Model& model, Row c) {
         low = std::min(low, offset);
         high = std::max(high, offset);
         found.deepest = std::max(found.deepest, closure);
-        found.volume += subs.area[s] * closure;
-        found.square += subs.area[s] * closure * closure;
         if (traction > greatest) {
             greatest = traction;
             found.most = s;
@@ -170,25 +163,6 @@ ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& cl
     return offset;
 }
 
-/// Moves the closure of an offset such that the overlap holds the energy of the joint's springs: at the same closure the two differ
-/// by a part of the order of closure over size, which would be made or lost each time. Returns what the overlap carries over what
-/// the joint does; where no such closure is near the offset stays, and the force as well.
-double hold_same_energy(const Model& model, Row c, const Closures& closures, ClosureOffset& offset) {
-    constexpr double farthest = 0.05; // of the deepest closure
-    constexpr int steps = 4;          // of Newton's method; to the end, since rounding errors must decide nothing
-    ClosureOffset moved = offset;
-    for (int i = 0;; ++i) {
-        const OverlapPatch patch = overlap_patch(model, pair_of(model.contacts, c), model.contacts.normal[c], moved);
-        if (!(patch.carried > 0)) return 1;
-        if (i == steps) {
-            offset = moved;
-            return patch.carried / closures.volume;
-        }
-        moved.closure += (0.5 * (closures.square - closures.overdrawn) - patch.energy) / patch.carried;
-        if (std::abs(moved.closure - offset.closure) > farthest * closures.deepest) return 1;
-    }
-}
-
 /// What a joint model keeps of a row.
 struct RowState {
     std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
@@ -229,10 +203,8 @@ double follow_overlap(Model& model, Row c) {
     ClosureOffset offset;
     constexpr double same = 0.05; // of the deepest closure
     offset.closure = closures.mean_offset;
-    double force = closures.force;
     if (closures.force > 0 && closures.misfit > same * closures.deepest)
         offset = closure_of_resultant(model, c, closures);
-    else if (closures.force > 0) force *= hold_same_energy(model, c, closures, offset);
 
     const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset);
     const bool closed = patch.carried > 0 && closures.force > 0;
@@ -245,7 +217,7 @@ double follow_overlap(Model& model, Row c) {
     contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
     contacts.stiffness_area[c] = rung_above(std::max(patch.area, contacts.area[c]), contacts.least_area[c]);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
-    contacts.energy_taken[c] = force * contacts.energy_length[c];
+    contacts.energy_taken[c] = closures.force * contacts.energy_length[c];
     contacts.withheld[c] = contacts.slip_since_update[c] = contacts.unforced_overlap[c] = contacts.withdrawn_energy[c] =
         0;
     std::array<Vec3, carriers> places;
@@ -272,7 +244,7 @@ double follow_overlap(Model& model, Row c) {
         const bool carries = k < carriers;
         (carries ? of_carrier : of_open).put(subs, s);
         subs.area[s] = carries ? contacts.area[c] / carriers : closures.open == no_row ? 0 : open_area;
-        subs.normal_force[s] = carries && closed ? force / carriers : 0;
+        subs.normal_force[s] = carries && closed ? closures.force / carriers : 0;
         subs.shear_force.set(s, carries && closed ? Vec3(shear / carriers) : Vec3(Vec3::Zero()));
         if (carries) subs.normal_displacement[s] = closed ? -patch.depth : std::max(0.0, of_carrier.displacement);
         subs.position.set(s, carries ? places[k] : contacts.position[c]);
@@ -280,48 +252,6 @@ double follow_overlap(Model& model, Row c) {
         subs.dashpot_shear.set(s, carries ? Vec3(shear_dashpots / carriers) : Vec3(Vec3::Zero()));
     }
     return stored - ContactLoad(model, c).stored();
-}
-
-void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
-                 const OverlapBefore& overlap) {
-    auto& subs = model.sub_contacts;
-    const Vec3& n = draft.plane.normal;
-    const Vec3 origin = model.blocks.centroid[draft.block1], shear = before.shear_sum - before.shear_sum.dot(n) * n;
-    const auto closure = [&](const ContactPoint& p) {
-        return overlap.offset.closure + overlap.offset.tilt.dot(p.position - origin) - p.gap;
-    };
-    double whole = 0, square = 0;
-    for (const auto& point : draft.points) {
-        whole += point.area * closure(point);
-        square += point.area * closure(point) * closure(point);
-    }
-    // Closures in parts of those of the places, of which joint and overlap make a little more or less energy and force.
-    const double closed = std::sqrt(2 * overlap.energy / square), force = closed * whole / overlap.carried;
-    for (std::size_t i = 0; i < draft.points.size(); ++i) {
-        const ContactPoint& point = draft.points[i];
-        const Row s = first + static_cast<Row>(i);
-        const double part = point.area * closure(point) / whole;
-        subs.contact[s] = c;
-        subs.type[s] = point.type;
-        subs.side1[s] = point.side1;
-        subs.side2[s] = point.side2;
-        subs.position.set(s, point.position);
-        subs.area[s] = point.area;
-        subs.normal_force[s] = part * force * before.normal;
-        subs.shear_force.set(s, part * shear);
-        subs.normal_displacement[s] = -closed * closure(point);
-        subs.normal_displacement_increment[s] = 0;
-        if (s == first) continue;
-        for (std::size_t h = 0; h < static_cast<std::size_t>(subs.history_columns); ++h)
-            subs.history[h][s] = subs.history[h][first];
-        for (std::size_t k = 0; k < static_cast<std::size_t>(subs.field_columns); ++k)
-            subs.field[k][s] = subs.field[k][first];
-        if (subs.field_columns > 0) subs.field_set[s] = subs.field_set[first];
-        if (subs.keeps_objects) subs.object[s] = subs.object[first];
-        subs.state[s] = subs.state[first];
-        subs.normal_stiffness[s] = subs.normal_stiffness[first];
-        subs.shear_stiffness[s] = subs.shear_stiffness[first];
-    }
 }
 
 } // namespace kaya

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace kaya {
@@ -77,7 +76,12 @@ bool is_idle(const Model& model, Row c) {
 }
 
 /// What rows of idle contacts have worn so far counts before a step and after it, as that of all others.
-void add_friction_of(const Model& model, Row c, JointWork& work) { work.friction[0] += frictional_work(model, c); }
+void add_friction_of(const Model& model, Row c, JointWork& work) {
+    const Span span = model.contacts.sub_contacts[c];
+    double friction = 0;
+    for (Row s = span.first; s < span.end(); ++s) friction += model.sub_contacts.frictional_work[s];
+    work.friction[0] += friction;
+}
 
 /// Energy in the shear springs of a row.
 double shear_energy(const SubContacts& subs, Row s) {
@@ -109,23 +113,14 @@ double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& moti
 
 /// Gives a carrier another area. Its normal traction stays. Its shear force stays where faces lie on each other: if it
 /// followed the area, a joint that opens and closes at its edge would lose some each time and creep. On corners and edges
-/// that roll, what leaves the contact takes its shear force along. A spring that keeps its force on a smaller area holds more
-/// energy. In an impact `taken`, what larger areas have taken of it before, must pay for that, or the force is smaller; a joint that opens
-/// slowly gains next to nothing, and would creep. Returns the energy of the shear spring that is lost.
-double change_area(SubContacts& subs, Row s, double area, bool lies, double& taken) {
+/// that roll, what leaves the contact takes its shear force along. Returns the energy of the shear spring that is lost.
+double change_area(SubContacts& subs, Row s, double area, bool lies) {
     const double before = shear_energy(subs, s);
     const double ratio = subs.area[s] > 0 ? area / subs.area[s] : 1;
     subs.normal_force[s] *= ratio;
+    if (!lies && ratio < 1) subs.shear_force.set(s, ratio * Vec3(subs.shear_force[s]));
     subs.area[s] = area;
-    if (!(before > 0)) return 0;
-    constexpr double slow = 0.99; // of the area left after a step
-    double scale = 1;
-    if (ratio < 1 && !lies) scale = ratio;
-    else if (ratio < slow) scale = std::min(1.0, std::sqrt(ratio * (1 + taken / before)));
-    if (scale != 1) subs.shear_force.set(s, scale * Vec3(subs.shear_force[s]));
-    const double lost = before - shear_energy(subs, s);
-    if (lies) taken = std::max(0.0, taken + lost);
-    return lost;
+    return before - shear_energy(subs, s);
 }
 
 double normal_force_of(const Model& model, Row c) {
@@ -190,7 +185,7 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
         }
         Vec3 shift = apart; // of all rows of blocks that are apart: they stand in one place
         if (closed) {
-            lost += change_area(subs, s, contacts.area[c] / carriers, patch.lies, contacts.withdrawn_energy[c]);
+            lost += change_area(subs, s, contacts.area[c] / carriers, patch.lies);
             subs.position.set(s, places[k]);
             shift = motion.at(places[k]);
         } else {
@@ -292,36 +287,22 @@ double scale_force(Model& model, Row c, double scale) {
     return before * (1 - scale * scale);
 }
 
-/// The joint model's springs and friction see the whole shear force of half a step, of which a part is withheld from the blocks. What the
-/// part that is withheld would have put in, by the motion of the step. `scale` is that of the forces as they are.
-double withheld_shear_work(const Model& model, Row c, double scale, const RelativeMotion& motion) {
-    if (scale == 1 || !(scale > 0)) return 0;
-    const auto& subs = model.sub_contacts;
-    const Span span = model.contacts.sub_contacts[c];
-    double work = 0;
-    for (Row s = span.first; s < span.end(); ++s) work += Vec3(subs.shear_force[s]).dot(motion.at(subs.position[s]));
-    return -0.5 * (1 / scale - 1) * work;
-}
-
 /// Steps are finite: a contact that closes and opens within a few of them would give back a little more or less than it
 /// took. On corners and edges it gives back no more: where the energy that it has taken is below that of its overlap, the force is that of the
-/// lower one, within limits, so that the overlap stays what the load asks for. `worn` is the work of friction in the step, by the whole
-/// force. Returns the energy that has gone out of what it has taken without work.
-double keep_passive(Model& model, Row c, double worn) {
+/// lower one, within limits, so that the overlap stays what the load asks for. Returns the energy that has gone out of what
+/// it has taken without work.
+double keep_passive(Model& model, Row c) {
     constexpr double least_scale = 0.75, recovery = 2e-3, surplus = 1.1;
-    // Where little of the energy goes in or out in a step it is kept as exactly as need be. At the deepest point of a blow that
-    // is so for a moment only.
-    constexpr double slow = 1e-3, settling = 0.02;
+    constexpr double slow = 1e-3; // of the energy in a step: it is kept as exactly as need be
     auto& contacts = model.contacts;
     const RelativeMotion motion(model, c);
     const double of_overlap = normal_force_of(model, c) * contacts.energy_length[c];
     const double work = 0.5 * normal_work(model, c, motion);
     double& taken = contacts.energy_taken[c];
-    const double before = taken, scale_before = 1 - contacts.withheld[c];
+    const double before = taken;
     double scale = 1, of_shear = 0;
     taken -= work;
-    if (lie_on_each_other(model, pair_of(contacts, c))) taken = of_overlap;
-    else if (std::abs(work) < slow * of_overlap) taken += settling * (of_overlap - taken);
+    if (std::abs(work) < slow * of_overlap || lie_on_each_other(model, pair_of(contacts, c))) taken = of_overlap;
     if (of_overlap > 0 && taken < of_overlap) {
         taken = std::max(taken, least_scale * least_scale * of_overlap);
         scale = std::sqrt(taken / of_overlap);
@@ -337,16 +318,12 @@ double keep_passive(Model& model, Row c, double worn) {
     }
     taken = std::min(taken, surplus * of_overlap);
     contacts.withheld[c] = 1 - scale;
-    const double lost = before - scale * work - taken + of_shear;
-    // The shear springs have what is withheld of their work from what the contact has taken, and friction has not worn as much.
-    const double not_worn = (1 - 0.5 * (scale_before + scale)) * worn;
-    taken = std::max(0.0, taken + not_worn - withheld_shear_work(model, c, scale, motion));
-    return lost - not_worn;
+    return before - scale * work - taken + of_shear;
 }
 
 /// The joint model sees the force of the overlap. Returns the energy of the shear springs that is lost.
 double take_back_scale(Model& model, Row c) {
-    const double missing = model.contacts.withheld[c];
+    const double missing = std::exchange(model.contacts.withheld[c], 0);
     return missing > 0 && missing < 1 ? scale_force(model, c, 1 / (1 - missing)) : 0;
 }
 
@@ -375,18 +352,6 @@ void begin_without_force(Model& model, Row c) {
     contacts.offset_normal[c] = n;
 }
 
-double frictional_work(const Model& model, Row c) {
-    const Span span = model.contacts.sub_contacts[c];
-    const double* const work = model.sub_contacts.frictional_work.data();
-    return std::accumulate(work + span.first, work + span.end(), 0.0);
-}
-
-double work_of_step(const Model& model, Row c) {
-    JointWork work;
-    add_work_of(model, c, RelativeMotion(model, c), work);
-    return work.joint[0];
-}
-
 double move_overlap_contact(Model& model, Row c, JointWork& work) {
     auto& contacts = model.contacts;
     const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
@@ -396,8 +361,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
         add_friction_of(model, c, work);
     } else {
         add_work_of(model, c, motion.at_start(), work);
-        contacts.energy_taken[c] -= 0.5 * normal_work(model, c, motion.at_start()) +
-                                    withheld_shear_work(model, c, 1 - contacts.withheld[c], motion.at_start());
+        contacts.energy_taken[c] -= 0.5 * normal_work(model, c, motion.at_start());
     }
     const double of_scale = take_back_scale(model, c);
 
@@ -463,7 +427,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     return lost;
 }
 
-double finish_overlap_contact(Model& model, Row c, double worn_before, JointWork& work) {
+double finish_overlap_contact(Model& model, Row c, JointWork& work) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
@@ -478,9 +442,9 @@ double finish_overlap_contact(Model& model, Row c, double worn_before, JointWork
         if (contacts.offset[c] > 0) contacts.offset[c] = 0;
         contacts.offset_tilt[c].setZero();
         lost += contacts.energy_taken[c];
-        contacts.energy_taken[c] = contacts.energy_length[c] = contacts.withheld[c] = 0;
+        contacts.energy_taken[c] = contacts.energy_length[c] = 0;
     } else {
-        lost += keep_passive(model, c, frictional_work(model, c) - worn_before);
+        lost += keep_passive(model, c);
     }
     if (is_idle(model, c)) add_friction_of(model, c, work);
     else add_work_of(model, c, RelativeMotion(model, c), work);

@@ -2,8 +2,6 @@
 // they have in common. docs/theory/contacts.md, "Corners and edges".
 #pragma once
 
-#include "mechanics/contact_load.hpp"
-#include "mechanics/contact_table.hpp"
 #include "mechanics/overlap_patch.hpp"
 #include "mechanics/move_contact.hpp"
 #include "model/model.hpp"
@@ -23,15 +21,8 @@ double move_overlap_contact(Model& model, Row contact, JointWork& work);
 void begin_without_force(Model& model, Row contact);
 
 /// Adds the work of the forces that the joint model has given. A contact that has parted carries nothing. Returns the
-/// energy that is lost: of the springs of what has parted, and what the contact has taken and does not give back. `worn_before` is the
-/// contact's frictional_work before the joint model was run.
-double finish_overlap_contact(Model& model, Row contact, double worn_before, JointWork& work);
-
-/// Work that the forces of a contact between rigid blocks, as they are, would do on the motion of the step.
-double work_of_step(const Model& model, Row contact);
-
-/// What friction has worn so far in a contact, as its joint model says.
-double frictional_work(const Model& model, Row contact);
+/// energy that is lost: of the springs of what has parted, and what the contact has taken and does not give back.
+double finish_overlap_contact(Model& model, Row contact, JointWork& work);
 
 /// Whether the sub-contacts of a joint with fixed places are neither all closed nor all open, and none pulls.
 bool is_partly_open(const Model& model, Row contact);
@@ -39,20 +30,5 @@ bool is_partly_open(const Model& model, Row contact);
 /// Makes an overlap contact of a joint with fixed places; normal and shear force stay. Returns the energy of its springs
 /// that is lost.
 double follow_overlap(Model& model, Row contact);
-
-/// What an overlap is before its contact gets the geometry of a joint.
-struct OverlapBefore {
-    ClosureOffset offset;
-    double carried, energy; ///< over the normal stiffness
-
-    OverlapBefore(const Contacts& contacts, Row c)
-        : offset{contacts.offset[c], contacts.offset_tilt[c], contacts.offset_normal[c]},
-          carried(contacts.area[c] * contacts.depth[c]), energy(contacts.energy_length[c] * carried) {}
-};
-
-/// Makes a joint of an overlap that is closed everywhere: normal force by the closure of each place, in all such that the springs hold
-/// what the overlap did; shear force in the same parts. `row` of the first place; history comes from the overlap's first sub-contact.
-void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
-                 const OverlapBefore& overlap);
 
 } // namespace kaya
