@@ -227,45 +227,6 @@ double settle(Model& model, Row c, const ContactLoad& before) {
     return between_rigid(model, c) ? keep_shear(model, c, before) : keep_passive(model, c, before);
 }
 
-/// Makes a joint of an overlap that is closed everywhere: normal force by the closure of each place, in all what it was;
-/// shear force in the same parts. `row` of the first place; history comes from the overlap's first sub-contact.
-void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
-                 const ClosureOffset& offset) {
-    auto& subs = model.sub_contacts;
-    const Vec3& n = draft.plane.normal;
-    const Vec3 origin = model.blocks.centroid[draft.block1], shear = before.shear_sum - before.shear_sum.dot(n) * n;
-    const auto closure = [&](const ContactPoint& p) {
-        return offset.closure + offset.tilt.dot(p.position - origin) - p.gap;
-    };
-    double whole = 0;
-    for (const auto& point : draft.points) whole += point.area * closure(point);
-    for (std::size_t i = 0; i < draft.points.size(); ++i) {
-        const ContactPoint& point = draft.points[i];
-        const Row s = first + static_cast<Row>(i);
-        const double part = point.area * closure(point) / whole;
-        subs.contact[s] = c;
-        subs.type[s] = point.type;
-        subs.side1[s] = point.side1;
-        subs.side2[s] = point.side2;
-        subs.position.set(s, point.position);
-        subs.area[s] = point.area;
-        subs.normal_force[s] = part * before.normal;
-        subs.shear_force.set(s, part * shear);
-        subs.normal_displacement[s] = -closure(point);
-        subs.normal_displacement_increment[s] = 0;
-        if (s == first) continue;
-        for (std::size_t h = 0; h < static_cast<std::size_t>(subs.history_columns); ++h)
-            subs.history[h][s] = subs.history[h][first];
-        for (std::size_t k = 0; k < static_cast<std::size_t>(subs.field_columns); ++k)
-            subs.field[k][s] = subs.field[k][first];
-        if (subs.field_columns > 0) subs.field_set[s] = subs.field_set[first];
-        if (subs.keeps_objects) subs.object[s] = subs.object[first];
-        subs.state[s] = subs.state[first];
-        subs.normal_stiffness[s] = subs.normal_stiffness[first];
-        subs.shear_stiffness[s] = subs.shear_stiffness[first];
-    }
-}
-
 /// Whether an overlap becomes a joint.
 bool closes(const Model& model, const ContactDraft& draft) {
     return draft.kind == DraftKind::new_geometry && draft.old != no_row &&
@@ -352,6 +313,104 @@ double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, C
     return lost;
 }
 
+/// Where each row of the new tables comes from. A blank row at the end of the old ones serves those that come from nowhere.
+struct RowSources {
+    Row blank_contact, blank_sub;
+    std::vector<Row> contacts, subs;
+    std::vector<Span> spans; ///< sub-contacts of each contact
+};
+
+RowSources sources_of(const Model& model, const std::vector<ContactDraft>& drafts) {
+    const auto& contacts = model.contacts;
+    const auto& subs = model.sub_contacts;
+    RowSources from{static_cast<Row>(contacts.size()), static_cast<Row>(subs.size()), {}, {}, {}};
+    for (const auto& draft : drafts) {
+        from.contacts.push_back(draft.old == no_row ? from.blank_contact : draft.old);
+        const Span old = draft.old == no_row ? Span{} : contacts.sub_contacts[draft.old];
+        const Row first = static_cast<Row>(from.subs.size());
+        if (draft.kind == DraftKind::as_it_was || (draft.kind == DraftKind::overlap && draft.old != no_row)) {
+            for (Row row = old.first; row < old.end(); ++row) from.subs.push_back(row);
+        } else {
+            for (const auto& point : draft.points) {
+                // Of an overlap only those that carry say anything.
+                const bool overlap = draft.old != no_row && contacts.kind[draft.old] == ContactKind::overlap;
+                const Row row = overlap ? old.first : nearest(subs, old, point.position);
+                from.subs.push_back(row == no_row ? from.blank_sub : row);
+            }
+        }
+        from.spans.push_back({first, static_cast<Row>(from.subs.size()) - first});
+    }
+    return from;
+}
+
+/// Fills the tables row by row when they have been gathered from the old ones.
+class ContactWriter {
+public:
+    ContactWriter(Model& model, const RowSources& from, Changes& changes, std::size_t old_subs)
+        : model_(model), from_(from), changes_(changes), sub_kept_(old_subs, 0) {}
+
+    /// `properties` and `material` are those of new contacts; `loads` of contacts that get new geometry.
+    void write(const ContactDraft& draft, Row c, Row properties, std::int32_t material,
+               const std::vector<std::pair<Row, ContactLoad>>& loads) {
+        auto& contacts = model_.contacts;
+        contacts.block1[c] = draft.block1;
+        contacts.block2[c] = draft.block2;
+        contacts.sub_contacts[c] = from_.spans[c];
+        if (draft.old == no_row) {
+            contacts.id[c] = contacts.ids.create(c);
+            contacts.number[c] = model_.next_contact_number++;
+            contacts.material[c] = material;
+            contacts.properties[c] = properties;
+        } else {
+            contacts.ids.move(contacts.id[c], c);
+        }
+        const bool was_there = draft.old != no_row;
+        const bool closing =
+            draft.kind == DraftKind::new_geometry && was_there && contacts.kind[c] == ContactKind::overlap;
+        const bool is_new = draft.kind == DraftKind::new_geometry || (draft.kind == DraftKind::overlap && !was_there);
+        const ClosureOffset offset{contacts.offset[c], contacts.offset_tilt[c]};
+        const bool other_type =
+            is_new && !closing && was_there && draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_type;
+        if (is_new) write_contact(model_, c, draft.plane);
+        // What was made to overlap does so without force, and what is found too late begins without.
+        if (draft.kind == DraftKind::overlap && !was_there) begin_without_force(model_, c);
+        for (Row i = 0; i < from_.spans[c].count; ++i) {
+            const Row s = from_.spans[c].first + i;
+            name(s, c);
+            if (!is_new || closing) continue;
+            if (other_type) clear_sub_contact(model_.sub_contacts, s);
+            write_sub_contact(model_, s, draft.points[i], draft.plane.normal,
+                              other_type || from_.subs[s] == from_.blank_sub,
+                              draft.plane.type == ContactType::face_face, changes_);
+        }
+        if (!closing) return;
+        const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.first == c; });
+        close_joint(model_, draft, c, from_.spans[c].first, load->second, offset);
+    }
+    /// Which of the old sub-contacts are still there.
+    const std::vector<char>& sub_kept() const { return sub_kept_; }
+
+private:
+    /// A sub-contact goes on as the first that comes from it; others are new.
+    void name(Row s, Row c) {
+        auto& subs = model_.sub_contacts;
+        const Row source = from_.subs[s];
+        subs.contact[s] = c;
+        if (source != from_.blank_sub && !sub_kept_[source]) {
+            sub_kept_[source] = 1;
+            subs.ids.move(subs.id[s], s);
+        } else {
+            subs.id[s] = subs.ids.create(s);
+            subs.number[s] = model_.next_sub_contact_number++;
+        }
+    }
+
+    Model& model_;
+    const RowSources& from_;
+    Changes& changes_;
+    std::vector<char> sub_kept_;
+};
+
 } // namespace
 
 void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vector<char>& marked) {
@@ -379,96 +438,33 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     double lost = stored_in_parted(model, contact_kept);
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
-
-    // Where each new row comes from. A blank row at the end serves those that come from nowhere.
-    const Row blank_contact = static_cast<Row>(contacts.size()), blank_sub = static_cast<Row>(subs.size());
-    std::vector<Row> contact_source, sub_source;
-    std::vector<Span> spans;
-    for (const auto& draft : drafts) {
-        contact_source.push_back(draft.old == no_row ? blank_contact : draft.old);
-        const Span old = draft.old == no_row ? Span{} : contacts.sub_contacts[draft.old];
-        const Row first = static_cast<Row>(sub_source.size());
-        if (draft.kind == DraftKind::as_it_was || (draft.kind == DraftKind::overlap && draft.old != no_row)) {
-            for (Row row = old.first; row < old.end(); ++row) sub_source.push_back(row);
-        } else {
-            for (const auto& point : draft.points) {
-                // Of an overlap only those that carry say anything.
-                const bool overlap = draft.old != no_row && contacts.kind[draft.old] == ContactKind::overlap;
-                const Row row = overlap ? old.first : nearest(subs, old, point.position);
-                sub_source.push_back(row == no_row ? blank_sub : row);
-            }
-        }
-        spans.push_back({first, static_cast<Row>(sub_source.size()) - first});
-    }
+    const RowSources from = sources_of(model, drafts);
 
     // A joint model that is not there is found out before any table changes.
     const bool any_new = std::any_of(drafts.begin(), drafts.end(), [](const auto& d) { return d.old == no_row; });
     const std::int32_t material = model.settings.default_joint_material;
     const Row properties = any_new ? property_set(model, joints, default_joint_model(model), material, "") : no_row;
 
-    std::vector<char> sub_kept(subs.size(), 0);
     const auto old_contact_ids = contacts.id;
     const auto old_sub_ids = subs.id;
     contacts.resize(contacts.size() + 1);
     subs.resize(subs.size() + 1);
-    contacts.gather(contact_source);
-    subs.gather(sub_source);
+    contacts.gather(from.contacts);
+    subs.gather(from.subs);
 
     Changes changes(subs.size());
-    std::vector<Row> converted; // joints that become overlaps
-    for (std::size_t c = 0; c < drafts.size(); ++c) {
-        const auto& draft = drafts[c];
-        const Row row = static_cast<Row>(c);
-        contacts.block1[c] = draft.block1;
-        contacts.block2[c] = draft.block2;
-        contacts.sub_contacts[c] = spans[c];
-        if (draft.old == no_row) {
-            contacts.id[c] = contacts.ids.create(row);
-            contacts.number[c] = model.next_contact_number++;
-            contacts.material[c] = material;
-            contacts.properties[c] = properties;
-        } else {
-            contacts.ids.move(contacts.id[c], row);
-        }
-        if (draft.kind == DraftKind::overlap && draft.old != no_row) converted.push_back(row);
-        const bool closing =
-            draft.kind == DraftKind::new_geometry && draft.old != no_row && contacts.kind[c] == ContactKind::overlap;
-        const bool is_new =
-            draft.kind == DraftKind::new_geometry || (draft.kind == DraftKind::overlap && draft.old == no_row);
-        const ClosureOffset offset{contacts.offset[c], contacts.offset_tilt[c]};
-        const bool other_type =
-            is_new && !closing && draft.old != no_row && draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_type;
-        if (is_new) write_contact(model, row, draft.plane);
-        // What was made to overlap does so without force, and what is found too late begins without.
-        if (draft.kind == DraftKind::overlap && draft.old == no_row) begin_without_force(model, row);
-        for (Row i = 0; i < spans[c].count; ++i) {
-            const Row s = spans[c].first + i;
-            const Row source = sub_source[s];
-            subs.contact[s] = row;
-            if (source != blank_sub && !sub_kept[source]) {
-                sub_kept[source] = 1;
-                subs.ids.move(subs.id[s], s);
-            } else {
-                subs.id[s] = subs.ids.create(s);
-                subs.number[s] = model.next_sub_contact_number++;
-            }
-            if (!is_new || closing) continue;
-            if (other_type) clear_sub_contact(subs, s);
-            write_sub_contact(model, s, draft.points[i], draft.plane.normal, other_type || source == blank_sub,
-                              draft.plane.type == ContactType::face_face, changes);
-        }
-        if (closing) {
-            const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.first == row; });
-            close_joint(model, draft, row, spans[c].first, load->second, offset);
-        }
-    }
+    ContactWriter writer(model, from, changes, old_sub_ids.size());
+    for (std::size_t c = 0; c < drafts.size(); ++c)
+        writer.write(drafts[c], static_cast<Row>(c), properties, material, loads);
     for (std::size_t c = 0; c < contact_kept.size(); ++c)
         if (!contact_kept[c]) contacts.ids.destroy(old_contact_ids[c]);
-    for (std::size_t s = 0; s < sub_kept.size(); ++s)
-        if (!sub_kept[s]) subs.ids.destroy(old_sub_ids[s]);
+    for (std::size_t s = 0; s < old_sub_ids.size(); ++s)
+        if (!writer.sub_kept()[s]) subs.ids.destroy(old_sub_ids[s]);
 
-    ModelEdit(model, Change::lists); // even if a joint model gives up below
-    for (const Row c : converted) lost += follow_overlap(model, c);
+    ModelEdit(model, Change::lists);                // even if a joint model gives up below
+    for (std::size_t c = 0; c < drafts.size(); ++c) // joints that become overlaps
+        if (drafts[c].kind == DraftKind::overlap && drafts[c].old != no_row)
+            lost += follow_overlap(model, static_cast<Row>(c));
     tell_joint_models(model, joints, changes, moving);
     for (const auto& [row, load] : loads) lost += settle(model, row, load);
     for (std::size_t c = 0; c < drafts.size(); ++c)

@@ -254,4 +254,41 @@ double follow_overlap(Model& model, Row c) {
     return stored - ContactLoad(model, c).stored();
 }
 
+void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
+                 const ClosureOffset& offset) {
+    auto& subs = model.sub_contacts;
+    const Vec3& n = draft.plane.normal;
+    const Vec3 origin = model.blocks.centroid[draft.block1], shear = before.shear_sum - before.shear_sum.dot(n) * n;
+    const auto closure = [&](const ContactPoint& p) {
+        return offset.closure + offset.tilt.dot(p.position - origin) - p.gap;
+    };
+    double whole = 0;
+    for (const auto& point : draft.points) whole += point.area * closure(point);
+    for (std::size_t i = 0; i < draft.points.size(); ++i) {
+        const ContactPoint& point = draft.points[i];
+        const Row s = first + static_cast<Row>(i);
+        const double part = point.area * closure(point) / whole;
+        subs.contact[s] = c;
+        subs.type[s] = point.type;
+        subs.side1[s] = point.side1;
+        subs.side2[s] = point.side2;
+        subs.position.set(s, point.position);
+        subs.area[s] = point.area;
+        subs.normal_force[s] = part * before.normal;
+        subs.shear_force.set(s, part * shear);
+        subs.normal_displacement[s] = -closure(point);
+        subs.normal_displacement_increment[s] = 0;
+        if (s == first) continue;
+        for (std::size_t h = 0; h < static_cast<std::size_t>(subs.history_columns); ++h)
+            subs.history[h][s] = subs.history[h][first];
+        for (std::size_t k = 0; k < static_cast<std::size_t>(subs.field_columns); ++k)
+            subs.field[k][s] = subs.field[k][first];
+        if (subs.field_columns > 0) subs.field_set[s] = subs.field_set[first];
+        if (subs.keeps_objects) subs.object[s] = subs.object[first];
+        subs.state[s] = subs.state[first];
+        subs.normal_stiffness[s] = subs.normal_stiffness[first];
+        subs.shear_stiffness[s] = subs.shear_stiffness[first];
+    }
+}
+
 } // namespace kaya

@@ -2,6 +2,8 @@
 // they have in common. docs/theory/contacts.md, "Corners and edges".
 #pragma once
 
+#include "mechanics/contact_load.hpp"
+#include "mechanics/contact_table.hpp"
 #include "mechanics/overlap_patch.hpp"
 #include "mechanics/move_contact.hpp"
 #include "model/model.hpp"
@@ -30,5 +32,10 @@ bool is_partly_open(const Model& model, Row contact);
 /// Makes an overlap contact of a joint with fixed places; normal and shear force stay. Returns the energy of its springs
 /// that is lost.
 double follow_overlap(Model& model, Row contact);
+
+/// Makes a joint of an overlap that is closed everywhere: normal force by the closure of each place, in all what it was;
+/// shear force in the same parts. `row` of the first place; history comes from the overlap's first sub-contact.
+void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
+                 const ClosureOffset& offset);
 
 } // namespace kaya
