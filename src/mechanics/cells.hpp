@@ -81,22 +81,6 @@ struct CellShape {
 /// bb, cc and bc of the other two axes; then the stress along each axis for the product of all three.
 using WarpStress = std::array<Eight, 12>;
 
-/// The warp stresses of eight cells, or of as many as there are, whose zones follow each other from one on.
-inline WarpStress load_warps(const Zones& zones, std::size_t column, Row first, Row count) {
-    WarpStress stress{};
-    for (Row l = 0; l < count; ++l)
-        for (Row k = 0; k < 12; ++k)
-            stress[static_cast<std::size_t>(k)][l] =
-                zones.history[column + static_cast<std::size_t>(k / 6)][first + zones_of_cell * l + k % 6];
-    return stress;
-}
-inline void store_warps(Zones& zones, std::size_t column, Row first, Row count, const WarpStress& stress) {
-    for (Row l = 0; l < count; ++l)
-        for (Row k = 0; k < 12; ++k)
-            zones.history[column + static_cast<std::size_t>(k / 6)][first + zones_of_cell * l + k % 6] =
-                stress[static_cast<std::size_t>(k)][l];
-}
-
 /// Moduli of layers under no pressure from one to the next, and of fibres.
 struct LayerModuli {
     double lambda = 0, two_shear = 0, young = 0;
@@ -128,9 +112,10 @@ inline Eight add_warp_stress(const CellShape& shape, const EightCorners& shift, 
         const Eight mb = jb.dot(jb), mc = jc.dot(jc), m = jb.dot(jc), r = 1.0 / (mb * mc - m * m);
         const Eight ib = mc * r, ic = mb * r, i = -m * r; // inverse of the metric
         const Eight trace = lambda * (ib * bb + ic * cc + 2.0 * i * bc);
-        const std::array<Eight, 3> change{ib * trace + two_shear * (ib * ib * bb + 2.0 * ib * i * bc + i * i * cc),
-                                          ic * trace + two_shear * (ic * ic * cc + 2.0 * ic * i * bc + i * i * bb),
-                                          i * trace + two_shear * (ib * i * bb + (ib * ic + i * i) * bc + ic * i * cc)};
+        const std::array<Eight, 3> change{
+            ib * trace + two_shear * (ib * ib * bb + 2.0 * ib * i * bc + i * i * cc),
+            ic * trace + two_shear * (ic * ic * cc + 2.0 * ic * i * bc + i * i * bb),
+            i * trace + two_shear * (ib * i * bb + (ib * ic + i * i) * bc + ic * i * cc)};
         Eight* const s = &stress[3 * a];
         layers += (s[0] + 0.5 * change[0]) * bb + (s[1] + 0.5 * change[1]) * cc + (2.0 * s[2] + change[2]) * bc;
         for (std::size_t k = 0; k < 3; ++k) s[k] += change[k];

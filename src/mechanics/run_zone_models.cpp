@@ -4,7 +4,6 @@
 #include "mechanics/dashpots.hpp"
 #include "mechanics/run_zone_models.hpp"
 #include "mechanics/tetrahedra.hpp"
-#include "mechanics/zone_columns.hpp"
 #include "mechanics/zone_laws.hpp"
 #include "model/measure.hpp"
 #include "model/water.hpp"
@@ -15,6 +14,11 @@
 namespace kaya {
 
 namespace {
+
+constexpr std::size_t most = 128;         ///< zones in a batch
+constexpr std::size_t most_of_cells = 96; ///< where they stand in cells: twice eight of them
+constexpr std::size_t length =
+    most + 8; ///< of a column: with powers of two they would all fall in the same lines of the cache
 
 /// The points of a tile in rows, which stay near the processor while its zones are worked on.
 class TileRows {
@@ -99,6 +103,22 @@ private:
     PointRow* rows_;
 };
 
+/// The warp stresses of eight cells, or of as many as there are, whose zones follow each other from one on.
+WarpStress load_warps(const Zones& zones, std::size_t column, Row first, Row count) {
+    WarpStress stress{};
+    for (Row l = 0; l < count; ++l)
+        for (Row k = 0; k < 12; ++k)
+            stress[static_cast<std::size_t>(k)][l] =
+                zones.history[column + static_cast<std::size_t>(k / 6)][first + zones_of_cell * l + k % 6];
+    return stress;
+}
+void store_warps(Zones& zones, std::size_t column, Row first, Row count, const WarpStress& stress) {
+    for (Row l = 0; l < count; ++l)
+        for (Row k = 0; k < 12; ++k)
+            zones.history[column + static_cast<std::size_t>(k / 6)][first + zones_of_cell * l + k % 6] =
+                stress[static_cast<std::size_t>(k)][l];
+}
+
 /// Stresses of eight zones that follow each other, or of as many as there are.
 SixEights load_stresses(const Column<Stress>& stresses, Row first, Row count) {
     if (count >= eight) return six_columns(stresses[first].data());
@@ -113,10 +133,47 @@ void store_stresses(Column<Stress>& stresses, Row first, Row count, const SixEig
     for (Row l = 0; l < count; ++l) std::copy_n(&rows[6 * l], 6, stresses[first + l].data());
 }
 
-/// Whether damping takes the motion away, so that only where it ends counts.
-bool goes_to_rest(const Settings& settings) {
-    return !settings.dynamic && settings.damping != Damping::none && settings.damping != Damping::rayleigh;
-}
+/// What a zone model sees of a batch, and what comes after it needs besides.
+struct Columns {
+    alignas(64) double strain[6][length], before[6][length], stress[6][length], edge[9][length];
+    alignas(64) double own_strain[6][length]; ///< of zones in cells, which have the mean of their cell as strain
+    alignas(64) double volume[length], volume_strain[length], pressure[length], dissipation[length];
+    double* history[KAYA_JMODEL_MAX_HISTORY];
+    kaya_zbatch batch;
+
+    Columns(Model& model, Row first, Row count, const ZoneLaw& law) {
+        batch = {};
+        batch.n = static_cast<std::size_t>(count);
+        batch.properties = law.values.data();
+        batch.time_step = model.clock.time_step;
+        batch.volume = volume;
+        batch.pore_pressure = pressure;
+        batch.dissipation = dissipation;
+        batch.state = model.zones.state.data() + first;
+        for (int k = 0; k < 6; ++k) {
+            batch.strain_inc[k] = strain[k];
+            batch.stress[k] = stress[k];
+        }
+        for (std::size_t k = 0; k < law.model->history.size(); ++k) history[k] = model.zones.history[k].data() + first;
+        batch.history = history;
+        std::fill_n(dissipation, batch.n, 0.0);
+    }
+
+    void keep(Row i, const Edges& edges) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            store(edge[3 * a] + i, edges[a].x);
+            store(edge[3 * a + 1] + i, edges[a].y);
+            store(edge[3 * a + 2] + i, edges[a].z);
+        }
+    }
+    Edges edges(Row i) const {
+        Edges edges;
+        for (std::size_t a = 0; a < 3; ++a)
+            edges[a] = {at(edge[3 * a] + i), at(edge[3 * a + 1] + i), at(edge[3 * a + 2] + i)};
+        return edges;
+    }
+    static Eight at(const double* rows) { return load_as<Eight>(rows); }
+};
 
 /// Work of one tile on its zones.
 class TileRun {
@@ -124,12 +181,11 @@ public:
     TileRun(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
             std::vector<PointRow>& forces)
         : model_(model), tile_(tile), law_(laws.laws[tile.law]), scratch_(scratch),
-          damped_(stiffness_damping(model.settings) > 0), together_(law_.cells && goes_to_rest(model.settings)),
-          rows_(model, laws.tiles, tile), forces_(tile, forces) {}
+          damped_(stiffness_damping(model.settings) > 0), rows_(model, laws.tiles, tile), forces_(tile, forces) {}
 
     ZoneSums run() {
         ZoneSums sums;
-        const Row whole = static_cast<Row>(law_.cells ? most_of_cells_in_batch : most_zones_in_batch);
+        const Row whole = static_cast<Row>(law_.cells ? most_of_cells : most);
         for (Row first = tile_.first; first < tile_.last; first += whole)
             sums.add(run_batch(first, std::min(whole, tile_.last - first)));
         return sums;
@@ -137,9 +193,9 @@ public:
 
 private:
     ZoneSums run_batch(Row first, Row count) {
-        ZoneColumns columns(model_, first, count, law_);
+        Columns columns(model_, first, count, law_);
         strain(columns, first, count);
-        if (together_) give_mean_motion(columns, count);
+        if (law_.cells) give_mean_strain(columns, count);
         if (const auto failure = law_.model->run(columns.batch, first + 1)) throw failed(first, *failure);
         ZoneSums sums;
         sums.work = finish(columns, first, count);
@@ -152,7 +208,7 @@ private:
     }
 
     /// Strains of the step, and the stresses turned with the material.
-    void strain(ZoneColumns& columns, Row first, Row count) {
+    void strain(Columns& columns, Row first, Row count) {
         const bool large = model_.settings.large_strain;
         const bool wet = model_.settings.water != Water::none;
         for (Row i = 0; i < count; i += eight) {
@@ -170,13 +226,7 @@ private:
                 store(columns.volume_strain + i, d.volume_strain);
             }
             SixEights stress = load_stresses(model_.zones.stress, first + i, count - i);
-            if (together_) {
-                store(columns.half_spin[0] + i, d.half_spin.x);
-                store(columns.half_spin[1] + i, d.half_spin.y);
-                store(columns.half_spin[2] + i, d.half_spin.z);
-            } else if (large) {
-                stress = turned(stress, d.half_spin);
-            }
+            if (large) stress = turned(stress, d.half_spin);
             for (std::size_t k = 0; k < 6; ++k) {
                 store(columns.strain[k] + i, k < 3 ? d.strain[k] + more : d.strain[k]);
                 store(columns.before[k] + i, stress[k]);
@@ -185,41 +235,24 @@ private:
         }
     }
 
-    /// All zones of a cell have the mean strain of the cell, and their stresses turn with it.
-    void give_mean_motion(ZoneColumns& columns, Row count) const {
+    /// All zones of a cell have the mean strain of the cell.
+    static void give_mean_strain(Columns& columns, Row count) {
         for (Row i = 0; i < count; i += zones_of_cell) {
             const double* const volume = columns.volume + i;
             double whole = 0;
             for (Row z = 0; z < zones_of_cell; ++z) whole += volume[z];
-            const auto fill_mean = [&](double* rows) {
+            for (std::size_t k = 0; k < 6; ++k) {
                 double sum = 0;
-                for (Row z = 0; z < zones_of_cell; ++z) sum += volume[z] * rows[z];
-                std::fill_n(rows, zones_of_cell, sum / whole);
-            };
-            for (std::size_t k = 0; k < 6; ++k) {
+                for (Row z = 0; z < zones_of_cell; ++z) sum += volume[z] * columns.strain[k][i + z];
                 std::copy_n(columns.strain[k] + i, zones_of_cell, columns.own_strain[k] + i);
-                fill_mean(columns.strain[k] + i);
-            }
-            for (auto& spin : columns.half_spin) fill_mean(spin + i);
-        }
-        if (!model_.settings.large_strain) return;
-        for (Row i = 0; i < count; i += eight) {
-            const Eight pressure = ZoneColumns::at(columns.pressure + i);
-            const auto spin = [&](std::size_t k) { return ZoneColumns::at(columns.half_spin[k] + i); };
-            SixEights stress;
-            for (std::size_t k = 0; k < 6; ++k) stress[k] = ZoneColumns::at(columns.before[k] + i);
-            stress = turned(stress, {spin(0), spin(1), spin(2)});
-            for (std::size_t k = 0; k < 6; ++k) {
-                store(columns.before[k] + i, stress[k]);
-                store(columns.stress[k] + i, k < 3 ? stress[k] + pressure : stress[k]);
+                std::fill_n(columns.strain[k] + i, zones_of_cell, sum / whole);
             }
         }
     }
 
     /// Cells also bend and twist. Returns the work that this takes.
     double warp(Row first, Row count) {
-        const LayerModuli moduli =
-            together_ ? LayerModuli(law_.elastic.lambda, law_.elastic.two_shear) : LayerModuli(0, 0);
+        const LayerModuli moduli(law_.elastic.lambda, law_.elastic.two_shear);
         Lanes whole = Lanes::Zero();
         for (Row i = 0; i < count; i += zones_of_cell * static_cast<Row>(eight)) {
             const Row zone = first + i, cells = std::min<Row>((count - i) / zones_of_cell, eight);
@@ -244,17 +277,17 @@ private:
     }
 
     /// Total stresses into the zones, what the step has done to them, and their forces, if nothing more comes to the stresses.
-    double finish(ZoneColumns& columns, Row first, Row count) {
+    double finish(Columns& columns, Row first, Row count) {
         const double bulk = law_.elastic.lambda + law_.elastic.two_shear / 3;
         const bool are_final = !law_.averages && !damped_;
         Lanes whole = Lanes::Zero();
         for (Row i = 0; i < count; i += eight) {
-            const Eight pressure = ZoneColumns::at(columns.pressure + i);
+            const Eight pressure = Columns::at(columns.pressure + i);
             Eight work{}, change{}, both{};
             SixEights stresses;
             for (std::size_t k = 0; k < 6; ++k) {
-                const Eight before = ZoneColumns::at(columns.before[k] + i);
-                Eight stress = ZoneColumns::at(columns.stress[k] + i);
+                const Eight before = Columns::at(columns.before[k] + i);
+                Eight stress = Columns::at(columns.stress[k] + i);
                 if (k < 3) {
                     stress -= pressure;
                     change += stress - before;
@@ -262,18 +295,17 @@ private:
                 }
                 // The forces act on what the zone itself does.
                 const Eight part =
-                    (before + stress) * ZoneColumns::at((together_ ? columns.own_strain[k] : columns.strain[k]) + i);
+                    (before + stress) * Columns::at((law_.cells ? columns.own_strain[k] : columns.strain[k]) + i);
                 work += k < 3 ? part : 2 * part;
                 stresses[k] = stress;
             }
             if (law_.averages) {
                 const Eight mean = load_rows(scratch_.mean_strain.data() + first + i, count - i);
                 store_rows(scratch_.flow.data() + first + i, count - i, change / 3.0 - bulk * mean);
-                work +=
-                    both / 3.0 *
-                    (ZoneColumns::at(columns.volume_strain + i) - mean); // the forces act on what the zone itself does
+                work += both / 3.0 *
+                        (Columns::at(columns.volume_strain + i) - mean); // the forces act on what the zone itself does
             }
-            Eight energy = 0.5 * ZoneColumns::at(columns.volume + i) * work;
+            Eight energy = 0.5 * Columns::at(columns.volume + i) * work;
             for (Row l = count - i; l < eight; ++l) energy[l] = 0;
             add_to(whole, energy);
             store_stresses(model_.zones.stress, first + i, count - i, stresses);
@@ -286,7 +318,7 @@ private:
     }
 
     /// Viscous stresses besides. Returns the work that they take up.
-    double damp(const ZoneColumns& columns, Row first, Row count, double damping) {
+    double damp(const Columns& columns, Row first, Row count, double damping) {
         double whole = 0;
         for (Row i = 0; i < count; ++i) {
             Stress& dashpot = model_.zones.dashpot[first + i];
@@ -302,10 +334,10 @@ private:
     }
 
     /// Forces of the stresses of the zones and of their dashpots.
-    void add_damped_forces(const ZoneColumns& columns, Row first, Row count) {
+    void add_damped_forces(const Columns& columns, Row first, Row count) {
         for (Row i = 0; i < count; i += eight) {
             SixEights stress = load_stresses(model_.zones.dashpot, first + i, count - i);
-            for (std::size_t k = 0; k < 6; ++k) stress[k] = ZoneColumns::at(columns.stress[k] + i) + stress[k];
+            for (std::size_t k = 0; k < 6; ++k) stress[k] = Columns::at(columns.stress[k] + i) + stress[k];
             forces_.add(rows_.group_at(first + i), std::min<Row>(count - i, eight), columns.edges(i), stress);
         }
     }
@@ -329,8 +361,6 @@ private:
     const ZoneLaw& law_;
     ZoneScratch& scratch_;
     const bool damped_; ///< by viscous stresses
-    const bool
-        together_; ///< the zones of a cell; where motion is followed they are on their own, and what resists warping stays
     TileRows rows_;
     TileForces forces_;
 };

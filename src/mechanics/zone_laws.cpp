@@ -172,8 +172,12 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
             // Fields of plastic strain read the first two columns, whatever the model.
             const std::size_t own = zone_model.history.size(), cell_history = std::max<std::size_t>(own, 2);
             const bool cells = has_cells && mixed && !zone_model.flows() && cell_history + 2 <= KAYA_JMODEL_MAX_HISTORY;
-            laws.push_back(
-                {&zone_model, std::move(values), {bulk - 2.0 / 3.0 * shear, 2 * shear}, averages, cells, cell_history});
+            laws.push_back({&zone_model,
+                            std::move(values),
+                            {bulk - 2.0 / 3.0 * shear, 2 * shear},
+                            averages,
+                            cells,
+                            cell_history});
             model.zones.keep_history(cells ? cell_history + 2 : own);
         }
         law_of_[b] = found->second;

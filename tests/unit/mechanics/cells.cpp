@@ -107,8 +107,7 @@ TEST(Cells, ABoxBendsAsABeam) {
     const Eight work = add_warp_stress(CellShape(cells.corners()), cells.values([&](const Vec3& x) {
         const double xm = x.x() - 1, ym = x.y() - 0.5, zm = x.z() - 0.25;
         return Vec3(k * xm * zm, -nu * k * ym * zm, 0);
-    }),
-                                       moduli, stress);
+    }), moduli, stress);
     EXPECT_NEAR(work[0], 0.5 * young * k * k * (1.0 * 0.5 * 0.5 * 0.5 / 12) * 2, 1e-9 * work[0]);
 }
 
@@ -119,8 +118,7 @@ TEST(Cells, ABoxTwistsInItsLayers) {
     const Eight work = add_warp_stress(CellShape(cells.corners()), cells.values([&](const Vec3& x) {
         const double xm = x.x() - 1, ym = x.y() - 0.5, zm = x.z() - 0.25;
         return Vec3(a * ym * zm, a * xm * zm, -a * xm * ym); // a saddle: layers of z shear by 2 a z, no others
-    }),
-                                       moduli, stress);
+    }), moduli, stress);
     EXPECT_NEAR(work[0], 0.5 * shear * 4 * a * a * (1.0 * 0.5 * 0.5 * 0.5 / 12) * 2, 1e-9 * work[0]);
 }
 

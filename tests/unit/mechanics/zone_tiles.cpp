@@ -129,8 +129,7 @@ TEST(ZoneTiles, CellsTakeTheWorkThatTheirForcesDoAndTheirZonesStrainAlike) {
     }
     EXPECT_NEAR(sums.work, work, 1e-11 * std::abs(work));
     for (std::size_t z = 0; z < model.zones.size(); ++z) {
-        const Stress change = model.zones.stress[z] - stress[z],
-                     first = model.zones.stress[z - z % 6] - stress[z - z % 6];
+        const Stress change = model.zones.stress[z] - stress[z], first = model.zones.stress[z - z % 6] - stress[z - z % 6];
         EXPECT_LT((change - first).norm(), 1e-11 * stress[z].norm());
     }
 }
