@@ -1,5 +1,4 @@
 #include "base/reduce.hpp"
-#include "mechanics/cells.hpp"
 #include "mechanics/crushed_zones.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/run_zone_models.hpp"
@@ -15,8 +14,7 @@ namespace kaya {
 
 namespace {
 
-constexpr std::size_t most = 128;         ///< zones in a batch
-constexpr std::size_t most_of_cells = 96; ///< where they stand in cells: twice eight of them
+constexpr std::size_t most = 128; ///< zones in a batch
 constexpr std::size_t length =
     most + 8; ///< of a column: with powers of two they would all fall in the same lines of the cache
 
@@ -48,18 +46,6 @@ public:
     }
     Eight pressure(ZoneGroup zones) const { return mean_of_fourth(place, zones); }
 
-    /// The corners of eight cells from one on; after the last of the count that again.
-    CellCorners cells_at(Row zone, Row count) const {
-        CellCorners corners;
-        for (Row l = 0; l < eight; ++l) {
-            const auto own = corners_of_cell(&tiles_.corners[zone + zones_of_cell * std::min(l, count - 1)]);
-            for (std::size_t c = 0; c < 8; ++c) corners[c][static_cast<std::size_t>(l)] = own[c];
-        }
-        return corners;
-    }
-    EightCorners places(const CellCorners& corners) const { return load_corners(place, corners); }
-    EightCorners shifts(const CellCorners& corners) const { return load_corners(shift_, corners); }
-
 private:
     const ZoneTiles& tiles_;
     const ZoneTile& tile_;
@@ -87,37 +73,10 @@ public:
         for (std::size_t a = 0; a < 4; ++a) size[a] = square_root(force[a].dot(force[a]));
         add_to_corners(rows_, zones, count, force, size);
     }
-    /// Forces of as many cells.
-    void add(const CellCorners& corners, Row count, const EightCorners& forces) {
-        for (std::size_t c = 0; c < 8; ++c) {
-            const Eight3& f = forces[c];
-            const std::array<Four, 8> r = rows_of_columns({f.x, f.y, f.z, square_root(f.dot(f))});
-            for (std::size_t l = 0; l < static_cast<std::size_t>(count); ++l) {
-                double* const row = rows_[corners[c][l]].value.data();
-                store(row, Four(load_as<Four>(row) + r[l]));
-            }
-        }
-    }
 
 private:
     PointRow* rows_;
 };
-
-/// The warp stresses of eight cells, or of as many as there are, whose zones follow each other from one on.
-WarpStress load_warps(const Zones& zones, std::size_t column, Row first, Row count) {
-    WarpStress stress{};
-    for (Row l = 0; l < count; ++l)
-        for (Row k = 0; k < 12; ++k)
-            stress[static_cast<std::size_t>(k)][l] =
-                zones.history[column + static_cast<std::size_t>(k / 6)][first + zones_of_cell * l + k % 6];
-    return stress;
-}
-void store_warps(Zones& zones, std::size_t column, Row first, Row count, const WarpStress& stress) {
-    for (Row l = 0; l < count; ++l)
-        for (Row k = 0; k < 12; ++k)
-            zones.history[column + static_cast<std::size_t>(k / 6)][first + zones_of_cell * l + k % 6] =
-                stress[static_cast<std::size_t>(k)][l];
-}
 
 /// Stresses of eight zones that follow each other, or of as many as there are.
 SixEights load_stresses(const Column<Stress>& stresses, Row first, Row count) {
@@ -136,7 +95,6 @@ void store_stresses(Column<Stress>& stresses, Row first, Row count, const SixEig
 /// What a zone model sees of a batch, and what comes after it needs besides.
 struct Columns {
     alignas(64) double strain[6][length], before[6][length], stress[6][length], edge[9][length];
-    alignas(64) double own_strain[6][length]; ///< of zones in cells, which have the mean of their cell as strain
     alignas(64) double volume[length], volume_strain[length], pressure[length], dissipation[length];
     double* history[KAYA_JMODEL_MAX_HISTORY];
     kaya_zbatch batch;
@@ -185,9 +143,8 @@ public:
 
     ZoneSums run() {
         ZoneSums sums;
-        const Row whole = static_cast<Row>(law_.cells ? most_of_cells : most);
-        for (Row first = tile_.first; first < tile_.last; first += whole)
-            sums.add(run_batch(first, std::min(whole, tile_.last - first)));
+        for (Row first = tile_.first; first < tile_.last; first += static_cast<Row>(most))
+            sums.add(run_batch(first, std::min(static_cast<Row>(most), tile_.last - first)));
         return sums;
     }
 
@@ -195,11 +152,9 @@ private:
     ZoneSums run_batch(Row first, Row count) {
         Columns columns(model_, first, count, law_);
         strain(columns, first, count);
-        if (law_.cells) give_mean_strain(columns, count);
         if (const auto failure = law_.model->run(columns.batch, first + 1)) throw failed(first, *failure);
         ZoneSums sums;
         sums.work = finish(columns, first, count);
-        if (law_.cells) sums.work += warp(first, count);
         if (damped_) {
             sums.damped = damp(columns, first, count, stiffness_damping(model_.settings) / model_.clock.time_step);
             if (!law_.averages) add_damped_forces(columns, first, count);
@@ -235,47 +190,6 @@ private:
         }
     }
 
-    /// All zones of a cell have the mean strain of the cell.
-    static void give_mean_strain(Columns& columns, Row count) {
-        for (Row i = 0; i < count; i += zones_of_cell) {
-            const double* const volume = columns.volume + i;
-            double whole = 0;
-            for (Row z = 0; z < zones_of_cell; ++z) whole += volume[z];
-            for (std::size_t k = 0; k < 6; ++k) {
-                double sum = 0;
-                for (Row z = 0; z < zones_of_cell; ++z) sum += volume[z] * columns.strain[k][i + z];
-                std::copy_n(columns.strain[k] + i, zones_of_cell, columns.own_strain[k] + i);
-                std::fill_n(columns.strain[k] + i, zones_of_cell, sum / whole);
-            }
-        }
-    }
-
-    /// Cells also bend and twist. Returns the work that this takes.
-    double warp(Row first, Row count) {
-        const LayerModuli moduli(law_.elastic.lambda, law_.elastic.two_shear);
-        Lanes whole = Lanes::Zero();
-        for (Row i = 0; i < count; i += zones_of_cell * static_cast<Row>(eight)) {
-            const Row zone = first + i, cells = std::min<Row>((count - i) / zones_of_cell, eight);
-            const CellCorners corners = rows_.cells_at(zone, cells);
-            const EightCorners shift = rows_.shifts(corners), end = rows_.places(corners);
-            const CellShape shape(end);
-            WarpStress stress = load_warps(model_.zones, law_.cell_history, zone, cells);
-            Eight work;
-            if (model_.settings.large_strain) {
-                EightCorners middle = end;
-                for (std::size_t c = 0; c < 8; ++c) middle[c] = end[c] - shift[c] * eights(0.5);
-                work = add_warp_stress(CellShape(middle), shift, moduli, stress);
-            } else {
-                work = add_warp_stress(shape, shift, moduli, stress);
-            }
-            for (Row l = cells; l < eight; ++l) work[l] = 0;
-            add_to(whole, work);
-            store_warps(model_.zones, law_.cell_history, zone, cells, stress);
-            forces_.add(corners, cells, warp_forces(shape, stress));
-        }
-        return sum(whole);
-    }
-
     /// Total stresses into the zones, what the step has done to them, and their forces, if nothing more comes to the stresses.
     double finish(Columns& columns, Row first, Row count) {
         const double bulk = law_.elastic.lambda + law_.elastic.two_shear / 3;
@@ -293,9 +207,7 @@ private:
                     change += stress - before;
                     both += stress + before;
                 }
-                // The forces act on what the zone itself does.
-                const Eight part =
-                    (before + stress) * Columns::at((law_.cells ? columns.own_strain[k] : columns.strain[k]) + i);
+                const Eight part = (before + stress) * Columns::at(columns.strain[k] + i);
                 work += k < 3 ? part : 2 * part;
                 stresses[k] = stress;
             }
@@ -454,14 +366,6 @@ void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std
         }
         const ZoneGroup zones = rows.group_at(z);
         sums.add(zones, std::min<Row>(tile.last - z, eight), rows.edges(zones), stress);
-    }
-    const ZoneLaw& law = laws.laws[tile.law];
-    if (!law.cells) return;
-    for (Row z = tile.first; z < tile.last; z += zones_of_cell * static_cast<Row>(eight)) {
-        const Row cells = std::min<Row>((tile.last - z) / zones_of_cell, eight);
-        const CellCorners corners = rows.cells_at(z, cells);
-        sums.add(corners, cells,
-                 warp_forces(CellShape(rows.places(corners)), load_warps(model.zones, law.cell_history, z, cells)));
     }
 }
 
