@@ -229,7 +229,8 @@ CommandSpec zone_properties() {
 
 CommandSpec zone_nmd() {
     return Entry<ZoneAveraging>({Spelling{"zone", 4}}, {"nmd"})
-        .help("whether zones that flow average volume strain over neighbours, so that they do not lock")
+        .help(
+            "whether zones work together, so that they do not lock: those that flow average volume strain, elastic cells bend")
         .argument(on_off(), &ZoneAveraging::on)
         .right("zone nmd off")
         .wrong("zone nmd maybe", "'maybe' stands where on or off must be");

@@ -1,8 +1,10 @@
 #include "base/reduce.hpp"
+#include "mechanics/cells.hpp"
 #include "mechanics/crushed_zones.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/run_zone_models.hpp"
 #include "mechanics/tetrahedra.hpp"
+#include "mechanics/zone_columns.hpp"
 #include "mechanics/zone_laws.hpp"
 #include "model/measure.hpp"
 #include "model/water.hpp"
@@ -13,10 +15,6 @@
 namespace kaya {
 
 namespace {
-
-constexpr std::size_t most = 128; ///< zones in a batch
-constexpr std::size_t length =
-    most + 8; ///< of a column: with powers of two they would all fall in the same lines of the cache
 
 /// The points of a tile in rows, which stay near the processor while its zones are worked on.
 class TileRows {
@@ -46,6 +44,18 @@ public:
     }
     Eight pressure(ZoneGroup zones) const { return mean_of_fourth(place, zones); }
 
+    /// The corners of eight cells from one on; after the last of the count that again.
+    CellCorners cells_at(Row zone, Row count) const {
+        CellCorners corners;
+        for (Row l = 0; l < eight; ++l) {
+            const auto own = corners_of_cell(&tiles_.corners[zone + zones_of_cell * std::min(l, count - 1)]);
+            for (std::size_t c = 0; c < 8; ++c) corners[c][static_cast<std::size_t>(l)] = own[c];
+        }
+        return corners;
+    }
+    EightCorners places(const CellCorners& corners) const { return load_corners(place, corners); }
+    EightCorners shifts(const CellCorners& corners) const { return load_corners(shift_, corners); }
+
 private:
     const ZoneTiles& tiles_;
     const ZoneTile& tile_;
@@ -73,6 +83,17 @@ public:
         for (std::size_t a = 0; a < 4; ++a) size[a] = square_root(force[a].dot(force[a]));
         add_to_corners(rows_, zones, count, force, size);
     }
+    /// Forces of as many cells.
+    void add(const CellCorners& corners, Row count, const EightCorners& forces) {
+        for (std::size_t c = 0; c < 8; ++c) {
+            const Eight3& f = forces[c];
+            const std::array<Four, 8> r = rows_of_columns({f.x, f.y, f.z, square_root(f.dot(f))});
+            for (std::size_t l = 0; l < static_cast<std::size_t>(count); ++l) {
+                double* const row = rows_[corners[c][l]].value.data();
+                store(row, Four(load_as<Four>(row) + r[l]));
+            }
+        }
+    }
 
 private:
     PointRow* rows_;
@@ -92,46 +113,10 @@ void store_stresses(Column<Stress>& stresses, Row first, Row count, const SixEig
     for (Row l = 0; l < count; ++l) std::copy_n(&rows[6 * l], 6, stresses[first + l].data());
 }
 
-/// What a zone model sees of a batch, and what comes after it needs besides.
-struct Columns {
-    alignas(64) double strain[6][length], before[6][length], stress[6][length], edge[9][length];
-    alignas(64) double volume[length], volume_strain[length], pressure[length], dissipation[length];
-    double* history[KAYA_JMODEL_MAX_HISTORY];
-    kaya_zbatch batch;
-
-    Columns(Model& model, Row first, Row count, const ZoneLaw& law) {
-        batch = {};
-        batch.n = static_cast<std::size_t>(count);
-        batch.properties = law.values.data();
-        batch.time_step = model.clock.time_step;
-        batch.volume = volume;
-        batch.pore_pressure = pressure;
-        batch.dissipation = dissipation;
-        batch.state = model.zones.state.data() + first;
-        for (int k = 0; k < 6; ++k) {
-            batch.strain_inc[k] = strain[k];
-            batch.stress[k] = stress[k];
-        }
-        for (std::size_t k = 0; k < law.model->history.size(); ++k) history[k] = model.zones.history[k].data() + first;
-        batch.history = history;
-        std::fill_n(dissipation, batch.n, 0.0);
-    }
-
-    void keep(Row i, const Edges& edges) {
-        for (std::size_t a = 0; a < 3; ++a) {
-            store(edge[3 * a] + i, edges[a].x);
-            store(edge[3 * a + 1] + i, edges[a].y);
-            store(edge[3 * a + 2] + i, edges[a].z);
-        }
-    }
-    Edges edges(Row i) const {
-        Edges edges;
-        for (std::size_t a = 0; a < 3; ++a)
-            edges[a] = {at(edge[3 * a] + i), at(edge[3 * a + 1] + i), at(edge[3 * a + 2] + i)};
-        return edges;
-    }
-    static Eight at(const double* rows) { return load_as<Eight>(rows); }
-};
+/// Whether damping takes the motion away, so that only where it ends counts.
+bool goes_to_rest(const Settings& settings) {
+    return !settings.dynamic && settings.damping != Damping::none && settings.damping != Damping::rayleigh;
+}
 
 /// Work of one tile on its zones.
 class TileRun {
@@ -139,22 +124,26 @@ public:
     TileRun(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
             std::vector<PointRow>& forces)
         : model_(model), tile_(tile), law_(laws.laws[tile.law]), scratch_(scratch),
-          damped_(stiffness_damping(model.settings) > 0), rows_(model, laws.tiles, tile), forces_(tile, forces) {}
+          damped_(stiffness_damping(model.settings) > 0), together_(law_.cells && goes_to_rest(model.settings)),
+          rows_(model, laws.tiles, tile), forces_(tile, forces) {}
 
     ZoneSums run() {
         ZoneSums sums;
-        for (Row first = tile_.first; first < tile_.last; first += static_cast<Row>(most))
-            sums.add(run_batch(first, std::min(static_cast<Row>(most), tile_.last - first)));
+        const Row whole = static_cast<Row>(law_.cells ? most_of_cells_in_batch : most_zones_in_batch);
+        for (Row first = tile_.first; first < tile_.last; first += whole)
+            sums.add(run_batch(first, std::min(whole, tile_.last - first)));
         return sums;
     }
 
 private:
     ZoneSums run_batch(Row first, Row count) {
-        Columns columns(model_, first, count, law_);
+        ZoneColumns columns(model_, first, count, law_);
         strain(columns, first, count);
+        if (together_) give_mean_motion(columns, count);
         if (const auto failure = law_.model->run(columns.batch, first + 1)) throw failed(first, *failure);
         ZoneSums sums;
         sums.work = finish(columns, first, count);
+        if (law_.cells) sums.work += warp(first, count);
         if (damped_) {
             sums.damped = damp(columns, first, count, stiffness_damping(model_.settings) / model_.clock.time_step);
             if (!law_.averages) add_damped_forces(columns, first, count);
@@ -163,7 +152,7 @@ private:
     }
 
     /// Strains of the step, and the stresses turned with the material.
-    void strain(Columns& columns, Row first, Row count) {
+    void strain(ZoneColumns& columns, Row first, Row count) {
         const bool large = model_.settings.large_strain;
         const bool wet = model_.settings.water != Water::none;
         for (Row i = 0; i < count; i += eight) {
@@ -181,7 +170,13 @@ private:
                 store(columns.volume_strain + i, d.volume_strain);
             }
             SixEights stress = load_stresses(model_.zones.stress, first + i, count - i);
-            if (large) stress = turned(stress, d.half_spin);
+            if (together_) {
+                store(columns.half_spin[0] + i, d.half_spin.x);
+                store(columns.half_spin[1] + i, d.half_spin.y);
+                store(columns.half_spin[2] + i, d.half_spin.z);
+            } else if (large) {
+                stress = turned(stress, d.half_spin);
+            }
             for (std::size_t k = 0; k < 6; ++k) {
                 store(columns.strain[k] + i, k < 3 ? d.strain[k] + more : d.strain[k]);
                 store(columns.before[k] + i, stress[k]);
@@ -190,34 +185,95 @@ private:
         }
     }
 
+    /// All zones of a cell have the mean strain of the cell, and their stresses turn with it.
+    void give_mean_motion(ZoneColumns& columns, Row count) const {
+        for (Row i = 0; i < count; i += zones_of_cell) {
+            const double* const volume = columns.volume + i;
+            double whole = 0;
+            for (Row z = 0; z < zones_of_cell; ++z) whole += volume[z];
+            const auto fill_mean = [&](double* rows) {
+                double sum = 0;
+                for (Row z = 0; z < zones_of_cell; ++z) sum += volume[z] * rows[z];
+                std::fill_n(rows, zones_of_cell, sum / whole);
+            };
+            for (std::size_t k = 0; k < 6; ++k) {
+                std::copy_n(columns.strain[k] + i, zones_of_cell, columns.own_strain[k] + i);
+                fill_mean(columns.strain[k] + i);
+            }
+            for (auto& spin : columns.half_spin) fill_mean(spin + i);
+        }
+        if (!model_.settings.large_strain) return;
+        for (Row i = 0; i < count; i += eight) {
+            const Eight pressure = ZoneColumns::at(columns.pressure + i);
+            const auto spin = [&](std::size_t k) { return ZoneColumns::at(columns.half_spin[k] + i); };
+            SixEights stress;
+            for (std::size_t k = 0; k < 6; ++k) stress[k] = ZoneColumns::at(columns.before[k] + i);
+            stress = turned(stress, {spin(0), spin(1), spin(2)});
+            for (std::size_t k = 0; k < 6; ++k) {
+                store(columns.before[k] + i, stress[k]);
+                store(columns.stress[k] + i, k < 3 ? stress[k] + pressure : stress[k]);
+            }
+        }
+    }
+
+    /// Cells also bend and twist. Returns the work that this takes.
+    double warp(Row first, Row count) {
+        const LayerModuli moduli =
+            together_ ? LayerModuli(law_.elastic.lambda, law_.elastic.two_shear) : LayerModuli(0, 0);
+        Lanes whole = Lanes::Zero();
+        for (Row i = 0; i < count; i += zones_of_cell * static_cast<Row>(eight)) {
+            const Row zone = first + i, cells = std::min<Row>((count - i) / zones_of_cell, eight);
+            const CellCorners corners = rows_.cells_at(zone, cells);
+            const EightCorners shift = rows_.shifts(corners), end = rows_.places(corners);
+            const CellShape shape(end);
+            WarpStress stress = load_warps(model_.zones, law_.cell_history, zone, cells);
+            Eight work;
+            if (model_.settings.large_strain) {
+                EightCorners middle = end;
+                for (std::size_t c = 0; c < 8; ++c) middle[c] = end[c] - shift[c] * eights(0.5);
+                work = add_warp_stress(CellShape(middle), shift, moduli, stress);
+            } else {
+                work = add_warp_stress(shape, shift, moduli, stress);
+            }
+            for (Row l = cells; l < eight; ++l) work[l] = 0;
+            add_to(whole, work);
+            store_warps(model_.zones, law_.cell_history, zone, cells, stress);
+            forces_.add(corners, cells, warp_forces(shape, stress));
+        }
+        return sum(whole);
+    }
+
     /// Total stresses into the zones, what the step has done to them, and their forces, if nothing more comes to the stresses.
-    double finish(Columns& columns, Row first, Row count) {
+    double finish(ZoneColumns& columns, Row first, Row count) {
         const double bulk = law_.elastic.lambda + law_.elastic.two_shear / 3;
         const bool are_final = !law_.averages && !damped_;
         Lanes whole = Lanes::Zero();
         for (Row i = 0; i < count; i += eight) {
-            const Eight pressure = Columns::at(columns.pressure + i);
+            const Eight pressure = ZoneColumns::at(columns.pressure + i);
             Eight work{}, change{}, both{};
             SixEights stresses;
             for (std::size_t k = 0; k < 6; ++k) {
-                const Eight before = Columns::at(columns.before[k] + i);
-                Eight stress = Columns::at(columns.stress[k] + i);
+                const Eight before = ZoneColumns::at(columns.before[k] + i);
+                Eight stress = ZoneColumns::at(columns.stress[k] + i);
                 if (k < 3) {
                     stress -= pressure;
                     change += stress - before;
                     both += stress + before;
                 }
-                const Eight part = (before + stress) * Columns::at(columns.strain[k] + i);
+                // The forces act on what the zone itself does.
+                const Eight part =
+                    (before + stress) * ZoneColumns::at((together_ ? columns.own_strain[k] : columns.strain[k]) + i);
                 work += k < 3 ? part : 2 * part;
                 stresses[k] = stress;
             }
             if (law_.averages) {
                 const Eight mean = load_rows(scratch_.mean_strain.data() + first + i, count - i);
                 store_rows(scratch_.flow.data() + first + i, count - i, change / 3.0 - bulk * mean);
-                work += both / 3.0 *
-                        (Columns::at(columns.volume_strain + i) - mean); // the forces act on what the zone itself does
+                work +=
+                    both / 3.0 *
+                    (ZoneColumns::at(columns.volume_strain + i) - mean); // the forces act on what the zone itself does
             }
-            Eight energy = 0.5 * Columns::at(columns.volume + i) * work;
+            Eight energy = 0.5 * ZoneColumns::at(columns.volume + i) * work;
             for (Row l = count - i; l < eight; ++l) energy[l] = 0;
             add_to(whole, energy);
             store_stresses(model_.zones.stress, first + i, count - i, stresses);
@@ -230,7 +286,7 @@ private:
     }
 
     /// Viscous stresses besides. Returns the work that they take up.
-    double damp(const Columns& columns, Row first, Row count, double damping) {
+    double damp(const ZoneColumns& columns, Row first, Row count, double damping) {
         double whole = 0;
         for (Row i = 0; i < count; ++i) {
             Stress& dashpot = model_.zones.dashpot[first + i];
@@ -246,10 +302,10 @@ private:
     }
 
     /// Forces of the stresses of the zones and of their dashpots.
-    void add_damped_forces(const Columns& columns, Row first, Row count) {
+    void add_damped_forces(const ZoneColumns& columns, Row first, Row count) {
         for (Row i = 0; i < count; i += eight) {
             SixEights stress = load_stresses(model_.zones.dashpot, first + i, count - i);
-            for (std::size_t k = 0; k < 6; ++k) stress[k] = Columns::at(columns.stress[k] + i) + stress[k];
+            for (std::size_t k = 0; k < 6; ++k) stress[k] = ZoneColumns::at(columns.stress[k] + i) + stress[k];
             forces_.add(rows_.group_at(first + i), std::min<Row>(count - i, eight), columns.edges(i), stress);
         }
     }
@@ -273,6 +329,8 @@ private:
     const ZoneLaw& law_;
     ZoneScratch& scratch_;
     const bool damped_; ///< by viscous stresses
+    const bool
+        together_; ///< the zones of a cell; where motion is followed they are on their own, and what resists warping stays
     TileRows rows_;
     TileForces forces_;
 };
@@ -366,6 +424,14 @@ void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std
         }
         const ZoneGroup zones = rows.group_at(z);
         sums.add(zones, std::min<Row>(tile.last - z, eight), rows.edges(zones), stress);
+    }
+    const ZoneLaw& law = laws.laws[tile.law];
+    if (!law.cells) return;
+    for (Row z = tile.first; z < tile.last; z += zones_of_cell * static_cast<Row>(eight)) {
+        const Row cells = std::min<Row>((tile.last - z) / zones_of_cell, eight);
+        const CellCorners corners = rows.cells_at(z, cells);
+        sums.add(corners, cells,
+                 warp_forces(CellShape(rows.places(corners)), load_warps(model.zones, law.cell_history, z, cells)));
     }
 }
 

@@ -1,3 +1,4 @@
+#include "mechanics/cells.hpp"
 #include "mechanics/zone_laws.hpp"
 
 #include "laws/zone_trial.hpp"
@@ -148,14 +149,15 @@ void forget_zones(Model& model, Row block) {
 }
 
 ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size(), no_row) {
-    using Key = std::tuple<std::string, std::int32_t, Row>; // equal keys have equal values
+    using Key = std::tuple<std::string, std::int32_t, Row, bool>; // equal keys have equal values
     std::map<Key, Row> known;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         if (!model.blocks.deformable[b]) continue;
         const Row block = static_cast<Row>(b), row = model.blocks.zone_properties[b];
         const std::string name = zone_model_of(model, block);
+        const bool has_cells = model.blocks.cell_zones[b] == zones_of_cell;
         const auto [found, is_new] =
-            known.try_emplace(Key{name, model.blocks.material[b], row}, static_cast<Row>(laws.size()));
+            known.try_emplace(Key{name, model.blocks.material[b], row, has_cells}, static_cast<Row>(laws.size()));
         if (is_new) {
             const ZoneModel& zone_model = models.get(name);
             const auto& given = model.zone_properties[static_cast<std::size_t>(row)];
@@ -166,13 +168,18 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (!keeps(model.unreduced, zone_model.properties[i]))
                     values[i] = reduced(zone_model.properties[i], values[i], model.settings.strength_factor);
-            const bool averages = zone_model.flows() && model.settings.mixed_discretisation;
-            laws.push_back({&zone_model, std::move(values), {bulk - 2.0 / 3.0 * shear, 2 * shear}, averages});
-            model.zones.keep_history(zone_model.history.size());
+            const bool mixed = model.settings.mixed_discretisation, averages = zone_model.flows() && mixed;
+            // Fields of plastic strain read the first two columns, whatever the model.
+            const std::size_t own = zone_model.history.size(), cell_history = std::max<std::size_t>(own, 2);
+            const bool cells = has_cells && mixed && !zone_model.flows() && cell_history + 2 <= KAYA_JMODEL_MAX_HISTORY;
+            laws.push_back(
+                {&zone_model, std::move(values), {bulk - 2.0 / 3.0 * shear, 2 * shear}, averages, cells, cell_history});
+            model.zones.keep_history(cells ? cell_history + 2 : own);
         }
         law_of_[b] = found->second;
     }
-    tiles = ZoneTiles(model, [&](Row zone) { return static_cast<std::size_t>(law_of_[model.zones.block[zone]]); });
+    const auto law_of = [&](Row zone) { return static_cast<std::size_t>(law_of_[model.zones.block[zone]]); };
+    tiles = ZoneTiles(model, law_of, [&](std::size_t law) { return laws[law].cells ? zones_of_cell : 1; });
 }
 
 std::vector<ElasticConstants> ZoneLaws::elastic_constants() const {

@@ -15,7 +15,9 @@ struct ZoneLaw {
     const ZoneModel* model;
     std::vector<double> values; ///< in the order of the model's property table
     ElasticConstants elastic;
-    bool averages; ///< volume strain and plastic change of the mean stress, over neighbours
+    bool averages;            ///< volume strain and plastic change of the mean stress, over neighbours
+    bool cells;               ///< the zones stand in cells of six that bend and twist as hexahedra
+    std::size_t cell_history; ///< the first of the two columns of Zones::history that keep how cells resist warping
 };
 
 class ZoneLaws {

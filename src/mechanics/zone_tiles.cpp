@@ -1,6 +1,7 @@
 #include "mechanics/zone_tiles.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace kaya {
 
@@ -14,11 +15,15 @@ public:
     void begin() { first_ = static_cast<Row>(points_.size()); }
     Span points() const { return {first_, static_cast<Row>(points_.size()) - first_}; }
 
-    /// The corners as points of the tile; false where they would be too many.
-    bool add(const std::array<Row, 4>& gridpoints, std::array<Row, 4>& corners) {
-        const auto is_new = [&](Row g) { return place_[g] < first_; };
-        const auto more = std::ranges::count_if(gridpoints, is_new);
-        if (points().count + more > most_points_in_tile) return false;
+    /// Whether there is room for the corners of zones; a new one that several have is counted for each.
+    bool have_room(std::span<const std::array<Row, 4>> zones) const {
+        Row more = 0;
+        for (const auto& gridpoints : zones)
+            more += static_cast<Row>(std::ranges::count_if(gridpoints, [&](Row g) { return place_[g] < first_; }));
+        return points().count + more <= most_points_in_tile;
+    }
+    /// The corners as points of the tile.
+    void add(const std::array<Row, 4>& gridpoints, std::array<Row, 4>& corners) {
         for (std::size_t a = 0; a < 4; ++a) {
             Row& place = place_[gridpoints[a]];
             if (place < first_) {
@@ -27,7 +32,6 @@ public:
             }
             corners[a] = place - first_;
         }
-        return true;
     }
 
 private:
@@ -38,17 +42,20 @@ private:
 
 } // namespace
 
-ZoneTiles::ZoneTiles(const Model& model, const std::function<std::size_t(Row zone)>& law_of)
+ZoneTiles::ZoneTiles(const Model& model, const std::function<std::size_t(Row zone)>& law_of,
+                     const std::function<Row(std::size_t law)>& together)
     : corners(model.zones.size()) {
     const Row zones = static_cast<Row>(model.zones.size());
     TilePoints points(model.gridpoints.size(), gridpoints);
     for (Row z = 0; z < zones;) {
         const std::size_t law = law_of(z);
+        const Row unit = together(law);
         Row last = z;
         points.begin();
-        while (last < zones && last - z < most_zones_in_tile && law_of(last) == law &&
-               points.add(model.zones.gridpoints[last], corners[last]))
-            ++last;
+        while (last < zones && last - z + unit <= most_zones_in_tile && law_of(last) == law &&
+               points.have_room({&model.zones.gridpoints[last], static_cast<std::size_t>(unit)}))
+            for (const Row end = last + unit; last < end; ++last)
+                points.add(model.zones.gridpoints[last], corners[last]);
         tiles.push_back({z, last, law, points.points()});
         z = last;
     }

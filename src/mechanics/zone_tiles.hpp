@@ -30,8 +30,10 @@ struct ZoneTile {
 class ZoneTiles {
 public:
     ZoneTiles() = default;
-    /// `law_of` gives the law of a zone.
-    ZoneTiles(const Model& model, const std::function<std::size_t(Row zone)>& law_of);
+    /// `law_of` gives the law of a zone; as many zones as `together` gives for a law stay in one tile.
+    ZoneTiles(
+        const Model& model, const std::function<std::size_t(Row zone)>& law_of,
+        const std::function<Row(std::size_t law)>& together = [](std::size_t) { return 1; });
 
     std::vector<ZoneTile> tiles;
     std::vector<Row> gridpoints;             ///< of each point, tile after tile
