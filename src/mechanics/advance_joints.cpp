@@ -198,11 +198,14 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         friction; // before the step, of contacts that have overlap; kept for its memory
     JointWork before;
     friction.resize(batch.contacts.size());
+    static thread_local std::vector<CarriedLoad> carried;
+    carried.resize(batch.contacts.size());
     for (std::size_t i = 0; i < batch.contacts.size(); ++i) {
         const Row c = batch.contacts[i];
         if (follows_overlap(model, c)) {
             sums.lost += move_overlap_contact(model, c, before);
             turn_kept_vectors(model, c, batch.model->vectors);
+            carried[i] = CarriedLoad(model, c);
         } else {
             move_contact(model, c, batch.model->vectors, before);
         }
@@ -220,7 +223,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         const Row c = batch.contacts[i];
         if (follows_overlap(model, c)) {
             const bool closed_by_law = model.contacts.depth[c] == 0 && is_pressed(model, c);
-            sums.lost += finish_overlap_contact(model, c, after);
+            sums.lost += finish_overlap_contact(model, c, carried[i], after);
             if (closed_by_law) begin_again(model, batch, c);
             sum_contact(model, c, forces);
             note_stiffness(model, c, forces);

@@ -4,7 +4,9 @@
 #include "mechanics/eight.hpp"
 #include "mechanics/overlap_contact.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -100,67 +102,99 @@ Closures closures_of(const Model& model, Row c) {
     return found;
 }
 
-/// The linear closure over a joint whose positive part has the force and the moments that the rows have, over the
-/// stiffness: the minimum of a convex function, by Newton's method. The resultant is kept inside the overlap.
-ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& closures) {
-    const auto& subs = model.sub_contacts;
-    const auto& contacts = model.contacts;
-    const Span span = contacts.sub_contacts[c];
-    const Vec3 n = contacts.normal[c];
-    // The offset is linear in space: the centre of force moves to where the overlap has it by a tilt. A few steps of a
-    // secant iteration on the two tilts are enough, since what was set by hand is an estimate itself.
-    Vec3 wanted = Vec3::Zero();
-    for (Row s = span.first; s < span.end(); ++s)
-        wanted += subs.normal_force[s] / closures.force * Vec3(subs.position[s]);
-    const double stiffness = subs.normal_stiffness[closures.most];
-    const Row b1 = contacts.block1[c];
-    const Vec3 origin = model.blocks.centroid[b1];
-    ClosureOffset offset;
-    offset.closure = closures.mean_offset;
-    const double size = std::sqrt(std::max(contacts.area[c], contacts.least_area[c]));
-    const auto scale_to_force = [&](ClosureOffset& o) {
-        const auto force_at = [&](double closure) {
-            ClosureOffset tried = o;
-            tried.closure = closure;
-            const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), n, tried);
-            return stiffness * patch.carried;
-        };
-        const double reach = closures.force / (stiffness * contacts.least_area[c]) + o.tilt.norm() * 2 * size;
-        double low = o.closure - reach, high = o.closure + reach;
-        for (int i = 0; i < 60 && force_at(high) < closures.force; ++i) high += reach;
-        for (int i = 0; i < 60 && force_at(low) > closures.force; ++i) low -= reach;
-        for (int i = 0; i < 50; ++i) {
-            const double middle = 0.5 * (low + high);
-            (force_at(middle) < closures.force ? low : high) = middle;
+/// What the overlap of two blocks carries with an offset that is linear over a joint, beside the resultant that it is wanted to have.
+class ResultantFit {
+public:
+    ResultantFit(const Model& model_, Row contact, const Closures& closures)
+        : model(model_), pair(pair_of(model_.contacts, contact)), n(model_.contacts.normal[contact]),
+          carried(closures.force / model_.sub_contacts.normal_stiffness[closures.most]) {
+        const auto& subs = model.sub_contacts;
+        const Span span = model.contacts.sub_contacts[contact];
+        Vec3 centre = Vec3::Zero();
+        Mat3 spread = Mat3::Zero();
+        for (Row s = span.first; s < span.end(); ++s) middle += Vec3(subs.position[s]) / span.count;
+        for (Row s = span.first; s < span.end(); ++s) {
+            const Vec3 arm = subs.position[s] - middle, flat = arm - arm.dot(n) * n;
+            centre += subs.normal_force[s] / closures.force * flat;
+            spread += flat * flat.transpose() / span.count;
         }
-        o.closure = 0.5 * (low + high);
-    };
-    // Of the continuous joint the centre moves by tilt I / (A closure); where it is partly open by less and less.
-    double tilt_per_shift = 12 * closures.deepest / (size * size);
-    Vec3 shift_before = Vec3::Zero();
-    for (int i = 0; i < 60; ++i) {
-        scale_to_force(offset);
-        const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), n, offset);
-        if (!(patch.carried > 0)) break;
-        Vec3 shift = wanted - patch.centre;
-        shift -= shift.dot(n) * n;
-        if (shift.norm() < 1e-3 * size) break;
-        tilt_per_shift *= shift.dot(shift_before) < 0 ? 0.3 : 1.6;
-        shift_before = shift;
-        // The tilt acts about the centre of the contact, or it would close the joint as a whole.
-        const Vec3 more = tilt_per_shift * shift;
-        offset.tilt += more;
-        offset.closure -= more.dot(patch.centre - origin);
-        constexpr double steepest = 0.2;
-        if (offset.tilt.norm() > steepest) {
-            const Vec3 turned = offset.tilt * (steepest / offset.tilt.norm() - 1);
-            offset.tilt += turned;
-            offset.closure -= turned.dot(patch.centre - origin);
-            scale_to_force(offset);
-            break;
-        }
+        // In lengths of the joint along and across it: a strip is as well conditioned as a square.
+        const Eigen::SelfAdjointEigenSolver<Mat3> principal(spread); // the first is across the plane
+        for (int i = 0; i < 2; ++i)
+            per_length[i] = principal.eigenvectors().col(i + 1) / std::sqrt(principal.eigenvalues()[i + 1]);
+        wanted = {1, centre.dot(per_length[0]), centre.dot(per_length[1])};
     }
-    return offset;
+
+    /// The offset of a closure in the middle and how much more it is at a length from there.
+    ClosureOffset offset(const Vec3& closure) const {
+        ClosureOffset made;
+        made.tilt = closure[1] * per_length[0] + closure[2] * per_length[1];
+        made.closure = closure[0] - made.tilt.dot(middle - model.blocks.centroid[pair.block1]);
+        return made;
+    }
+
+    struct Carried {
+        Vec3
+            missing; ///< of the resultant: parts of the force, and of its moments about the middle over force and length
+        double depth;
+    };
+    Carried at(const Vec3& closure) const {
+        const OverlapPatch patch = overlap_patch(model, pair, n, offset(closure));
+        const Vec3 arm = patch.centre - middle;
+        const double part = patch.carried / carried;
+        return {Vec3(part, part * arm.dot(per_length[0]), part * arm.dot(per_length[1])) - wanted, patch.depth};
+    }
+
+    /// The closure in the middle alone that gives the force.
+    double closure_for_force(double start) const {
+        const auto missing = [&](double closure) { return at({closure, 0, 0}).missing[0]; };
+        const double reach = carried / pair.least_area;
+        double low = start - reach, high = start + reach;
+        for (int i = 0; i < 60 && missing(high) < 0; ++i) high += reach;
+        for (int i = 0; i < 60 && missing(low) > 0; ++i) low -= reach;
+        for (int i = 0; i < 50; ++i) {
+            const double half = 0.5 * (low + high);
+            (missing(half) < 0 ? low : high) = half;
+        }
+        return 0.5 * (low + high);
+    }
+
+private:
+    const Model& model;
+    OverlapPair pair;
+    Vec3 n;
+    double carried; ///< force over stiffness
+    Vec3 middle = Vec3::Zero(), wanted;
+    std::array<Vec3, 2> per_length; ///< unit vectors along and across the joint over its lengths
+};
+
+/// The offset, linear over a joint, with which the overlap has the force and the moments of the rows, by Newton's method. A
+/// resultant at the edge of a joint, which no overlap has, is met as far as the overlap gets no deeper than the rows are closed:
+/// without that bound the offset would grow until it said that the blocks have sunk into each other.
+ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& closures) {
+    constexpr double met = 1e-3, deepest = 2; // of the resultant; of the closure of the rows
+    constexpr int most_steps = 20, most_halves = 8;
+    const ResultantFit fit(model, c, closures);
+    Vec3 closure(fit.closure_for_force(closures.mean_offset), 0, 0);
+    ResultantFit::Carried now = fit.at(closure);
+    const double limit = std::max(deepest * closures.deepest, now.depth);
+    for (int i = 0; i < most_steps && now.depth > 0 && now.missing.norm() > met; ++i) {
+        const double difference = 1e-3 * now.depth;
+        Mat3 slope;
+        for (int k = 0; k < 3; ++k)
+            slope.col(k) = (fit.at(closure + difference * Vec3::Unit(k)).missing - now.missing) / difference;
+        const Vec3 step = slope.fullPivLu().solve(now.missing);
+        double part = 1;
+        ResultantFit::Carried next = fit.at(closure - step);
+        const auto is_better = [&] {
+            return next.depth > 0 && next.depth <= limit && next.missing.norm() < now.missing.norm();
+        };
+        for (int k = 0; k < most_halves && !is_better(); ++k) next = fit.at(closure - (part *= 0.5) * step);
+        if (!is_better()) break;
+        closure -= part * step;
+        now = next;
+    }
+    return fit.offset(closure);
 }
 
 /// What a joint model keeps of a row.

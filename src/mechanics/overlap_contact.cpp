@@ -321,6 +321,24 @@ double keep_passive(Model& model, Row c) {
     return before - scale * work - taken + of_shear;
 }
 
+/// Surfaces that climb on each other are farther apart for the same closure: what the force has grown by beyond the
+/// closure of the step goes to the offset, so that the overlap goes on to say what the joint model carries. Over a path that
+/// comes back to where it was this adds up to nothing, for any law whose force follows from its closure.
+void take_dilation(Model& model, Row c, const CarriedLoad& before) {
+    constexpr double rounding = 1e-12; // of the depth
+    auto& contacts = model.contacts;
+    auto& subs = model.sub_contacts;
+    const CarriedLoad after(model, c);
+    const double stiffness = 0.5 * (before.stiffness + after.stiffness);
+    if (!(before.force > 0 && after.force > 0 && stiffness > 0)) return;
+    const Row first = contacts.sub_contacts[c].first;
+    const double dilation = (after.force - before.force) / stiffness + subs.normal_displacement_increment[first];
+    if (!(std::abs(dilation) > rounding * contacts.depth[c])) return;
+    contacts.offset[c] += dilation;
+    contacts.energy_taken[c] += after.force * dilation;
+    for (Row s = first; s < first + carriers; ++s) subs.normal_displacement[s] -= dilation;
+}
+
 /// The joint model sees the force of the overlap. Returns the energy of the shear springs that is lost.
 double take_back_scale(Model& model, Row c) {
     const double missing = std::exchange(model.contacts.withheld[c], 0);
@@ -328,6 +346,14 @@ double take_back_scale(Model& model, Row c) {
 }
 
 } // namespace
+
+double gap_of_overlap(const Model& model, Row c) {
+    const auto& contacts = model.contacts;
+    if (contacts.depth[c] > 0) return 0;
+    ClosureOffset offset = offset_of(contacts, c);
+    offset.along = contacts.offset_normal[c].isZero(0) ? contacts.normal[c] : contacts.offset_normal[c];
+    return std::max(0.0, gap_along(model, contacts.block1[c], contacts.block2[c], contacts.normal[c], offset));
+}
 
 void begin_without_force(Model& model, Row c) {
     auto& contacts = model.contacts;
@@ -427,7 +453,16 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     return lost;
 }
 
-double finish_overlap_contact(Model& model, Row c, JointWork& work) {
+CarriedLoad::CarriedLoad(const Model& model, Row c) {
+    const auto& subs = model.sub_contacts;
+    const Row first = model.contacts.sub_contacts[c].first;
+    for (Row s = first; s < first + carriers; ++s) {
+        force += subs.normal_force[s];
+        stiffness += subs.normal_stiffness[s] * subs.area[s];
+    }
+}
+
+double finish_overlap_contact(Model& model, Row c, const CarriedLoad& carried, JointWork& work) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
@@ -438,12 +473,10 @@ double finish_overlap_contact(Model& model, Row c, JointWork& work) {
             subs.normal_force[s] = 0;
             subs.shear_force.set(s, Vec3::Zero());
         }
-        // Apart: a closure that was there besides that of the places is used up.
-        if (contacts.offset[c] > 0) contacts.offset[c] = 0;
-        contacts.offset_tilt[c].setZero();
         lost += contacts.energy_taken[c];
         contacts.energy_taken[c] = contacts.energy_length[c] = 0;
     } else {
+        take_dilation(model, c, carried);
         lost += keep_passive(model, c);
     }
     if (is_idle(model, c)) add_friction_of(model, c, work);

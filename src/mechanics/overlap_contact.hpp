@@ -22,9 +22,21 @@ double move_overlap_contact(Model& model, Row contact, JointWork& work);
 /// Gives a contact the offset at which what overlaps carries nothing; none where nothing overlaps.
 void begin_without_force(Model& model, Row contact);
 
-/// Adds the work of the forces that the joint model has given. A contact that has parted carries nothing. Returns the
-/// energy that is lost: of the springs of what has parted, and what the contact has taken and does not give back.
-double finish_overlap_contact(Model& model, Row contact, JointWork& work);
+/// Normal force and stiffness of the places that carry an overlap, before a joint model sees them.
+struct CarriedLoad {
+    double force = 0, stiffness = 0;
+
+    CarriedLoad() = default;
+    CarriedLoad(const Model& model, Row contact);
+};
+
+/// Adds the work of the forces that the joint model has given, and what it has dilated to the offset. A contact that has
+/// parted carries nothing. Returns the energy that is lost: of the springs of what has parted, and what the contact has taken
+/// and does not give back.
+double finish_overlap_contact(Model& model, Row contact, const CarriedLoad& before, JointWork& work);
+
+/// How far apart the blocks of an overlap contact are along its normal, with its offset; 0 where they overlap.
+double gap_of_overlap(const Model& model, Row contact);
 
 /// Whether the sub-contacts of a joint with fixed places are neither all closed nor all open, and none pulls.
 bool is_partly_open(const Model& model, Row contact);
