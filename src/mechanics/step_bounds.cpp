@@ -201,24 +201,28 @@ bool StepBounds::moves(const Model& model, Row contact, Row sub_contact, int sid
     return false;
 }
 
-/// How many times its own part of a spring a body is charged with: (a - b)^2 <= p a^2 + q b^2 with 1/p + 1/q = 1. What
-/// cannot move charges nothing.
-double StepBounds::share(const Model& model, Row contact, Row sub_contact, int side, Shares shares) const {
-    if (shares == Shares::none) return 1;
-    if (shares == Shares::halves) return moves(model, contact, sub_contact, 1 - side) ? 2 : 1;
+/// What cannot move charges nothing. A dashpot goes with the root of its spring: with the share of the spring a soft contact beside a
+/// stiff one would be charged with any number of times its dashpot.
+StepBounds::Share StepBounds::share(const Model& model, Row contact, Row sub_contact, int side, Shares shares) const {
+    if (shares == Shares::none) return {1, 1};
+    if (shares == Shares::halves) return moves(model, contact, sub_contact, 1 - side) ? Share{2, 2} : Share{1, 1};
     const auto of_side = [&](int i) {
         const Row block = block_of(model, contact, i);
         if (!model.blocks.deformable[block]) return resistance_[lead_[block]];
         const auto& subs = model.sub_contacts;
         const Attachment& attachment = i == 0 ? subs.side1[sub_contact] : subs.side2[sub_contact];
-        double largest = 0;
-        for (int k = 0; k < 3; ++k)
-            if (attachment.weights[k] != 0) largest = std::max(largest, point_resistance_[attachment.gridpoints[k]]);
+        Resistance largest;
+        for (int k = 0; k < 3; ++k) {
+            if (attachment.weights[k] == 0) continue;
+            const Resistance& point = point_resistance_[attachment.gridpoints[k]];
+            largest.elastic = std::max(largest.elastic, point.elastic);
+            largest.viscous = std::max(largest.viscous, point.viscous);
+        }
         return largest;
     };
-    const double own = of_side(side), other = of_side(1 - side);
-    if (own == 0 || other == 0) return 1;
-    return 1 + other / own;
+    const auto times = [](double own, double other) { return own == 0 || other == 0 ? 1 : 1 + other / own; };
+    const Resistance own = of_side(side), other = of_side(1 - side);
+    return {times(own.elastic, other.elastic), times(own.viscous, other.viscous)};
 }
 
 void StepBounds::add_contact(const Model& model, const BodyFrame& frame, const ContactEntry& entry, Shares shares,
@@ -227,24 +231,31 @@ void StepBounds::add_contact(const Model& model, const BodyFrame& frame, const C
     const Vec3 arm = model.contacts.position[c] - frame.centre;
     const Vec3& normal = model.contacts.normal[c];
     const Beta beta = damped_ ? beta_[c] : Beta{0, 0};
-    const auto add = [&](const SpringSums& sums, double times) {
-        add_springs(matrices.elastic, sums, normal, arm, times);
-        if (damped_)
-            add_springs(matrices.viscous, {sums.normal * beta.normal, sums.shear * beta.shear}, normal, arm, times);
+    const auto add_dashpots = [&](const SpringSums& sums, double times) {
+        add_springs(matrices.viscous, {sums.normal * beta.normal, sums.shear * beta.shear}, normal, arm, times);
     };
-    if (between_rigid(model, c)) return add(sums_[c], share(model, c, no_row, entry.side, shares));
+    if (between_rigid(model, c)) {
+        const Share times = share(model, c, no_row, entry.side, shares);
+        add_springs(matrices.elastic, sums_[c], normal, arm, times.elastic);
+        if (damped_) add_dashpots(sums_[c], times.viscous);
+        return;
+    }
     const Span span = model.contacts.sub_contacts[c];
     const NormalAreaFactor factor(model, c);
-    SpringSums sums;
+    SpringSums sums, damped;
     for (Row s = span.first; s < span.end(); ++s) {
         const Springs k = springs(model, s, factor);
         if (k.stiffer() <= 0) continue;
         const Vec3 place = model.sub_contacts.position[s] - model.contacts.position[c];
-        const double times = share(model, c, s, entry.side, shares);
-        sums.normal.add(times * k.normal, place);
-        sums.shear.add(times * k.shear, place);
+        const Share times = share(model, c, s, entry.side, shares);
+        sums.normal.add(times.elastic * k.normal, place);
+        sums.shear.add(times.elastic * k.shear, place);
+        if (!damped_) continue;
+        damped.normal.add(times.viscous * k.normal, place);
+        damped.shear.add(times.viscous * k.shear, place);
     }
-    add(sums, 1);
+    add_springs(matrices.elastic, sums, normal, arm, 1);
+    if (damped_) add_dashpots(damped, 1);
 }
 
 Resistance StepBounds::of_block(const Model& model, const Adjacency& adjacency, Row row, Shares shares) const {
@@ -263,8 +274,9 @@ Resistance StepBounds::of_block(const Model& model, const Adjacency& adjacency, 
     else
         for (const Row b : adjacency.bodies.members(static_cast<std::size_t>(body_[row]))) add(b);
     const Mat6 elastic = frame.scaled(matrices.elastic);
-    if (shares == Shares::none) return {elastic.norm(), 0};
-    return {largest_eigenvalue(elastic), damped_ ? largest_eigenvalue(frame.scaled(matrices.viscous)) : 0};
+    const Mat6 viscous = damped_ ? frame.scaled(matrices.viscous) : Mat6::Zero();
+    if (shares == Shares::none) return {elastic.norm(), viscous.norm()};
+    return {largest_eigenvalue(elastic), damped_ ? largest_eigenvalue(viscous) : 0};
 }
 
 Resistance StepBounds::of_gridpoint(const Model& model, const Adjacency& adjacency, Row row, Shares shares) const {
@@ -276,10 +288,12 @@ Resistance StepBounds::of_gridpoint(const Model& model, const Adjacency& adjacen
         const Row s = e->sub_contact, c = subs.contact[s];
         const Springs k = springs(model, s, NormalAreaFactor(model, c));
         if (k.stiffer() <= 0) continue;
-        const double times = share(model, c, s, e->side, shares) * root * e->weight *
-                             mobility(model, block_of(model, c, e->side), e->side == 0 ? subs.side1[s] : subs.side2[s]);
-        sum.elastic += times * k.stiffer();
-        if (damped_) sum.viscous += times * std::max(beta_[c].normal * k.normal, beta_[c].shear * k.shear);
+        const Share times = share(model, c, s, e->side, shares);
+        const double part = root * e->weight *
+                            mobility(model, block_of(model, c, e->side), e->side == 0 ? subs.side1[s] : subs.side2[s]);
+        sum.elastic += times.elastic * part * k.stiffer();
+        if (damped_)
+            sum.viscous += times.viscous * part * std::max(beta_[c].normal * k.normal, beta_[c].shear * k.shear);
     }
     if (adjacency.has_cables())
         for (auto e = adjacency.nodes_of_gridpoint.begin(row); e != adjacency.nodes_of_gridpoint.end(row); ++e) {
@@ -303,14 +317,14 @@ void StepBounds::find_resistances(const Model& model, const Adjacency& adjacency
     resistance_.resize(model.blocks.size());
     for_rows(model.blocks.size(), [&](Row b) {
         if (near_[b] && !model.blocks.deformable[b] && lead_[b] == b)
-            resistance_[b] = of_block(model, adjacency, b, Shares::none).elastic;
+            resistance_[b] = of_block(model, adjacency, b, Shares::none);
     });
     if (root_of_gridpoint_.empty()) return;
     point_resistance_.resize(model.gridpoints.size());
     for_rows(model.gridpoints.size(), [&](Row g) {
         const Row b = model.gridpoints.block[g];
         if (near_[b] && model.blocks.deformable[b])
-            point_resistance_[g] = of_gridpoint(model, adjacency, g, Shares::none).elastic;
+            point_resistance_[g] = of_gridpoint(model, adjacency, g, Shares::none);
     });
 }
 

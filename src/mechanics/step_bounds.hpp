@@ -96,7 +96,12 @@ private:
     void find_resistances(const Model& model, const Adjacency& adjacency, Masses masses);
     Springs springs(const Model& model, Row sub_contact, const NormalAreaFactor& factor) const;
     SpringSums sums_of(const Model& model, Row contact) const;
-    double share(const Model& model, Row contact, Row sub_contact, int side, Shares shares) const;
+    /// How many times its own part of a spring, and of the dashpot beside it, a body is charged with:
+    /// (a - b)^2 <= p a^2 + q b^2 with 1/p + 1/q = 1.
+    struct Share {
+        double elastic, viscous;
+    };
+    Share share(const Model& model, Row contact, Row sub_contact, int side, Shares shares) const;
     bool moves(const Model& model, Row contact, Row sub_contact, int side) const;
     double mobility(const Model& model, Row block, const Attachment& attachment) const;
     double mobility_of_node(const Model& model, Row node) const;
@@ -107,18 +112,19 @@ private:
     StepLimit smallest(const Model& model, const Adjacency& adjacency, Shares shares) const;
 
     bool damped_ = false;
-    bool alone_ = false;              ///< bounds do not ask for those of neighbours
-    std::vector<char> asked_;         ///< by block: bounds are of these
-    std::vector<char> near_;          ///< by block: asked, or in contact with one that is
-    std::vector<Row> body_;           ///< by block: of joined rigid blocks the row in Adjacency::bodies, else no_row
-    std::vector<BodyFrame> frames_;   ///< by block; of joined ones at the first
-    std::vector<Row> lead_;           ///< by block: itself or the first of those that it is joined to
-    std::vector<std::uint8_t> fixed_; ///< by block; of joined ones at the first, for all
-    std::vector<SpringSums> sums_;    ///< by contact, of contacts between rigid blocks
-    std::vector<Beta> beta_;          ///< by contact
-    std::vector<double> resistance_;  ///< by block: about its largest eigenvalue without its neighbours
-    std::vector<double> root_of_gridpoint_;            ///< 1 over the root of the mass, 0 for what cannot move
-    std::vector<double> zone_part_, point_resistance_; ///< by gridpoint
+    bool alone_ = false;                 ///< bounds do not ask for those of neighbours
+    std::vector<char> asked_;            ///< by block: bounds are of these
+    std::vector<char> near_;             ///< by block: asked, or in contact with one that is
+    std::vector<Row> body_;              ///< by block: of joined rigid blocks the row in Adjacency::bodies, else no_row
+    std::vector<BodyFrame> frames_;      ///< by block; of joined ones at the first
+    std::vector<Row> lead_;              ///< by block: itself or the first of those that it is joined to
+    std::vector<std::uint8_t> fixed_;    ///< by block; of joined ones at the first, for all
+    std::vector<SpringSums> sums_;       ///< by contact, of contacts between rigid blocks
+    std::vector<Beta> beta_;             ///< by contact
+    std::vector<Resistance> resistance_; ///< by block: about its largest eigenvalue without its neighbours
+    std::vector<double> root_of_gridpoint_;    ///< 1 over the root of the mass, 0 for what cannot move
+    std::vector<double> zone_part_;            ///< by gridpoint
+    std::vector<Resistance> point_resistance_; ///< by gridpoint
     BodyStiffness stiffness_;
 };
 
