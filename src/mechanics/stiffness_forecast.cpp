@@ -1,6 +1,7 @@
 #include "mechanics/stiffness_forecast.hpp"
 
 #include "mechanics/held_directions.hpp"
+#include "mechanics/overlap_contact.hpp"
 #include "base/parallel.hpp"
 #include "laws/lone_row.hpp"
 
@@ -220,16 +221,18 @@ bool StiffnessForecast::check(const Model& model, const Batch& batch, Row c, dou
     const auto& contacts = model.contacts;
     const Span span = contacts.sub_contacts[c];
     const NormalAreaFactor factor(model, c);
+    const bool overlap = follows_overlap(model, c);
+    const double gap = overlap ? gap_of_overlap(model, c) : 0;
     bool grows = false;
     for (Row s = span.first; s < span.end(); ++s) {
         Springs& springs = springs_[s];
         springs = springs_of(subs, s, factor);
-        if (!subs.side1[s].attached() || !subs.side2[s].attached()) continue;
+        if (overlap ? s >= span.first + carriers : !subs.side1[s].attached() || !subs.side2[s].attached()) continue;
         const Vec3 place = subs.position[s];
         const double opening =
             contacts.normal[c].dot(velocity_of_side(model, contacts.block2[c], subs.side2[s], place, step) -
                                    velocity_of_side(model, contacts.block1[c], subs.side1[s], place, step));
-        const double closure = -opening * step * steps_ahead, force = subs.normal_force[s];
+        const double closure = -opening * step * steps_ahead - gap, force = subs.normal_force[s];
         if (closure <= 0 || springs.normal * closure <= small_growth * force) continue;
         if (force == 0 && closure <= subs.normal_displacement[s]) continue; // still apart
         copy.take(model, *batch.model, s);
