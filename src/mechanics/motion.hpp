@@ -38,22 +38,37 @@ inline Lanes prescribed(unsigned bits) {
     return Eigen::Map<const Lanes, Eigen::Aligned32>(of[bits & 7u]);
 }
 
+/// What a roller adds to a force so that what is left acts along its way. Combined damping brakes in proportion to the force and must
+/// not look at the rest: the greater part of it is what the support takes, and no such gridpoint would come to rest.
+inline Vec3 support_against(const Vec3& force, const Roller& roller, unsigned held_bits) {
+    Vec3 free = force;
+    for (int k = 0; k < 3; ++k)
+        if (held_bits & (1u << k)) free[k] = 0;
+    return roller_change(roller, free, static_cast<std::uint8_t>(held_bits), Vec3::Zero());
+}
+
 /// Moves a velocity by force, load and weight for a step. A roller, if there is one, keeps it on its way; what it pushes is
 /// the boundary's work.
 inline void advance_velocity(Vec3& velocity, const Vec3& force, const Vec3& load, const Lanes& weight, double mass,
                              double step, unsigned held_bits, const DampingFactors& damping, Vec3& last_force,
                              MotionLanes& sums, const Roller* roller = nullptr) {
     const Lanes before = lanes(velocity), loads = lanes(load), inner = lanes(force), whole = inner + loads + weight;
-    Lanes after = damping.advance(before, whole, step / mass, last_force);
+    Lanes support = Lanes::Zero();
+    if (roller != nullptr && damping.combined != 0) {
+        Vec3 sum;
+        store(sum, whole);
+        support = lanes(support_against(sum, *roller, held_bits));
+    }
+    Lanes after = damping.advance(before, whole + support, step / mass, last_force);
+    support *= step;
     const Lanes held = prescribed(held_bits);
     if (held_bits != 0)
         for (int k = 0; k < lane_count; ++k) after[k] = held[k] != 0 ? before[k] : after[k];
     store(velocity, after);
-    Lanes support = Lanes::Zero();
     if (roller != nullptr) {
         const Vec3 change = roller_change(*roller, velocity, static_cast<std::uint8_t>(held_bits), roller->speed);
         velocity += change;
-        support = mass * lanes(change);
+        support += mass * lanes(change);
         after = lanes(velocity);
     }
     sums.add_power(inner, before, after);

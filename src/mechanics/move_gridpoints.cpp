@@ -49,13 +49,16 @@ void advance_on_boundary(const Model& model, const MovingPoint& point, const Dam
     Vec3 brake = Vec3::Zero(), support = Vec3::Zero();
     if (point.quiet) brake = quiet_force(point.dashpot, mass, velocity, force, point.fixed, step);
     const Lanes before = lanes(velocity), held = prescribed(point.fixed);
-    Lanes after = damping.advance(before, lanes(force + brake), step / mass, last_force);
+    const bool rolls = point.roller.count != 0;
+    Vec3 against = Vec3::Zero();
+    if (rolls && damping.combined != 0) against = support_against(force + brake, point.roller, point.fixed);
+    Lanes after = damping.advance(before, lanes(force + brake + against), step / mass, last_force);
     for (int k = 0; k < lane_count; ++k) after[k] = held[k] != 0 ? before[k] : after[k];
     store(velocity, after);
-    if (point.roller.count != 0) {
+    if (rolls) {
         const Vec3 change = roller_change(point.roller, velocity, point.fixed, point.roller.speed);
         velocity += change;
-        support = mass * change;
+        support = mass * change + step * against;
         after = lanes(velocity);
     }
     sums.add_power(lanes(point.force), before, after);
