@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -24,12 +23,6 @@ constexpr std::size_t grain = 256; ///< contacts
 constexpr double negligible = 1e-3;
 /// The part of it that comes back in each cycle.
 constexpr double recovery = 5e-3;
-
-double frictional_work(const Model& model, Row c) {
-    const Span span = model.contacts.sub_contacts[c];
-    const double* const work = model.sub_contacts.frictional_work.data();
-    return std::accumulate(work + span.first, work + span.end(), 0.0);
-}
 
 /// Energy that has gone into a contact's springs.
 struct Recovered {
@@ -232,7 +225,12 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         }
         finish_contact(model, c, forces, after);
         if (opens_in_part(model, c)) {
+            const double work_before = work_of_step(model, c);
             sums.lost += follow_overlap(model, c);
+            // The force that it has other than before acts in half of the step, and is not of the energy that the springs hold.
+            const double more = work_of_step(model, c) - work_before;
+            after.joint[0] += more;
+            sums.lost -= 0.5 * more;
             sum_contact(model, c, forces);
             note_stiffness(model, c, forces);
             sums.stiffness_changed = true;

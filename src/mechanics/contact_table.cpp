@@ -221,6 +221,18 @@ double keep_shear(Model& model, Row c, const ContactLoad& before) {
     return before.stored() - after.energy - scale * scale * after.shear_energy;
 }
 
+/// Between rigid blocks a contact may have other forces with its new geometry.
+bool books_change(const Model& model, Row c) { return model.settings.energy && between_rigid(model, c); }
+
+/// The forces that a contact has other than before act in half of the step. What they made there is of the joints' work, and negative in
+/// what is lost, which is returned.
+double book_change(Model& model, Row c, double work_before) {
+    if (!books_change(model, c)) return 0;
+    const double made = 0.5 * (work_of_step(model, c) - work_before);
+    model.energy.joint_work -= made;
+    return -made;
+}
+
 /// What is lost when a contact's geometry has been made anew.
 double settle(Model& model, Row c, const ContactLoad& before) {
     if (model.contacts.kind[c] == ContactKind::overlap) return 0;
@@ -233,12 +245,21 @@ bool closes(const Model& model, const ContactDraft& draft) {
            model.contacts.kind[draft.old] == ContactKind::overlap;
 }
 
-/// The loads of contacts that get new geometry, by row of the draft.
-std::vector<std::pair<Row, ContactLoad>> loads_of(const Model& model, const std::vector<ContactDraft>& drafts) {
-    std::vector<std::pair<Row, ContactLoad>> loads;
+struct LoadBefore {
+    Row row; ///< of the draft
+    ContactLoad load;
+    double work; ///< of its forces in the step
+
+    LoadBefore(const Model& model, Row draft, Row old)
+        : row(draft), load(model, old), work(books_change(model, old) ? work_of_step(model, old) : 0) {}
+};
+
+/// The loads of contacts that get new geometry.
+std::vector<LoadBefore> loads_of(const Model& model, const std::vector<ContactDraft>& drafts) {
+    std::vector<LoadBefore> loads;
     for (std::size_t c = 0; c < drafts.size(); ++c)
         if (drafts[c].old != no_row && drafts[c].kind == DraftKind::new_geometry)
-            loads.emplace_back(static_cast<Row>(c), ContactLoad(model, drafts[c].old));
+            loads.emplace_back(model, static_cast<Row>(c), drafts[c].old);
     return loads;
 }
 
@@ -351,7 +372,7 @@ public:
 
     /// `properties` and `material` are those of new contacts; `loads` of contacts that get new geometry.
     void write(const ContactDraft& draft, Row c, Row properties, std::int32_t material,
-               const std::vector<std::pair<Row, ContactLoad>>& loads) {
+               const std::vector<LoadBefore>& loads) {
         auto& contacts = model_.contacts;
         contacts.block1[c] = draft.block1;
         contacts.block2[c] = draft.block2;
@@ -384,8 +405,8 @@ public:
                               draft.plane.type == ContactType::face_face, changes_);
         }
         if (!closing) return;
-        const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.first == c; });
-        close_joint(model_, draft, c, from_.spans[c].first, load->second, offset);
+        const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.row == c; });
+        close_joint(model_, draft, c, from_.spans[c].first, load->load, offset);
     }
     /// Which of the old sub-contacts are still there.
     const std::vector<char>& sub_kept() const { return sub_kept_; }
@@ -419,13 +440,14 @@ void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vec
 
 bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts) {
     if (!all_keep_places(model, drafts)) return false;
-    std::vector<ContactLoad> loads;
-    for (const auto& draft : drafts) loads.emplace_back(model, draft.old);
+    const auto loads = loads_of(model, drafts);
     Changes changes(model.sub_contacts.size());
     double lost = refresh_in_place(model, drafts, changes);
     tell_joint_models(model, joints, changes, true);
-    for (std::size_t i = 0; i < drafts.size(); ++i)
-        if (drafts[i].kind == DraftKind::new_geometry) lost += settle(model, drafts[i].old, loads[i]);
+    for (const auto& before : loads) {
+        const Row c = drafts[before.row].old;
+        lost += settle(model, c, before.load) + book_change(model, c, before.work);
+    }
     if (model.settings.energy) model.energy.joint_lost += lost;
     return true;
 }
@@ -466,7 +488,8 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         if (drafts[c].kind == DraftKind::overlap && drafts[c].old != no_row)
             lost += follow_overlap(model, static_cast<Row>(c));
     tell_joint_models(model, joints, changes, moving);
-    for (const auto& [row, load] : loads) lost += settle(model, row, load);
+    for (const auto& before : loads)
+        lost += settle(model, before.row, before.load) + (moving ? book_change(model, before.row, before.work) : 0);
     for (std::size_t c = 0; c < drafts.size(); ++c)
         if (drafts[c].old == no_row) lost -= ContactLoad(model, static_cast<Row>(c)).stored();
     if (model.settings.energy) model.energy.joint_lost += lost;

@@ -1,5 +1,6 @@
 #include "mechanics/overlap_contact.hpp"
 #include "mechanics/growth.hpp"
+#include "mechanics/overlap_gap.hpp"
 
 #include "mechanics/contact_geometry.hpp"
 #include "mechanics/dashpots.hpp"
@@ -8,7 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace kaya {
@@ -76,12 +77,7 @@ bool is_idle(const Model& model, Row c) {
 }
 
 /// What rows of idle contacts have worn so far counts before a step and after it, as that of all others.
-void add_friction_of(const Model& model, Row c, JointWork& work) {
-    const Span span = model.contacts.sub_contacts[c];
-    double friction = 0;
-    for (Row s = span.first; s < span.end(); ++s) friction += model.sub_contacts.frictional_work[s];
-    work.friction[0] += friction;
-}
+void add_friction_of(const Model& model, Row c, JointWork& work) { work.friction[0] += frictional_work(model, c); }
 
 /// Energy in the shear springs of a row.
 double shear_energy(const SubContacts& subs, Row s) {
@@ -113,14 +109,23 @@ double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& moti
 
 /// Gives a carrier another area. Its normal traction stays. Its shear force stays where faces lie on each other: if it
 /// followed the area, a joint that opens and closes at its edge would lose some each time and creep. On corners and edges
-/// that roll, what leaves the contact takes its shear force along. Returns the energy of the shear spring that is lost.
-double change_area(SubContacts& subs, Row s, double area, bool lies) {
+/// that roll, what leaves the contact takes its shear force along. A spring that keeps its force on a smaller area holds more
+/// energy. In an impact `taken`, what larger areas have taken of it before, must pay for that, or the force is smaller; a joint that opens
+/// slowly gains next to nothing, and would creep. Returns the energy of the shear spring that is lost.
+double change_area(SubContacts& subs, Row s, double area, bool lies, double& taken) {
     const double before = shear_energy(subs, s);
     const double ratio = subs.area[s] > 0 ? area / subs.area[s] : 1;
     subs.normal_force[s] *= ratio;
-    if (!lies && ratio < 1) subs.shear_force.set(s, ratio * Vec3(subs.shear_force[s]));
     subs.area[s] = area;
-    return before - shear_energy(subs, s);
+    if (!(before > 0)) return 0;
+    constexpr double slow = 0.99; // of the area left after a step
+    double scale = 1;
+    if (ratio < 1 && !lies) scale = ratio;
+    else if (ratio < slow) scale = std::min(1.0, std::sqrt(ratio * (1 + taken / before)));
+    if (scale != 1) subs.shear_force.set(s, scale * Vec3(subs.shear_force[s]));
+    const double lost = before - shear_energy(subs, s);
+    if (lies) taken = std::max(0.0, taken + lost);
+    return lost;
 }
 
 double normal_force_of(const Model& model, Row c) {
@@ -128,10 +133,6 @@ double normal_force_of(const Model& model, Row c) {
     double sum = 0;
     for (Row s = span.first; s < span.end(); ++s) sum += model.sub_contacts.normal_force[s];
     return sum;
-}
-
-ClosureOffset offset_of(const Contacts& contacts, Row c) {
-    return {contacts.offset[c], contacts.offset_tilt[c], contacts.offset_normal[c]};
 }
 
 /// A force that was set while nothing overlaps: the offset at which the overlap carries it.
@@ -185,7 +186,7 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
         }
         Vec3 shift = apart; // of all rows of blocks that are apart: they stand in one place
         if (closed) {
-            lost += change_area(subs, s, contacts.area[c] / carriers, patch.lies);
+            lost += change_area(subs, s, contacts.area[c] / carriers, patch.lies, contacts.withdrawn_energy[c]);
             subs.position.set(s, places[k]);
             shift = motion.at(places[k]);
         } else {
@@ -211,54 +212,6 @@ void turn_offset(Contacts& contacts, Row c, const RelativeMotion& motion, const 
     tilt -= used * along;
     contacts.offset[c] += used * along.dot(contacts.position[c] - origin);
 }
-
-/// Two blocks that are apart: where they will meet, and their distance along the normal. The place is a corner of the smaller
-/// block, or of blocks that are alike the one nearer to the other block's centre: a corner of a large floor that lies as high as
-/// all others may be far from what falls on it, and would give its contact an arm as long.
-struct Between {
-    Vec3 place = Vec3::Zero();
-    double gap = 0;
-};
-
-Between nearest_corners(const Model& model, Row block1, Row block2, const Vec3& n) {
-    const auto& x = model.gridpoints.position;
-    const Vec3 origin = model.blocks.centroid[block1]; // numbers stay small
-    const auto farthest = [&](Row block, const Vec3& direction) {
-        const Span span = model.blocks.gridpoints[block];
-        std::pair best{-std::numeric_limits<double>::infinity(), span.first};
-        for (Row g = span.first; g < span.end(); ++g)
-            if (const double along = direction.dot(x[g] - origin); along > best.first) best = {along, g};
-        return best;
-    };
-    const auto one = farthest(block1, n), two = farthest(block2, -n);
-    const Vec3 &x1 = x[one.second], &x2 = x[two.second];
-    const double larger = part_of_first(model, block1, block2);
-    double first = 1 - larger; // part of the place that is x1
-    if (larger == 0.5) {
-        const double of_one = (x1 - model.blocks.centroid[block2]).squaredNorm(), of_two = (x2 - origin).squaredNorm();
-        constexpr double same = 1e-9;
-        first = of_one < (1 - same) * of_two ? 1 : of_two < (1 - same) * of_one ? 0 : 0.5;
-    }
-    return {first * x1 + (1 - first) * x2, -two.first - one.first};
-}
-
-/// How far apart two blocks are along a direction, offset included; a bound of their distance.
-double gap_along(const Model& model, Row block1, Row block2, const Vec3& n, const ClosureOffset& offset) {
-    double high1 = -std::numeric_limits<double>::infinity(), low2 = -high1;
-    const auto& x = model.gridpoints.position;
-    const Span one = model.blocks.gridpoints[block1], two = model.blocks.gridpoints[block2];
-    const Vec3 origin = model.blocks.centroid[block1];
-    for (Row g = one.first; g < one.end(); ++g) {
-        const Vec3 from = x[g] - origin;
-        high1 = std::max(high1, n.dot(from) + offset.tilt.dot(from));
-    }
-    for (Row g = two.first; g < two.end(); ++g) low2 = std::min(low2, n.dot(x[g] - origin));
-    return low2 - high1 - offset.closure * n.dot(offset.along);
-}
-
-} // namespace
-
-namespace {
 
 /// Work of the normal force, and of the moment that comes with it, on the motion of a step.
 double normal_work(const Model& model, Row c, const RelativeMotion& motion) {
@@ -287,22 +240,36 @@ double scale_force(Model& model, Row c, double scale) {
     return before * (1 - scale * scale);
 }
 
+/// The joint model's springs and friction see the whole shear force of half a step, of which a part is withheld from the blocks. What the
+/// part that is withheld would have put in, by the motion of the step. `scale` is that of the forces as they are.
+double withheld_shear_work(const Model& model, Row c, double scale, const RelativeMotion& motion) {
+    if (scale == 1 || !(scale > 0)) return 0;
+    const auto& subs = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[c];
+    double work = 0;
+    for (Row s = span.first; s < span.end(); ++s) work += Vec3(subs.shear_force[s]).dot(motion.at(subs.position[s]));
+    return -0.5 * (1 / scale - 1) * work;
+}
+
 /// Steps are finite: a contact that closes and opens within a few of them would give back a little more or less than it
 /// took. On corners and edges it gives back no more: where the energy that it has taken is below that of its overlap, the force is that of the
-/// lower one, within limits, so that the overlap stays what the load asks for. Returns the energy that has gone out of what
-/// it has taken without work.
-double keep_passive(Model& model, Row c) {
+/// lower one, within limits, so that the overlap stays what the load asks for. `worn` is the work of friction in the step, by the whole
+/// force. Returns the energy that has gone out of what it has taken without work.
+double keep_passive(Model& model, Row c, double worn) {
     constexpr double least_scale = 0.75, recovery = 2e-3, surplus = 1.1;
-    constexpr double slow = 1e-3; // of the energy in a step: it is kept as exactly as need be
+    // Where little of the energy goes in or out in a step it is kept as exactly as need be. At the deepest point of a blow that
+    // is so for a moment only.
+    constexpr double slow = 1e-3, settling = 0.02;
     auto& contacts = model.contacts;
     const RelativeMotion motion(model, c);
     const double of_overlap = normal_force_of(model, c) * contacts.energy_length[c];
     const double work = 0.5 * normal_work(model, c, motion);
     double& taken = contacts.energy_taken[c];
-    const double before = taken;
+    const double before = taken, scale_before = 1 - contacts.withheld[c];
     double scale = 1, of_shear = 0;
     taken -= work;
-    if (std::abs(work) < slow * of_overlap || lie_on_each_other(model, pair_of(contacts, c))) taken = of_overlap;
+    if (lie_on_each_other(model, pair_of(contacts, c))) taken = of_overlap;
+    else if (std::abs(work) < slow * of_overlap) taken += settling * (of_overlap - taken);
     if (of_overlap > 0 && taken < of_overlap) {
         taken = std::max(taken, least_scale * least_scale * of_overlap);
         scale = std::sqrt(taken / of_overlap);
@@ -318,7 +285,11 @@ double keep_passive(Model& model, Row c) {
     }
     taken = std::min(taken, surplus * of_overlap);
     contacts.withheld[c] = 1 - scale;
-    return before - scale * work - taken + of_shear;
+    const double lost = before - scale * work - taken + of_shear;
+    // The shear springs have what is withheld of their work from what the contact has taken, and friction has not worn as much.
+    const double not_worn = (1 - 0.5 * (scale_before + scale)) * worn;
+    taken = std::max(0.0, taken + not_worn - withheld_shear_work(model, c, scale, motion));
+    return lost - not_worn;
 }
 
 /// Surfaces that climb on each other are farther apart for the same closure: what the force has grown by beyond the
@@ -341,18 +312,22 @@ void take_dilation(Model& model, Row c, const CarriedLoad& before) {
 
 /// The joint model sees the force of the overlap. Returns the energy of the shear springs that is lost.
 double take_back_scale(Model& model, Row c) {
-    const double missing = std::exchange(model.contacts.withheld[c], 0);
+    const double missing = model.contacts.withheld[c];
     return missing > 0 && missing < 1 ? scale_force(model, c, 1 / (1 - missing)) : 0;
 }
 
 } // namespace
 
-double gap_of_overlap(const Model& model, Row c) {
-    const auto& contacts = model.contacts;
-    if (contacts.depth[c] > 0) return 0;
-    ClosureOffset offset = offset_of(contacts, c);
-    offset.along = contacts.offset_normal[c].isZero(0) ? contacts.normal[c] : contacts.offset_normal[c];
-    return std::max(0.0, gap_along(model, contacts.block1[c], contacts.block2[c], contacts.normal[c], offset));
+double frictional_work(const Model& model, Row c) {
+    const Span span = model.contacts.sub_contacts[c];
+    const double* const work = model.sub_contacts.frictional_work.data();
+    return std::accumulate(work + span.first, work + span.end(), 0.0);
+}
+
+double work_of_step(const Model& model, Row c) {
+    JointWork work;
+    add_work_of(model, c, RelativeMotion(model, c), work);
+    return work.joint[0];
 }
 
 void begin_without_force(Model& model, Row c) {
@@ -387,7 +362,8 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
         add_friction_of(model, c, work);
     } else {
         add_work_of(model, c, motion.at_start(), work);
-        contacts.energy_taken[c] -= 0.5 * normal_work(model, c, motion.at_start());
+        contacts.energy_taken[c] -= 0.5 * normal_work(model, c, motion.at_start()) +
+                                    withheld_shear_work(model, c, 1 - contacts.withheld[c], motion.at_start());
     }
     const double of_scale = take_back_scale(model, c);
 
@@ -453,7 +429,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     return lost;
 }
 
-CarriedLoad::CarriedLoad(const Model& model, Row c) {
+CarriedLoad::CarriedLoad(const Model& model, Row c) : worn(frictional_work(model, c)) {
     const auto& subs = model.sub_contacts;
     const Row first = model.contacts.sub_contacts[c].first;
     for (Row s = first; s < first + carriers; ++s) {
@@ -474,10 +450,10 @@ double finish_overlap_contact(Model& model, Row c, const CarriedLoad& carried, J
             subs.shear_force.set(s, Vec3::Zero());
         }
         lost += contacts.energy_taken[c];
-        contacts.energy_taken[c] = contacts.energy_length[c] = 0;
+        contacts.energy_taken[c] = contacts.energy_length[c] = contacts.withheld[c] = 0;
     } else {
         take_dilation(model, c, carried);
-        lost += keep_passive(model, c);
+        lost += keep_passive(model, c, frictional_work(model, c) - carried.worn);
     }
     if (is_idle(model, c)) add_friction_of(model, c, work);
     else add_work_of(model, c, RelativeMotion(model, c), work);

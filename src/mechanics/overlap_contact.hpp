@@ -22,9 +22,9 @@ double move_overlap_contact(Model& model, Row contact, JointWork& work);
 /// Gives a contact the offset at which what overlaps carries nothing; none where nothing overlaps.
 void begin_without_force(Model& model, Row contact);
 
-/// Normal force and stiffness of the places that carry an overlap, before a joint model sees them.
+/// Normal force and stiffness of the places that carry an overlap, and what friction has worn so far, before a joint model sees them.
 struct CarriedLoad {
-    double force = 0, stiffness = 0;
+    double force = 0, stiffness = 0, worn = 0;
 
     CarriedLoad() = default;
     CarriedLoad(const Model& model, Row contact);
@@ -35,8 +35,11 @@ struct CarriedLoad {
 /// and does not give back.
 double finish_overlap_contact(Model& model, Row contact, const CarriedLoad& before, JointWork& work);
 
-/// How far apart the blocks of an overlap contact are along its normal, with its offset; 0 where they overlap.
-double gap_of_overlap(const Model& model, Row contact);
+/// Work that the forces of a contact between rigid blocks, as they are, would do on the motion of the step.
+double work_of_step(const Model& model, Row contact);
+
+/// What friction has worn so far in a contact, as its joint model says.
+double frictional_work(const Model& model, Row contact);
 
 /// Whether the sub-contacts of a joint with fixed places are neither all closed nor all open, and none pulls.
 bool is_partly_open(const Model& model, Row contact);

@@ -340,6 +340,10 @@ OverlapPair pair_of(const Contacts& contacts, Row c) {
     return {contacts.block1[c], contacts.block2[c], contacts.face1[c], contacts.face2[c], contacts.least_area[c]};
 }
 
+ClosureOffset offset_of(const Contacts& contacts, Row c) {
+    return {contacts.offset[c], contacts.offset_tilt[c], contacts.offset_normal[c]};
+}
+
 double rung_above(double area, double least) {
     constexpr double per_octave = 4, same = 1e-9; // an area that is a rung but for rounding is that rung
     if (!(area > (1 + same) * least)) return least;

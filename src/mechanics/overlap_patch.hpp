@@ -64,6 +64,9 @@ bool between_rigid(const Model& model, Row contact);
 /// closure of the joint, and the faces around it, which bound a strip as wide as the joint is closed, do not count.
 bool lie_on_each_other(const Model& model, const OverlapPair& pair);
 
+/// The offset of a contact; along its normal where none was noted.
+ClosureOffset offset_of(const Contacts& contacts, Row contact);
+
 /// The two blocks of a contact.
 OverlapPair pair_of(const Contacts& contacts, Row contact);
 

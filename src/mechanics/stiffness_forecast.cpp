@@ -2,6 +2,7 @@
 
 #include "mechanics/held_directions.hpp"
 #include "mechanics/overlap_contact.hpp"
+#include "mechanics/overlap_gap.hpp"
 #include "base/parallel.hpp"
 #include "laws/lone_row.hpp"
 
