@@ -3,6 +3,7 @@
 #include "mechanics/batches.hpp"
 #include "mechanics/contact_load.hpp"
 #include "mechanics/overlap_contact.hpp"
+#include "mechanics/overlap_scratch.hpp"
 #include "mechanics/property_sets.hpp"
 #include "model/lanes.hpp"
 
@@ -36,7 +37,7 @@ Row nearest(const SubContacts& s, Span span, const Vec3& place) {
 
 template <class Call>
 void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>& marked, Call call) {
-    std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
+    BatchColumns made;
     for (const Batch& batch : make_batches(model, joints, std::numeric_limits<Row>::max())) {
         // Skip incomplete property sets; the command that completes one initialises its contacts.
         if (!batch.model->missing(model.joint_properties[batch.properties].values).empty()) continue;
@@ -51,7 +52,7 @@ void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>
             Batch part = batch;
             part.first = row;
             part.count = end - row;
-            auto columns = columns_of(model, part, model.clock.time_step, history.data());
+            auto columns = columns_of(model, part, model.clock.time_step, made);
             if (const auto failure = call(*part.model, columns, model.sub_contacts.number.data() + part.first))
                 throw joint_failure(model, part, *failure);
             row = end;
@@ -288,10 +289,11 @@ bool same_rows(const Model& model, const std::vector<ContactDraft>& drafts) {
 double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Changes& changes) {
     const auto& blocks = model.blocks;
     double lost = 0;
+    OverlapScratch scratch;
     for (const auto& draft : drafts) {
         if (draft.kind == DraftKind::as_it_was) continue;
         if (draft.kind == DraftKind::overlap) {
-            lost += follow_overlap(model, draft.old);
+            lost += follow_overlap(model, draft.old, scratch);
             continue;
         }
         const auto& g = draft.plane;
@@ -373,7 +375,7 @@ public:
             is_new && !closing && was_there && draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_type;
         if (is_new) write_contact(model_, c, draft.plane);
         // What was made to overlap does so without force, and what is found too late begins without.
-        if (draft.kind == DraftKind::overlap && !was_there) begin_without_force(model_, c);
+        if (draft.kind == DraftKind::overlap && !was_there) begin_without_force(model_, c, scratch_);
         for (Row i = 0; i < from_.spans[c].count; ++i) {
             const Row s = from_.spans[c].first + i;
             name(s, c);
@@ -409,6 +411,7 @@ private:
     const RowSources& from_;
     Changes& changes_;
     std::vector<char> sub_kept_;
+    OverlapScratch scratch_;
 };
 
 } // namespace
@@ -461,10 +464,11 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     for (std::size_t s = 0; s < old_sub_ids.size(); ++s)
         if (!writer.sub_kept()[s]) subs.ids.destroy(old_sub_ids[s]);
 
-    ModelEdit(model, Change::lists);                // even if a joint model gives up below
+    ModelEdit(model, Change::lists); // even if a joint model gives up below
+    OverlapScratch scratch;
     for (std::size_t c = 0; c < drafts.size(); ++c) // joints that become overlaps
         if (drafts[c].kind == DraftKind::overlap && drafts[c].old != no_row)
-            lost += follow_overlap(model, static_cast<Row>(c));
+            lost += follow_overlap(model, static_cast<Row>(c), scratch);
     tell_joint_models(model, joints, changes, moving);
     for (const auto& [row, load] : loads) lost += settle(model, row, load);
     for (std::size_t c = 0; c < drafts.size(); ++c)

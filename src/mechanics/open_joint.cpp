@@ -102,7 +102,7 @@ Closures closures_of(const Model& model, Row c) {
 
 /// The linear closure over a joint whose positive part has the force and the moments that the rows have, over the
 /// stiffness: the minimum of a convex function, by Newton's method. The resultant is kept inside the overlap.
-ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& closures) {
+ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& closures, OverlapScratch& scratch) {
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
     const Span span = contacts.sub_contacts[c];
@@ -122,7 +122,7 @@ ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& cl
         const auto force_at = [&](double closure) {
             ClosureOffset tried = o;
             tried.closure = closure;
-            const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), n, tried);
+            const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), n, tried, scratch);
             return stiffness * patch.carried;
         };
         const double reach = closures.force / (stiffness * contacts.least_area[c]) + o.tilt.norm() * 2 * size;
@@ -140,7 +140,7 @@ ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& cl
     Vec3 shift_before = Vec3::Zero();
     for (int i = 0; i < 60; ++i) {
         scale_to_force(offset);
-        const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), n, offset);
+        const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), n, offset, scratch);
         if (!(patch.carried > 0)) break;
         Vec3 shift = wanted - patch.centre;
         shift -= shift.dot(n) * n;
@@ -194,7 +194,7 @@ struct RowState {
 
 } // namespace
 
-double follow_overlap(Model& model, Row c) {
+double follow_overlap(Model& model, Row c, OverlapScratch& scratch) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
@@ -204,9 +204,9 @@ double follow_overlap(Model& model, Row c) {
     constexpr double same = 0.05; // of the deepest closure
     offset.closure = closures.mean_offset;
     if (closures.force > 0 && closures.misfit > same * closures.deepest)
-        offset = closure_of_resultant(model, c, closures);
+        offset = closure_of_resultant(model, c, closures, scratch);
 
-    const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset);
+    const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch);
     const bool closed = patch.carried > 0 && closures.force > 0;
     contacts.kind[c] = ContactKind::overlap;
     contacts.offset[c] = offset.closure;
