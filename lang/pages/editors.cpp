@@ -55,7 +55,7 @@ struct Vocabulary {
                 add(commands, command.words);
                 for (const Spelling& s : command.words)
                     if (s.word != "@") shortest[std::string(s.word)] = s.shortest;
-                add(keywords, command.form);
+                for (const auto& words : command.form) add(keywords, words);
                 add(keywords, command.keywords);
             }
         add(elements, language.range_elements);
