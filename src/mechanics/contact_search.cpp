@@ -382,8 +382,8 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
     const std::vector<Pair> pairs = pairs_of(model, near_.of(boxes_), boxes_, beyond_, moved_);
     stop_point();
     surfaces_.update(model, is_due(pairs));
-    return replace_contacts(model, joints, find_all(model, surfaces_, beyond_, pairs, moving, found_, scratch_),
-                            moving);
+    return replace_contacts(model, joints, find_all(model, surfaces_, beyond_, pairs, moving, found_, scratch_), moving,
+                            scratch_.local().overlap);
 }
 
 ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints) {
@@ -414,8 +414,10 @@ ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints
     for (const Row b : wanted) beyond_[b] = travel_beyond(model, b);
     surfaces_.update(model, wanted);
     std::vector<ContactDraft> drafts = find_all(model, surfaces_, beyond_, pairs, true, found_, scratch_);
-    if (drafts.size() == pairs.size() && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
-    return replace_contacts(model, joints, with_the_others(model, std::move(drafts), has_slipped), true);
+    OverlapScratch& scratch = scratch_.local().overlap;
+    if (drafts.size() == pairs.size() && refresh_contacts(model, joints, drafts, scratch))
+        return ContactChange::refreshed;
+    return replace_contacts(model, joints, with_the_others(model, std::move(drafts), has_slipped), true, scratch);
 }
 
 } // namespace kaya

@@ -286,10 +286,10 @@ bool same_rows(const Model& model, const std::vector<ContactDraft>& drafts) {
 }
 
 /// Returns what is lost of the energy in springs where joints become overlaps.
-double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Changes& changes) {
+double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Changes& changes,
+                        OverlapScratch& scratch) {
     const auto& blocks = model.blocks;
     double lost = 0;
-    OverlapScratch scratch;
     for (const auto& draft : drafts) {
         if (draft.kind == DraftKind::as_it_was) continue;
         if (draft.kind == DraftKind::overlap) {
@@ -348,8 +348,8 @@ RowSources sources_of(const Model& model, const std::vector<ContactDraft>& draft
 /// Fills the tables row by row when they have been gathered from the old ones.
 class ContactWriter {
 public:
-    ContactWriter(Model& model, const RowSources& from, Changes& changes, std::size_t old_subs)
-        : model_(model), from_(from), changes_(changes), sub_kept_(old_subs, 0) {}
+    ContactWriter(Model& model, const RowSources& from, Changes& changes, std::size_t old_subs, OverlapScratch& scratch)
+        : model_(model), from_(from), changes_(changes), sub_kept_(old_subs, 0), scratch_(scratch) {}
 
     /// `properties` and `material` are those of new contacts; `loads` of contacts that get new geometry.
     void write(const ContactDraft& draft, Row c, Row properties, std::int32_t material,
@@ -411,7 +411,7 @@ private:
     const RowSources& from_;
     Changes& changes_;
     std::vector<char> sub_kept_;
-    OverlapScratch scratch_;
+    OverlapScratch& scratch_;
 };
 
 } // namespace
@@ -420,12 +420,13 @@ void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vec
     call_on_marked(model, joints, marked, initialise_batch);
 }
 
-bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts) {
+bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
+                      OverlapScratch& scratch) {
     if (!all_keep_places(model, drafts)) return false;
     std::vector<ContactLoad> loads;
     for (const auto& draft : drafts) loads.emplace_back(model, draft.old);
     Changes changes(model.sub_contacts.size());
-    double lost = refresh_in_place(model, drafts, changes);
+    double lost = refresh_in_place(model, drafts, changes, scratch);
     tell_joint_models(model, joints, changes, true);
     for (std::size_t i = 0; i < drafts.size(); ++i)
         if (drafts[i].kind == DraftKind::new_geometry) lost += settle(model, drafts[i].old, loads[i]);
@@ -434,8 +435,9 @@ bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<Con
 }
 
 ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
-                               bool moving) {
-    if (moving && same_rows(model, drafts) && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
+                               bool moving, OverlapScratch& scratch) {
+    if (moving && same_rows(model, drafts) && refresh_contacts(model, joints, drafts, scratch))
+        return ContactChange::refreshed;
     const auto loads = loads_of(model, drafts);
     const std::vector<char> contact_kept = kept_contacts(model, drafts);
     double lost = stored_in_parted(model, contact_kept);
@@ -456,7 +458,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     subs.gather(from.subs);
 
     Changes changes(subs.size());
-    ContactWriter writer(model, from, changes, old_sub_ids.size());
+    ContactWriter writer(model, from, changes, old_sub_ids.size(), scratch);
     for (std::size_t c = 0; c < drafts.size(); ++c)
         writer.write(drafts[c], static_cast<Row>(c), properties, material, loads);
     for (std::size_t c = 0; c < contact_kept.size(); ++c)
@@ -464,8 +466,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     for (std::size_t s = 0; s < old_sub_ids.size(); ++s)
         if (!writer.sub_kept()[s]) subs.ids.destroy(old_sub_ids[s]);
 
-    ModelEdit(model, Change::lists); // even if a joint model gives up below
-    OverlapScratch scratch;
+    ModelEdit(model, Change::lists);                // even if a joint model gives up below
     for (std::size_t c = 0; c < drafts.size(); ++c) // joints that become overlaps
         if (drafts[c].kind == DraftKind::overlap && drafts[c].old != no_row)
             lost += follow_overlap(model, static_cast<Row>(c), scratch);
