@@ -117,11 +117,14 @@ template <class Command> class Entry {
 public:
     explicit Entry(std::vector<Spelling> words, std::vector<Spelling> form = {}) {
         spec_.words = std::move(words);
-        spec_.form = std::move(form);
+        if (!form.empty()) spec_.form.push_back(std::move(form));
         spec_.index = index_of<Command>;
         spec_.make = [] { return std::any(Command{}); };
         spec_.address = [](std::any& command) -> void* { return std::any_cast<Command>(&command); };
     }
+
+    /// One more word of its name.
+    Entry& then(std::vector<Spelling> words) { return spec_.form.push_back(std::move(words)), *this; }
 
     Entry& help(std::string_view text) { return spec_.help = text, *this; }
     Entry& right(std::string_view text) { return spec_.right.push_back({text, {}}), *this; }

@@ -86,7 +86,7 @@ void BareNames::learn(const CommandSpec& spec, const Statement& statement) {
     if (!spec.form.empty() && words.size() > 2 && spec.words.front().word == "range") ranges_.insert(words[2].folded);
     const bool function = !spec.body_end.empty() && !spec.body_needs_bare_line;
     if (!function || statement.body.empty()) return;
-    const std::size_t name = spec.form.empty() ? 1 : 2;
+    const std::size_t name = 1 + spec.form.size();
     if (words.size() > name) functions_.insert(words[name].folded);
     learn_function(statement.body);
 }

@@ -79,9 +79,18 @@ void refuse_ambiguous(const Word& word, const std::vector<std::string_view>& can
     throw d.at(word.place);
 }
 
-bool is_form(const CommandSpec& spec, const Word& word) {
+bool is_one_of(const std::vector<Spelling>& spellings, const Word& word) {
     return word.kind == WordKind::word &&
-           std::any_of(spec.form.begin(), spec.form.end(), [&](const Spelling& s) { return s.matches(word.folded); });
+           std::any_of(spellings.begin(), spellings.end(), [&](const Spelling& s) { return s.matches(word.folded); });
+}
+
+/// How many words of the form of a command stand from a place of the statement on.
+std::size_t depth_at(const CommandSpec& spec, const Statement& statement, std::size_t at) {
+    std::size_t depth = 0;
+    while (depth < spec.form.size() && at + depth < statement.words.size() &&
+           is_one_of(spec.form[depth], statement.words[at + depth]))
+        ++depth;
+    return depth;
 }
 
 /// "poly brick" for `brick poly 0 1`: the second word is a command, and the first one of its forms.
@@ -90,7 +99,8 @@ std::string in_other_order(const Language& language, const Statement& statement)
     const Word &first = statement.words[0], &second = statement.words[1];
     if (second.kind != WordKind::word) return {};
     for (const auto* spec : commands_called(language, second.folded))
-        if (is_form(*spec, first)) return fmt::format("{} {}", second.text, first.text);
+        if (spec->form.size() == 1 && is_one_of(spec->form.front(), first))
+            return fmt::format("{} {}", second.text, first.text);
     return {};
 }
 
@@ -119,11 +129,11 @@ std::string hint_for_unknown(const Language& language, const Statement& statemen
     throw d.at(word.place);
 }
 
-/// Index of the word that names the form, 0 when there is none. Options may stand before it.
+/// Index of the first word that names the form, 0 when it is not there. Options may stand before it.
 std::size_t find_form(const CommandSpec& spec, const Statement& statement) {
     const auto& words = statement.words;
     for (std::size_t i = 1; i < words.size(); ++i) {
-        if (is_form(spec, words[i])) return i;
+        if (depth_at(spec, statement, i) == spec.form.size()) return i;
         if (!spec.options_before_form) return 0;
         const bool option = words[i].kind == WordKind::word && find_keyword(spec.keywords, words[i].folded);
         if (!option && words[i].kind == WordKind::word) return 0;
@@ -150,8 +160,9 @@ std::size_t wrong_word(const CommandSpec& spec, const Statement& statement) {
     add_words(candidates, spec.keywords, asked);
     if (reader.statement().words.size() > 1 && reader.peek() == &reader.statement().words[1])
         for (const auto* other : commands_called(language, spec.words.front().word)) {
-            if (!asked || other->support != Support::not_yet) add_words(candidates, other->form);
-            if (!other->form.empty() && other->support != Support::not_yet) listed.push_back(other->form.front().word);
+            if (other->form.empty()) continue;
+            if (!asked || other->support != Support::not_yet) add_words(candidates, other->form.front());
+            if (other->support != Support::not_yet) listed.push_back(other->form.front().front().word);
         }
     if (spec.range_elements) {
         candidates.push_back("range");
@@ -199,35 +210,25 @@ void read_rest(const Language& language, const CommandSpec& spec, Reader& reader
     }
 }
 
-} // namespace
-
-FoundCommand find_command(const Language& language, const Statement& statement) {
-    const Word& first = statement.words.front();
-    std::string_view typed = first.folded;
-    if (first.late()) typed = "@"; // a line that starts with a name calls a function
-    else if (first.kind != WordKind::word) unknown_command(language, statement);
-    const auto& commands = commands_called(language, typed);
-    if (commands.empty()) unknown_command(language, statement);
-
-    const CommandSpec* plain = nullptr;
-    for (const auto* spec : commands) {
-        if (spec->form.empty()) {
-            const bool bare = statement.words.size() == 1;
-            if (!plain || (bare && spec->body_needs_bare_line)) plain = spec;
-            if (!bare && plain->body_needs_bare_line) plain = spec;
-        } else if (const auto at = find_form(*spec, statement)) {
-            return {spec, at};
-        }
-    }
-    if (plain) return {plain, 0};
-
+/// Words begin a command, and none of those that might follow does.
+[[noreturn]] void no_form(const std::vector<const CommandSpec*>& commands, const Statement& statement) {
+    const std::size_t at = wrong_word(*commands.front(), statement);
+    std::size_t depth = 0;
+    // One whose options stood in the way is not offered what follows it.
+    const auto depth_of = [&](const CommandSpec& spec) {
+        return std::min(depth_at(spec, statement, at), spec.form.size() - 1);
+    };
+    for (const auto* spec : commands) depth = std::max(depth, depth_of(*spec));
+    std::string name(commands.front()->words.front().word);
     std::vector<std::string_view> forms, all_forms;
     for (const auto* spec : commands) {
-        add_words(all_forms, spec->form);
-        if (spec->support != Support::not_yet) add_words(forms, spec->form);
+        if (depth_of(*spec) < depth) continue;
+        if (all_forms.empty())
+            for (std::size_t i = 0; i < depth; ++i) name.append(" ").append(spec->form[i].front().word);
+        add_words(all_forms, spec->form[depth]);
+        if (spec->support != Support::not_yet) add_words(forms, spec->form[depth]);
     }
-    const std::string_view name = commands.front()->words.front().word;
-    Reader reader(statement, wrong_word(*commands.front(), statement), statement.words.size(), nullptr);
+    Reader reader(statement, at + depth, statement.words.size(), nullptr);
     if (!reader.at_end()) {
         std::vector<std::string_view> candidates = reader.peek()->text == "?" ? forms : all_forms;
         if (commands.front()->options_before_form) add_words(candidates, commands.front()->keywords);
@@ -243,12 +244,39 @@ FoundCommand find_command(const Language& language, const Statement& statement) 
     throw d.at(place);
 }
 
+} // namespace
+
+FoundCommand find_command(const Language& language, const Statement& statement) {
+    const Word& first = statement.words.front();
+    std::string_view typed = first.folded;
+    if (first.late()) typed = "@"; // a line that starts with a name calls a function
+    else if (first.kind != WordKind::word) unknown_command(language, statement);
+    const auto& commands = commands_called(language, typed);
+    if (commands.empty()) unknown_command(language, statement);
+
+    const CommandSpec* plain = nullptr;
+    FoundCommand found; // with the most words: the first of these
+    for (const auto* spec : commands) {
+        if (spec->form.empty()) {
+            const bool bare = statement.words.size() == 1;
+            if (!plain || (bare && spec->body_needs_bare_line)) plain = spec;
+            if (!bare && plain->body_needs_bare_line) plain = spec;
+        } else if (found.spec == nullptr || spec->form.size() > found.spec->form.size()) {
+            if (const auto at = find_form(*spec, statement)) found = {spec, at};
+        }
+    }
+    if (found.spec != nullptr) return found;
+    if (plain) return {plain, 0};
+    no_form(commands, statement);
+}
+
 BoundCommand bind_statement(const Language& language, const Statement& statement, const ValueSource* values,
                             Spelled* spelled) {
     const FoundCommand found = find_command(language, statement);
     const CommandSpec& spec = *found.spec;
     if (spelled != nullptr && !statement.words.front().late()) (*spelled)[0] = spec.words.front().word;
-    if (spelled != nullptr && found.form_at > 0) (*spelled)[found.form_at] = spec.form.front().word;
+    for (std::size_t i = 0; spelled != nullptr && i < spec.form.size(); ++i)
+        (*spelled)[found.form_at + i] = spec.form[i].front().word;
 
     if (spec.support == Support::not_yet)
         not_supported_yet(spec.name(), spec.help, statement.words[found.form_at].place);
@@ -265,7 +293,8 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
     before_form.keep_spelling(spelled);
     read_rest(language, spec, before_form, target, false, bound.ignored);
 
-    Reader reader(statement, found.form_at + 1, statement.words.size(), values);
+    const std::size_t rest = found.form_at > 0 ? found.form_at + spec.form.size() : 1;
+    Reader reader(statement, rest, statement.words.size(), values);
     reader.keep_spelling(spelled);
     for (const auto& positional : spec.arguments) {
         const bool number =

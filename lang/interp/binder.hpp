@@ -36,7 +36,7 @@ template <class Visit> void for_each_command(const Language& language, Visit vis
 /// The command that the first words of the statement name. Throws Diagnostic.
 struct FoundCommand {
     const CommandSpec* spec = nullptr;
-    std::size_t form_at = 0; ///< index of the form word, 0 without one
+    std::size_t form_at = 0; ///< index of the first word of its form, 0 without one
 };
 FoundCommand find_command(const Language& language, const Statement& statement);
 

@@ -98,30 +98,43 @@ std::string about_range(const Language& language) {
     return text;
 }
 
+/// Where below `before` a word may stand: among the keywords, and inside of each of them.
+void add_places(std::string& text, const std::string& before, const std::vector<KeywordSpec>& keywords,
+                std::string_view word) {
+    if (const KeywordSpec* found = find_keyword(keywords, word))
+        text += fmt::format("{} {}{}\n    {}\n", before, found->words.front().word, arguments_of(*found), found->help);
+    for (const auto& keyword : keywords)
+        add_places(text, fmt::format("{} {} ...", before, keyword.words.front().word), keyword.keywords, word);
+}
+
 /// Where a word may stand that is no command; empty when nowhere.
 std::string about_keyword(const Language& language, std::string_view word) {
     std::string text;
     for_each_command(language, [&](const CommandSpec& command) {
-        if (const KeywordSpec* keyword = find_keyword(command.keywords, word))
-            text += fmt::format("{} ... {}{}\n    {}\n", command.name(), keyword->words.front().word,
-                                arguments_of(*keyword), keyword->help);
+        add_places(text, fmt::format("{} ...", command.name()), command.keywords, word);
     });
-    if (const KeywordSpec* element = find_keyword(language.range_elements, word))
-        text +=
-            fmt::format("... range {}{}\n    {}\n", element->words.front().word, arguments_of(*element), element->help);
+    add_places(text, "... range", language.range_elements, word);
     return text;
+}
+
+void add_words(std::set<std::string_view>& to, const std::vector<Spelling>& spelled) {
+    for (const Spelling& s : spelled) to.insert(s.word);
+}
+
+void add_words(std::set<std::string_view>& to, const std::vector<KeywordSpec>& keywords) {
+    for (const auto& keyword : keywords) {
+        add_words(to, keyword.words);
+        add_words(to, keyword.keywords);
+    }
 }
 
 std::vector<std::string_view> all_words(const Language& language) {
     std::set<std::string_view> words = {"range"};
-    const auto add = [&](const std::vector<Spelling>& spelled) {
-        for (const Spelling& s : spelled) words.insert(s.word);
-    };
     for_each_command(language, [&](const CommandSpec& command) {
-        add(command.words);
-        for (const auto& keyword : command.keywords) add(keyword.words);
+        add_words(words, command.words);
+        add_words(words, command.keywords);
     });
-    for (const auto& element : language.range_elements) add(element.words);
+    add_words(words, language.range_elements);
     return {words.begin(), words.end()};
 }
 

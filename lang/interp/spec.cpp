@@ -19,7 +19,7 @@ bool fits_part_by_part(std::string_view word, std::string_view typed) {
 
 std::string CommandSpec::name() const {
     std::string text(words.front().word);
-    if (!form.empty()) text.append(" ").append(form.front().word);
+    for (const auto& spellings : form) text.append(" ").append(spellings.front().word);
     return text;
 }
 

@@ -101,7 +101,8 @@ enum class Flow {
 struct CommandSpec {
     std::size_t index = 0;       ///< of its struct among those of all commands
     std::vector<Spelling> words; ///< first word, the first spelling is the canonical one
-    std::vector<Spelling> form;  ///< second word where there is one: poly brick
+    std::vector<std::vector<Spelling>>
+        form; ///< the words after it where there are such, each like the first: poly brick
     std::string_view help;
     std::vector<PositionalSpec> arguments;
     std::vector<KeywordSpec> keywords;

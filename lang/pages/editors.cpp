@@ -55,7 +55,7 @@ struct Vocabulary {
                 add(commands, command.words);
                 for (const Spelling& s : command.words)
                     if (s.word != "@") shortest[std::string(s.word)] = s.shortest;
-                add(keywords, command.form);
+                for (const auto& words : command.form) add(keywords, words);
                 add(keywords, command.keywords);
             }
         add(elements, language.range_elements);
@@ -183,16 +183,20 @@ Json completion_words(const Language& language) {
     const auto entry = [&](std::string_view label, std::string_view of, std::string_view help) {
         entries.push_back({{"label", label}, {"of", of}, {"help", help}});
     };
+    const auto keywords = [&](const auto& self, const std::vector<KeywordSpec>& list, const std::string& of) -> void {
+        for (const auto& keyword : list) {
+            if (keyword.support == Support::not_yet) continue;
+            entry(keyword.words.front().word, of, keyword.help);
+            self(self, keyword.keywords, fmt::format("{} {}", of, keyword.words.front().word));
+        }
+    };
     for (const auto& family : language.families)
         for (const auto& command : family.commands) {
             if (command.support == Support::not_yet || command.words.front().word == "@") continue;
             entry(command.name(), "", command.help);
-            for (const auto& keyword : command.keywords)
-                if (keyword.support != Support::not_yet)
-                    entry(keyword.words.front().word, command.name(), keyword.help);
+            keywords(keywords, command.keywords, command.name());
         }
-    for (const auto& element : language.range_elements)
-        if (element.support != Support::not_yet) entry(element.words.front().word, "range", element.help);
+    keywords(keywords, language.range_elements, "range");
     return entries;
 }
 

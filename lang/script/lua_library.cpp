@@ -205,21 +205,17 @@ int write_fish(lua_State* L) {
     return 0;
 }
 
-int as_array(lua_State* L) {
+/// Calls a function of the runtime with the first argument.
+int ask_runtime(lua_State* L, const char* function) {
     push_anchor(L, machine_of(L).anchors.runtime);
-    lua_getfield(L, -1, "as_array");
+    lua_getfield(L, -1, function);
     lua_pushvalue(L, 1);
     lua_call(L, 1, 1);
     return 1;
 }
 
-int is_array(lua_State* L) {
-    push_anchor(L, machine_of(L).anchors.runtime);
-    lua_getfield(L, -1, "is_array");
-    lua_pushvalue(L, 1);
-    lua_call(L, 1, 1);
-    return 1;
-}
+int as_array(lua_State* L) { return ask_runtime(L, "as_array"); }
+int is_array(lua_State* L) { return ask_runtime(L, "is_array"); }
 
 /// Numbers for sorting pointers; other userdata are all the same.
 int order(lua_State* L) {

@@ -1,6 +1,7 @@
 // Lists of objects: one line for each row of a table that the range picks.
 #include "commands/joint_values.hpp"
 #include "commands/listing.hpp"
+#include "commands/row_table.hpp"
 
 #include "mechanics/contact_properties.hpp"
 #include "model/excavation.hpp"
@@ -15,10 +16,6 @@ namespace kaya {
 
 namespace {
 
-std::string numbers(const Vec3& v) {
-    return fmt::format("{}, {}, {}", number_text(v[0]), number_text(v[1]), number_text(v[2]));
-}
-
 std::string fixity_text(const Model& model, std::uint8_t fixed, std::int32_t roller) {
     static constexpr std::array names{"x", "y", "z", "rx", "ry", "rz"};
     std::string text;
@@ -26,7 +23,7 @@ std::string fixity_text(const Model& model, std::uint8_t fixed, std::int32_t rol
     for (std::size_t i = 0; i < names.size(); ++i)
         if ((fixed & (1u << i)) != 0) add(names[i]);
     const Roller& held = model.rollers[static_cast<std::size_t>(roller)];
-    for (std::int32_t k = 0; k < held.count; ++k) add(numbers(held.direction[static_cast<std::size_t>(k)]));
+    for (std::int32_t k = 0; k < held.count; ++k) add(value_text(model, held.direction[static_cast<std::size_t>(k)]));
     return text.empty() ? "-" : text;
 }
 
@@ -37,13 +34,12 @@ std::vector<Row> shown_rows(Session& session, const lang::List& command, ObjectK
 }
 
 /// A line for each row, up to the longest table; the rest is counted.
-template <class Line> std::string rows_text(const std::vector<Row>& rows, const lang::List& command, ObjectKind kind,
-                                            std::vector<std::string> headings, Line line) {
-    if (rows.empty()) return fmt::format("no {}{}", info_of(kind).plural, command.range.place ? " in range" : "");
-    TextTable table(std::move(headings));
+std::string rows_text(const Model& model, const std::vector<Row>& rows, ObjectKind kind,
+                      const std::vector<ListColumn>& columns) {
+    RowTable table(model, kind, columns);
     for (const Row row : rows) {
         if (table.size() == longest_table) break;
-        table.add(line(row));
+        table.add(row);
     }
     std::string text = table.text();
     if (rows.size() > longest_table)
@@ -52,31 +48,36 @@ template <class Line> std::string rows_text(const std::vector<Row>& rows, const 
     return text;
 }
 
-template <class Line> std::string rows_text(Session& session, const lang::List& command, ObjectKind kind,
-                                            std::vector<std::string> headings, Line line) {
-    return rows_text(shown_rows(session, command, kind), command, kind, std::move(headings), line);
+std::string none_text(const lang::List& command, ObjectKind kind) {
+    return fmt::format("no {}{}", info_of(kind).plural, command.range.place ? " in range" : "");
+}
+
+/// Of all rows in range.
+std::string rows_text(Session& session, const lang::List& command, ObjectKind kind,
+                      const std::vector<ListColumn>& columns) {
+    const std::vector<Row> rows = shown_rows(session, command, kind);
+    return rows.empty() ? none_text(command, kind) : rows_text(session.model, rows, kind, columns);
 }
 
 std::string blocks_text(const Model& model, const std::vector<Row>& rows, const lang::List& command) {
     const auto& blocks = model.blocks;
-    return rows_text(
-        rows, command, ObjectKind::block,
-        {"block", "kind", "region", "mat", "cons", "group", "centroid", "volume", "points", "zones", "fixed"},
-        [&](Row row) -> std::vector<std::string> {
-            return {std::to_string(blocks.number[row]),
-                    blocks.deformable[row] ? "deformable" : "rigid",
-                    std::to_string(blocks.region[row]),
-                    std::to_string(blocks.material[row]),
-                    std::to_string(blocks.constitutive[row]),
-                    blocks.group[row] == 0 ? "-" : model.group_names[blocks.group[row]],
-                    numbers(blocks.centroid[row]),
-                    number_text(blocks.volume[row]),
-                    std::to_string(blocks.gridpoints[row].count),
-                    std::to_string(blocks.zones[row].count),
-                    blocks.deformable[row]
-                        ? "-"
-                        : fixity_text(model, blocks.fixed[row], model.gridpoints.roller[blocks.gridpoints[row].first])};
-        });
+    if (rows.empty()) return none_text(command, ObjectKind::block);
+    const auto fixed = [&](Row row) -> std::string {
+        if (blocks.deformable[row]) return "-";
+        return fixity_text(model, blocks.fixed[row], model.gridpoints.roller[blocks.gridpoints[row].first]);
+    };
+    return rows_text(model, rows, ObjectKind::block,
+                     {{"block", "id"},
+                      {"kind", [&](Row row) { return blocks.deformable[row] ? "deformable" : "rigid"; }},
+                      "region",
+                      {"mat", "material"},
+                      {"cons", "constitutive"},
+                      "group",
+                      {"centroid", "position"},
+                      "volume",
+                      {"points", [&](Row row) { return std::to_string(blocks.gridpoints[row].count); }},
+                      {"zones", [&](Row row) { return std::to_string(blocks.zones[row].count); }},
+                      {"fixed", fixed}});
 }
 
 const char* contact_type_text(ContactType type) {
@@ -116,106 +117,76 @@ std::string list_excavated(Session& session, const lang::List& command) {
 
 std::string list_gridpoints(Session& session, const lang::List& command) {
     const auto& points = session.model.gridpoints;
+    const auto fixed = [&](Row row) { return fixity_text(session.model, points.fixed[row], points.roller[row]); };
     return rows_text(session, command, ObjectKind::gridpoint,
-                     {"gridpoint", "block", "position", "displacement", "velocity", "force", "fixed"},
-                     [&](Row row) -> std::vector<std::string> {
-                         return {std::to_string(row + 1),
-                                 std::to_string(session.model.blocks.number[points.block[row]]),
-                                 numbers(points.position[row]),
-                                 numbers(points.displacement[row]),
-                                 numbers(gridpoint_velocity(session.model, row)),
-                                 numbers(points.force[row]),
-                                 fixity_text(session.model, points.fixed[row], points.roller[row])};
-                     });
+                     {{"gridpoint", "id"}, "block", "position", "displacement", "velocity", "force", {"fixed", fixed}});
 }
 
 std::string list_boundary(Session& session, const lang::List& command) {
     const auto& points = session.model.gridpoints;
-    TextTable table({"gridpoint", "block", "position", "held", "velocity", "load"});
-    std::size_t more = 0;
-    for (const Row row : shown_rows(session, command, ObjectKind::gridpoint)) {
+    const auto held_at = [&](Row row) {
         const Row block = points.block[row];
-        const bool rigid = !session.model.blocks.deformable[block];
-        const std::uint8_t held = rigid ? session.model.blocks.fixed[block] : points.fixed[row];
-        if (held == 0 && points.roller[row] == 0 && points.load[row].isZero()) continue;
-        if (table.size() == longest_table) {
-            ++more;
-            continue;
-        }
-        table.add({std::to_string(row + 1), std::to_string(session.model.blocks.number[block]),
-                   numbers(points.position[row]), fixity_text(session.model, held, points.roller[row]),
-                   numbers(gridpoint_velocity(session.model, row)), numbers(points.load[row])});
-    }
-    if (table.size() == 0) return "no boundary conditions";
-    return table.text() +
-           (more == 0 ? "" : fmt::format("\n... and {} more gridpoints; a range picks which are shown", more));
+        return session.model.blocks.deformable[block] ? points.fixed[row] : session.model.blocks.fixed[block];
+    };
+    std::vector<Row> rows = shown_rows(session, command, ObjectKind::gridpoint);
+    std::erase_if(rows,
+                  [&](Row row) { return held_at(row) == 0 && points.roller[row] == 0 && points.load[row].isZero(); });
+    if (rows.empty()) return "no boundary conditions";
+    const auto held = [&](Row row) { return fixity_text(session.model, held_at(row), points.roller[row]); };
+    return rows_text(session.model, rows, ObjectKind::gridpoint,
+                     {{"gridpoint", "id"}, "block", "position", {"held", held}, "velocity", "load"});
 }
 
 std::string list_zones(Session& session, const lang::List& command) {
     const auto& zones = session.model.zones;
     return rows_text(session, command, ObjectKind::zone,
-                     {"zone", "block", "centroid", "volume", "sxx", "syy", "szz", "sxy", "sxz", "syz"},
-                     [&](Row row) -> std::vector<std::string> {
-                         std::vector<std::string> words{
-                             std::to_string(row + 1), std::to_string(session.model.blocks.number[zones.block[row]]),
-                             numbers(zone_centroid(session.model, row)), number_text(zones.volume[row])};
-                         for (int k = 0; k < 6; ++k) words.push_back(number_text(zones.stress[row][k]));
-                         return words;
-                     });
+                     {{"zone", "id"},
+                      "block",
+                      {"centroid", "position"},
+                      {"volume", [&](Row row) { return number_text(zones.volume[row]); }}, // when made
+                      {"sxx", "xx_stress"},
+                      {"syy", "yy_stress"},
+                      {"szz", "zz_stress"},
+                      {"sxy", "xy_stress"},
+                      {"sxz", "xz_stress"},
+                      {"syz", "yz_stress"}});
 }
 
 std::string list_faces(Session& session, const lang::List& command) {
-    const auto& model = session.model;
     return rows_text(session, command, ObjectKind::face,
-                     {"face", "block", "position", "normal", "area", "jset", "group"},
-                     [&](Row row) -> std::vector<std::string> {
-                         const Vec3 area = face_area_vector(model, row);
-                         const std::int32_t group = group_of(model, ObjectKind::face, row);
-                         return {std::to_string(row + 1),
-                                 std::to_string(model.blocks.number[model.faces.block[row]]),
-                                 numbers(face_centroid(model, row)),
-                                 numbers(area.normalized()),
-                                 number_text(area.norm()),
-                                 std::to_string(model.faces.joint_set[row]),
-                                 group == 0 ? "-" : model.group_names[group]};
-                     });
+                     {{"face", "id"}, "block", "position", "normal", "area", {"jset", "joint_set"}, "group"});
 }
 
 std::string list_stresses(Session& session, const lang::List& command) {
-    const auto& model = session.model;
+    const auto stress_of = [&](Row row) { return principal_stresses(session.model, row); };
+    const auto shear = [&](Row row) {
+        const Vec3 s = stress_of(row);
+        return number_text(0.5 * (s[2] - s[0]));
+    };
     return rows_text(session, command, ObjectKind::zone,
-                     {"zone", "block", "centroid", "s1", "s2", "s3", "mean", "shear"},
-                     [&](Row row) -> std::vector<std::string> {
-                         const Vec3 s = principal_stresses(model, row);
-                         return {std::to_string(row + 1),
-                                 std::to_string(model.blocks.number[model.zones.block[row]]),
-                                 numbers(zone_centroid(model, row)),
-                                 number_text(s[0]),
-                                 number_text(s[1]),
-                                 number_text(s[2]),
-                                 number_text(s.mean()),
-                                 number_text(0.5 * (s[2] - s[0]))};
-                     });
+                     {{"zone", "id"},
+                      "block",
+                      {"centroid", "position"},
+                      {"s1", "principal_stress_1"},
+                      {"s2", "principal_stress_2"},
+                      {"s3", "principal_stress_3"},
+                      {"mean", [&](Row row) { return number_text(stress_of(row).mean()); }},
+                      {"shear", shear}});
 }
 
 std::string list_contacts(Session& session, const lang::List& command) {
-    const auto& model = session.model;
-    const auto& contacts = model.contacts;
+    const auto& contacts = session.model.contacts;
     return rows_text(session, command, ObjectKind::contact,
-                     {"contact", "block1", "block2", "touch", "position", "normal", "area", "points", "jmat", "jmodel"},
-                     [&](Row row) -> std::vector<std::string> {
-                         const JointProperties* properties = properties_of(model, row);
-                         return {std::to_string(contacts.number[row]),
-                                 std::to_string(model.blocks.number[contacts.block1[row]]),
-                                 std::to_string(model.blocks.number[contacts.block2[row]]),
-                                 contact_type_text(contacts.type[row]),
-                                 numbers(contacts.position[row]),
-                                 numbers(contacts.normal[row]),
-                                 number_text(contacts.area[row]),
-                                 std::to_string(contacts.sub_contacts[row].count),
-                                 std::to_string(contacts.material[row]),
-                                 properties == nullptr ? "-" : properties->model};
-                     });
+                     {{"contact", "id"},
+                      "block1",
+                      "block2",
+                      {"touch", [&](Row row) { return contact_type_text(contacts.type[row]); }},
+                      "position",
+                      "normal",
+                      "area",
+                      {"points", [&](Row row) { return std::to_string(contacts.sub_contacts[row].count); }},
+                      {"jmat", "material"},
+                      {"jmodel", "model"}});
 }
 
 /// What one sub-contact has for itself: `list subcontacts 7`.
@@ -235,22 +206,18 @@ std::string history_text(Session& session, std::int64_t number) {
 }
 
 std::string list_sub_contacts(Session& session, const lang::List& command) {
-    const auto& model = session.model;
-    const auto& points = model.sub_contacts;
-    const std::string rows =
-        rows_text(session, command, ObjectKind::sub_contact,
-                  {"sub-contact", "contact", "position", "area", "nforce", "sforce", "ndis", "sdis", "state"},
-                  [&](Row row) -> std::vector<std::string> {
-                      return {std::to_string(points.number[row]),
-                              std::to_string(model.contacts.number[points.contact[row]]),
-                              numbers(points.position[row]),
-                              number_text(points.area[row]),
-                              number_text(points.normal_force[row]),
-                              number_text(points.shear_force[row].norm()),
-                              number_text(points.normal_displacement[row]),
-                              number_text(points.shear_displacement[row].norm()),
-                              state_text(session, points.contact[row], points.state[row])};
-                  });
+    const auto& points = session.model.sub_contacts;
+    const auto state = [&](Row row) { return state_text(session, points.contact[row], points.state[row]); };
+    const std::string rows = rows_text(session, command, ObjectKind::sub_contact,
+                                       {{"sub-contact", "id"},
+                                        "contact",
+                                        "position",
+                                        "area",
+                                        {"nforce", "normal_force"},
+                                        {"sforce", "shear_force"},
+                                        {"ndis", "normal_displacement"},
+                                        {"sdis", "shear_displacement"},
+                                        {"state", state}});
     return command.number ? rows + history_text(session, *command.number) : rows;
 }
 

@@ -1,6 +1,7 @@
 // structure cable, structure property, structure delete, list structures.
 #include "commands/handlers.hpp"
 #include "commands/listing.hpp"
+#include "commands/row_table.hpp"
 #include "model/cables.hpp"
 
 #include <algorithm>
@@ -38,20 +39,26 @@ std::string properties_text(const Structures& structures) {
 
 std::string nodes_text(const Model& model, Row cable) {
     const auto& nodes = model.structures.nodes;
-    TextTable table({"node", "block", "x", "y", "z", "slip", "grout", "grout state", "bar tension", "bar state"});
     const Span span = model.structures.cables.nodes[cable];
-    for (Row node = span.first; node < span.end() && table.size() < longest_table; ++node) {
-        const Row block = block_of_node(model, node);
-        const Vec3& at = nodes.position[node];
-        const bool bar = has_bar(nodes, node);
-        table.add({std::to_string(node - span.first + 1),
-                   block == no_row ? "-" : std::to_string(model.blocks.number[block]), number_text(at[0]),
-                   number_text(at[1]), number_text(at[2]), number_text(nodes.slip[node]),
-                   number_text(nodes.grout[node]),
-                   nodes.anchored[node] ? "anchored" : state_text(nodes.grout_state[node], "slips", "slipped"),
-                   bar ? number_text(nodes.bar_force[node]) : "-",
-                   bar ? state_text(nodes.bar_state[node], "yields", "yielded") : "-"});
-    }
+    const auto grout_state = [&](Row node) {
+        return nodes.anchored[node] ? "anchored" : state_text(nodes.grout_state[node], "slips", "slipped");
+    };
+    const auto tension = [&](Row node) { return has_bar(nodes, node) ? number_text(nodes.bar_force[node]) : "-"; };
+    const auto bar_state = [&](Row node) {
+        return has_bar(nodes, node) ? state_text(nodes.bar_state[node], "yields", "yielded") : "-";
+    };
+    RowTable table(model, ObjectKind::cable_node,
+                   {{"node", [&](Row node) { return std::to_string(node - span.first + 1); }},
+                    "block",
+                    "x",
+                    "y",
+                    "z",
+                    "slip",
+                    {"grout", [&](Row node) { return number_text(nodes.grout[node]); }},
+                    {"grout state", grout_state},
+                    {"bar tension", tension},
+                    {"bar state", bar_state}});
+    for (Row node = span.first; node < span.end() && table.size() < longest_table; ++node) table.add(node);
     return table.text();
 }
 

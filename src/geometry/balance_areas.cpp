@@ -1,5 +1,5 @@
 // Areas of sub-contacts by which rigid faces resist tilting as a continuous joint does.
-#include "geometry/overlay.hpp"
+#include "geometry/overlay_scratch.hpp"
 
 #include "base/plane_cross.hpp"
 #include "base/vector.hpp"
@@ -41,15 +41,8 @@ Vec3 least_squares(const Mat3& a, const Vec3& b) {
     return adjoint * right / whole.col(0).dot(adjoint.col(0));
 }
 
-using Four = Eigen::Array4d;
-
-/// Four points, one in each place of a vector register; those that are not there weigh nothing.
-struct SampleGroup {
-    static constexpr std::size_t size = 4;
-    Four weight, u, v;
-    std::array<Four, 3> f;
-    Four change; ///< of their areas, in parts of them
-};
+using SampleGroup = OverlayScratch::SampleGroup;
+using Four = SampleGroup::Four;
 
 double sum(const Four& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
@@ -94,10 +87,10 @@ void balance_four(std::vector<OverlayPoint>& points, double whole, const Axes& a
 }
 
 /// The same for any number of points: the smallest changes of their areas that do it.
-void balance_many(std::vector<OverlayPoint>& points, double whole, const Axes& axes) {
+void balance_many(std::vector<OverlayPoint>& points, double whole, const Axes& axes,
+                  std::vector<SampleGroup>& samples) {
     // The second moments u u, v v, u v less what they are to be: 1, 1, 0. (The root of 2 makes a sum of squares that
     // does not depend on the axes.)
-    static thread_local std::vector<SampleGroup> samples; // kept between calls
     samples.clear();
     Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
     Eigen::Matrix<double, 3, 2> mixed = Eigen::Matrix<double, 3, 2>::Zero();
@@ -157,6 +150,11 @@ void balance_many(std::vector<OverlayPoint>& points, double whole, const Axes& a
 } // namespace
 
 void balance_areas(Overlay& overlay) {
+    OverlayScratch scratch;
+    balance_areas(overlay, scratch);
+}
+
+void balance_areas(Overlay& overlay, OverlayScratch& scratch) {
     auto& points = overlay.points;
     if (points.size() < 4) return; // the centre decides
     double whole = 0;
@@ -173,7 +171,7 @@ void balance_areas(Overlay& overlay) {
     if (!(xx > 0 && determinant > 1e-18 * size * size)) return;
     const Axes axes{centre, 1 / std::sqrt(xx), std::sqrt(xx / determinant), xy / xx};
     if (points.size() == 4) balance_four(points, whole, axes);
-    else balance_many(points, whole, axes);
+    else balance_many(points, whole, axes, scratch.samples);
 }
 
 } // namespace kaya

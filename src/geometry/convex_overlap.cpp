@@ -165,9 +165,10 @@ OverlapGradient volume_gradient(const ConvexClip& part, double volume, bool seco
 }
 
 OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpace>& faces, bool of_subject,
-                               bool second, ConvexClip& piece) {
+                               bool second, DepthScratch& scratch) {
     // The faces that may be the nearest somewhere. No place is deeper than the deepest corner below any one face.
-    static thread_local std::vector<double> least;
+    std::vector<double>& least = scratch.least;
+    ConvexClip& piece = scratch.piece;
     least.clear();
     double deepest = std::numeric_limits<double>::infinity();
     for (const HalfSpace& face : faces) {

@@ -98,10 +98,16 @@ struct OverlapGradient {
 /// The volume. `second` says whether the subject is the second body.
 OverlapGradient volume_gradient(const ConvexClip& part, double volume, bool second);
 
+/// Kept for its memory only.
+struct DepthScratch {
+    ConvexClip piece;
+    std::vector<double> least; ///< depth of the part below each face
+};
+
 /// The integral of the depth below the surface of one body, the distance to the nearest of its faces. `of_subject`: that
 /// of the body that was clipped; `second` says whether this is the second one. `faces` are those of the body whose depth
-/// counts. `piece` is memory.
+/// counts.
 OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpace>& faces, bool of_subject,
-                               bool second, ConvexClip& piece);
+                               bool second, DepthScratch& scratch);
 
 } // namespace kaya

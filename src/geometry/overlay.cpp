@@ -1,4 +1,4 @@
-#include "geometry/overlay.hpp"
+#include "geometry/overlay_scratch.hpp"
 
 #include "base/plane_cross.hpp"
 #include "base/vector.hpp"
@@ -26,10 +26,8 @@ struct Polygon {
     void push_back(const Vec2& p) { corners[size++] = p; }
 };
 
-/// A line through a point, with its direction of length 1; a line too short to have one is 0.
-struct Line {
-    Vec2 point = Vec2::Zero(), along = Vec2::Zero();
-};
+using Line = OverlayScratch::Line;
+using SweepItem = OverlayScratch::SweepItem;
 
 /// Whether a triangle lies on the right of a line, or on it.
 bool on_the_right(const std::array<Vec2, 3>& corners, const Line& line, double tolerance) {
@@ -130,32 +128,28 @@ private:
     std::unordered_multimap<std::uint64_t, std::size_t> cells_;
 };
 
-/// A triangle of a side with its corners in anticlockwise order and its extent.
-struct SweepItem {
-    Vec2 low, high;
-    std::array<Vec2, 3> corners;
-    std::array<Line, 3> sides; ///< of the side that cuts the other
-    int triangle;
+} // namespace
 
-    SweepItem(const PlaneMesh& mesh, int t) : triangle(t) {
-        for (int k = 0; k < 3; ++k) corners[k] = mesh.points[mesh.triangles[t][k]];
-        if (cross(corners[1] - corners[0], corners[2] - corners[0]) < 0) std::swap(corners[1], corners[2]);
-        low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
-        high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+SweepItem::SweepItem(const PlaneMesh& mesh, int t) : triangle(t) {
+    for (int k = 0; k < 3; ++k) corners[k] = mesh.points[mesh.triangles[t][k]];
+    if (cross(corners[1] - corners[0], corners[2] - corners[0]) < 0) std::swap(corners[1], corners[2]);
+    low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+    high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+}
+
+void SweepItem::find_sides(double tolerance) {
+    for (int k = 0; k < 3; ++k) {
+        const Vec2 direction = corners[(k + 1) % 3] - corners[k];
+        const double length = direction.norm();
+        if (length > tolerance) sides[k] = {corners[k], direction / length};
     }
-    void find_sides(double tolerance) {
-        for (int k = 0; k < 3; ++k) {
-            const Vec2 direction = corners[(k + 1) % 3] - corners[k];
-            const double length = direction.norm();
-            if (length > tolerance) sides[k] = {corners[k], direction / length};
-        }
-    }
-};
+}
+
+namespace {
 
 /// Triangles of a mesh ordered by their least x, so that pairs that cannot meet are skipped.
-void sweep_of(const PlaneMesh& mesh, std::vector<SweepItem>& items) {
-    static thread_local std::vector<std::pair<double, int>> order; // small, unlike the items; by number at a tie
-    order.clear();
+void sweep_of(const PlaneMesh& mesh, std::vector<std::pair<double, int>>& order, std::vector<SweepItem>& items) {
+    order.clear(); // small, unlike the items; by number at a tie
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto& c = mesh.triangles[t];
         const double low = std::min({mesh.points[c[0]].x(), mesh.points[c[1]].x(), mesh.points[c[2]].x()});
@@ -211,12 +205,13 @@ bool lie_on_each_other(const PlaneMesh& side1, const PlaneMesh& side2, double to
 /// The parts of the triangles of side 1 that lie on one of side 2, and their points.
 class Pieces {
 public:
-    Pieces(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result)
+    Pieces(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result,
+           std::vector<int>& ring)
         : side1_(side1), side2_(side2), tolerance_(tolerance), edge_(edge), result_(result), points_(result.points),
-          finder_(result.points, tolerance) {}
+          finder_(result.points, tolerance), ring_(ring) {}
 
     void add(const SweepItem& one, int triangle2, const Polygon& polygon) {
-        static thread_local std::vector<int> ring; // kept between calls
+        std::vector<int>& ring = ring_;
         ring.clear();
         for (int i = 0; i < polygon.size; ++i) {
             const int index = point_at(one, triangle2, polygon.corners[i]);
@@ -246,6 +241,7 @@ private:
     Overlay& result_;
     std::vector<OverlayPoint>& points_;
     PointFinder finder_;
+    std::vector<int>& ring_;
 
     /// The point here, which neighbouring pieces have in common.
     int point_at(const SweepItem& one, int triangle2, const Vec2& p) {
@@ -278,20 +274,25 @@ private:
 } // namespace
 
 void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result) {
-    // Kept between calls, of which a search makes very many.
-    static thread_local std::vector<SweepItem> sweep1, sweep2;
-    static thread_local std::vector<int> opposite_triangles;
+    OverlayScratch scratch;
+    overlay(side1, side2, tolerance, edge, result, scratch);
+}
+
+void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result,
+             OverlayScratch& scratch) {
+    auto &sweep1 = scratch.sweep1, &sweep2 = scratch.sweep2;
+    auto& opposite_triangles = scratch.opposite_triangles;
     std::vector<OverlayPoint>& points = result.points;
     points.clear();
     result.second_moment.setZero();
-    Pieces pieces(side1, side2, tolerance, edge, result);
-    sweep_of(side1, sweep1);
+    Pieces pieces(side1, side2, tolerance, edge, result, scratch.ring);
+    sweep_of(side1, scratch.order, sweep1);
 
     // To the last bit what the sweep would give.
     if (lie_on_each_other(side1, side2, tolerance, opposite_triangles)) {
         for (const auto& one : sweep1) pieces.add(one, opposite_triangles[one.triangle], Polygon(one.corners));
     } else {
-        sweep_of(side2, sweep2);
+        sweep_of(side2, scratch.order, sweep2);
         for (auto& item : sweep2) item.find_sides(tolerance);
 
         // Widest triangle of side 2: how far back in the sweep one that still meets can start.

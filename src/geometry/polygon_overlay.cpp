@@ -18,12 +18,12 @@ double signed_area(const std::vector<Vec2>& polygon) {
 }
 
 /// Leaves what lies on the left of the line from a to b (Sutherland and Hodgman 1974).
-void clip(std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b, double tolerance) {
+void clip(std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b, double tolerance, OverlayScratch& scratch) {
     const double length = (b - a).norm();
     if (!(length > tolerance)) return;
     const Vec2 along = (b - a) / length;
-    static thread_local std::vector<double> heights;
-    static thread_local std::vector<Vec2> left;
+    auto& heights = scratch.heights;
+    auto& left = scratch.left;
     heights.clear();
     left.clear();
     bool all_left = true;
@@ -122,28 +122,29 @@ void add_fan(const std::vector<Vec2>& polygon, const Moments& exact, bool with_c
 }
 
 /// The same triangles cut in smaller ones; each corner of a small one has a third of it.
-void add_fine(const std::vector<Vec2>& polygon, const Moments& exact, double edge, double tolerance, Overlay& result) {
+void add_fine(const std::vector<Vec2>& polygon, const Moments& exact, double edge, double tolerance, Overlay& result,
+              OverlayScratch& scratch) {
     PlaneMesh mesh;
     mesh.points = polygon;
     mesh.points.push_back(exact.centre);
     const int n = static_cast<int>(polygon.size());
     for (int i = 0; i < n; ++i) mesh.triangles.push_back({n, i, (i + 1) % n});
-    overlay(mesh, mesh, tolerance, edge, result);
+    overlay(mesh, mesh, tolerance, edge, result, scratch);
     result.second_moment = exact.second + exact.area * exact.centre * exact.centre.transpose();
-    balance_areas(result);
+    balance_areas(result, scratch);
 }
 
 } // namespace
 
 void common_polygon(const std::vector<Vec2>& one, const std::vector<Vec2>& two, double tolerance,
-                    std::vector<Vec2>& common) {
+                    std::vector<Vec2>& common, OverlayScratch& scratch) {
     common = one;
     if (one.size() < 3 || two.size() < 3) return common.clear();
     if (signed_area(common) < 0) std::reverse(common.begin(), common.end());
     const bool turned = signed_area(two) < 0;
     for (std::size_t i = 0; i < two.size() && common.size() >= 3; ++i) {
         const Vec2 &a = two[i], &b = two[(i + 1) % two.size()];
-        turned ? clip(common, b, a, tolerance) : clip(common, a, b, tolerance);
+        turned ? clip(common, b, a, tolerance, scratch) : clip(common, a, b, tolerance, scratch);
     }
     drop_doubles(common, tolerance);
     drop_straight(common, tolerance);
@@ -156,10 +157,11 @@ void common_polygon(const std::vector<Vec2>& one, const std::vector<Vec2>& two, 
     if (signed_area(common) <= tolerance * (high - low).maxCoeff()) common.clear();
 }
 
-void points_of_polygon(const std::vector<Vec2>& polygon, double edge, double tolerance, Overlay& result) {
+void points_of_polygon(const std::vector<Vec2>& polygon, double edge, double tolerance, Overlay& result,
+                       OverlayScratch& scratch) {
     result.points.clear();
     const Moments exact(polygon);
-    if (edge > 0) return add_fine(polygon, exact, edge, tolerance, result);
+    if (edge > 0) return add_fine(polygon, exact, edge, tolerance, result, scratch);
     if (polygon.size() == 3 || is_parallelogram(polygon, tolerance)) {
         for (const Vec2& p : polygon) add(result, p, exact.area / 12);
         add(result, exact.centre, exact.area * (1 - static_cast<double>(polygon.size()) / 12));
@@ -169,7 +171,7 @@ void points_of_polygon(const std::vector<Vec2>& polygon, double edge, double tol
     if (polygon.size() > 4) {
         add_fan(polygon, exact, false, result);
         result.second_moment = exact.second + exact.area * exact.centre * exact.centre.transpose();
-        balance_areas(result);
+        balance_areas(result, scratch);
         if (error_of(result, exact) <= exact_enough) return;
         result.points.clear();
     }

@@ -1,7 +1,7 @@
 // The common part of two convex polygons in a plane, and the places that stand for it in a joint between rigid blocks.
 #pragma once
 
-#include "geometry/overlay.hpp"
+#include "geometry/overlay_scratch.hpp"
 
 #include <vector>
 
@@ -10,13 +10,14 @@ namespace kaya {
 /// The convex polygon that two have in common, anticlockwise; both are given in any sense. Points nearer than
 /// `tolerance` are one; nothing is left of a part that is thinner.
 void common_polygon(const std::vector<Vec2>& one, const std::vector<Vec2>& two, double tolerance,
-                    std::vector<Vec2>& common);
+                    std::vector<Vec2>& common, OverlayScratch& scratch);
 
 /// Places and areas of a polygon: its corners, and the centre or more places inside. Sums of area, area x and
 /// area x x' are the integrals over the polygon to rounding, so that linear springs on the areas resist closing and
 /// tilting as the continuous joint does, whatever the polygon and the order of its corners. With `edge` above 0 places
 /// are about that far apart. Only place and area of the points are set.
-void points_of_polygon(const std::vector<Vec2>& polygon, double edge, double tolerance, Overlay& result);
+void points_of_polygon(const std::vector<Vec2>& polygon, double edge, double tolerance, Overlay& result,
+                       OverlayScratch& scratch);
 
 /// Only the corners, each with its third of the triangles around it: the mean over the fans from all corners, so that none of
 /// them matters. Sums of area and area x are exact; second moments are too large, three times those of a parallelogram.

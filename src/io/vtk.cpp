@@ -1,6 +1,7 @@
 #include "io/vtk.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/markup_text.hpp"
 #include "io/whole_file.hpp"
 #include "io/vtk_arrays.hpp"
 #include "model/joint_polygons.hpp"
@@ -111,18 +112,6 @@ std::string bytes_of(vtkUnstructuredGrid* grid) {
     return writer->GetOutputString();
 }
 
-std::string xml_text(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&') result += "&amp;";
-        else if (c == '<') result += "&lt;";
-        else if (c == '>') result += "&gt;";
-        else if (c == '"') result += "&quot;";
-        else result += c;
-    }
-    return result;
-}
-
 /// `stem` is the name of the files before _N.vtu, without a folder: they stand next to the series, from number `first` on.
 std::string series_text(const std::string& stem, const std::vector<double>& times, std::size_t first) {
     std::string text = "<?xml version=\"1.0\"?>\n"
@@ -130,7 +119,7 @@ std::string series_text(const std::string& stem, const std::vector<double>& time
                        "  <Collection>\n";
     for (std::size_t number = first; number < times.size(); ++number)
         text += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}_{}.vtu\"/>\n", times[number],
-                            xml_text(stem), number);
+                            markup_text(stem), number);
     return text + "  </Collection>\n</VTKFile>\n";
 }
 

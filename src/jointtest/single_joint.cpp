@@ -11,7 +11,8 @@
 namespace kaya {
 
 SingleJoint::SingleJoint(const JointModel& model_, std::vector<double> values_, double area_)
-    : model(&model_), values(std::make_shared<const std::vector<double>>(std::move(values_))), area(area_) {
+    : model(&model_), values(std::make_shared<const std::vector<double>>(std::move(values_))) {
+    area = area_;
     if (const auto missing = model->missing(*values); !missing.empty())
         throw Diagnostic(fmt::format("joint model {} lacks {}", model->name, fmt::join(missing, ", ")),
                          fmt::format("give it after the name: {}=1e5", missing.front()));
@@ -21,32 +22,10 @@ SingleJoint::SingleJoint(const JointModel& model_, std::vector<double> values_, 
 }
 
 void SingleJoint::call(const JointStep& step, bool initialise) {
-    const std::array<double, 3> increment{step.shear[0], step.shear[1], 0};
-    std::array<double*, KAYA_JMODEL_MAX_HISTORY> columns{};
-    for (std::size_t k = 0; k < history.size(); ++k) columns[k] = &history[k];
-    kaya_jbatch batch{};
-    batch.n = 1;
-    batch.properties = values->data();
-    batch.time_step = step.time;
-    batch.area = &area;
-    batch.normal_disp = &normal_disp;
-    batch.normal_disp_inc = &step.opening;
-    for (int k = 0; k < 3; ++k) {
-        batch.shear_disp[k] = &shear_disp[k];
-        batch.shear_disp_inc[k] = &increment[k];
-        batch.shear_force[k] = &shear_force[k];
-    }
-    batch.pore_pressure = &pore_pressure;
-    batch.normal_force = &normal_force;
-    batch.normal_stiffness = &normal_stiffness;
-    batch.shear_stiffness = &shear_stiffness;
-    batch.frictional_work = &frictional_work;
-    batch.state = &state;
-    batch.history = columns.data();
-    batch.object = model->keeps_objects() ? object.address() : nullptr;
-    batch.tables = model->tables;
+    normal_disp_inc = step.opening;
+    shear_disp_inc = {step.shear[0], step.shear[1], 0};
     LoneColumns others;
-    others.add_to(batch, *model);
+    auto batch = this->batch(*model, *values, step.time, others);
     const auto failure = initialise ? initialise_fenced(*model, batch)
                          : fenced_  ? run_fenced(*model, batch)
                                     : run_batch(*model, batch);

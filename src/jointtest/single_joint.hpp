@@ -3,9 +3,9 @@
 
 #include "laws/batch.hpp"
 #include "laws/joint_model.hpp"
+#include "laws/lone_row.hpp"
 
 #include <array>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -20,9 +20,8 @@ struct JointStep {
     double time = 0; ///< that the step takes
 };
 
-/// All that a sub-contact is, in values: a copy is another sub-contact in the same state. The normal is z, shear
-/// is x and y.
-class SingleJoint {
+/// A sub-contact with its joint model. The normal is z, shear is x and y.
+class SingleJoint : public LoneRow {
 public:
     /// `values` in the order of the model's table. Throws Diagnostic for values that are missing or cannot work together.
     SingleJoint(const JointModel& model, std::vector<double> values, double area);
@@ -40,13 +39,6 @@ public:
 
     const JointModel* model;
     std::shared_ptr<const std::vector<double>> values; ///< shared by the copies that are tried
-    double area;
-    double normal_disp = 0, normal_force = 0, pore_pressure = 0;
-    std::array<double, 3> shear_disp{}, shear_force{};
-    double normal_stiffness = 0, shear_stiffness = 0, frictional_work = 0;
-    std::uint32_t state = 0;
-    std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
-    JointObject object; ///< of a model that keeps one; a copy is a clone
 
     /// Another one in the same state, for a step that is only tried: what the model writes next to its columns is not looked for.
     SingleJoint trial() const {

@@ -26,7 +26,7 @@ struct CrashReport {
 
 namespace {
 
-thread_local const CrashReport::Call* volatile at_work = nullptr;
+thread_local const CrashReport::Call* volatile at_work = nullptr; // a signal comes to the thread that has caused it
 std::atomic<bool> reporting = false;
 
 /// The call that began last, in any thread.

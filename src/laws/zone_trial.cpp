@@ -103,7 +103,7 @@ struct LoneZone {
 } // namespace
 
 std::optional<ZoneFailure> run_fenced(const ZoneModel& model, kaya_zbatch& batch) {
-    static thread_local FencedZone zone;
+    static thread_local FencedZone zone; // threads call laws at the same time, each between fences of its own
     zone.take(model, batch);
     auto failure = model.run(batch);
     const auto trespass = zone.trespass();

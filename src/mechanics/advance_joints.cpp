@@ -8,7 +8,6 @@
 #include "mechanics/move_contact.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -173,30 +172,27 @@ bool is_pressed(const Model& model, Row c) {
 
 /// A joint model that dilates adds that to the depth of an overlap, and sees a joint as closed whose blocks are apart. It is told to begin again, without force;
 /// otherwise each touch would be as stiff as all dilation so far has made the joint, and blocks would hop on and on.
-void begin_again(Model& model, const Batch& batch, Row c) {
+void begin_again(Model& model, const Batch& batch, Row c, BatchColumns& made) {
     Batch rows = batch;
     const Span span = model.contacts.sub_contacts[c];
     rows.first = span.first, rows.count = span.count;
-    std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
-    auto columns = columns_of(model, rows, model.clock.time_step, history.data());
+    auto columns = columns_of(model, rows, model.clock.time_step, made);
     if (const auto failure = initialise_batch(*batch.model, columns, model.sub_contacts.number.data() + rows.first))
         throw joint_failure(model, rows, *failure);
 }
 
-JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
+JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces, JointScratch& scratch) {
     JointSums sums;
-    std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
     auto& subs = model.sub_contacts;
-    static thread_local std::vector<double>
-        friction; // before the step, of contacts that have overlap; kept for its memory
+    auto& friction = scratch.friction;
     JointWork before;
     friction.resize(batch.contacts.size());
-    static thread_local std::vector<CarriedLoad> carried;
+    auto& carried = scratch.carried;
     carried.resize(batch.contacts.size());
     for (std::size_t i = 0; i < batch.contacts.size(); ++i) {
         const Row c = batch.contacts[i];
         if (follows_overlap(model, c)) {
-            sums.lost += move_overlap_contact(model, c, before);
+            sums.lost += move_overlap_contact(model, c, before, scratch.overlap);
             turn_kept_vectors(model, c, batch.model->vectors);
             carried[i] = CarriedLoad(model, c);
         } else {
@@ -204,9 +200,9 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         }
         if (model.contacts.unforced_overlap[c] > 0) friction[i] = frictional_work(model, c);
     }
-    auto columns = columns_of(model, batch, model.clock.time_step, history.data());
+    auto columns = columns_of(model, batch, model.clock.time_step, scratch.columns);
     std::optional<BatchDashpots> dashpots;
-    if (joints_are_damped(model.settings)) dashpots.emplace(model, batch);
+    if (joints_are_damped(model.settings)) dashpots.emplace(model, batch, scratch.row_friction);
     if (const auto failure = run_batch(*batch.model, columns, subs.number.data() + batch.first, Guard::in_cycle))
         throw joint_failure(model, batch, *failure);
     if (dashpots) sums.damped = dashpots->finish();
@@ -217,7 +213,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         if (follows_overlap(model, c)) {
             const bool closed_by_law = model.contacts.depth[c] == 0 && is_pressed(model, c);
             sums.lost += finish_overlap_contact(model, c, carried[i], after);
-            if (closed_by_law) begin_again(model, batch, c);
+            if (closed_by_law) begin_again(model, batch, c, scratch.of_contact);
             sum_contact(model, c, forces);
             note_stiffness(model, c, forces);
             sums.stiffness_changed = sums.stiffness_changed || forces.stiffness_changed[c];
@@ -226,7 +222,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
         finish_contact(model, c, forces, after);
         if (opens_in_part(model, c)) {
             const double work_before = work_of_step(model, c);
-            sums.lost += follow_overlap(model, c);
+            sums.lost += follow_overlap(model, c, scratch.overlap);
             // The force that it has other than before acts in half of the step, and is not of the energy that the springs hold.
             const double more = work_of_step(model, c) - work_before;
             after.joint[0] += more;
@@ -257,10 +253,12 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces) {
 
 } // namespace
 
-JointSums advance_joints(Model& model, const std::vector<Batch>& batches, JointForces& forces) {
+JointSums advance_joints(Model& model, const std::vector<Batch>& batches, JointForces& forces,
+                         PerThread<JointScratch>& scratch) {
     return reduce_chunks(
         batches.size(), 1, JointSums{},
-        [&](std::size_t first, std::size_t) { return advance_batch(model, batches[first], forces); }, combine);
+        [&](std::size_t first, std::size_t) { return advance_batch(model, batches[first], forces, scratch.local()); },
+        combine);
 }
 
 void joint_forces(const Model& model, JointForces& forces) {

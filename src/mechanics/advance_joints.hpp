@@ -3,8 +3,11 @@
 // writes: contacts but for their rows, sub_contacts but for their rows
 #pragma once
 
+#include "base/per_thread.hpp"
 #include "mechanics/batches.hpp"
 #include "mechanics/contact_stiffness.hpp"
+#include "mechanics/overlap_contact.hpp"
+#include "mechanics/overlap_scratch.hpp"
 #include "mechanics/phase_sums.hpp"
 #include "model/model.hpp"
 
@@ -26,9 +29,19 @@ struct JointForces {
         stiffness_changed; ///< of contacts that are much stiffer or have other geometry, until someone clears it
 };
 
+/// Room for what a batch needs within a step; its memory stays.
+struct JointScratch {
+    BatchColumns columns, of_contact; ///< of the batch, and of one contact that begins again
+    std::vector<double> friction; ///< frictional work before the step, by contact of the batch; of those with overlap
+    std::vector<double> row_friction; ///< by row of the batch
+    std::vector<CarriedLoad> carried; ///< by contact of the batch; of those with overlap
+    OverlapScratch overlap;
+};
+
 /// Turns the planes, computes displacement increments, calls the joint models, and writes contact forces, displacements, history,
 /// state and stiffnesses. One batch after another goes through all of it.
-JointSums advance_joints(Model& model, const std::vector<Batch>& batches, JointForces& forces);
+JointSums advance_joints(Model& model, const std::vector<Batch>& batches, JointForces& forces,
+                         PerThread<JointScratch>& scratch);
 
 /// Forces of the contacts as they are, without a step. Contacts with geometry made anew are marked as changed.
 void joint_forces(const Model& model, JointForces& forces);

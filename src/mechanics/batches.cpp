@@ -4,7 +4,6 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <numeric>
-#include <optional>
 
 namespace kaya {
 
@@ -34,16 +33,8 @@ std::vector<Batch> make_batches(Model& model, JointRegistry& joints, Row most) {
 
 namespace {
 
-/// Columns that are made for a batch; one at a time is in use in each thread, and keeps its memory.
-struct MadeColumns {
-    std::vector<double> fields[KAYA_JMODEL_MAX_FIELDS], normal[3];
-    const double* field[KAYA_JMODEL_MAX_FIELDS];
-    std::optional<double> alike[KAYA_JMODEL_MAX_FIELDS]; ///< the value of all rows of a field
-    std::vector<std::int32_t> block[2];
-};
-
 /// The columns of a field from batch to batch mostly hold one value, and need not be filled again.
-void fill_field(MadeColumns& made, std::size_t k, std::size_t rows, double value) {
+void fill_field(BatchColumns& made, std::size_t k, std::size_t rows, double value) {
     auto& alike = made.alike[k];
     const bool same = alike && std::memcmp(&*alike, &value, sizeof value) == 0;
     if (same && made.fields[k].size() >= rows) return;
@@ -51,13 +42,7 @@ void fill_field(MadeColumns& made, std::size_t k, std::size_t rows, double value
     alike = value;
 }
 
-MadeColumns& made_columns() {
-    static thread_local MadeColumns columns;
-    return columns;
-}
-
-void add_fields(kaya_jbatch& b, const Model& model, const Batch& batch) {
-    MadeColumns& made = made_columns();
+void add_fields(kaya_jbatch& b, const Model& model, const Batch& batch, BatchColumns& made) {
     const auto& subs = model.sub_contacts;
     const auto& fields = batch.model->fields;
     for (std::size_t k = 0; k < fields.size(); ++k) {
@@ -72,11 +57,10 @@ void add_fields(kaya_jbatch& b, const Model& model, const Batch& batch) {
             made.alike[k].reset();
         }
     }
-    b.field = made.field;
+    b.field = made.field.data();
 }
 
-void add_places(kaya_jbatch& b, const Model& model, const Batch& batch) {
-    MadeColumns& made = made_columns();
+void add_places(kaya_jbatch& b, const Model& model, const Batch& batch, BatchColumns& made) {
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
     for (auto& column : made.normal) column.resize(b.n);
@@ -96,7 +80,7 @@ void add_places(kaya_jbatch& b, const Model& model, const Batch& batch) {
 
 } // namespace
 
-kaya_jbatch columns_of(Model& model, const Batch& batch, double time_step, double** history) {
+kaya_jbatch columns_of(Model& model, const Batch& batch, double time_step, BatchColumns& made) {
     auto& s = model.sub_contacts;
     const Row first = batch.first;
     kaya_jbatch b{};
@@ -117,13 +101,13 @@ kaya_jbatch columns_of(Model& model, const Batch& batch, double time_step, doubl
     b.shear_stiffness = s.shear_stiffness.data() + first;
     b.frictional_work = s.frictional_work.data() + first;
     b.state = s.state.data() + first;
-    for (std::size_t k = 0; k < batch.model->history.size(); ++k) history[k] = s.history[k].data() + first;
-    b.history = history;
+    for (std::size_t k = 0; k < batch.model->history.size(); ++k) made.history[k] = s.history[k].data() + first;
+    b.history = made.history.data();
     b.message[0] = 0;
     b.object = batch.model->keeps_objects() ? s.object[first].address() : nullptr;
     b.tables = batch.model->tables;
-    if (!batch.model->fields.empty()) add_fields(b, model, batch);
-    if (batch.model->needs_place()) add_places(b, model, batch);
+    if (!batch.model->fields.empty()) add_fields(b, model, batch, made);
+    if (batch.model->needs_place()) add_places(b, model, batch, made);
     return b;
 }
 

@@ -5,6 +5,9 @@
 #include "laws/batch.hpp"
 #include "model/model.hpp"
 
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace kaya {
@@ -22,9 +25,18 @@ struct Batch {
 /// enough that what a cycle reads and writes of them stays near the processor.
 std::vector<Batch> make_batches(Model& model, JointRegistry& joints, Row most = 1024);
 
-/// The columns of rows [first, first + count) as a joint model sees them.
-/// `history` must have room for the model's history pointers and live as long as the batch is used.
-kaya_jbatch columns_of(Model& model, const Batch& batch, double time_step, double** history);
+/// What the columns of a batch need besides those of the model. It keeps its memory for the next batch.
+struct BatchColumns {
+    std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
+    std::array<std::vector<double>, KAYA_JMODEL_MAX_FIELDS> fields;
+    std::array<const double*, KAYA_JMODEL_MAX_FIELDS> field;
+    std::array<std::optional<double>, KAYA_JMODEL_MAX_FIELDS> alike; ///< the value of all rows of a field
+    std::array<std::vector<double>, 3> normal;
+    std::array<std::vector<std::int32_t>, 2> block;
+};
+
+/// The columns of rows [first, first + count) as a joint model sees them, until `made` serves another batch or goes.
+kaya_jbatch columns_of(Model& model, const Batch& batch, double time_step, BatchColumns& made);
 
 /// What a joint model said about a row, with the contact's number, its blocks, place, cycle and the deck
 /// line of its properties.

@@ -1,17 +1,15 @@
 #include "mechanics/contact_geometry.hpp"
 
-#include "geometry/overlay.hpp"
 #include "geometry/polygon_overlay.hpp"
 #include "mechanics/corner_joints.hpp"
 #include "mechanics/overlap_contact.hpp"
-#include "mechanics/separation.hpp"
+#include "mechanics/search_scratch.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <span>
 
 namespace kaya {
 
@@ -35,63 +33,6 @@ constexpr double coincidence = 2e-5, narrowest = 1e-2;
 constexpr double least_joint = 10;
 /// Also in parts of the margin: how much better another axis must be than that of the contact so far.
 constexpr double persistence = 0.25;
-
-struct PlaneAxes {
-    Vec3 u, v;
-};
-
-PlaneAxes axes_of(const Vec3& normal) {
-    int least = 0;
-    normal.cwiseAbs().minCoeff(&least);
-    const Vec3 u = normal.cross(Vec3::Unit(least)).normalized();
-    return {u, normal.cross(u)};
-}
-
-/// A face in the coordinates of the common plane.
-struct FlatFace {
-    PlaneMesh mesh;   ///< its own triangles
-    PlaneMesh radial; ///< those that contacts are made with, if they are others
-    bool is_radial;
-    std::span<const Row> rows; ///< the gridpoint of each point of its own
-
-    void project(const Model& model, const Surfaces& surfaces, Row face, const PlaneAxes& axes, const Vec3& origin) {
-        rows = surfaces.corners(face);
-        mesh.points.clear();
-        for (const Row g : rows) {
-            const Vec3 d = model.gridpoints.position[g] - origin;
-            mesh.points.emplace_back(d.dot(axes.u), d.dot(axes.v));
-        }
-        const auto triangles = surfaces.triangles(face);
-        mesh.triangles.assign(triangles.begin(), triangles.end());
-        const FaceTriangles wanted = model.blocks.face_triangles[model.faces.block[face]];
-        is_radial = wanted != FaceTriangles::fan;
-        if (is_radial) radial = radial_mesh(mesh, wanted);
-    }
-    const PlaneMesh& found() const { return is_radial ? radial : mesh; }
-
-    /// Of a rigid block's face: the corner at a place, or -1.
-    int corner_at(const Vec2& place, double tolerance) const {
-        for (std::size_t i = 0; i < mesh.points.size(); ++i)
-            if ((mesh.points[i] - place).squaredNorm() <= tolerance * tolerance) return static_cast<int>(i);
-        return -1;
-    }
-    Attachment attach_corner_or_place(const Vec2& place, int corner) const {
-        std::array<double, 3> weights{1, 0, 0};
-        const int triangle = corner < 0 ? triangle_at(mesh, place, weights) : 0;
-        return attach(place, corner, triangle, weights);
-    }
-    Attachment attach(const Vec2& place, int vertex, int triangle, std::array<double, 3> weights) const {
-        if (vertex >= 0 && vertex < static_cast<int>(rows.size()))
-            return {{rows[vertex], rows[vertex], rows[vertex]}, {1, 0, 0}};
-        if (is_radial) triangle = triangle_at(mesh, place, weights);
-        Attachment a;
-        for (int k = 0; k < 3; ++k) {
-            a.gridpoints[k] = rows[mesh.triangles[triangle][k]];
-            a.weights[k] = weights[k];
-        }
-        return a;
-    }
-};
 
 /// Length of edges in the overlay; 0: none.
 double edge_between(const Model& model, Row block1, Row block2) {
@@ -144,13 +85,13 @@ double share_of_point(const Model& model, const Surfaces& surfaces, Row block, c
 
 /// From half a degree to a degree and a half the areas go over from those of faces on each other to those of a block
 /// on its corners and edges, so that nothing jumps where one touch becomes the other.
-void go_over_to_corners(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double cosine) {
+void go_over_to_corners(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double cosine,
+                        std::vector<double>& shares) {
     constexpr double first = 0.5 * std::numbers::pi / 180, last = 3 * first;
     constexpr double cos_of_first = 0.9999619230641713;
     if (cosine >= cos_of_first) return;
     const double angle = std::acos(cosine);
     const Row block1 = model.faces.block[geometry.face1], block2 = model.faces.block[geometry.face2];
-    static thread_local std::vector<double> shares;
     shares.clear();
     double whole = 0;
     for (const auto& point : geometry.points) {
@@ -174,17 +115,16 @@ void go_over_to_corners(const Model& model, const Surfaces& surfaces, ContactGeo
 
 /// Sub-contacts at the vertices of the overlay of two faces.
 bool intersect_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double cosine,
-                     double margin, double tolerance) {
+                     double margin, double tolerance, SearchScratch& scratch) {
     const PlaneAxes axes = axes_of(geometry.normal);
     const Vec3 origin = model.blocks.centroid[model.faces.block[geometry.face2]]; // keeps coordinates small
-    static thread_local FlatFace face1, face2;                                    // kept, since a search lays very many
+    auto& [face1, face2] = scratch.faces;
     face1.project(model, surfaces, geometry.face1, axes, origin);
     face2.project(model, surfaces, geometry.face2, axes, origin);
     const double edge = edge_between(model, model.faces.block[geometry.face1], model.faces.block[geometry.face2]);
     bool near = false;
-    static thread_local Overlay found;
-    overlay(face1.found(), face2.found(), tolerance, edge, found);
-    for (const auto& p : found.points) {
+    overlay(face1.found(), face2.found(), tolerance, edge, scratch.found, scratch.overlay);
+    for (const auto& p : scratch.found.points) {
         ContactPoint& point = geometry.points.add();
         point.side1 = face1.attach(p.place, p.vertex1, p.triangle1, p.weights1);
         point.side2 = face2.attach(p.place, p.vertex2, p.triangle2, p.weights2);
@@ -201,7 +141,7 @@ bool intersect_faces(const Model& model, const Surfaces& surfaces, ContactGeomet
         geometry.area += point.area;
     }
     if (!near) return false;
-    go_over_to_corners(model, surfaces, geometry, cosine);
+    go_over_to_corners(model, surfaces, geometry, cosine, scratch.shares);
     geometry.type = ContactType::face_face;
     geometry.position.setZero();
     for (const auto& point : geometry.points) geometry.position += point.area / geometry.area * point.position;
@@ -231,23 +171,24 @@ void add_middles(std::vector<Vec2>& polygon) {
 /// Sub-contacts of two faces of rigid blocks: the polygon that they have in common decides, and not the triangles that
 /// the faces are cut in.
 bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double margin,
-                           double tolerance) {
+                           double tolerance, SearchScratch& scratch) {
     const PlaneAxes axes = axes_of(geometry.normal);
     const Row block1 = model.faces.block[geometry.face1], block2 = model.faces.block[geometry.face2];
     const Vec3 origin = model.blocks.centroid[block2]; // keeps coordinates small
-    static thread_local FlatFace face1, face2;         // kept, since a search lays very many
-    static thread_local std::vector<Vec2> outline1, outline2, common;
-    static thread_local Overlay found;
+    auto& [face1, face2] = scratch.faces;
+    auto& [outline1, outline2] = scratch.outlines;
+    auto& common = scratch.common;
+    auto& found = scratch.found;
     face1.project(model, surfaces, geometry.face1, axes, origin);
     face2.project(model, surfaces, geometry.face2, axes, origin);
     take_outline(face1, outline1);
     take_outline(face2, outline2);
-    common_polygon(outline1, outline2, tolerance, common);
+    common_polygon(outline1, outline2, tolerance, common, scratch.overlay);
     if (common.empty()) return false;
     const auto middles = [&](Row block) { return model.blocks.face_triangles[block] == FaceTriangles::radial_8; };
     if (middles(block1) || middles(block2)) add_middles(common);
     if (stands_on_corners(model, block1, block2)) corners_of_polygon(common, found);
-    else points_of_polygon(common, edge_between(model, block1, block2), tolerance, found);
+    else points_of_polygon(common, edge_between(model, block1, block2), tolerance, found, scratch.overlay);
     bool near = false;
     for (const auto& p : found.points) {
         ContactPoint& point = geometry.points.add();
@@ -329,9 +270,8 @@ bool complete_geometry(ContactGeometry& geometry, double most) {
 
 /// The area of a face that the other block covers, seen along the normal of the face.
 double covered_area(const Model& model, const Surfaces& surfaces, Row face, Row other, const PlaneAxes& axes,
-                    const Vec3& out, double tolerance) {
-    static thread_local FlatFace own, above; // kept, since a search lays very many
-    static thread_local Overlay found;
+                    const Vec3& out, double tolerance, SearchScratch& scratch) {
+    auto& [own, above] = scratch.faces;
     const Vec3 origin = model.gridpoints.position[model.triangles.gridpoints[model.faces.triangles[face].first][0]];
     own.project(model, surfaces, face, axes, origin);
     double area = 0;
@@ -339,8 +279,8 @@ double covered_area(const Model& model, const Surfaces& surfaces, Row face, Row 
     for (Row f = faces.first; f < faces.end(); ++f) {
         if (surfaces.normal(f).dot(out) > -0.01) continue; // looks the other way, or along
         above.project(model, surfaces, f, axes, origin);
-        overlay(own.mesh, above.mesh, tolerance, 0, found);
-        for (const auto& point : found.points) area += point.area;
+        overlay(own.mesh, above.mesh, tolerance, 0, scratch.found, scratch.overlay);
+        for (const auto& point : scratch.found.points) area += point.area;
     }
     return area;
 }
@@ -348,7 +288,7 @@ double covered_area(const Model& model, const Surfaces& surfaces, Row face, Row 
 /// One block on a face of the other that is not parallel to any of its own: its vertices over the face, and its edges
 /// where they cross the outline of the face.
 bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, Row block1, Row block2,
-                     double margin, double tolerance) {
+                     double margin, double tolerance, SearchScratch& scratch) {
     const bool face_of_first = geometry.reference == 1;
     const Row face = face_of_first ? geometry.face1 : geometry.face2;
     const Row own = face_of_first ? block1 : block2, other = face_of_first ? block2 : block1;
@@ -399,7 +339,7 @@ bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeomet
     geometry.type = geometry.points.size() == 1 && geometry.points[0].type != SubContactType::edge_edge
                         ? ContactType::face_vertex
                         : ContactType::face_edge;
-    return complete_geometry(geometry, covered_area(model, surfaces, face, other, axes, out, tolerance));
+    return complete_geometry(geometry, covered_area(model, surfaces, face, other, axes, out, tolerance, scratch));
 }
 
 /// Two edges that cross.
@@ -436,13 +376,14 @@ double narrowest_contact(const Model& model, Row block1, Row block2) {
 }
 
 bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
-                   ContactGeometry& geometry) {
+                   ContactGeometry& geometry, SearchScratch& scratch) {
     // A block's margin is a small part of its size.
     const double size = std::min(model.blocks.margin[block1], model.blocks.margin[block2]);
     const double tolerance = coincidence * size, sliver = narrowest_contact(model, block1, block2);
     const double flat = flat_limit(model, old);
-    const Separation separation = find_separation(
-        model, surfaces, block1, block2, {margin, 10 * tolerance, size, sliver, flat, persistence * size, old});
+    const Separation separation =
+        find_separation(model, surfaces, block1, block2,
+                        {margin, 10 * tolerance, size, sliver, flat, persistence * size, old}, scratch.separation);
     if (separation.distance > margin || separation.normal.isZero(0)) return false;
 
     geometry.normal = separation.normal;
@@ -462,7 +403,7 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
             const double first = part_of_first(model, block1, block2);
             geometry.normal =
                 (first * surfaces.normal(geometry.face1) - (1 - first) * surfaces.normal(geometry.face2)).normalized();
-            const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance);
+            const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance, scratch);
             if (found && geometry.area >= least_joint * least_contact_area(model, block1, block2)) return true;
             if (!found && !overlaps) return false;
             geometry.points.clear();
@@ -474,10 +415,10 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
         return true;
     }
     if (geometry.reference == 0) return join_edges(model, geometry, separation, block1, block2, margin);
-    if (!flat_faces) return project_on_face(model, surfaces, geometry, block1, block2, margin, tolerance);
+    if (!flat_faces) return project_on_face(model, surfaces, geometry, block1, block2, margin, tolerance, scratch);
     if (separation.apart_sideways) return false; // an edge or a corner next to another
     (geometry.reference == 1 ? geometry.face2 : geometry.face1) = separation.opposite;
-    return intersect_faces(model, surfaces, geometry, separation.cosine, margin, tolerance);
+    return intersect_faces(model, surfaces, geometry, separation.cosine, margin, tolerance, scratch);
 }
 
 } // namespace kaya

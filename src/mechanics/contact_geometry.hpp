@@ -9,6 +9,8 @@
 
 namespace kaya {
 
+struct SearchScratch;
+
 /// One sub-contact to be.
 struct ContactPoint {
     Vec3 position = Vec3::Zero(); ///< midway between the two surfaces
@@ -65,7 +67,7 @@ double narrowest_contact(const Model& model, Row block1, Row block2);
 /// the points are not given.
 /// `old` is the contact that they have so far, if any.
 bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
-                   ContactGeometry& geometry);
+                   ContactGeometry& geometry, SearchScratch& scratch);
 
 /// Where a sub-contact's side is now.
 inline Vec3 attached_position(const Model& model, const Attachment& side) {

@@ -84,12 +84,12 @@ double widest_gap(const Model& model, Row contact) {
 
 /// The touch of two blocks with the contact that they have so far, which is kept across a gap that carries force.
 bool update_geometry(const Model& model, const Surfaces& surfaces, Row b1, Row b2, Row contact, double margin,
-                     ContactGeometry& geometry) {
+                     ContactGeometry& geometry, SearchScratch& scratch) {
     // Where faces lie on each other as before there is no need to know how far apart they are.
-    const bool found = find_geometry(model, surfaces, b1, b2, contact, margin, geometry);
+    const bool found = find_geometry(model, surfaces, b1, b2, contact, margin, geometry, scratch);
     if (contact == no_row || (found && geometry.type == ContactType::face_face)) return found;
     const double gap = widest_gap(model, contact);
-    return gap > 0 ? find_geometry(model, surfaces, b1, b2, contact, margin + 2 * gap, geometry) : found;
+    return gap > 0 ? find_geometry(model, surfaces, b1, b2, contact, margin + 2 * gap, geometry, scratch) : found;
 }
 
 /// How far the two sides of a contact have come from each other in its plane since its geometry was made.
@@ -187,12 +187,12 @@ std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int,
 /// Places of an overlap to be: where the blocks will meet when they come as near as this part of the margin.
 constexpr double contact_depth = 1e-3;
 
-void add_overlap_points(const Model& model, Row b1, Row b2, ContactGeometry& geometry) {
+void add_overlap_points(const Model& model, Row b1, Row b2, ContactGeometry& geometry, OverlapScratch& scratch) {
     ClosureOffset offset;
     offset.closure =
         std::max(0.0, geometry.gap) + contact_depth * std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
     const double least = least_contact_area(model, b1, b2);
-    const OverlapPatch patch = overlap_patch(model, {b1, b2, no_row, no_row, least}, geometry.normal, offset);
+    const OverlapPatch patch = overlap_patch(model, {b1, b2, no_row, no_row, least}, geometry.normal, offset, scratch);
     geometry.position =
         patch.carried > 0 ? patch.centre : 0.5 * (model.blocks.centroid[b1] + model.blocks.centroid[b2]);
     geometry.area = least;
@@ -260,7 +260,8 @@ bool is_parallel(const ContactGeometry& geometry) {
 
 /// What becomes of two rigid blocks that touch. A joint that opens in part becomes an overlap, one that is closed
 /// everywhere a joint; a joint that pulls stays what it is.
-DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving, ContactGeometry& geometry) {
+DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving, ContactGeometry& geometry,
+                        OverlapScratch& scratch) {
     const bool in_place = !model.settings.large_strain;
     if (old == no_row) {
         const bool as_joint = geometry.kind == ContactKind::joint && // an overlap has no points yet
@@ -268,7 +269,7 @@ DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving
         if (as_joint) return DraftKind::new_geometry;
         geometry.kind = ContactKind::overlap;
         geometry.points.clear();
-        add_overlap_points(model, b1, b2, geometry);
+        add_overlap_points(model, b1, b2, geometry, scratch);
         return DraftKind::overlap;
     }
     const bool was_joint = model.contacts.kind[old] == ContactKind::joint;
@@ -281,12 +282,14 @@ DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving
 
 /// The drafts of those pairs that touch; their points are in `found`.
 std::vector<ContactDraft> find_all(const Model& model, const Surfaces& surfaces, const std::vector<double>& beyond,
-                                   const std::vector<Pair>& pairs, bool moving, std::vector<FoundContacts>& found) {
+                                   const std::vector<Pair>& pairs, bool moving, std::vector<FoundContacts>& found,
+                                   PerThread<SearchScratch>& scratch_of) {
     found.resize(std::max(found.size(), (pairs.size() + grain - 1) / grain)); // those that are there keep their memory
     for (auto& part : found) part.clear();
     for_chunks(pairs.size(), grain, [&](std::size_t first, std::size_t last) {
         stop_point();
         FoundContacts& part = found[first / grain];
+        SearchScratch& scratch = scratch_of.local();
         for (std::size_t i = first; i < last; ++i) {
             const auto& [block1, block2, old, due] = pairs[i];
             if (!due) {
@@ -294,14 +297,14 @@ std::vector<ContactDraft> find_all(const Model& model, const Surfaces& surfaces,
                 continue;
             }
             ContactGeometry geometry{{}, ContactPoints(part.points)};
-            if (!update_geometry(model, surfaces, block1, block2, old, reach(model, beyond, block1, block2),
-                                 geometry)) {
+            if (!update_geometry(model, surfaces, block1, block2, old, reach(model, beyond, block1, block2), geometry,
+                                 scratch)) {
                 geometry.points.clear();
                 continue;
             }
             const bool rigid = !model.blocks.deformable[block1] && !model.blocks.deformable[block2];
-            const DraftKind kind =
-                rigid ? kind_of_rigid(model, block1, block2, old, moving, geometry) : DraftKind::new_geometry;
+            const DraftKind kind = rigid ? kind_of_rigid(model, block1, block2, old, moving, geometry, scratch.overlap)
+                                         : DraftKind::new_geometry;
             if (kind == DraftKind::as_it_was || (kind == DraftKind::overlap && old != no_row)) geometry.points.clear();
             part.drafts.push_back({block1, block2, old, kind, geometry, {part.points.data(), geometry.points.size()}});
         }
@@ -379,7 +382,8 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
     const std::vector<Pair> pairs = pairs_of(model, near_.of(boxes_), boxes_, beyond_, moved_);
     stop_point();
     surfaces_.update(model, is_due(pairs));
-    return replace_contacts(model, joints, find_all(model, surfaces_, beyond_, pairs, moving, found_), moving);
+    return replace_contacts(model, joints, find_all(model, surfaces_, beyond_, pairs, moving, found_, scratch_), moving,
+                            scratch_.local().overlap);
 }
 
 ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints) {
@@ -409,9 +413,11 @@ ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints
     beyond_.resize(model.blocks.size());
     for (const Row b : wanted) beyond_[b] = travel_beyond(model, b);
     surfaces_.update(model, wanted);
-    std::vector<ContactDraft> drafts = find_all(model, surfaces_, beyond_, pairs, true, found_);
-    if (drafts.size() == pairs.size() && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
-    return replace_contacts(model, joints, with_the_others(model, std::move(drafts), has_slipped), true);
+    std::vector<ContactDraft> drafts = find_all(model, surfaces_, beyond_, pairs, true, found_, scratch_);
+    OverlapScratch& scratch = scratch_.local().overlap;
+    if (drafts.size() == pairs.size() && refresh_contacts(model, joints, drafts, scratch))
+        return ContactChange::refreshed;
+    return replace_contacts(model, joints, with_the_others(model, std::move(drafts), has_slipped), true, scratch);
 }
 
 } // namespace kaya

@@ -3,9 +3,11 @@
 // writes: contacts, sub_contacts, blocks.travelled, energy.joint_lost, stale
 #pragma once
 
+#include "base/per_thread.hpp"
 #include "laws/joint_model.hpp"
 #include "mechanics/contact_table.hpp"
 #include "mechanics/near_pairs.hpp"
+#include "mechanics/search_scratch.hpp"
 #include "mechanics/surfaces.hpp"
 #include "model/model.hpp"
 
@@ -42,6 +44,7 @@ private:
     std::vector<double> beyond_; ///< how far each block may come beyond half its margin, see travel_beyond
     std::vector<char> moved_;
     std::vector<FoundContacts> found_;
+    PerThread<SearchScratch> scratch_;
 };
 
 } // namespace kaya

@@ -3,6 +3,7 @@
 #include "mechanics/batches.hpp"
 #include "mechanics/contact_load.hpp"
 #include "mechanics/overlap_contact.hpp"
+#include "mechanics/overlap_scratch.hpp"
 #include "mechanics/property_sets.hpp"
 #include "model/lanes.hpp"
 
@@ -36,7 +37,7 @@ Row nearest(const SubContacts& s, Span span, const Vec3& place) {
 
 template <class Call>
 void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>& marked, Call call) {
-    std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
+    BatchColumns made;
     for (const Batch& batch : make_batches(model, joints, std::numeric_limits<Row>::max())) {
         // Skip incomplete property sets; the command that completes one initialises its contacts.
         if (!batch.model->missing(model.joint_properties[batch.properties].values).empty()) continue;
@@ -51,7 +52,7 @@ void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>
             Batch part = batch;
             part.first = row;
             part.count = end - row;
-            auto columns = columns_of(model, part, model.clock.time_step, history.data());
+            auto columns = columns_of(model, part, model.clock.time_step, made);
             if (const auto failure = call(*part.model, columns, model.sub_contacts.number.data() + part.first))
                 throw joint_failure(model, part, *failure);
             row = end;
@@ -306,13 +307,14 @@ bool same_rows(const Model& model, const std::vector<ContactDraft>& drafts) {
 }
 
 /// Returns what is lost of the energy in springs where joints become overlaps.
-double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Changes& changes) {
+double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Changes& changes,
+                        OverlapScratch& scratch) {
     const auto& blocks = model.blocks;
     double lost = 0;
     for (const auto& draft : drafts) {
         if (draft.kind == DraftKind::as_it_was) continue;
         if (draft.kind == DraftKind::overlap) {
-            lost += follow_overlap(model, draft.old);
+            lost += follow_overlap(model, draft.old, scratch);
             continue;
         }
         const auto& g = draft.plane;
@@ -367,8 +369,8 @@ RowSources sources_of(const Model& model, const std::vector<ContactDraft>& draft
 /// Fills the tables row by row when they have been gathered from the old ones.
 class ContactWriter {
 public:
-    ContactWriter(Model& model, const RowSources& from, Changes& changes, std::size_t old_subs)
-        : model_(model), from_(from), changes_(changes), sub_kept_(old_subs, 0) {}
+    ContactWriter(Model& model, const RowSources& from, Changes& changes, std::size_t old_subs, OverlapScratch& scratch)
+        : model_(model), from_(from), changes_(changes), sub_kept_(old_subs, 0), scratch_(scratch) {}
 
     /// `properties` and `material` are those of new contacts; `loads` of contacts that get new geometry.
     void write(const ContactDraft& draft, Row c, Row properties, std::int32_t material,
@@ -394,7 +396,7 @@ public:
             is_new && !closing && was_there && draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_type;
         if (is_new) write_contact(model_, c, draft.plane);
         // What was made to overlap does so without force, and what is found too late begins without.
-        if (draft.kind == DraftKind::overlap && !was_there) begin_without_force(model_, c);
+        if (draft.kind == DraftKind::overlap && !was_there) begin_without_force(model_, c, scratch_);
         for (Row i = 0; i < from_.spans[c].count; ++i) {
             const Row s = from_.spans[c].first + i;
             name(s, c);
@@ -430,6 +432,7 @@ private:
     const RowSources& from_;
     Changes& changes_;
     std::vector<char> sub_kept_;
+    OverlapScratch& scratch_;
 };
 
 } // namespace
@@ -438,11 +441,12 @@ void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vec
     call_on_marked(model, joints, marked, initialise_batch);
 }
 
-bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts) {
+bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
+                      OverlapScratch& scratch) {
     if (!all_keep_places(model, drafts)) return false;
     const auto loads = loads_of(model, drafts);
     Changes changes(model.sub_contacts.size());
-    double lost = refresh_in_place(model, drafts, changes);
+    double lost = refresh_in_place(model, drafts, changes, scratch);
     tell_joint_models(model, joints, changes, true);
     for (const auto& before : loads) {
         const Row c = drafts[before.row].old;
@@ -453,8 +457,9 @@ bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<Con
 }
 
 ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
-                               bool moving) {
-    if (moving && same_rows(model, drafts) && refresh_contacts(model, joints, drafts)) return ContactChange::refreshed;
+                               bool moving, OverlapScratch& scratch) {
+    if (moving && same_rows(model, drafts) && refresh_contacts(model, joints, drafts, scratch))
+        return ContactChange::refreshed;
     const auto loads = loads_of(model, drafts);
     const std::vector<char> contact_kept = kept_contacts(model, drafts);
     double lost = stored_in_parted(model, contact_kept);
@@ -475,7 +480,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     subs.gather(from.subs);
 
     Changes changes(subs.size());
-    ContactWriter writer(model, from, changes, old_sub_ids.size());
+    ContactWriter writer(model, from, changes, old_sub_ids.size(), scratch);
     for (std::size_t c = 0; c < drafts.size(); ++c)
         writer.write(drafts[c], static_cast<Row>(c), properties, material, loads);
     for (std::size_t c = 0; c < contact_kept.size(); ++c)
@@ -486,7 +491,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     ModelEdit(model, Change::lists);                // even if a joint model gives up below
     for (std::size_t c = 0; c < drafts.size(); ++c) // joints that become overlaps
         if (drafts[c].kind == DraftKind::overlap && drafts[c].old != no_row)
-            lost += follow_overlap(model, static_cast<Row>(c));
+            lost += follow_overlap(model, static_cast<Row>(c), scratch);
     tell_joint_models(model, joints, changes, moving);
     for (const auto& before : loads)
         lost += settle(model, before.row, before.load) + (moving ? book_change(model, before.row, before.work) : 0);

@@ -11,6 +11,8 @@
 
 namespace kaya {
 
+struct OverlapScratch;
+
 enum class DraftKind : std::uint8_t {
     as_it_was,
     new_geometry,
@@ -35,11 +37,12 @@ enum class ContactChange { none, refreshed, replaced };
 /// already has been closed since the last search, so that the force of the overlap is taken up at once.
 /// Where every row keeps its place the tables are refreshed, and lists made of them hold on if all blocks are rigid.
 ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
-                               bool moving);
+                               bool moving, OverlapScratch& scratch);
 
 /// The same for a part of the contacts, if every row keeps its place; otherwise it does nothing and returns false.
 /// All drafts have an old contact.
-bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts);
+bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
+                      OverlapScratch& scratch);
 
 /// Lets the joint models of the marked sub-contacts make their history agree with the forces and the gap
 /// that are there.

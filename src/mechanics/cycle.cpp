@@ -61,6 +61,7 @@ struct Cycle::Lists {
     TieLists ties;
     TimeStep step;
     JointForces joints;
+    PerThread<JointScratch> joint_scratch;
     std::vector<CableChain> cables;
     std::vector<PointRow> zone_forces;
 };
@@ -171,7 +172,7 @@ void Cycle::strain(StepSums& sums) {
     Lists& s = *lists_;
     times_.timed(Phase::joints, [&] {
         put_water(model_);
-        sums.joints = advance_joints(model_, s.batches, s.joints);
+        sums.joints = advance_joints(model_, s.batches, s.joints, s.joint_scratch);
     });
     times_.timed(Phase::zones, [&] {
         sums.zones = run_zone_models(model_, s.laws, s.zones, s.zone_forces);

@@ -17,12 +17,6 @@ double inverse_mass(const Model& model, Row block) {
     return held || blocks.inertial_mass[block] <= 0 ? 0 : 1 / blocks.inertial_mass[block];
 }
 
-/// Frictional work of a batch before its joint model runs; one per thread, so that a cycle allocates nothing.
-std::vector<double>& friction_room() {
-    thread_local std::vector<double> room;
-    return room;
-}
-
 } // namespace
 
 bool joints_are_damped(const Settings& settings) {
@@ -50,8 +44,8 @@ Beta beta_of(const Model& model, Row c) {
     return beta;
 }
 
-BatchDashpots::BatchDashpots(Model& model, const Batch& batch)
-    : model_(model), batch_(batch), friction_(friction_room()) {
+BatchDashpots::BatchDashpots(Model& model, const Batch& batch, std::vector<double>& friction)
+    : model_(model), batch_(batch), friction_(friction) {
     auto& s = model.sub_contacts;
     taken_ = -0.5 * work();
     if (friction_.size() < static_cast<std::size_t>(batch.count))

@@ -25,7 +25,8 @@ Beta beta_of(const Model& model, Row contact);
 /// model has not run yet, finish() when it has.
 class BatchDashpots {
 public:
-    BatchDashpots(Model& model, const Batch& batch);
+    /// `friction` is room for the frictional work of the batch before its joint model runs.
+    BatchDashpots(Model& model, const Batch& batch, std::vector<double>& friction);
     /// Writes SubContacts::dashpot_normal and dashpot_shear. Returns the energy that was taken up in the step, but for
     /// overlaps: JointWork::dashpots has theirs.
     double finish();

@@ -10,8 +10,8 @@ void edges_of(const Model& model, Row block, std::vector<Edge>& edges) {
         std::uint64_t ends; ///< lower gridpoint, then higher: one number, quick to compare
         Row face;
     };
-    static thread_local std::vector<Side> sides;
-    sides.clear();
+    std::vector<Side> sides;
+    sides.reserve(3 * static_cast<std::size_t>(model.blocks.triangles[block].count));
     for (Row f = model.blocks.faces[block].first; f < model.blocks.faces[block].end(); ++f) {
         const Span span = model.faces.triangles[f];
         for (Row t = span.first; t < span.end(); ++t)

@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "mechanics/contact_geometry.hpp"
 #include "mechanics/contact_table.hpp"
+#include "mechanics/search_scratch.hpp"
 #include "mechanics/take_over.hpp"
 #include "mechanics/ties.hpp"
 #include "mechanics/topography.hpp"
@@ -45,12 +46,14 @@ std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>
     surfaces.update(model, blocks);
     for_chunks(contacts.size(), 64, [&](std::size_t first, std::size_t last) {
         std::vector<ContactPoint> list;
+        SearchScratch scratch;
         for (std::size_t i = first; i < last; ++i) {
             if (!wanted[i]) continue;
             const Row c = static_cast<Row>(i), b1 = contacts.block1[c], b2 = contacts.block2[c];
             list.clear();
             ContactGeometry geometry{{}, ContactPoints(list)};
-            if (!find_geometry(model, surfaces, b1, b2, c, model.blocks.margin[b1] + model.blocks.margin[b2], geometry))
+            if (!find_geometry(model, surfaces, b1, b2, c, model.blocks.margin[b1] + model.blocks.margin[b2], geometry,
+                               scratch))
                 continue;
             const double near = 1e-6 * std::sqrt(contacts.area[c]);
             for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s)

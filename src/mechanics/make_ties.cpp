@@ -1,4 +1,5 @@
 #include "geometry/box_pairs.hpp"
+#include "geometry/overlay_scratch.hpp"
 #include "mechanics/contact_geometry.hpp"
 #include "mechanics/surfaces.hpp"
 #include "mechanics/ties.hpp"
@@ -100,12 +101,19 @@ Vec3 place_of(const Model& model, const ProjectedFace& face, int vertex, int tri
     return place;
 }
 
+/// What ties of one pair of faces after another have in common.
+struct TieScratch {
+    ZonesBelow below;
+    Overlay found;
+    OverlayScratch overlay;
+};
+
 /// Ties two faces where they lie on each other.
 void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const ProjectedFace& face2, const Vec3& normal,
-               double near, ZonesBelow& below) {
-    static thread_local Overlay found;
+               double near, TieScratch& scratch) {
+    Overlay& found = scratch.found;
     const double tolerance = coincidence * near;
-    overlay(face1.mesh, face2.mesh, tolerance, 0, found);
+    overlay(face1.mesh, face2.mesh, tolerance, 0, found, scratch.overlay);
     std::erase_if(found.points, [&](const OverlayPoint& p) {
         const Vec3 between = place_of(model, face2, p.vertex2, p.triangle2, p.weights2) -
                              place_of(model, face1, p.vertex1, p.triangle1, p.weights1);
@@ -123,10 +131,10 @@ void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const Project
         ties.exact[row] = same;
         ties.face1[row] = face1.face - model.blocks.faces[model.faces.block[face1.face]].first;
         ties.face2[row] = face2.face - model.blocks.faces[model.faces.block[face2.face]].first;
-        attach(model, face1, p.vertex1, p.triangle1, p.weights1, below, ties.gridpoints1[row], ties.weights1[row],
-               ties.zone1[row]);
-        attach(model, face2, p.vertex2, p.triangle2, p.weights2, below, ties.gridpoints2[row], ties.weights2[row],
-               ties.zone2[row]);
+        attach(model, face1, p.vertex1, p.triangle1, p.weights1, scratch.below, ties.gridpoints1[row],
+               ties.weights1[row], ties.zone1[row]);
+        attach(model, face2, p.vertex2, p.triangle2, p.weights2, scratch.below, ties.gridpoints2[row],
+               ties.weights2[row], ties.zone2[row]);
         ties.area[row] = p.area;
         ++row;
     }
@@ -134,7 +142,7 @@ void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const Project
 }
 
 /// Ties the faces of two blocks that lie on each other.
-void tie_blocks(Model& model, Row block1, Row block2, ZonesBelow& below) {
+void tie_blocks(Model& model, Row block1, Row block2, TieScratch& scratch) {
     auto& pairs = model.tied_pairs;
     const auto& blocks = model.blocks;
     const Row pair = static_cast<Row>(pairs.size());
@@ -163,7 +171,7 @@ void tie_blocks(Model& model, Row block1, Row block2, ZonesBelow& below) {
             if (-reach(f2, n, -1) - reach(f1, n, 1) > near || -reach(f1, n, -1) - reach(f2, n, 1) > near) continue;
             const Vec3 origin = blocks.centroid[block2]; // keeps coordinates small
             tie_faces(model, pair, ProjectedFace(model, f1, origin, u, v), ProjectedFace(model, f2, origin, u, v), n,
-                      near, below);
+                      near, scratch);
         }
     }
 }
@@ -217,9 +225,9 @@ void make_ties(Model& model) {
     bool any = false;
     for (std::size_t b = 0; b < blocks.size() && !any; ++b) any = untied(b);
     if (!any) return;
-    ZonesBelow below;
+    TieScratch scratch;
     const auto first = static_cast<Row>(model.tied_pairs.size());
-    for (const auto& [a, b] : pairs_to_tie(model)) tie_blocks(model, a, b, below);
+    for (const auto& [a, b] : pairs_to_tie(model)) tie_blocks(model, a, b, scratch);
     for (std::size_t b = 0; b < blocks.size(); ++b)
         if (untied(b)) blocks.tied_shape[b] = blocks.shape[b];
     for (Row p = first; p < static_cast<Row>(model.tied_pairs.size()); ++p) {

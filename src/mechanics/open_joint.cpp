@@ -105,8 +105,8 @@ Closures closures_of(const Model& model, Row c) {
 /// What the overlap of two blocks carries with an offset that is linear over a joint, beside the resultant that it is wanted to have.
 class ResultantFit {
 public:
-    ResultantFit(const Model& model_, Row contact, const Closures& closures)
-        : model(model_), pair(pair_of(model_.contacts, contact)), n(model_.contacts.normal[contact]),
+    ResultantFit(const Model& model_, Row contact, const Closures& closures, OverlapScratch& scratch_)
+        : model(model_), scratch(scratch_), pair(pair_of(model_.contacts, contact)), n(model_.contacts.normal[contact]),
           carried(closures.force / model_.sub_contacts.normal_stiffness[closures.most]) {
         const auto& subs = model.sub_contacts;
         const Span span = model.contacts.sub_contacts[contact];
@@ -120,8 +120,10 @@ public:
         }
         // In lengths of the joint along and across it: a strip is as well conditioned as a square.
         const Eigen::SelfAdjointEigenSolver<Mat3> principal(spread); // the first is across the plane
+        constexpr double least = 1e-6; // places in a line have no length across it
         for (int i = 0; i < 2; ++i)
-            per_length[i] = principal.eigenvectors().col(i + 1) / std::sqrt(principal.eigenvalues()[i + 1]);
+            per_length[i] = principal.eigenvectors().col(i + 1) /
+                            std::sqrt(std::max(principal.eigenvalues()[i + 1], least * pair.least_area));
         wanted = {1, centre.dot(per_length[0]), centre.dot(per_length[1])};
     }
 
@@ -134,12 +136,11 @@ public:
     }
 
     struct Carried {
-        Vec3
-            missing; ///< of the resultant: parts of the force, and of its moments about the middle over force and length
+        Vec3 missing; ///< of the resultant: parts of its force, and of its moments over force and length
         double depth;
     };
     Carried at(const Vec3& closure) const {
-        const OverlapPatch patch = overlap_patch(model, pair, n, offset(closure));
+        const OverlapPatch patch = overlap_patch(model, pair, n, offset(closure), scratch);
         const Vec3 arm = patch.centre - middle;
         const double part = patch.carried / carried;
         return {Vec3(part, part * arm.dot(per_length[0]), part * arm.dot(per_length[1])) - wanted, patch.depth};
@@ -161,6 +162,7 @@ public:
 
 private:
     const Model& model;
+    OverlapScratch& scratch;
     OverlapPair pair;
     Vec3 n;
     double carried; ///< force over stiffness
@@ -171,10 +173,10 @@ private:
 /// The offset, linear over a joint, with which the overlap has the force and the moments of the rows, by Newton's method. A
 /// resultant at the edge of a joint, which no overlap has, is met as far as the overlap gets no deeper than the rows are closed:
 /// without that bound the offset would grow until it said that the blocks have sunk into each other.
-ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& closures) {
+ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& closures, OverlapScratch& scratch) {
     constexpr double met = 1e-3, deepest = 2; // of the resultant; of the closure of the rows
     constexpr int most_steps = 20, most_halves = 8;
-    const ResultantFit fit(model, c, closures);
+    const ResultantFit fit(model, c, closures, scratch);
     Vec3 closure(fit.closure_for_force(closures.mean_offset), 0, 0);
     ResultantFit::Carried now = fit.at(closure);
     const double limit = std::max(deepest * closures.deepest, now.depth);
@@ -228,7 +230,7 @@ struct RowState {
 
 } // namespace
 
-double follow_overlap(Model& model, Row c) {
+double follow_overlap(Model& model, Row c, OverlapScratch& scratch) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
@@ -238,9 +240,9 @@ double follow_overlap(Model& model, Row c) {
     constexpr double same = 0.05; // of the deepest closure
     offset.closure = closures.mean_offset;
     if (closures.force > 0 && closures.misfit > same * closures.deepest)
-        offset = closure_of_resultant(model, c, closures);
+        offset = closure_of_resultant(model, c, closures, scratch);
 
-    const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset);
+    const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch);
     const bool closed = patch.carried > 0 && closures.force > 0;
     contacts.kind[c] = ContactKind::overlap;
     contacts.offset[c] = offset.closure;

@@ -136,12 +136,12 @@ double normal_force_of(const Model& model, Row c) {
 }
 
 /// A force that was set while nothing overlaps: the offset at which the overlap carries it.
-double offset_for_force(const Model& model, Row c, double force, double stiffness) {
+double offset_for_force(const Model& model, Row c, double force, double stiffness, OverlapScratch& scratch) {
     const auto& contacts = model.contacts;
     ClosureOffset offset = offset_of(contacts, c);
     const auto missing = [&](double closure) {
         offset.closure = closure;
-        const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset);
+        const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch);
         return force - stiffness * patch.carried;
     };
     double low = contacts.offset[c], step = force / (stiffness * contacts.least_area[c]), high = low + step;
@@ -330,18 +330,18 @@ double work_of_step(const Model& model, Row c) {
     return work.joint[0];
 }
 
-void begin_without_force(Model& model, Row c) {
+void begin_without_force(Model& model, Row c, OverlapScratch& scratch) {
     auto& contacts = model.contacts;
     contacts.offset[c] = 0;
     contacts.offset_tilt[c].setZero();
     const OverlapPair pair = pair_of(contacts, c);
     ClosureOffset offset;
-    const OverlapPatch patch = overlap_patch(model, pair, contacts.normal[c], offset);
+    const OverlapPatch patch = overlap_patch(model, pair, contacts.normal[c], offset, scratch);
     if (!(patch.carried > 0)) return;
     const Vec3 n = patch.normal;
     const auto overlaps = [&](double closure) {
         offset.closure = closure;
-        return overlap_patch(model, pair, n, offset).carried > 0;
+        return overlap_patch(model, pair, n, offset, scratch).carried > 0;
     };
     double low = -patch.depth, high = 0;
     for (int i = 0; i < 20 && overlaps(low); ++i) low *= 2;
@@ -353,7 +353,7 @@ void begin_without_force(Model& model, Row c) {
     contacts.offset_normal[c] = n;
 }
 
-double move_overlap_contact(Model& model, Row c, JointWork& work) {
+double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch& scratch) {
     auto& contacts = model.contacts;
     const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
     const RelativeMotion motion(model, c);
@@ -376,11 +376,11 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
         contacts.position[c] = between.place;
         const double force = normal_force_of(model, c),
                      stiffness = model.sub_contacts.normal_stiffness[contacts.sub_contacts[c].first];
-        if (force > 0 && stiffness > 0) contacts.offset[c] = offset_for_force(model, c, force, stiffness);
+        if (force > 0 && stiffness > 0) contacts.offset[c] = offset_for_force(model, c, force, stiffness, scratch);
         // What overlaps less than it did without force does so from here on.
         if (const double before = contacts.offset[c]; before < 0 && contacts.offset_tilt[c].isZero(0)) {
             const Vec3 along = contacts.offset_normal[c];
-            begin_without_force(model, c);
+            begin_without_force(model, c, scratch);
             if (contacts.offset[c] < before) {
                 contacts.offset[c] = before;
                 contacts.offset_normal[c] = along;
@@ -410,11 +410,11 @@ double move_overlap_contact(Model& model, Row c, JointWork& work) {
     const bool near = contacts.depth[c] > 0 || comes_near();
     double area = 0;
     if (near) {
-        patch = overlap_patch(model, pair_of(contacts, c), n, offset);
+        patch = overlap_patch(model, pair_of(contacts, c), n, offset, scratch);
         area = patch.area;
         if (closing > 0.25 * patch.depth) {
             offset.closure += closing;
-            area = std::max(area, overlap_patch(model, pair_of(contacts, c), patch.normal, offset).area);
+            area = std::max(area, overlap_patch(model, pair_of(contacts, c), patch.normal, offset, scratch).area);
         }
     }
     n = patch.normal;

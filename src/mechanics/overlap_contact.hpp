@@ -17,10 +17,10 @@ inline bool follows_overlap(const Model& model, Row contact) {
 
 /// The part of move_contact for such contacts: finds the common part where the blocks are now and writes places, areas
 /// and increments of the sub-contacts. Returns the energy of shear springs that is lost where the area changes.
-double move_overlap_contact(Model& model, Row contact, JointWork& work);
+double move_overlap_contact(Model& model, Row contact, JointWork& work, OverlapScratch& scratch);
 
 /// Gives a contact the offset at which what overlaps carries nothing; none where nothing overlaps.
-void begin_without_force(Model& model, Row contact);
+void begin_without_force(Model& model, Row contact, OverlapScratch& scratch);
 
 /// Normal force and stiffness of the places that carry an overlap, and what friction has worn so far, before a joint model sees them.
 struct CarriedLoad {
@@ -46,7 +46,7 @@ bool is_partly_open(const Model& model, Row contact);
 
 /// Makes an overlap contact of a joint with fixed places; normal and shear force stay. Returns the energy of its springs
 /// that is lost.
-double follow_overlap(Model& model, Row contact);
+double follow_overlap(Model& model, Row contact, OverlapScratch& scratch);
 
 /// Makes a joint of an overlap that is closed everywhere: normal force by the closure of each place, in all what it was;
 /// shear force in the same parts. `row` of the first place; history comes from the overlap's first sub-contact.

@@ -1,6 +1,6 @@
 #include "mechanics/overlap_patch.hpp"
 
-#include "geometry/flat_overlap.hpp"
+#include "mechanics/overlap_scratch.hpp"
 #include "mechanics/surfaces.hpp"
 #include "model/measure.hpp"
 
@@ -30,15 +30,6 @@ struct Side {
     double sense; ///< +1: its outward normals look along the contact's normal
 };
 
-/// Memory of one thread.
-struct Workspace {
-    ConvexClip clip, piece;
-    std::vector<HalfSpace> of_subject, of_other;           ///< faces of the block that is clipped, and of the other one
-    std::vector<HalfSpace> face_of_subject, face_of_other; ///< those that lie on each other
-    ConvexFace face1, face2;
-    FlatOverlap flat;
-};
-
 /// What closes the joint moves block 1 along the offset's direction, or block 2 against it.
 Vec3 shift(const Side& side, const Vec3& x, const ClosureOffset& offset, const Vec3& offset_origin) {
     return side.sense * (offset.closure + offset.tilt.dot(x - offset_origin)) * offset.along;
@@ -51,7 +42,7 @@ HalfSpace half_space_of(const ConvexClip& clip, std::size_t face) {
 }
 
 void add_subject(const Model& model, const Side& side, const Vec3& origin, const ClosureOffset& offset,
-                 const Vec3& offset_origin, Workspace& work) {
+                 const Vec3& offset_origin, OverlapScratch& work) {
     const Span points = model.blocks.gridpoints[side.block];
     const bool shifted = offset.closure != 0 || !offset.tilt.isZero(0);
     for (Row g = points.first; g < points.end(); ++g) {
@@ -67,7 +58,7 @@ void add_subject(const Model& model, const Side& side, const Vec3& origin, const
     for (std::size_t f = 0; f < work.clip.face_count(); ++f) work.of_subject.push_back(half_space_of(work.clip, f));
 }
 
-void clip_by(const Model& model, const Side& side, const Vec3& origin, const Vec3& normal, Workspace& work) {
+void clip_by(const Model& model, const Side& side, const Vec3& origin, const Vec3& normal, OverlapScratch& work) {
     const Span faces = model.blocks.faces[side.block];
     std::size_t best = 0;
     double most = -2;
@@ -222,7 +213,7 @@ enum class Flat { apart, found, not_known };
 
 /// Joints that are open in part are nearly all of them so flat that the wedge between their faces says all.
 Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, const ClosureOffset& offset,
-               Workspace& work) {
+               OverlapScratch& work) {
     constexpr double flat_enough = 5e-7; // 1 - cosine of an angle of 1e-3
     constexpr double thin_enough =
         1e-2; // greatest closure over the root of the least area: a thousandth of a face's size
@@ -242,7 +233,7 @@ Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, 
 
 /// Clips one block with the faces of the other. False where nothing is left, or carries.
 bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& normal, const Vec3& origin,
-                  const ClosureOffset& offset, Workspace& work, CommonPart& common) {
+                  const ClosureOffset& offset, OverlapScratch& work, CommonPart& common) {
     work.clip.clear();
     work.of_subject.clear();
     work.of_other.clear();
@@ -261,9 +252,9 @@ bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& norma
                                  const std::vector<HalfSpace>& faces_of_other) {
         OverlapGradient depth;
         if (of_subject > 0)
-            depth.add(depth_gradient(work.clip, faces_of_subject, true, second, work.piece), of_subject);
+            depth.add(depth_gradient(work.clip, faces_of_subject, true, second, work.depth), of_subject);
         if (of_subject < 1)
-            depth.add(depth_gradient(work.clip, faces_of_other, false, second, work.piece), 1 - of_subject);
+            depth.add(depth_gradient(work.clip, faces_of_other, false, second, work.depth), 1 - of_subject);
         return depth;
     };
     if (flatness.value < 1) common.depth.add(depth_below(work.of_subject, work.of_other), 1 - flatness.value);
@@ -287,9 +278,8 @@ double area_along(const ConvexClip& clip, const Vec3& n) {
 
 } // namespace
 
-OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal,
-                           const ClosureOffset& offset) {
-    static thread_local Workspace work; // kept for its memory
+OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset,
+                           OverlapScratch& work) {
     const Vec3 origin = model.blocks.centroid[second_is_subject(model.blocks, pair) ? pair.block2 : pair.block1];
     ClosureOffset moved = offset;
     if (moved.along.isZero(0)) moved.along = normal;

@@ -7,6 +7,8 @@
 
 namespace kaya {
 
+struct OverlapScratch;
+
 /// Sub-contacts that carry the force of an overlap; others of the contact rest.
 constexpr Row carriers = 4;
 
@@ -45,8 +47,8 @@ struct OverlapPair {
 /// The common part of two rigid blocks, the second one moved against `along` by the offset. Its force is the gradient of an
 /// energy, so that no motion of the blocks makes any. `normal` is also the normal of the patch where there is no common
 /// part.
-OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal,
-                           const ClosureOffset& offset);
+OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset,
+                           OverlapScratch& scratch);
 
 /// A loaded contact is as stiff as a joint of at least this area: a hundredth of the mean area of a face of the block
 /// with the smaller faces.

@@ -12,11 +12,7 @@ namespace {
 /// Axes nearer to the separating one than this are not across it.
 constexpr double cos_across = 0.5;
 
-/// The arc between the normals of the faces at an edge.
-struct Arc {
-    Vec3 from, to, axis; ///< axis is the cross product of the ends
-    std::array<Row, 2> ends;
-};
+using Arc = SeparationScratch::Arc;
 
 void arcs_of(const Surfaces& surfaces, Row block, double sense, std::vector<Arc>& arcs) {
     arcs.clear();
@@ -76,8 +72,8 @@ struct OldAxis {
 /// the block; the vertices are looked at where that is not enough.
 class FaceDistances {
 public:
-    /// Keeps its memory for the next pair.
-    void begin(const Surfaces& surfaces, Row block1, Row block2) {
+    FaceDistances(const Surfaces& surfaces, Row block1, Row block2, SeparationScratch& scratch)
+        : distances_(scratch.distances), found_(scratch.found) {
         const std::size_t size = lane_count * (surfaces.planes(block1).size() + surfaces.planes(block2).size());
         if (size > distances_.size()) {
             distances_.resize(size);
@@ -104,20 +100,18 @@ public:
     }
 
 private:
-    std::vector<double> distances_;
-    std::vector<char> found_;
+    std::vector<double>& distances_;
+    std::vector<char>& found_;
 };
 
 /// The search for one pair of blocks.
 class SeparationSearch {
 public:
     SeparationSearch(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
-                     const SeparationLimits& limits)
-        : model_(model), surfaces_(surfaces), block1_(block1), block2_(block2), limits_(limits),
-          old_axis_(model, limits.old), along_(distances_of_thread()),
-          of_block1_(lane_count * surfaces.planes(block2).size()) {
-        along_.begin(surfaces, block1, block2);
-    }
+                     const SeparationLimits& limits, SeparationScratch& scratch)
+        : model_(model), surfaces_(surfaces), block1_(block1), block2_(block2), limits_(limits), scratch_(scratch),
+          old_axis_(model, limits.old), along_(surfaces, block1, block2, scratch),
+          of_block1_(lane_count * surfaces.planes(block2).size()) {}
     Separation run() {
         // The lower block (block 2) first: at a tie its face gives the normal.
         try_faces(false);
@@ -140,10 +134,6 @@ public:
     }
 
 private:
-    static FaceDistances& distances_of_thread() {
-        static thread_local FaceDistances kept;
-        return kept;
-    }
     void try_faces(bool of_first);
     bool overhangs(bool of_first);
     void try_edges();
@@ -153,8 +143,9 @@ private:
     const Surfaces& surfaces_;
     Row block1_, block2_;
     const SeparationLimits& limits_;
+    SeparationScratch& scratch_;
     OldAxis old_axis_;
-    FaceDistances& along_; ///< the faces' normals, block 2 first
+    FaceDistances along_; ///< the faces' normals, block 2 first
     std::size_t of_block1_;
     Separation best_;
     double best_score_ = best_.distance; ///< distance, and more for the axis that was the best before
@@ -197,7 +188,7 @@ bool SeparationSearch::overhangs(bool of_first) {
 
 void SeparationSearch::try_edges() {
     const Vec3 towards = model_.blocks.centroid[block2_] - model_.blocks.centroid[block1_];
-    static thread_local std::vector<Arc> arcs1, arcs2;
+    auto &arcs1 = scratch_.arcs1, &arcs2 = scratch_.arcs2;
     arcs_of(surfaces_, block1_, 1, arcs1);
     arcs_of(surfaces_, block2_, -1, arcs2);
     const auto& x = model_.gridpoints.position;
@@ -236,8 +227,8 @@ bool SeparationSearch::try_edge_pair(const Arc& e1, const Arc& e2, const Vec3& d
 } // namespace
 
 Separation find_separation(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
-                           const SeparationLimits& limits) {
-    return SeparationSearch(model, surfaces, block1, block2, limits).run();
+                           const SeparationLimits& limits, SeparationScratch& scratch) {
+    return SeparationSearch(model, surfaces, block1, block2, limits, scratch).run();
 }
 
 } // namespace kaya

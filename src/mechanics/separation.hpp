@@ -5,6 +5,7 @@
 
 #include <array>
 #include <limits>
+#include <vector>
 
 namespace kaya {
 
@@ -30,10 +31,22 @@ struct SeparationLimits {
     Row old;       ///< the contact of the blocks so far, with its axis, or no_row
 };
 
+/// Kept for its memory only.
+struct SeparationScratch {
+    /// The arc between the normals of the faces at an edge.
+    struct Arc {
+        Vec3 from, to, axis; ///< axis is the cross product of the ends
+        std::array<Row, 2> ends;
+    };
+    std::vector<double> distances;
+    std::vector<char> found;
+    std::vector<Arc> arcs1, arcs2;
+};
+
 /// Separating axes: face normals, then cross products of edges (Gottschalk, Lin and Manocha 1996), of which only
 /// those are looked at whose arcs cross on the sphere of normals (Gregorius 2013). An axis of edges must beat the
 /// faces clearly: faces of deformed blocks are a little warped, and their edges then seem to part what lies flat.
 Separation find_separation(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
-                           const SeparationLimits& limits);
+                           const SeparationLimits& limits, SeparationScratch& scratch);
 
 } // namespace kaya

@@ -28,14 +28,7 @@ constexpr double harmless = 1.25;
 constexpr double same = 1e-9;
 
 /// A copy of one sub-contact.
-struct Copy {
-    double area = 1, opening = 0, opening_step = 0, pressure = 0, normal = 0, work = 0;
-    std::array<double, 3> shift{}, shift_step{}, shear{};
-    double normal_stiffness = 0, shear_stiffness = 0;
-    std::uint32_t state = 0;
-    std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
-    std::array<double*, KAYA_JMODEL_MAX_HISTORY> columns{};
-    JointObject object;
+struct Copy : LoneRow {
     LoneColumns others;
     Row row = no_row; ///< it is a copy of
     const Model* of = nullptr;
@@ -45,16 +38,16 @@ struct Copy {
         row = s;
         of = &model;
         area = subs.area[s];
-        opening = subs.normal_displacement[s];
-        pressure = subs.pore_pressure[s];
-        normal = subs.normal_force[s];
+        normal_disp = subs.normal_displacement[s];
+        pore_pressure = subs.pore_pressure[s];
+        normal_force = subs.normal_force[s];
         normal_stiffness = subs.normal_stiffness[s];
         shear_stiffness = subs.shear_stiffness[s];
-        work = subs.frictional_work[s];
+        frictional_work = subs.frictional_work[s];
         state = subs.state[s];
         for (int k = 0; k < 3; ++k) {
-            shift[k] = subs.shear_displacement.component[k][s];
-            shear[k] = subs.shear_force.component[k][s];
+            shear_disp[k] = subs.shear_displacement.component[k][s];
+            shear_force[k] = subs.shear_force.component[k][s];
         }
         for (std::size_t k = 0; k < joint.history.size(); ++k) history[k] = subs.history[k][s];
         if (joint.keeps_objects()) object = subs.object[s];
@@ -70,29 +63,7 @@ struct Copy {
         others.block = {of->blocks.number[of->contacts.block1[c]], of->blocks.number[of->contacts.block2[c]]};
     }
     kaya_jbatch batch(const JointModel& joint, const std::vector<double>& values, double step) {
-        for (std::size_t k = 0; k < history.size(); ++k) columns[k] = &history[k];
-        kaya_jbatch b{};
-        b.n = 1;
-        b.properties = values.data();
-        b.time_step = step;
-        b.area = &area;
-        b.normal_disp = &opening;
-        b.normal_disp_inc = &opening_step;
-        for (int k = 0; k < 3; ++k) {
-            b.shear_disp[k] = &shift[k];
-            b.shear_disp_inc[k] = &shift_step[k];
-            b.shear_force[k] = &shear[k];
-        }
-        b.pore_pressure = &pressure;
-        b.normal_force = &normal;
-        b.normal_stiffness = &normal_stiffness;
-        b.shear_stiffness = &shear_stiffness;
-        b.frictional_work = &work;
-        b.state = &state;
-        b.history = columns.data();
-        b.object = joint.keeps_objects() ? object.address() : nullptr;
-        b.tables = joint.tables;
-        others.add_to(b, joint);
+        const kaya_jbatch b = LoneRow::batch(joint, values, step, others);
         if (of != nullptr) place(joint);
         return b;
     }
@@ -102,7 +73,7 @@ struct Copy {
 bool varies(const JointModel& joint, const std::vector<double>& values) {
     if (!joint.missing(values).empty()) return false;
     Copy copy;
-    copy.opening = 1; // one that is apart may report another
+    copy.normal_disp = 1; // one that is apart may report another
     auto batch = copy.batch(joint, values, 1);
     if (initialise_batch(joint, batch)) return true;
     const Springs apart{copy.normal_stiffness, copy.shear_stiffness};
@@ -116,9 +87,9 @@ bool varies(const JointModel& joint, const std::vector<double>& values) {
     // Of the deck's length, whatever its unit is.
     for (double closure = 1e-15; closure < 1e3; closure *= 10) {
         if (changed()) return true;
-        copy.opening_step = -closure;
+        copy.normal_disp_inc = -closure;
         if (run_batch(joint, batch)) return true;
-        copy.opening += copy.opening_step;
+        copy.normal_disp += copy.normal_disp_inc;
     }
     return changed();
 }
@@ -217,7 +188,7 @@ Vec3 StiffnessForecast::velocity_of_side(const Model& model, Row block, const At
 }
 
 bool StiffnessForecast::check(const Model& model, const Batch& batch, Row c, double step) {
-    static thread_local Copy copy;
+    Copy copy;
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
     const Span span = contacts.sub_contacts[c];
@@ -237,7 +208,7 @@ bool StiffnessForecast::check(const Model& model, const Batch& batch, Row c, dou
         if (closure <= 0 || springs.normal * closure <= small_growth * force) continue;
         if (force == 0 && closure <= subs.normal_displacement[s]) continue; // still apart
         copy.take(model, *batch.model, s);
-        copy.opening_step = -closure;
+        copy.normal_disp_inc = -closure;
         auto columns = copy.batch(*batch.model, model.joint_properties[batch.properties].values, step);
         const bool failed = run_batch(*batch.model, columns).has_value();
         const double normal = failed ? refused * springs.normal : copy.normal_stiffness * copy.area * factor.of(s);

@@ -91,8 +91,8 @@ void try_rows(Model& model, const Batch& part, Reduction& reduction) {
     still(subs, part.first, end);
     // So short that nothing creeps in it.
     const double step = model.clock.time_step > 0 ? 1e-6 * model.clock.time_step : 1e-12;
-    std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
-    auto columns = columns_of(model, part, step, history.data());
+    BatchColumns made;
+    auto columns = columns_of(model, part, step, made);
     if (const auto failure = run_batch(*part.model, columns, subs.number.data() + part.first))
         throw joint_failure(model, part, *failure);
     for (Row s = part.first; s < end; ++s) {

@@ -24,7 +24,5 @@ float rounded(float number);
 
 /// The text in quotes, for JSON inside of a page: no '<' in it.
 std::string json_text(std::string_view text);
-/// The text for HTML, also inside of attributes.
-std::string html_text(std::string_view text);
 
 } // namespace kaya

@@ -1,5 +1,6 @@
 #include "report/report.hpp"
 
+#include "base/markup_text.hpp"
 #include "report/packed.hpp"
 #include "report/page_parts.hpp"
 #include "report/scene_data.hpp"
@@ -26,8 +27,8 @@ std::string of_kind(std::string_view kind) {
 std::string decks(const SaveExtras& extras) {
     std::string html;
     for (const auto& deck : extras.decks)
-        html += fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n", html_text(deck.name),
-                            html_text(deck.content));
+        html += fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n", markup_text(deck.name),
+                            markup_text(deck.content));
     return html.empty() ? "<p>None.</p>\n" : html;
 }
 
@@ -50,7 +51,7 @@ std::string course_json(const std::vector<ReportCurve>& course) {
 
 std::string warning_list(const std::vector<std::string>& warnings) {
     std::string html;
-    for (const auto& warning : warnings) html += fmt::format("<pre>{}</pre>\n", html_text(warning));
+    for (const auto& warning : warnings) html += fmt::format("<pre>{}</pre>\n", markup_text(warning));
     return html;
 }
 
@@ -71,7 +72,7 @@ constexpr const char* view =
 } // namespace
 
 std::string report_of(Model& model, const SaveExtras& extras, const ReportOrder& order) {
-    const std::string title = html_text(extras.title.empty() ? order.file : extras.title);
+    const std::string title = markup_text(extras.title.empty() ? order.file : extras.title);
     std::string page = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\"><title>{}</title>\n"
         "<style>{}</style></head><body>\n<h1>{}</h1>\n",

@@ -1,8 +1,8 @@
 #include "report/tables.hpp"
 
 #include "base/counted.hpp"
+#include "base/markup_text.hpp"
 #include "model/measure.hpp"
-#include "report/packed.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ using Pairs = std::vector<std::pair<std::string, std::string>>;
 std::string pair_table(const Pairs& pairs) {
     std::string html = "<table>\n";
     for (const auto& [name, value] : pairs)
-        html += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", html_text(name), html_text(value));
+        html += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", markup_text(name), markup_text(value));
     return html + "</table>\n";
 }
 
@@ -31,11 +31,11 @@ std::string pair_table(const Pairs& pairs) {
 std::string grid_table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows) {
     if (rows.empty()) return "<p>None.</p>\n";
     std::string html = "<table>\n<tr>";
-    for (const auto& cell : head) html += "<th>" + html_text(cell) + "</th>";
+    for (const auto& cell : head) html += "<th>" + markup_text(cell) + "</th>";
     html += "</tr>\n";
     for (const auto& row : rows) {
         html += "<tr>";
-        for (const auto& cell : row) html += "<td>" + html_text(cell) + "</td>";
+        for (const auto& cell : row) html += "<td>" + markup_text(cell) + "</td>";
         html += "</tr>\n";
     }
     return html + "</table>\n";

@@ -1,4 +1,5 @@
 // report.html of a study: text and pictures in one file, with nothing from elsewhere.
+#include "base/markup_text.hpp"
 #include "scene/svg_chart.hpp"
 #include "scene/ticks.hpp"
 #include "study/study_answers.hpp"
@@ -13,18 +14,6 @@ namespace kaya {
 namespace {
 
 constexpr std::size_t most_rows = 500, most_lines = 2000, most_scatters = 24;
-
-std::string html(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&') result += "&amp;";
-        else if (c == '<') result += "&lt;";
-        else if (c == '>') result += "&gt;";
-        else if (c == '"') result += "&quot;";
-        else result += c;
-    }
-    return result;
-}
 
 std::string rgb(const Colour& c) {
     return fmt::format("rgb({:.0f},{:.0f},{:.0f})", 255 * c[0], 255 * c[1], 255 * c[2]);
@@ -86,7 +75,7 @@ std::string parallel_lines(const std::vector<Axis>& axes) {
     for (std::size_t k = 0; k < axes.size(); ++k) {
         svg += fmt::format(
             "<path d=\"M{0:.0f} 50V340\" stroke=\"#333\"/><text x=\"{0:.0f}\" y=\"20\" text-anchor=\"middle\" font-weight=\"bold\">{1}</text>\n",
-            across(k), html(axes[k].name));
+            across(k), markup_text(axes[k].name));
         svg += fmt::format(
             "<text x=\"{0:.0f}\" y=\"40\" text-anchor=\"middle\">{1:.4g}</text><text x=\"{0:.0f}\" y=\"362\" text-anchor=\"middle\">{2:.4g}</text>\n",
             across(k), axes[k].high, axes[k].low);
@@ -114,7 +103,7 @@ std::string scatter(const Axis& x, const Axis& y) {
                 fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.2\" fill=\"#0072b2\" fill-opacity=\"0.6\"/>\n",
                             across(x.numbers[i]), up(y.numbers[i]));
     svg += fmt::format("<text x=\"192\" y=\"250\" text-anchor=\"middle\">{}</text><text x=\"60\" y=\"13\">{}</text>\n",
-                       html(x.name), html(y.name));
+                       markup_text(x.name), markup_text(y.name));
     return svg + "</svg>\n";
 }
 
@@ -150,11 +139,11 @@ std::string tornado(const std::vector<Bar>& bars) {
         const double left = across(std::min(bar.low, bar.high)), right = across(std::max(bar.low, bar.high));
         svg += fmt::format(
             "<text x=\"190\" y=\"{}\" text-anchor=\"end\">{}</text><rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"22\" fill=\"{}\"/>\n",
-            y + 16, html(bar.parameter), left, y, std::max(1.0, right - left),
+            y + 16, markup_text(bar.parameter), left, y, std::max(1.0, right - left),
             bar.high >= bar.low ? "#0072b2" : "#d55e00");
         const std::string text = bar.low_text.empty() ? fmt::format("{:.3f}", bar.high)
                                                       : fmt::format("{} to {}", bar.low_text, bar.high_text);
-        svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\">{}</text>\n", right + 6, y + 16, html(text));
+        svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\">{}</text>\n", right + 6, y + 16, markup_text(text));
     }
     svg += fmt::format(
         "<text x=\"200\" y=\"{0}\" text-anchor=\"middle\">{1:.4g}</text><text x=\"620\" y=\"{0}\" text-anchor=\"middle\">{2:.4g}</text>\n",
@@ -170,15 +159,15 @@ std::string table(const StudyAnswers& answers, const std::vector<Asked>& asked) 
                                         answers.outcomes.begin() + static_cast<std::ptrdiff_t>(rows));
     std::string page = "<table><tr><th>run</th>";
     if (!cases.empty())
-        for (const auto& [name, value] : cases[0].values) page += "<th>" + html(name) + "</th>";
-    for (const auto& one : asked) page += "<th>" + html(one.name) + "</th>";
+        for (const auto& [name, value] : cases[0].values) page += "<th>" + markup_text(name) + "</th>";
+    for (const auto& one : asked) page += "<th>" + markup_text(one.name) + "</th>";
     page += "<th>end</th><th>cycles</th><th>message</th></tr>\n";
     for (std::size_t i = 0; i < rows; ++i) {
         page += fmt::format("<tr><td>{}</td>", cases[i].number);
-        for (const auto& [name, value] : cases[i].values) page += "<td>" + html(text_of(value)) + "</td>";
-        for (const auto& one : asked) page += "<td>" + html(text_of(result_of(outcomes[i], one.name))) + "</td>";
+        for (const auto& [name, value] : cases[i].values) page += "<td>" + markup_text(text_of(value)) + "</td>";
+        for (const auto& one : asked) page += "<td>" + markup_text(text_of(result_of(outcomes[i], one.name))) + "</td>";
         page += fmt::format("<td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>\n", name_of(outcomes[i].end),
-                            outcomes[i].cycles, html(outcomes[i].message));
+                            outcomes[i].cycles, markup_text(outcomes[i].message));
     }
     page += "</table>\n";
     if (rows < answers.cases.size())
@@ -195,15 +184,15 @@ constexpr const char* style =
 } // namespace
 
 std::string report_page(const Study& study, const StudyAnswers& answers, const std::string& version) {
-    const std::string title = html(study.title.empty() ? study.file : study.title);
+    const std::string title = markup_text(study.title.empty() ? study.file : study.title);
     std::string page = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}</title><style>{}</style></head><body>\n<h1>{}</h1>\n",
         title, style, title);
-    page += fmt::format("<p>Study {} of the deck {}, run by kaya {}.</p>\n", html(study.file), html(study.deck),
-                        html(version));
-    page += "<h2>Results</h2>\n<pre>" + html(summary_text(study, answers)) + "</pre>\n";
+    page += fmt::format("<p>Study {} of the deck {}, run by kaya {}.</p>\n", markup_text(study.file),
+                        markup_text(study.deck), markup_text(version));
+    page += "<h2>Results</h2>\n<pre>" + markup_text(summary_text(study, answers)) + "</pre>\n";
     if (!answers.tornado.empty())
-        page += fmt::format("<h2>What {} depends on</h2>\n{}", html(study.tornado_of), tornado(answers.tornado));
+        page += fmt::format("<h2>What {} depends on</h2>\n{}", markup_text(study.tornado_of), tornado(answers.tornado));
     const auto axes = axes_of(study, answers);
     if (axes.size() >= 2) page += "<h2>All runs</h2>\n<div class=\"wide\">" + parallel_lines(axes) + "</div>\n";
     std::string scatters;
@@ -217,7 +206,7 @@ std::string report_page(const Study& study, const StudyAnswers& answers, const s
         if (axis.is_result) curves += distribution_curve(axis);
     if (!curves.empty()) page += "<h2>Distributions</h2>\n" + curves;
     page += "<h2>Runs</h2>\n<div class=\"wide\">" + table(answers, study.asked) + "</div>\n<h2>The study</h2>\n<pre>" +
-            html(study.text) + "</pre>\n</body></html>\n";
+            markup_text(study.text) + "</pre>\n</body></html>\n";
     return page;
 }
 

@@ -87,11 +87,11 @@ TEST_P(FlatOverlaps, AgreeWithTheClipOfTheBodies) {
     EXPECT_NEAR(flat.moments().volume, exact.volume, 1e-6 * exact.volume);
     EXPECT_LT((flat.moments().centroid - exact.centroid).norm(), 1e-5);
     EXPECT_LT((flat.moments().second - exact.second).norm(), 1e-5);
-    ConvexClip piece;
+    DepthScratch scratch;
     for (const bool of_subject : {true, false}) {
         const ConvexFace& face = of_subject ? c.one : c.two;
         const std::vector<HalfSpace> faces{{face.outward, face.outward.dot(face.corners[0])}};
-        const OverlapGradient depth = depth_gradient(clip, faces, of_subject, false, piece);
+        const OverlapGradient depth = depth_gradient(clip, faces, of_subject, false, scratch);
         EXPECT_NEAR(flat.depth().value, depth.value, 1e-5 * depth.value);
         EXPECT_LT((flat.depth().force - depth.force).norm(), 1e-4 * depth.force.norm());
         EXPECT_LT((flat.depth().moment - depth.moment).norm(), 1e-4 * depth.force.norm());

@@ -48,6 +48,7 @@ TEST(Help, FormsOfACommand) {
 TEST(Help, OnKeywordsAndRanges) {
     EXPECT_THAT(help_on(classic(), "xvel"), HasSubstr("boundary ... xvel v"));
     EXPECT_THAT(help_on(classic(), "xvel"), HasSubstr("history ... xvel x y z"));
+    EXPECT_THAT(help_on(classic(), "sine"), HasSubstr("boundary ... hist ... sine")) << "inside of a keyword";
     EXPECT_THAT(help_on(classic(), "range"), HasSubstr("inside a sphere"));
     EXPECT_THAT(help_on(classic(), "range"), HasSubstr("range name"));
 }

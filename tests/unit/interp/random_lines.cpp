@@ -23,7 +23,8 @@ std::vector<std::string> dictionary() {
     for (const auto& family : classic().families)
         for (const auto& command : family.commands) {
             for (const Spelling& s : command.words) words.emplace_back(s.word);
-            for (const Spelling& s : command.form) words.emplace_back(s.word);
+            for (const auto& spellings : command.form)
+                for (const Spelling& s : spellings) words.emplace_back(s.word);
             add_keywords(add_keywords, command.keywords);
         }
     add_keywords(add_keywords, classic().range_elements);

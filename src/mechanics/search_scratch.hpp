@@ -1,0 +1,26 @@
+// The geometry of one contact after another uses the same memory.
+#pragma once
+
+#include "geometry/overlay_scratch.hpp"
+#include "mechanics/flat_face.hpp"
+#include "mechanics/overlap_scratch.hpp"
+#include "mechanics/separation.hpp"
+
+#include <array>
+#include <vector>
+
+namespace kaya {
+
+/// What the search keeps for its memory only: no result depends on it.
+struct SearchScratch {
+    SeparationScratch separation;
+    OverlayScratch overlay;
+    OverlapScratch overlap;
+    Overlay found;
+    std::array<FlatFace, 2> faces;
+    std::array<std::vector<Vec2>, 2> outlines;
+    std::vector<Vec2> common;   ///< to both outlines
+    std::vector<double> shares; ///< of points in the blocks' surfaces
+};
+
+} // namespace kaya
