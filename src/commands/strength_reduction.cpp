@@ -67,4 +67,17 @@ std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<
     return any ? std::optional(values) : std::nullopt;
 }
 
+bool loses_strength(const JointModel& joint, const std::vector<double>& values) {
+    constexpr std::string_view residual = "-residual";
+    const auto value = [&](std::string_view name) {
+        const auto found = std::ranges::find(joint.properties, name, &LawTable::Property::name);
+        return found == joint.properties.end() ? NAN
+                                               : values[static_cast<std::size_t>(found - joint.properties.begin())];
+    };
+    return std::ranges::any_of(joint.properties, [&](const auto& property) {
+        const std::string_view name = property.name;
+        return name.ends_with(residual) && value(name) < value(name.substr(0, name.size() - residual.size()));
+    });
+}
+
 } // namespace kaya

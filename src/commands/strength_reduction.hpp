@@ -26,4 +26,7 @@ private:
 std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<double> values, double factor,
                                            const Asked& asked);
 
+/// Whether a joint with these values keeps less strength after failure: a value "x-residual" is below "x".
+bool loses_strength(const JointModel& joint, const std::vector<double>& values);
+
 } // namespace kaya
