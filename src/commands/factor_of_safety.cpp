@@ -43,6 +43,7 @@ constexpr int most_without_gain = 2;
 constexpr double window_part = 2.0 / 3, patient_window_part = 2;
 /// A model that has failed slides on with its strength divided by so much more, so that it does not take long.
 constexpr double shove = 1.1;
+constexpr int spans_of_sliding = 3;
 /// Factors beyond which nobody looks.
 constexpr double largest = 64;
 /// A bracket that begins with a guess has this half width, and is widened so many times as much each time.
@@ -194,8 +195,8 @@ private:
         go_to(*failed_);
         lower(shove * failed_->factor);
         const Slip slip(session_.model);
-        for (int i = 0; i < 2 * spans && !slip.has_turned_shear(session_.model); ++i)
-            run(std::max<std::int64_t>(1, span_ / 2), 0);
+        for (int i = 0; i < spans_of_sliding && !slip.has_turned_shear(session_.model); ++i)
+            run(span_, 0);
         if (!slip.has_turned_shear(session_.model)) return false;
         sliding_ = State{session_.model, whole_, shove * failed_->factor};
         slipping_ = slip.rows(session_.model);
