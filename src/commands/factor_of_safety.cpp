@@ -195,8 +195,7 @@ private:
         go_to(*failed_);
         lower(shove * failed_->factor);
         const Slip slip(session_.model);
-        for (int i = 0; i < spans_of_sliding && !slip.has_turned_shear(session_.model); ++i)
-            run(span_, 0);
+        for (int i = 0; i < spans_of_sliding && !slip.has_turned_shear(session_.model); ++i) run(span_, 0);
         if (!slip.has_turned_shear(session_.model)) return false;
         sliding_ = State{session_.model, whole_, shove * failed_->factor};
         slipping_ = slip.rows(session_.model);
@@ -291,6 +290,7 @@ private:
                 const bool strong = reduced(joint, set.values, 1, asked_).has_value();
                 any = any || strong;
                 if (!strong) without = joint.name;
+                if (auto doubt = doubtful_tension(joint, set)) session_.warn(std::move(*doubt).at(place));
             }
         for (const auto& name : zone_models_in_use(session_.model)) {
             const ZoneModel& zones = session_.joints.zones.get(name);
