@@ -414,7 +414,8 @@ double guessed_factor(Session& session) {
 }
 
 Bracket narrowed(Trials& trials, Bracket bracket, double resolution) {
-    while (bracket.fails - bracket.stands > resolution * bracket.stands) {
+    constexpr double rounding = 1e-9;
+    while (bracket.fails - bracket.stands > (1 + rounding) * resolution * bracket.stands) {
         trials.expect(1 + static_cast<int>(std::ceil(std::log2((bracket.fails / bracket.stands - 1) / resolution))));
         const double middle = 0.5 * (bracket.stands + bracket.fails);
         (trials.stands(middle) ? bracket.stands : bracket.fails) = middle;
@@ -445,8 +446,11 @@ Bracket confirmed(Trials& trials, Bracket bracket, double resolution) {
     if (!trials.has_warm_answer() || !closed(bracket)) return bracket;
     trials.begin_anew();
     if (trials.stands(bracket.stands)) return bracket;
+    // In steps that double: as a rule it stands one below.
+    double width = resolution;
     for (bracket.fails = bracket.stands; bracket.stands > 1 / largest; bracket.fails = bracket.stands) {
-        bracket.stands *= 1 - 4 * resolution;
+        bracket.stands /= 1 + width;
+        width = std::min(1.0, 2 * width);
         if (trials.stands(bracket.stands)) return narrowed(trials, bracket, resolution);
     }
     return {0, bracket.fails};
