@@ -8,6 +8,7 @@
 #include "commands/handlers.hpp"
 #include "commands/materials.hpp"
 #include "commands/progress.hpp"
+#include "commands/slip.hpp"
 #include "commands/stability.hpp"
 #include "commands/strength_reduction.hpp"
 
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 #include <utility>
 
 namespace kaya {
@@ -39,6 +41,9 @@ constexpr double gain = 0.1;
 constexpr int most_without_gain = 2;
 /// Spans over which a trial is watched for motion that goes on.
 constexpr double window_part = 2.0 / 3, patient_window_part = 2;
+/// A model that has failed slides on with its strength divided by so much more, so that it does not take long.
+constexpr double shove = 1.1;
+constexpr int spans_of_sliding = 3;
 /// Factors beyond which nobody looks.
 constexpr double largest = 64;
 /// A bracket that begins with a guess has this half width, and is widened so many times as much each time.
@@ -56,6 +61,8 @@ public:
             throw Diagnostic("without damping a model never comes to rest, and no factor of safety can be found",
                              "write before it, for example: damp local")
                 .at(command.place);
+        // Local damping holds back what slides on (docs/theory/damping.md).
+        if (damping_ == Damping::local) session.model.settings.damping = Damping::combined;
         start_ = session.model;
         start_.settings.energy = true; // a failing trial is known by its account
         start_.unreduced = static_cast<std::uint8_t>((asked_(Reduced::friction) ? 0 : keep_friction) |
@@ -64,16 +71,12 @@ public:
         try {
             span_ = command.cycles ? *command.cycles : characteristic_span(command.place);
         } catch (...) {
-            go_back(start_);
+            leave(start_);
             throw;
         }
         go_back(start_);
     }
-    ~Trials() {
-        go_back(keep_ && failed_ ? *failed_ : start_);
-        session_.model.unreduced = 0;
-        session_.model.settings.energy = energy_;
-    }
+    ~Trials() { leave(keep_ && failed_ ? failed_->model : start_); }
     Trials(const Trials&) = delete;
     Trials& operator=(const Trials&) = delete;
 
@@ -83,14 +86,14 @@ public:
     bool stands(double factor) {
         progress_.expect(fmt::format("strength divided by {:.6g}", factor), seconds_left());
         ++trials_;
-        const bool warm = warm_ && stable_ && factor > stable_factor_;
-        go_back(warm ? *stable_ : start_);
-        whole_ = warm ? stable_whole_ : std::vector<std::vector<double>>();
+        const bool warm = warm_ && stable_ && factor > stable_->factor, from_motion = sliding_.has_value();
+        if (from_motion) stop_sliding(factor);
+        else go_to(warm ? *stable_ : State{start_, {}, 1});
         // A model that does not stand as it is must not begin to slide on the way to more strength.
-        const double first = warm ? stable_factor_ : factor > 1 ? 1 : 0.5 * factor;
+        const double first = warm ? stable_->factor : factor > 1 ? 1 : 0.5 * factor;
         Outcome outcome;
         // Step by step: joints that are past their peak do not get it back, and a blow carries them over it.
-        for (int step = 1; step < lowering_steps && !outcome.tired; ++step) {
+        for (int step = 1; step < lowering_steps && !outcome.tired && !from_motion; ++step) {
             const double lowered = first * std::pow(factor / first, static_cast<double>(step) / lowering_steps);
             lower(lowered);
             if (warm_) outcome.cycles += run(std::max<std::int64_t>(1, span_ / (2 * lowering_steps)), 0).cycles;
@@ -114,14 +117,14 @@ public:
                                                           : ""));
         if (!at_rest && !file_.empty()) save_as(session_, file_);
         if (at_rest) {
-            if (!stable_ || factor > stable_factor_) {
+            if (!stable_ || factor > stable_->factor) {
                 lower(factor); // what is new
-                stable_ = session_.model, stable_whole_ = whole_, stable_factor_ = factor;
+                stable_ = State{session_.model, whole_, factor};
             }
         } else {
             mechanism_ = mechanism_text(factor);
             failed_early_ = outcome.goes_on;
-            if (keep_) failed_ = session_.model;
+            failed_ = State{session_.model, whole_, factor};
         }
         return at_rest;
     }
@@ -132,8 +135,12 @@ public:
     bool failed_early() const { return failed_early_; }
     /// From now on trials are watched over three times as many cycles before they end early.
     void be_patient() { patient_ = true; }
-    /// From now on each trial begins where the first one did, and none ends in haste.
-    void begin_anew() { warm_ = false, patient_ = true; }
+    /// From now on no trial ends in haste, and each begins where the first one did; or, where joints and zones remember nothing of
+    /// their motion, with the forces that it has left behind.
+    void begin_anew() {
+        warm_ = false, patient_ = true;
+        if (!slides_without_trace()) sliding_.reset();
+    }
     /// Whether the last trial that stood began anywhere else than the first.
     bool has_warm_answer() const { return warm_ && stable_.has_value(); }
     /// What moved in the last trial that failed; "" when none did.
@@ -166,6 +173,58 @@ private:
         outcome.tired = true;
     }
 
+    /// A state that trials begin or end with, and the values of its property sets before they were divided.
+    struct State {
+        Model model;
+        std::vector<std::vector<double>> whole;
+        double factor;
+    };
+    void go_to(const State& state) {
+        go_back(state.model);
+        whole_ = state.whole;
+    }
+
+    /// Lets the model slide on from the end of the last trial that failed, with less strength, until shear that loading had locked into
+    /// its joints has turned into the direction of slip. Whether it did, and neither joints nor zones are weaker or stronger by it.
+    bool slides_without_trace() {
+        if (!failed_ || !start_.structures.cables.empty()) return false; // bolts take up load on the way
+        for (const Row row : property_sets_in_use(session_.model)) {
+            const auto& set = session_.model.joint_properties[row];
+            if (loses_strength(session_.joints.get(set.model), set.values)) return false;
+        }
+        go_to(*failed_);
+        lower(shove * failed_->factor);
+        const Slip slip(session_.model);
+        for (int i = 0; i < spans_of_sliding && !slip.has_turned_shear(session_.model); ++i) run(span_, 0);
+        if (!slip.has_turned_shear(session_.model)) return false;
+        sliding_ = State{session_.model, whole_, shove * failed_->factor};
+        slipping_ = slip.rows(session_.model);
+        return answer_of_next_cycle(false) == answer_of_next_cycle(true);
+    }
+
+    /// Forces and stresses one cycle after sliding_, when joints and zones remember it or not.
+    using Answer = std::tuple<Column<double>, std::array<Column<double>, 3>, Column<Stress>>;
+    Answer answer_of_next_cycle(bool forgets) {
+        go_to(*sliding_);
+        if (forgets) forget_slip(session_.model, start_, session_.joints);
+        ModelEdit(session_.model, Change::properties);
+        run(1, 0);
+        const auto& subs = session_.model.sub_contacts;
+        return {subs.normal_force, subs.shear_force.component, session_.model.zones.stress};
+    }
+
+    /// The model as it has slid, but at rest, and with the shear that slipping joints have with their strength divided by the factor.
+    void stop_sliding(double factor) {
+        go_to(*sliding_);
+        Model& model = session_.model;
+        model.gridpoints.velocity = start_.gridpoints.velocity;
+        model.blocks.velocity = start_.blocks.velocity;
+        model.blocks.rotational_velocity = start_.blocks.rotational_velocity;
+        model.blocks.angular_momentum = start_.blocks.angular_momentum;
+        for (auto& column : model.sub_contacts.shear_force.component)
+            for (const Row row : slipping_) column[row] *= sliding_->factor / factor;
+    }
+
     /// At the rate of the trials so far; none where that is not known.
     std::optional<double> seconds_left() const {
         if (trials_ == 0 || expected_ == 0) return std::nullopt;
@@ -188,6 +247,14 @@ private:
     void learn_whole_values() {
         const auto& sets = session_.model.joint_properties;
         while (whole_.size() < sets.size()) whole_.push_back(sets[whole_.size()].values);
+    }
+
+    /// The model as the command leaves it.
+    void leave(const Model& state) {
+        go_back(state);
+        session_.model.unreduced = 0;
+        session_.model.settings.energy = energy_;
+        session_.model.settings.damping = damping_;
     }
 
     void go_back(const Model& state) {
@@ -223,6 +290,7 @@ private:
                 const bool strong = reduced(joint, set.values, 1, asked_).has_value();
                 any = any || strong;
                 if (!strong) without = joint.name;
+                if (auto doubt = doubtful_tension(joint, set)) session_.warn(std::move(*doubt).at(place));
             }
         for (const auto& name : zone_models_in_use(session_.model)) {
             const ZoneModel& zones = session_.joints.zones.get(name);
@@ -272,12 +340,13 @@ private:
     bool keep_;
     double ratio_;
     bool energy_ = session_.model.settings.energy; ///< as the deck has it
+    Damping damping_ = session_.model.settings.damping;
     Progress progress_;
     Model start_;
-    std::optional<Model> stable_, failed_; ///< ends of trials
-    double stable_factor_ = 0;
-    std::vector<std::vector<double>> whole_,
-        stable_whole_; ///< values of the property sets before they are divided, now and at stable_
+    std::optional<State> stable_, failed_;   ///< ends of trials
+    std::optional<State> sliding_;           ///< where the model has slid on to after one that failed
+    std::vector<Row> slipping_;              ///< sub-contacts that slip there
+    std::vector<std::vector<double>> whole_; ///< of the present state
     bool warm_ = true, patient_ = false, failed_early_ = false;
     std::string mechanism_;
     std::int64_t span_ = 0;
@@ -345,7 +414,8 @@ double guessed_factor(Session& session) {
 }
 
 Bracket narrowed(Trials& trials, Bracket bracket, double resolution) {
-    while (bracket.fails - bracket.stands > resolution * bracket.stands) {
+    constexpr double rounding = 1e-9;
+    while (bracket.fails - bracket.stands > (1 + rounding) * resolution * bracket.stands) {
         trials.expect(1 + static_cast<int>(std::ceil(std::log2((bracket.fails / bracket.stands - 1) / resolution))));
         const double middle = 0.5 * (bracket.stands + bracket.fails);
         (trials.stands(middle) ? bracket.stands : bracket.fails) = middle;
@@ -376,8 +446,11 @@ Bracket confirmed(Trials& trials, Bracket bracket, double resolution) {
     if (!trials.has_warm_answer() || !closed(bracket)) return bracket;
     trials.begin_anew();
     if (trials.stands(bracket.stands)) return bracket;
+    // In steps that double: as a rule it stands one below.
+    double width = resolution;
     for (bracket.fails = bracket.stands; bracket.stands > 1 / largest; bracket.fails = bracket.stands) {
-        bracket.stands *= 1 - 4 * resolution;
+        bracket.stands /= 1 + width;
+        width = std::min(1.0, 2 * width);
         if (trials.stands(bracket.stands)) return narrowed(trials, bracket, resolution);
     }
     return {0, bracket.fails};

@@ -1,7 +1,10 @@
 #include "commands/strength_reduction.hpp"
 
+#include "commands/text_table.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace kaya {
@@ -30,6 +33,12 @@ constexpr std::array<Strength, 3> strengths{{
 
 /// A law with this property divides its strength by it, and nothing else of it is touched.
 constexpr std::string_view own_factor = "strength-factor";
+
+/// By the whole name of the property; no number where there is none.
+double value_of(const JointModel& joint, const std::vector<double>& values, std::string_view name) {
+    const auto found = std::ranges::find(joint.properties, name, &LawTable::Property::name);
+    return found == joint.properties.end() ? NAN : values[static_cast<std::size_t>(found - joint.properties.begin())];
+}
 
 } // namespace
 
@@ -65,6 +74,29 @@ std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<
         any = true;
     }
     return any ? std::optional(values) : std::nullopt;
+}
+
+bool loses_strength(const JointModel& joint, const std::vector<double>& values) {
+    constexpr std::string_view residual = "-residual";
+    return std::ranges::any_of(joint.properties, [&](const auto& property) {
+        const std::string_view name = property.name;
+        return name.ends_with(residual) &&
+               value_of(joint, values, name) < value_of(joint, values, name.substr(0, name.size() - residual.size()));
+    });
+}
+
+std::optional<Diagnostic> doubtful_tension(const JointModel& joint, const JointProperties& set) {
+    constexpr double rounding = 1e-9, radian = std::numbers::pi / 180;
+    const double tension = value_of(joint, set.values, "tension"), cohesion = value_of(joint, set.values, "cohesion"),
+                 tangent = std::tan(value_of(joint, set.values, "friction") * radian);
+    if (!(tension * tangent > cohesion * (1 + rounding))) return std::nullopt;
+    Diagnostic d(
+        fmt::format("the tensile strength {} of joints is above cohesion/tan(friction) = {}", number_text(tension),
+                    number_text(cohesion / tangent)),
+        "where they pull they press on others, whose friction grows: the factor of safety may come out above limit equilibrium; "
+        "give that tension, or less");
+    if (!set.place.empty()) d.add("properties given at " + set.place);
+    return d;
 }
 
 } // namespace kaya

@@ -1,8 +1,10 @@
 // What a factor of safety divides: strengths of joint models, by their properties.
 #pragma once
 
+#include "base/diagnostic.hpp"
 #include "laws/joint_model.hpp"
 #include "lang/commands/commands.hpp"
+#include "model/model.hpp"
 
 #include <array>
 #include <optional>
@@ -25,5 +27,12 @@ private:
 /// Values of a joint model with the strength divided; none when it has no strength.
 std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<double> values, double factor,
                                            const Asked& asked);
+
+/// A warning where a joint's tensile strength is above cohesion/tan(friction), at which its Coulomb line ends: points that it
+/// then holds in tension press others together, whose friction grows. None where it has no such strength.
+std::optional<Diagnostic> doubtful_tension(const JointModel& joint, const JointProperties& set);
+
+/// Whether a joint with these values keeps less strength after failure: a value "x-residual" is below "x".
+bool loses_strength(const JointModel& joint, const std::vector<double>& values);
 
 } // namespace kaya

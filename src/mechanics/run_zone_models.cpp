@@ -19,14 +19,15 @@ namespace {
 /// The points of a tile in rows, which stay near the processor while its zones are worked on.
 class TileRows {
 public:
-    TileRows(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile) : tiles_(tiles), tile_(tile) {
-        const WaterPressure water(model);
-        const bool wet = model.settings.water != Water::none;
+    /// `pressure` of the pores, by gridpoint; of who does not ask for it empty.
+    TileRows(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const std::vector<double>& pressure = {})
+        : tiles_(tiles), tile_(tile) {
+        const bool wet = !pressure.empty();
         const double step = model.clock.time_step;
         for (Row i = 0; i < tile.points.count; ++i) {
             const Row g = tiles.gridpoints[tile.points.first + i];
             const Vec3 &x = model.gridpoints.position[g], shift = step * model.gridpoints.velocity[g];
-            place[i].value = {x.x(), x.y(), x.z(), wet ? water.at_gridpoint(g) : 0};
+            place[i].value = {x.x(), x.y(), x.z(), wet ? pressure[g] : 0};
             shift_[i].value = {shift.x(), shift.y(), shift.z(), 0};
         }
         tail_.fill(tiles.corners[tile.last - 1]);
@@ -125,7 +126,7 @@ public:
             std::vector<PointRow>& forces)
         : model_(model), tile_(tile), law_(laws.laws[tile.law]), scratch_(scratch),
           damped_(stiffness_damping(model.settings) > 0), together_(law_.cells && goes_to_rest(model.settings)),
-          rows_(model, laws.tiles, tile), forces_(tile, forces) {}
+          rows_(model, laws.tiles, tile, scratch.pressure), forces_(tile, forces) {}
 
     ZoneSums run() {
         ZoneSums sums;
@@ -335,6 +336,18 @@ private:
     TileForces forces_;
 };
 
+/// Once for all tiles: below a ground surface it takes long.
+void find_pressure(const Model& model, std::vector<double>& pressure) {
+    pressure.clear();
+    if (model.settings.water == Water::none || model.zones.size() == 0) return;
+    pressure.resize(model.gridpoints.size());
+    const WaterPressure water(model);
+    constexpr std::size_t grain = 512;
+    for_chunks(pressure.size(), grain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t g = first; g < last; ++g) pressure[g] = water.at_gridpoint(static_cast<Row>(g));
+    });
+}
+
 /// Calls each(tile) for all tiles whose law averages.
 template <class Each> void for_averaging(const ZoneLaws& laws, Each each) {
     const auto& tiles = laws.tiles.tiles;
@@ -458,6 +471,7 @@ ZoneSums average_flow(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, 
 } // namespace
 
 ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces) {
+    find_pressure(model, scratch.pressure);
     const bool averages = laws.any_averages();
     if (averages) average_strain(model, laws, scratch);
     const auto& tiles = laws.tiles.tiles;

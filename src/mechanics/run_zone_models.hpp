@@ -19,8 +19,9 @@ struct ZoneScratch {
         double sum = 0, volume = 0; ///< of a quantity times volume
     };
     std::vector<double> volume, strain, mean_strain,
-        flow;                   ///< by zone: volume strain, its mean, plastic change of the mean stress
-    std::vector<Mean> at_point; ///< by point of the tiles
+        flow;                     ///< by zone: volume strain, its mean, plastic change of the mean stress
+    std::vector<Mean> at_point;   ///< by point of the tiles
+    std::vector<double> pressure; ///< of the pores, by gridpoint; empty where there is no water
 };
 
 /// Writes `forces` as well: by point of the tiles, with the sum of the sizes of the forces of single zones. Throws Diagnostic when

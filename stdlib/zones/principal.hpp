@@ -99,26 +99,48 @@ private:
     }
 };
 
+/// No less than the greatest and no more than the least principal stress, without axes: with the invariants of the deviator
+///     s1 = mean + r c(t),  s3 = mean - r c(-t),  r = 2 sqrt(J2/3),  t = cos 3 theta = 4 J3/r^3,  4 c^3 - 3 c = t,  c >= 1/2
+/// (Nayak and Zienkiewicz 1972). Newton's steps for c from 1 come down to it and never pass it.
+struct Bounds {
+    double high, low;
+
+    [[gnu::always_inline]] static Bounds of(double xx, double yy, double zz, double xy, double xz, double yz) {
+        constexpr double rounding = 1e-12, doubt = 1e-9, nothing = 1e-300;
+        const double mean = (xx + yy + zz) / 3, x = xx - mean, y = yy - mean, z = zz - mean;
+        const double second =
+            ((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx)) / 6 + xy * xy + xz * xz + yz * yz;
+        const double third = x * y * z + 2 * xy * xz * yz - x * yz * yz - y * xz * xz - z * xy * xy;
+        const double r = 2 * std::sqrt(second / 3), size = std::abs(mean) + r;
+        const double t = 4 * third / (r * r * r + nothing), around = doubt + rounding * size / (r + nothing);
+        const double small = rounding * size;
+        return {mean + r * cosine(t + around) + small, mean - r * cosine(around - t) - small};
+    }
+
+private:
+    [[gnu::always_inline]] static double cosine(double t) {
+        constexpr int steps = 5;
+        const double most = t < 1 ? t : 1; // also where it is no number
+        double c = 1;
+        for (int i = 0; i < steps; ++i) c -= (c * (4 * c * c - 3) - most) / (12 * c * c - 3);
+        return c;
+    }
+};
+
 /// Calls each(row, principal) for the rows of a batch that may yield. `holds(row, high, low)` says whether a stress is certainly
 /// within the strength: `high` is no less than the greatest principal stress, `low` no more than the least. Most rows need no
 /// more than that; the others have their principal stresses found eight at a time.
 template <class Holds, class Each> void for_rows_that_may_yield(const kaya_zbatch& batch, Holds holds, Each each) {
     constexpr std::size_t chunk = 64;
     constexpr int pack = 8;
-    constexpr double rounding = 1e-12; // of the bounds
     for (std::size_t first = 0; first < batch.n; first += chunk) {
         const std::size_t count = batch.n - first < chunk ? batch.n - first : chunk;
         double high[chunk], low[chunk];
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t r = first + i;
-            const double xx = batch.stress[0][r], yy = batch.stress[1][r], zz = batch.stress[2][r];
-            const double xy = batch.stress[3][r], xz = batch.stress[4][r], yz = batch.stress[5][r];
-            const double mean = (xx + yy + zz) / 3;
-            const double second = ((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx)) / 6 +
-                                  xy * xy + xz * xz + yz * yz;
-            const double reach = (1 + rounding) * 2 * std::sqrt(second / 3) + rounding * std::abs(mean);
-            high[i] = mean + reach;
-            low[i] = mean - reach;
+            const Bounds bounds = Bounds::of(batch.stress[0][r], batch.stress[1][r], batch.stress[2][r],
+                                             batch.stress[3][r], batch.stress[4][r], batch.stress[5][r]);
+            high[i] = bounds.high, low[i] = bounds.low;
         }
         std::size_t rows[chunk], some = 0;
         for (std::size_t i = 0; i < count; ++i) {

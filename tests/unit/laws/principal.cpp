@@ -48,6 +48,24 @@ TEST(Principal, ValuesAndAxesMakeTheTensorAgain) {
     }
 }
 
+TEST(Principal, LiesWithinItsBoundsAndNearThem) {
+    std::vector<Tensor> all = tensors();
+    for (const Tensor t : tensors()) // under a pressure beside which the deviator is small
+        for (const double pressure : {1e3, 1e6, 1e10, 1e14}) {
+            all.push_back(t);
+            for (std::size_t k = 0; k < 3; ++k) all.back()[k] -= pressure * size_of(t);
+        }
+    for (const Tensor& t : all) {
+        const Principal p(t);
+        const Bounds bounds = Bounds::of(t[0], t[1], t[2], t[3], t[4], t[5]);
+        const double apart = 0.04 * (p.value[0] - p.value[2]) + 1e-11 * size_of(t);
+        EXPECT_GE(bounds.high, p.value[0]);
+        EXPECT_LE(bounds.high, p.value[0] + apart);
+        EXPECT_LE(bounds.low, p.value[2]);
+        EXPECT_GE(bounds.low, p.value[2] - apart);
+    }
+}
+
 TEST(Principal, EightAtOnceAreTheSameBitsAsEachByItself) {
     const std::vector<Tensor> all = tensors();
     for (std::size_t first = 0; first + 8 <= all.size(); first += 8) {
