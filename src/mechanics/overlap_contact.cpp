@@ -449,6 +449,10 @@ double finish_overlap_contact(Model& model, Row c, const CarriedLoad& carried, J
             subs.normal_force[s] = 0;
             subs.shear_force.set(s, Vec3::Zero());
         }
+        // They may meet again elsewhere: of a tilt only the closure stays that it had where they parted.
+        const Vec3 arm = contacts.position[c] - model.blocks.centroid[contacts.block1[c]];
+        contacts.offset[c] += contacts.offset_tilt[c].dot(arm);
+        contacts.offset_tilt[c].setZero();
         lost += contacts.energy_taken[c];
         contacts.energy_taken[c] = contacts.energy_length[c] = contacts.withheld[c] = 0;
     } else {
