@@ -126,16 +126,21 @@ public:
         if (best_.distance > limits_.enough || best_.normal.isZero(0)) return best_;
         best_.apart_sideways = overhangs(false) || overhangs(true);
 
-        // Two faces on each other: no pair of edges separates the blocks much better.
+        // Two faces on each other: no pair of edges separates the blocks much better, unless they are so deep in each other that these
+        // are blocks side by side, whose edges meet.
         if (best_.face1 == no_row) find_opposite(model_, surfaces_, block1_, best_.normal, best_);
         else find_opposite(model_, surfaces_, block2_, -best_.normal, best_);
-        if (best_.cosine <= limits_.flat) try_edges();
+        if (best_.cosine <= limits_.flat || is_deep()) try_edges();
         return best_;
     }
 
 private:
     void try_faces(bool of_first);
     bool overhangs(bool of_first);
+    bool is_deep() const {
+        return best_.distance < -limits_.stay && !model_.blocks.deformable[block1_] &&
+               !model_.blocks.deformable[block2_];
+    }
     void try_edges();
     bool try_edge_pair(const Arc& e1, const Arc& e2, const Vec3& d1, const Vec3& towards);
 
@@ -213,7 +218,12 @@ bool SeparationSearch::try_edge_pair(const Arc& e1, const Arc& e2, const Vec3& d
     const double low2 = lowest(surfaces_.vertices(block2_), axis);
     if (axis.dot(x[e2.ends[0]]) > low2 + limits_.tie) return false;
     const double distance = low2 - high1, score = distance + (old_axis_.is(e1.ends, e2.ends) ? limits_.stay : 0);
-    const double margin = best_.edge1[0] == no_row ? limits_.clear : limits_.tie;
+    double margin = best_.edge1[0] == no_row ? limits_.clear : limits_.tie;
+    if (best_.edge1[0] == no_row && best_.cosine > limits_.flat) { // only across the faces, and see is_deep
+        constexpr double across = 0.5;
+        if (std::abs(axis.dot(best_.normal)) > across) return false;
+        margin = limits_.stay;
+    }
     if (!(distance > limits_.enough || score > best_score_ + margin)) return false;
     best_score_ = score;
     best_.distance = distance;
