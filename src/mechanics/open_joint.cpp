@@ -120,7 +120,7 @@ public:
         }
         // In lengths of the joint along and across it: a strip is as well conditioned as a square.
         const Eigen::SelfAdjointEigenSolver<Mat3> principal(spread); // the first is across the plane
-        constexpr double least = 1e-6; // places in a line have no length across it
+        constexpr double least = 1e-6;                               // places in a line have no length across it
         for (int i = 0; i < 2; ++i)
             per_length[i] = principal.eigenvectors().col(i + 1) /
                             std::sqrt(std::max(principal.eigenvalues()[i + 1], least * pair.least_area));
