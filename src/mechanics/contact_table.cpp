@@ -221,13 +221,10 @@ double keep_shear(Model& model, Row c, const ContactLoad& before) {
     return before.stored() - after.energy - scale * scale * after.shear_energy;
 }
 
-/// Between rigid blocks a contact may have other forces with its new geometry.
-bool books_change(const Model& model, Row c) { return model.settings.energy && between_rigid(model, c); }
-
-/// The forces that a contact has other than before act in half of the step. What they made there is of the joints' work, and negative in
-/// what is lost, which is returned.
+/// Forces that a contact between rigid blocks has other than before act in half of the step. What they made there is of the joints' work,
+/// and negative in what is lost, which is returned.
 double book_change(Model& model, Row c, double work_before) {
-    if (!books_change(model, c)) return 0;
+    if (!model.settings.energy || !between_rigid(model, c)) return 0;
     const double made = 0.5 * (work_of_step(model, c) - work_before);
     model.energy.joint_work -= made;
     return -made;
@@ -251,7 +248,7 @@ struct LoadBefore {
     double work; ///< of its forces in the step
 
     LoadBefore(const Model& model, Row draft, Row old)
-        : row(draft), load(model, old), work(books_change(model, old) ? work_of_step(model, old) : 0) {}
+        : row(draft), load(model, old), work(between_rigid(model, old) ? work_of_step(model, old) : 0) {}
 };
 
 /// The loads of contacts that get new geometry.
