@@ -2,8 +2,9 @@
 #include "lang/script/files.hpp"
 
 #include "lang/script/built_ins.hpp"
+#include "lang/script/context.hpp"
 #include "lang/script/guard.hpp"
-#include "lang/script/machine.hpp"
+#include "lang/script/scripts.hpp"
 #include "lang/script/values.hpp"
 
 #include <algorithm>
@@ -12,9 +13,9 @@
 
 namespace kaya::script {
 
-std::filesystem::path allowed_path(const Machine& machine, const std::string& name, Access access) {
-    if (machine.options.trusted) return name;
-    Gate& gate = *machine.options.gate;
+std::filesystem::path allowed_path(lua_State* L, const std::string& name, Access access) {
+    if (options_of(L).trusted) return name;
+    Gate& gate = *options_of(L).gate;
     if (access == Access::writing) gate.may_write(name);
     else gate.may_read(name);
     return resolved(name);
@@ -26,7 +27,7 @@ enum Mode { reading = 0, writing = 1, appending = 2 };
 
 /// 0 when it is done, 1 when the file cannot be opened.
 int open(lua_State* L) {
-    Machine& machine = machine_of(L);
+    OpenFile& file = file_of(L);
     const std::string name = text_argument(L, 1, "open");
     const std::int64_t mode = integer_argument(L, 2, "open");
     const std::int64_t format = integer_argument(L, 3, "open");
@@ -35,21 +36,21 @@ int open(lua_State* L) {
     if (format != 1)
         throw Diagnostic("FISH's own binary files cannot be read or written", "use 1 as third argument: plain text",
                          Fault::run);
-    if (machine.file.reading.is_open() || machine.file.writing.is_open())
+    if (file.reading.is_open() || file.writing.is_open())
         throw Diagnostic("a file is open already", "call 'close' before the next 'open'", Fault::run);
-    const auto path = allowed_path(machine, name, mode == reading ? Access::reading : Access::writing);
+    const auto path = allowed_path(L, name, mode == reading ? Access::reading : Access::writing);
     bool done = true;
-    if (!machine.restoring) {
-        if (mode == reading) machine.file.reading.open(path);
-        else machine.file.writing.open(path, mode == writing ? std::ios::trunc : std::ios::app);
-        done = machine.file.reading.is_open() || machine.file.writing.is_open();
+    if (!is_restoring(L)) {
+        if (mode == reading) file.reading.open(path);
+        else file.writing.open(path, mode == writing ? std::ios::trunc : std::ios::app);
+        done = file.reading.is_open() || file.writing.is_open();
     }
     lua_pushinteger(L, done ? 0 : 1);
     return 1;
 }
 
 int close(lua_State* L) {
-    OpenFile& file = machine_of(L).file;
+    OpenFile& file = file_of(L);
     bool done = true;
     if (file.writing.is_open()) {
         file.writing.flush();
@@ -77,7 +78,7 @@ lua_Integer element_count(lua_State* L, const char* function) {
 
 /// 0: all lines were read; -1: no file is open; else the number of lines before the file ended.
 int read(lua_State* L) {
-    std::ifstream& file = machine_of(L).file.reading;
+    std::ifstream& file = file_of(L).reading;
     const lua_Integer wanted = element_count(L, "read");
     if (!file.is_open()) {
         lua_pushinteger(L, -1);
@@ -96,19 +97,18 @@ int read(lua_State* L) {
 
 /// One line for each element. A number gets a blank in front, as the classic program writes it.
 int write(lua_State* L) {
-    Machine& machine = machine_of(L);
-    std::ofstream& file = machine.file.writing;
+    std::ofstream& file = file_of(L).writing;
     const lua_Integer wanted = element_count(L, "write");
-    if (!file.is_open() && !machine.restoring) {
+    if (!file.is_open() && !is_restoring(L)) {
         lua_pushinteger(L, -1);
         return 1;
     }
     for (lua_Integer i = 1; i <= wanted; ++i) {
         lua_rawgeti(L, 1, i);
-        if (!machine.restoring) file << (lua_type(L, -1) == LUA_TSTRING ? "" : " ") << text_at(L, -1) << '\n';
+        if (!is_restoring(L)) file << (lua_type(L, -1) == LUA_TSTRING ? "" : " ") << text_at(L, -1) << '\n';
         lua_pop(L, 1);
     }
-    if (!machine.restoring && !file.good())
+    if (!is_restoring(L) && !file.good())
         throw Diagnostic("the file could not be written", "is the disk full?", Fault::run);
     lua_pushinteger(L, 0);
     return 1;

@@ -258,7 +258,7 @@ int environment(lua_State* L) {
 /// (name, true to write)
 int path(lua_State* L) {
     const Access access = lua_toboolean(L, 2) ? Access::writing : Access::reading;
-    const std::string allowed = allowed_path(machine_of(L), text_argument(L, 1, "io.open"), access).string();
+    const std::string allowed = allowed_path(L, text_argument(L, 1, "io.open"), access).string();
     lua_pushlstring(L, allowed.data(), allowed.size());
     return 1;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
+#include "lang/script/context.hpp"
 #include "lang/script/field_index.hpp"
 #include "lang/script/fish_library.hpp"
 #include "lang/script/lua_headers.hpp"
@@ -10,7 +11,6 @@
 #include "lang/script/source_list.hpp"
 #include "lang/script/traversal.hpp"
 
-#include <fstream>
 #include <functional>
 #include <map>
 #include <memory>
@@ -40,12 +40,6 @@ struct Hook {
     Moment moment = Moment::after_cycle;
     std::int64_t interval = 1;
     int function = LUA_NOREF;
-};
-
-/// Fish's `open`, `read`, `write`, `close`: one file at a time.
-struct OpenFile {
-    std::ifstream reading;
-    std::ofstream writing;
 };
 
 /// What scripts have taken, where it is limited.

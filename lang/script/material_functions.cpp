@@ -1,7 +1,7 @@
 // What `prop` gave to a material number: m_density(n), m_jkn(n) = 1e9.
 #include "lang/script/built_ins.hpp"
+#include "lang/script/context.hpp"
 #include "lang/script/guard.hpp"
-#include "lang/script/machine.hpp"
 #include "lang/script/values.hpp"
 
 #include <array>
@@ -49,27 +49,27 @@ std::int64_t number_of(lua_State* L) {
 }
 
 int read_material(lua_State* L) {
-    push_fish_value(L, machine_of(L).world.property(World::Material{number_of(L)}, name_of(L).word));
+    push_fish_value(L, world_of(L).property(World::Material{number_of(L)}, name_of(L).word));
     return 1;
 }
 
 int write_material(lua_State* L) {
-    Machine& machine = machine_of(L);
     const double value = number_argument(L, 2, name_of(L).name);
     const std::int64_t number = number_of(L);
-    if (!machine.restoring) machine.world.set_property(World::Material{number}, name_of(L).word, value);
+    if (!is_restoring(L)) world_of(L).set_property(World::Material{number}, name_of(L).word, value);
     return 0;
 }
 
 } // namespace
 
 void add_materials(Machine& machine) {
+    lua_State* L = state_of(machine);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        lua_pushinteger(machine.lua, static_cast<lua_Integer>(i));
-        lua_pushcclosure(machine.lua, guarded<read_material>, 1);
+        lua_pushinteger(L, static_cast<lua_Integer>(i));
+        lua_pushcclosure(L, guarded<read_material>, 1);
         add_reader(machine, names[i].name, 1, 1);
-        lua_pushinteger(machine.lua, static_cast<lua_Integer>(i));
-        lua_pushcclosure(machine.lua, guarded<write_material>, 1);
+        lua_pushinteger(L, static_cast<lua_Integer>(i));
+        lua_pushcclosure(L, guarded<write_material>, 1);
         add_writer(machine, names[i].name);
     }
 }

@@ -1,7 +1,8 @@
 // Built-in functions of FISH on numbers and vectors.
 #include "lang/script/built_ins.hpp"
+#include "lang/script/context.hpp"
 #include "lang/script/guard.hpp"
-#include "lang/script/machine.hpp"
+#include "lang/script/random.hpp"
 #include "lang/script/values.hpp"
 
 #include <Eigen/Geometry>
@@ -138,12 +139,12 @@ int push_degree(lua_State* L) {
 }
 
 int uniform(lua_State* L) {
-    lua_pushnumber(L, machine_of(L).random.uniform());
+    lua_pushnumber(L, random_of(L).uniform());
     return 1;
 }
 
 int gaussian(lua_State* L) {
-    lua_pushnumber(L, machine_of(L).random.gaussian());
+    lua_pushnumber(L, random_of(L).gaussian());
     return 1;
 }
 

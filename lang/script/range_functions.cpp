@@ -1,8 +1,8 @@
 // Built-in functions of FISH on places and named ranges: find_range, in_range, inbox.
 #include "lang/script/built_ins.hpp"
+#include "lang/script/context.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/handles.hpp"
-#include "lang/script/machine.hpp"
 #include "lang/script/values.hpp"
 
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 /// find_range(name): the name again, or 0 when there is no such range.
 int find_range(lua_State* L) {
     const std::string name = text_argument(L, 1, "find_range");
-    if (machine_of(L).world.has_range(name)) lua_pushlstring(L, name.data(), name.size());
+    if (world_of(L).has_range(name)) lua_pushlstring(L, name.data(), name.size());
     else lua_pushinteger(L, 0);
     return 1;
 }
@@ -22,7 +22,7 @@ int find_range(lua_State* L) {
 /// in_range(name, object or place)
 int in_range(lua_State* L) {
     const std::string name = text_argument(L, 1, "in_range");
-    World& world = machine_of(L).world;
+    World& world = world_of(L);
     bool inside = false;
     if (is_vector(L, 2)) inside = world.in_range(name, vector_at(L, 2));
     else if (lua_type(L, 2) == LUA_TLIGHTUSERDATA) inside = world.in_range(name, unpack_handle(lua_touserdata(L, 2)));

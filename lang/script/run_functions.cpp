@@ -1,7 +1,7 @@
 // Built-in functions of FISH that read what a run has given: samples of histories, why it stopped, what a command prints.
 #include "lang/script/built_ins.hpp"
+#include "lang/script/context.hpp"
 #include "lang/script/guard.hpp"
-#include "lang/script/machine.hpp"
 #include "lang/script/values.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 /// The first argument is the number or label of a history.
 World::Samples samples(lua_State* L, const char* function) {
     const std::string name = lua_isinteger(L, 1) ? std::to_string(lua_tointeger(L, 1)) : text_argument(L, 1, function);
-    const auto found = machine_of(L).world.history(name);
+    const auto found = world_of(L).history(name);
     if (!found)
         throw Diagnostic(fmt::format("there is no history '{}'", name), "name it by its number or its label: list hist",
                          Fault::run);
@@ -71,17 +71,16 @@ int last(lua_State* L) {
 }
 
 int stop_reason(lua_State* L) {
-    const std::string& text = machine_of(L).world.stopped_by;
+    const std::string& text = world_of(L).stopped_by;
     lua_pushlstring(L, text.data(), text.size());
     return 1;
 }
 
 /// (command lines): what they print
 int command_output(lua_State* L) {
-    Machine& machine = machine_of(L);
     const std::string text = text_argument(L, 1, "command_output");
     std::string printed;
-    if (!machine.restoring) printed = machine.world.command(text, "command_output", 1, true);
+    if (!is_restoring(L)) printed = world_of(L).command(text, "command_output", 1, true);
     while (printed.ends_with('\n')) printed.pop_back();
     lua_pushlstring(L, printed.data(), printed.size());
     return 1;

@@ -95,13 +95,7 @@ bool is_list(lua_State* L) {
     lua_rawseti(L, -2, 1);
     lua_replace(L, 3);
     lua_settop(L, 3);
-    bool array = lua_type(L, 1) == LUA_TTABLE && lua_getmetatable(L, 1);
-    if (array) {
-        const void* kind = lua_topointer(L, -1);
-        array = kind == machine_of(L).array_type || kind == machine_of(L).grid_type;
-        lua_pop(L, 1);
-    }
-    if (array) fail_outside(L);
+    if (is_array(L, 1)) fail_outside(L);
     else fail_not_array(L);
     throw std::logic_error("internal error: inconsistent array type");
 }

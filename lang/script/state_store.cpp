@@ -109,17 +109,10 @@ private:
         state_.objects.emplace_back();
         StoredObject object;
         const std::size_t index = found->second;
-        if (is_array()) take_array(object, depth);
+        if (is_array(lua_, -1)) take_array(object, depth);
         else take_pairs(object, depth);
         state_.objects[index] = std::move(object);
         return true;
-    }
-
-    bool is_array() {
-        if (!lua_getmetatable(lua_, -1)) return false;
-        const void* kind = lua_topointer(lua_, -1);
-        lua_pop(lua_, 1);
-        return kind == machine_.array_type || kind == machine_.grid_type;
     }
 
     void take_array(StoredObject& object, int depth) {

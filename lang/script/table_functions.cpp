@@ -1,8 +1,8 @@
 // Built-in functions of FISH on numbered tables: table(n, x), xtable(n, i), ytable(n, i), vtable(n, i),
 // table_size(n).
 #include "lang/script/built_ins.hpp"
+#include "lang/script/context.hpp"
 #include "lang/script/guard.hpp"
-#include "lang/script/machine.hpp"
 #include "lang/script/values.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 Table& existing_table(lua_State* L, const char* function) {
     const std::int64_t number = integer_argument(L, 1, function);
-    Tables& tables = machine_of(L).tables;
+    Tables& tables = tables_of(L);
     const auto found = tables.find(number);
     if (found == tables.end() || found->second.points.empty())
         throw Diagnostic(fmt::format("table {} holds no point", number), "fill it before it is read", Fault::run);
@@ -34,7 +34,7 @@ TablePoint& existing_point(lua_State* L, const char* function) {
 
 /// The i-th point; one after the last makes a new one.
 TablePoint& point_to_write(lua_State* L, const char* function) {
-    Table& table = machine_of(L).tables[integer_argument(L, 1, function)];
+    Table& table = tables_of(L)[integer_argument(L, 1, function)];
     const auto next = static_cast<std::int64_t>(table.points.size()) + 1;
     if (integer_argument(L, 2, function) == next) return table.points.emplace_back();
     return existing_point(L, function);
@@ -48,7 +48,7 @@ int read_table(lua_State* L) {
 int write_table(lua_State* L) {
     const std::int64_t number = integer_argument(L, 1, "table");
     const double x = number_argument(L, 2, "table"), y = number_argument(L, 3, "table");
-    machine_of(L).tables[number].set(x, y);
+    tables_of(L)[number].set(x, y);
     return 0;
 }
 
@@ -87,7 +87,7 @@ int write_vector(lua_State* L) {
 }
 
 int size(lua_State* L) {
-    const Tables& tables = machine_of(L).tables;
+    const Tables& tables = tables_of(L);
     const auto found = tables.find(integer_argument(L, 1, "table_size"));
     lua_pushinteger(L, found == tables.end() ? 0 : static_cast<lua_Integer>(found->second.points.size()));
     return 1;
@@ -95,14 +95,14 @@ int size(lua_State* L) {
 
 /// table_id(n): the number again when the table has points, else 0.
 int identify(lua_State* L) {
-    const Tables& tables = machine_of(L).tables;
+    const Tables& tables = tables_of(L);
     const std::int64_t number = integer_argument(L, 1, "table_id");
     lua_pushinteger(L, tables.contains(number) ? number : 0);
     return 1;
 }
 
 int read_name(lua_State* L) {
-    const Tables& tables = machine_of(L).tables;
+    const Tables& tables = tables_of(L);
     const auto found = tables.find(integer_argument(L, 1, "table_name"));
     const std::string name = found == tables.end() ? std::string() : found->second.name;
     lua_pushlstring(L, name.data(), name.size());
@@ -111,14 +111,14 @@ int read_name(lua_State* L) {
 
 int write_name(lua_State* L) {
     const std::int64_t number = integer_argument(L, 1, "table_name");
-    machine_of(L).tables[number].name = text_argument(L, 2, "table_name");
+    tables_of(L)[number].name = text_argument(L, 2, "table_name");
     return 0;
 }
 
 /// get_table(n): the number, and the table is there from then on; get_table(name): the number of the table that has
 /// this name, 0 when none has.
 int find(lua_State* L) {
-    Tables& tables = machine_of(L).tables;
+    Tables& tables = tables_of(L);
     if (lua_type(L, 1) != LUA_TSTRING) {
         const std::int64_t number = integer_argument(L, 1, "get_table");
         tables[number];
@@ -132,7 +132,7 @@ int find(lua_State* L) {
 }
 
 int remove(lua_State* L) {
-    lua_pushinteger(L, static_cast<lua_Integer>(machine_of(L).tables.erase(integer_argument(L, 1, "del_table"))));
+    lua_pushinteger(L, static_cast<lua_Integer>(tables_of(L).erase(integer_argument(L, 1, "del_table"))));
     return 1;
 }
 

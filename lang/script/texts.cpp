@@ -1,8 +1,8 @@
 // Built-in functions of FISH on texts, conversions, arrays, and output.
 #include "base/lower_case.hpp"
 #include "lang/script/built_ins.hpp"
+#include "lang/script/context.hpp"
 #include "lang/script/guard.hpp"
-#include "lang/script/machine.hpp"
 #include "lang/script/handles.hpp"
 #include "lang/script/value_text.hpp"
 #include "lang/script/values.hpp"
@@ -26,7 +26,7 @@ constexpr int most_values = 50; ///< of buildstr
 int string(lua_State* L) {
     // A pointer shows as its number, as in 3DEC.
     std::string text = lua_type(L, 1) == LUA_TLIGHTUSERDATA
-                           ? fmt::format("{}", handle_number(machine_of(L).world, unpack_handle(lua_touserdata(L, 1))))
+                           ? fmt::format("{}", handle_number(world_of(L), unpack_handle(lua_touserdata(L, 1))))
                            : text_at(L, 1);
     if (lua_gettop(L) == 4 && lua_type(L, 1) == LUA_TNUMBER && !lua_isinteger(L, 1)) {
         const std::int64_t digits = std::clamp<std::int64_t>(integer_argument(L, 4, "string"), 1, 40);
@@ -203,8 +203,7 @@ int build_text(lua_State* L) {
 /// get_array(n [, m ...]): a new array, filled with 0.
 int new_array(lua_State* L) {
     const int sizes = lua_gettop(L);
-    push_anchor(L, machine_of(L).anchors.runtime);
-    lua_getfield(L, -1, "array");
+    push_runtime(L, "array");
     lua_pushstring(L, "get_array");
     lua_pushnil(L); // nothing to keep
     for (int i = 1; i <= sizes; ++i) lua_pushvalue(L, i);
@@ -238,7 +237,7 @@ int type(lua_State* L) {
 }
 
 int out(lua_State* L) {
-    print_line(machine_of(L), text_at(L, 1));
+    print_line(L, text_at(L, 1));
     lua_pushinteger(L, 0);
     return 1;
 }
@@ -253,12 +252,7 @@ int raise(lua_State* L) { throw Diagnostic(text_at(L, 1), {}, Fault::run); }
 
 /// Pushes the sizes of the array at `index`.
 void push_dimensions(lua_State* L, int index, const char* function) {
-    bool array = lua_type(L, index) == LUA_TTABLE && lua_getmetatable(L, index);
-    if (array) {
-        array = lua_topointer(L, -1) == machine_of(L).array_type || lua_topointer(L, -1) == machine_of(L).grid_type;
-        lua_pop(L, 1);
-    }
-    if (!array) fail_argument(L, index, function, "an array");
+    if (!is_array(L, index)) fail_argument(L, index, function, "an array");
     lua_getfield(L, index, "dimensions");
 }
 

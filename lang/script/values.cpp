@@ -78,13 +78,7 @@ std::string describe_value(lua_State* L, int index) {
     case LUA_TLIGHTUSERDATA:
         return "a pointer to " + handle_text(machine.world, unpack_handle(lua_touserdata(L, index)));
     case LUA_TFUNCTION: return "a function";
-    case LUA_TTABLE:
-        if (lua_getmetatable(L, index)) {
-            const bool array = lua_topointer(L, -1) == machine.array_type || lua_topointer(L, -1) == machine.grid_type;
-            lua_pop(L, 1);
-            if (array) return "an array";
-        }
-        return "a table";
+    case LUA_TTABLE: return is_array(L, index) ? "an array" : "a table";
     default: break;
     }
     if (is_vector(L, index)) return "the vector " + text_at(L, index);
