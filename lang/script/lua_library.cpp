@@ -207,8 +207,7 @@ int write_fish(lua_State* L) {
 
 /// Calls a function of the runtime with the first argument.
 int ask_runtime(lua_State* L, const char* function) {
-    push_anchor(L, machine_of(L).anchors.runtime);
-    lua_getfield(L, -1, function);
+    push_runtime(L, function);
     lua_pushvalue(L, 1);
     lua_call(L, 1, 1);
     return 1;

@@ -81,9 +81,8 @@ int as_array(lua_State* L, lua_Integer size) {
     lua_pushinteger(L, size);
     lua_rawseti(L, -2, 1);
     lua_setfield(L, -2, "dimensions");
-    push_anchor(L, machine_of(L).anchors.runtime);
-    lua_getfield(L, -1, "as_array");
-    lua_pushvalue(L, -3);
+    push_runtime(L, "as_array");
+    lua_pushvalue(L, -2);
     lua_call(L, 1, 1);
     return 1;
 }
