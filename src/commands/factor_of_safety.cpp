@@ -44,8 +44,8 @@ constexpr double window_part = 2.0 / 3, patient_window_part = 2;
 /// A model that has failed slides on with its strength divided by so much more, so that it does not take long.
 constexpr double shove = 1.1;
 constexpr int spans_of_sliding = 3;
-/// Factors beyond which nobody looks.
-constexpr double largest = 64;
+constexpr double turned_part = 0.9; ///< where it stands only with less of its factor, it has not only slid, but turned
+constexpr double largest = 64;      ///< factors beyond which nobody looks
 /// A bracket that begins with a guess has this half width, and is widened so many times as much each time.
 constexpr double first_width = 0.03, widening = 4;
 
@@ -141,6 +141,9 @@ public:
         warm_ = false, patient_ = true;
         if (!slides_without_trace()) sliding_.reset();
     }
+    /// Whether trials begin where the model has slid on to.
+    bool slides() const { return sliding_.has_value(); }
+    void forget_sliding() { sliding_.reset(); }
     /// Whether the last trial that stood began anywhere else than the first.
     bool has_warm_answer() const { return warm_ && stable_.has_value(); }
     /// What moved in the last trial that failed; "" when none did.
@@ -436,6 +439,18 @@ Bracket bracket_above(Trials& trials, double stands, double resolution) {
     return {bracket.fails, INFINITY};
 }
 
+/// A bracket whose lower end may not stand: the search goes on downward, in steps that double, and gives up below `least`, with a lower end of 0.
+Bracket bracket_below(Trials& trials, Bracket bracket, double resolution, double least) {
+    if (trials.stands(bracket.stands)) return bracket;
+    double width = resolution;
+    for (bracket.fails = bracket.stands; bracket.stands > least; bracket.fails = bracket.stands) {
+        bracket.stands /= 1 + width;
+        width = std::min(1.0, 2 * width);
+        if (trials.stands(bracket.stands)) return narrowed(trials, bracket, resolution);
+    }
+    return {0, bracket.fails};
+}
+
 /// The answer must not depend on haste, nor on the way to it. The factor with which the model fails is tried again, to the end, where that
 /// trial had ended early; the one with which it stands is tried again from the beginning. Where either gives another answer the search goes on from there.
 Bracket confirmed(Trials& trials, Bracket bracket, double resolution) {
@@ -445,15 +460,11 @@ Bracket confirmed(Trials& trials, Bracket bracket, double resolution) {
     }
     if (!trials.has_warm_answer() || !closed(bracket)) return bracket;
     trials.begin_anew();
-    if (trials.stands(bracket.stands)) return bracket;
-    // In steps that double: as a rule it stands one below.
-    double width = resolution;
-    for (bracket.fails = bracket.stands; bracket.stands > 1 / largest; bracket.fails = bracket.stands) {
-        bracket.stands /= 1 + width;
-        width = std::min(1.0, 2 * width);
-        if (trials.stands(bracket.stands)) return narrowed(trials, bracket, resolution);
-    }
-    return {0, bracket.fails};
+    const double least = trials.slides() ? turned_part * bracket.stands : 1 / largest;
+    const Bracket below = bracket_below(trials, bracket, resolution, least);
+    if (closed(below) || !trials.slides()) return below;
+    trials.forget_sliding();
+    return bracket_below(trials, bracket, resolution, 1 / largest);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "commands/slip.hpp"
 
 #include "mechanics/contact_table.hpp"
+#include "mechanics/zone_laws.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,17 +40,32 @@ std::vector<Row> Slip::rows(const Model& model) const {
 
 bool Slip::has_turned_shear(const Model& model) const {
     const auto& subs = model.sub_contacts;
-    std::vector<char> slides(model.contacts.size(), 0);
-    for (const Row row : rows(model)) slides[subs.contact[row]] = 1;
     double all = 0, left = 0;
-    for (std::size_t i = 0; i < subs.size(); ++i) {
+    for (const Row row : rows(model)) {
+        const auto i = static_cast<std::size_t>(row);
         const double force = subs.shear_force[i].norm();
-        if (!slides[subs.contact[i]] || force == 0) continue;
         all += force;
         left += force * std::exp(-path(subs, i) * subs.shear_stiffness[i] * subs.area[i] / force);
     }
     return all > 0 && left <= left_over * all;
 }
+
+namespace {
+
+/// Zones remember what those of `start` do. Columns beyond those of their zone model hold stresses, of cells that warp, and stay.
+void forget_flow(Model& model, const Model& start, ZoneModels& laws) {
+    model.zones.state = start.zones.state;
+    for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) {
+        const Span span = model.blocks.zones[b];
+        if (span.count == 0) continue;
+        const std::size_t own = laws.get(zone_model_of(model, b)).history.size();
+        for (std::size_t k = 0; k < own; ++k)
+            std::copy_n(start.zones.history[k].begin() + span.first, span.count,
+                        model.zones.history[k].begin() + span.first);
+    }
+}
+
+} // namespace
 
 void forget_slip(Model& model, const Model& start, JointRegistry& joints) {
     auto& subs = model.sub_contacts;
@@ -62,10 +78,7 @@ void forget_slip(Model& model, const Model& start, JointRegistry& joints) {
         if (subs.keeps_objects) subs.object[i].reset();
     }
     initialise_sub_contacts(model, joints, loaded);
-    if (start.zones.size() == model.zones.size()) {
-        model.zones.state = start.zones.state;
-        model.zones.history = start.zones.history;
-    }
+    if (start.zones.size() == model.zones.size()) forget_flow(model, start, joints.zones);
 }
 
 } // namespace kaya
