@@ -122,6 +122,8 @@ SaveExtras restore_image(Model& model, std::string_view image, const std::string
         archive.value("state_hash", hash);
         visit_extras(archive, extras);
         extras.format = archive.version;
+        // Until format 11 the column is always there.
+        if (archive.version < 12) fresh.zones.keeps_dashpots = fresh.excavated.zones.keeps_dashpots = true;
         archive.section("model", [&] { visit_state(archive, fresh); });
         const std::string wrong = inconsistency(fresh);
         if (!wrong.empty()) throw unusable(name, wrong);

@@ -203,12 +203,20 @@ public:
     Column<std::int32_t> group;            ///< of the zone itself: index into Model::group_names, 0 is none
     Column<std::array<Row, 4>> gridpoints; ///< positive volume in this order
     Column<Stress> stress;
-    Column<Stress> dashpot;      ///< viscous stress besides, where damping asks for it
+    Column<Stress> dashpot;      ///< viscous stress besides; empty as long as `keeps_dashpots` is not set
     Column<double> volume;       ///< when the zones were made
     Column<std::uint32_t> state; ///< bits of the zone model
     std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY>
         history;                      ///< of the zone model; those after `history_columns` are empty
     std::int32_t history_columns = 0; ///< as many as the zone model has that keeps most
+    bool keeps_dashpots = false;      ///< whether damping has asked for viscous stresses
+
+    /// Makes room for viscous stresses; it stays.
+    void keep_dashpots() {
+        if (keeps_dashpots) return;
+        keeps_dashpots = true;
+        dashpot.assign(size(), Stress::Zero());
+    }
 
     /// Makes room for a zone model that keeps that many; it stays.
     void keep_history(std::size_t columns) {
@@ -226,7 +234,7 @@ public:
         visit("group", group, setting<Group>());
         visit("gridpoints", gridpoints, link<Gridpoints>());
         visit("stress", stress, Role::state);
-        visit("dashpot", dashpot, Role::state);
+        if (keeps_dashpots) visit("dashpot", dashpot, Role::state);
         visit("volume", volume, Role::geometry);
         visit("state", state, Role::state);
         for (std::size_t k = 0; k < history.size() && static_cast<std::int32_t>(k) < history_columns; ++k)

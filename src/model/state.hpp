@@ -262,6 +262,8 @@ template <class Archive> void visit_objects(Archive& archive, Column<JointObject
 template <class Archive, class T> void visit_table(Archive& archive, const char* name, T& table) {
     archive.section(name, [&] {
         if constexpr (requires { table.history_columns; }) { archive.value("history_columns", table.history_columns); }
+        if constexpr (requires { table.keeps_dashpots; }) // not hashed: the column says it
+            archive.since(12, false, [&] { archive.value("keeps_dashpots", table.keeps_dashpots); });
         if constexpr (requires { table.keeps_objects; }) archive.value("keeps_objects", table.keeps_objects);
         if constexpr (requires { table.field_columns; })
             archive.since(11, table.field_columns > 0, [&] { archive.value("field_columns", table.field_columns); });
