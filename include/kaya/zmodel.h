@@ -7,7 +7,8 @@
  *     const kaya_zmodel* kaya_zone_model(void);
  *
  * which returns a descriptor that stays valid as long as the library is loaded. A batch is a run of n zones that share a
- * zone model and a set of properties: columns in, columns out; row i of every column is the same zone.
+ * zone model and a set of properties: columns in, columns out; row i of every column is the same zone, or the same cell of six
+ * zones that strain together.
  *
  * Signs. Stress: tension positive, compression negative. Strain: extension positive. Shear strains are tensor
  * components, half of the engineering ones. The six components are in the order xx, yy, zz, xy, xz, yz. Stress is

@@ -121,11 +121,12 @@ ZoneModuli ZoneModel::moduli(const std::vector<double>& values) const {
     throw error.add(reason);
 }
 
-std::optional<ZoneFailure> ZoneModel::run(kaya_zbatch& batch, std::int32_t first) const {
+std::optional<ZoneFailure> ZoneModel::run(kaya_zbatch& batch, std::int32_t first, const std::int32_t* numbers) const {
     batch.message[0] = '\0';
     batch.row = batch.n;
     batch.tables = tables;
-    const AtWork at_work(who(), "run", {.rows = batch.n, .row = &batch.row, .first = first, .noun = "zone"});
+    const AtWork at_work(who(), "run",
+                         {.rows = batch.n, .row = &batch.row, .numbers = numbers, .first = first, .noun = "zone"});
     const std::uint64_t values = sum_of_bits(batch.properties, properties.size());
     ArithmeticGuard arithmetic;
     ptrdiff_t row = -1;

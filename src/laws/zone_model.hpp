@@ -30,6 +30,7 @@ public:
 
     /// Whether volume strain and the plastic change of the mean stress are averaged over neighbours.
     bool flows() const { return descriptor_.flows != 0; }
+    bool keeps_anything() const { return !states.empty() || !history.empty(); }
 
     /// A sentence that says what is wrong with the values, or empty.
     std::string check(const std::vector<double>& values) const;
@@ -38,8 +39,10 @@ public:
     ZoneModuli moduli(const std::vector<double>& values) const;
 
     /// One step of the rows of a batch. What the model throws, what it returns that is no number and what it does to its properties
-    /// are failures too. `first` is the number of the first zone, for the report of a crash; 0: it gives rows.
-    std::optional<ZoneFailure> run(kaya_zbatch& batch, std::int32_t first = 0) const;
+    /// are failures too. For the report of a crash: `first` is the number of the first zone, with `numbers` of each; without any it gives
+    /// rows.
+    std::optional<ZoneFailure> run(kaya_zbatch& batch, std::int32_t first = 0,
+                                   const std::int32_t* numbers = nullptr) const;
 
     const kaya_jtables* tables = nullptr; ///< of the deck; NULL where there is none
 

@@ -184,6 +184,15 @@ inline bool all_zero(const Eight& e) {
     return all;
 #endif
 }
+inline bool all_equal(const Eight& a, const Eight& b) {
+#if defined(__AVX512F__)
+    return _mm512_cmp_pd_mask(a, b, _CMP_NEQ_UQ) == 0;
+#else
+    bool all = true;
+    for (int l = 0; l < eight; ++l) all &= a[l] == b[l];
+    return all;
+#endif
+}
 inline bool all_zero(const Eight3& e) { return all_zero(e.x) && all_zero(e.y) && all_zero(e.z); }
 
 /// Four rows, or the same numbers as four columns of them.
@@ -225,12 +234,12 @@ inline std::array<Four, 8> rows_of_columns(const std::array<Eight, 4>& c) {
     return {low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]};
 }
 
-/// Eight rows of six numbers that follow each other, as six columns.
-inline std::array<Eight, 6> six_columns(const double* rows) {
+/// Eight rows of six numbers, which begin `stride` numbers after each other, as six columns.
+[[gnu::always_inline]] inline std::array<Eight, 6> six_columns(const double* rows, std::size_t stride) {
     std::array<Four, 8> first;
-    for (std::size_t l = 0; l < 8; ++l) first[l] = load_as<Four>(rows + 6 * l);
+    for (std::size_t l = 0; l < 8; ++l) first[l] = load_as<Four>(rows + stride * l);
     const std::array<Eight, 4> c = columns_of_rows(first);
-    const auto pair = [&](std::size_t l) { return load_as<Two>(rows + 6 * l + 4); };
+    const auto pair = [&](std::size_t l) { return load_as<Two>(rows + stride * l + 4); };
     const auto four = [](const Two& a, const Two& b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3); };
     const Eight even = joined(four(pair(0), pair(2)), four(pair(4), pair(6))),
                 odd = joined(four(pair(1), pair(3)), four(pair(5), pair(7)));
@@ -242,17 +251,21 @@ inline std::array<Eight, 6> six_columns(const double* rows) {
             __builtin_shufflevector(even, odd, 1, 9, 3, 11, 5, 13, 7, 15)};
 }
 
-/// The opposite.
-inline void put_six_columns(double* rows, const std::array<Eight, 6>& c) {
+/// The opposite; with `copies` the same six numbers that many times in each row.
+[[gnu::always_inline]] inline void put_six_columns(double* rows, std::size_t stride, const std::array<Eight, 6>& c,
+                                                   std::size_t copies = 1) {
     const std::array<Four, 8> first = rows_of_columns({c[0], c[1], c[2], c[3]});
     const Eight even = __builtin_shufflevector(c[4], c[5], 0, 8, 2, 10, 4, 12, 6, 14),
                 odd = __builtin_shufflevector(c[4], c[5], 1, 9, 3, 11, 5, 13, 7, 15);
     for (std::size_t l = 0; l < 8; ++l) {
-        store(rows + 6 * l, first[l]);
         const Eight& pairs = l % 2 == 0 ? even : odd;
         const Four half = l < 4 ? low_half(pairs) : high_half(pairs);
-        store(rows + 6 * l + 4, l % 4 < 2 ? Two(__builtin_shufflevector(half, half, 0, 1))
-                                          : Two(__builtin_shufflevector(half, half, 2, 3)));
+        const Two last =
+            l % 4 < 2 ? Two(__builtin_shufflevector(half, half, 0, 1)) : Two(__builtin_shufflevector(half, half, 2, 3));
+        for (std::size_t n = 0; n < copies; ++n) {
+            store(rows + stride * l + 6 * n, first[l]);
+            store(rows + stride * l + 6 * n + 4, last);
+        }
     }
 }
 

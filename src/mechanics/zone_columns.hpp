@@ -8,8 +8,7 @@
 
 namespace kaya {
 
-constexpr std::size_t most_zones_in_batch = 128;   ///< zones in a batch
-constexpr std::size_t most_of_cells_in_batch = 96; ///< where they stand in cells: twice eight of them
+constexpr std::size_t most_zones_in_batch = 128; ///< zones in a batch
 constexpr std::size_t zone_column_length =
     most_zones_in_batch + 8; ///< of a column: with powers of two they would all fall in the same lines of the cache
 
@@ -17,8 +16,6 @@ constexpr std::size_t zone_column_length =
 struct ZoneColumns {
     alignas(64) double strain[6][zone_column_length], before[6][zone_column_length], stress[6][zone_column_length],
         edge[9][zone_column_length];
-    /// Of zones in cells: their own strain, since `strain` is the mean of their cell, and the mean spin.
-    alignas(64) double own_strain[6][zone_column_length], half_spin[3][zone_column_length];
     alignas(64) double volume[zone_column_length], volume_strain[zone_column_length], pressure[zone_column_length],
         dissipation[zone_column_length];
     double* history[KAYA_JMODEL_MAX_HISTORY];

@@ -1,8 +1,9 @@
-#include "mechanics/cells.hpp"
+#include "mechanics/tile_rows.hpp"
 #include "mechanics/zone_laws.hpp"
 
 #include "laws/zone_trial.hpp"
 #include "mechanics/remedy.hpp"
+#include "model/measure.hpp"
 
 #include <algorithm>
 #include <array>
@@ -115,6 +116,13 @@ double reduced(const LawTable::Property& property, double value, double factor) 
     return value;
 }
 
+Together together_of(const Settings& settings, const ZoneModel& zone_model, bool has_cells) {
+    if (!settings.mixed_discretisation) return Together::nothing;
+    if (zone_model.flows()) return has_cells ? Together::flow_in_cells : Together::at_points;
+    const bool has_room = zone_model.history.size() + 2 <= KAYA_JMODEL_MAX_HISTORY; // for how cells resist warping
+    return has_cells && has_room ? Together::cells : Together::nothing;
+}
+
 } // namespace
 
 std::string zone_model_of(const Model& model, Row block) {
@@ -168,18 +176,19 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (!keeps(model.unreduced, zone_model.properties[i]))
                     values[i] = reduced(zone_model.properties[i], values[i], model.settings.strength_factor);
-            const bool mixed = model.settings.mixed_discretisation, averages = zone_model.flows() && mixed;
             // Fields of plastic strain read the first two columns, whatever the model.
             const std::size_t own = zone_model.history.size(), cell_history = std::max<std::size_t>(own, 2);
-            const bool cells = has_cells && mixed && !zone_model.flows() && cell_history + 2 <= KAYA_JMODEL_MAX_HISTORY;
+            const Together together = together_of(model.settings, zone_model, has_cells);
             laws.push_back(
-                {&zone_model, std::move(values), {bulk - 2.0 / 3.0 * shear, 2 * shear}, averages, cells, cell_history});
-            model.zones.keep_history(cells ? cell_history + 2 : own);
+                {&zone_model, std::move(values), {bulk - 2.0 / 3.0 * shear, 2 * shear}, together, cell_history});
+            model.zones.keep_history(together == Together::cells ? cell_history + 2 : own);
         }
         law_of_[b] = found->second;
     }
     const auto law_of = [&](Row zone) { return static_cast<std::size_t>(law_of_[model.zones.block[zone]]); };
-    tiles = ZoneTiles(model, law_of, [&](std::size_t law) { return laws[law].cells ? zones_of_cell : 1; });
+    tiles = ZoneTiles(model, law_of, [&](std::size_t law) {
+        return laws[law].together >= Together::flow_in_cells ? zones_of_cell : 1;
+    });
 }
 
 std::vector<ElasticConstants> ZoneLaws::elastic_constants() const {
@@ -189,12 +198,24 @@ std::vector<ElasticConstants> ZoneLaws::elastic_constants() const {
     return constants;
 }
 
+Diagnostic failed_zone(const Model& model, const ZoneLaw& law, Row zone, const ZoneFailure& failure) {
+    const Row block = model.zones.block[zone];
+    const Vec3 centre = zone_centroid(model, zone);
+    Diagnostic d(failure.message, "look at the model's properties and at how fast the zones are loaded", Fault::run);
+    d.code = "zone-model-failed";
+    d.add(fmt::format("zone {} of block {}, at ({:.6g}, {:.6g}, {:.6g})", zone + 1, model.blocks.number[block],
+                      centre.x(), centre.y(), centre.z()));
+    const auto& place = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])].place;
+    if (!place.empty()) d.add(fmt::format("zone model '{}' was given at {}", law.model->name, place));
+    return d;
+}
+
 bool can_be_reduced(const ZoneModel& model) {
     return std::ranges::any_of(model.properties, [](const auto& p) { return p.reduction != KAYA_ZREDUCE_NONE; });
 }
 
-bool ZoneLaws::any_averages() const {
-    return std::ranges::any_of(laws, [](const ZoneLaw& law) { return law.averages; });
+bool ZoneLaws::any_averages_at_points() const {
+    return std::ranges::any_of(laws, [](const ZoneLaw& law) { return law.together == Together::at_points; });
 }
 
 } // namespace kaya

@@ -1,6 +1,7 @@
 // The zone models of the blocks with the values that hold for them, and the zones in tiles of one law each; derived.
 #pragma once
 
+#include "base/diagnostic.hpp"
 #include "laws/zone_model.hpp"
 #include "mechanics/elastic_constants.hpp"
 #include "mechanics/zone_tiles.hpp"
@@ -10,13 +11,20 @@
 
 namespace kaya {
 
+/// What zones have of their neighbours: docs/theory/zones.md.
+enum class Together {
+    nothing, ///< each is on its own
+    at_points, ///< what flows averages volume strain and the plastic change of the mean stress over the zones at each gridpoint
+    flow_in_cells, ///< the same over the six zones of a cell
+    cells          ///< what is elastic strains cell by cell, and bends and twists as hexahedra do
+};
+
 /// A zone model with values.
 struct ZoneLaw {
     const ZoneModel* model;
     std::vector<double> values; ///< in the order of the model's property table
     ElasticConstants elastic;
-    bool averages;            ///< volume strain and plastic change of the mean stress, over neighbours
-    bool cells;               ///< the zones stand in cells of six that bend and twist as hexahedra
+    Together together;
     std::size_t cell_history; ///< the first of the two columns of Zones::history that keep how cells resist warping
 };
 
@@ -29,7 +37,7 @@ public:
 
     const ZoneLaw& of_block(Row block) const { return laws[static_cast<std::size_t>(law_of_[block])]; }
     std::vector<ElasticConstants> elastic_constants() const; ///< by block, zero for rigid ones
-    bool any_averages() const;
+    bool any_averages_at_points() const;
 
     std::vector<ZoneLaw> laws;
     ZoneTiles tiles;
@@ -47,6 +55,9 @@ std::vector<double> zone_model_values(const Model& model, Row block, const ZoneM
 
 /// What a property of a zone model is for a material: as `prop mat` gave it, else its initial value.
 double value_for_material(const LawTable::Property& property, const Material& material);
+
+/// What to say of a zone whose model failed.
+Diagnostic failed_zone(const Model& model, const ZoneLaw& law, Row zone, const ZoneFailure& failure);
 
 /// Whether Settings::strength_factor changes anything about it.
 bool can_be_reduced(const ZoneModel& model);

@@ -33,15 +33,28 @@ TEST(Eight, RowsOfFourBecomeColumns) {
 
 TEST(Eight, RowsOfSixBecomeColumnsAndRowsAgain) {
     const Numbers n;
-    const std::array<Eight, 6> columns = six_columns(n.value.data());
+    const std::array<Eight, 6> columns = six_columns(n.value.data(), 6);
     for (int k = 0; k < 6; ++k)
         for (int l = 0; l < 8; ++l) EXPECT_EQ(columns[k][l], 6 * l + k);
     std::array<double, 50> rows;
     rows.fill(-1);
-    put_six_columns(&rows[1], columns);
+    put_six_columns(&rows[1], 6, columns);
     EXPECT_EQ(rows.front(), -1);
     EXPECT_EQ(rows.back(), -1);
     for (int i = 0; i < 48; ++i) EXPECT_EQ(rows[i + 1], i);
+}
+
+TEST(Eight, RowsOfSixMayStandApartAndSeveralTimes) {
+    const Numbers n;
+    std::array<double, 8 * 14> rows;
+    rows.fill(-1);
+    put_six_columns(rows.data(), 14, six_columns(n.value.data(), 6), 2);
+    const std::array<Eight, 6> second = six_columns(&rows[6], 14);
+    for (int l = 0; l < 8; ++l) {
+        for (int k = 0; k < 6; ++k) EXPECT_EQ(rows[14 * l + k], 6 * l + k);
+        for (int k = 0; k < 6; ++k) EXPECT_EQ(second[k][l], 6 * l + k);
+        for (int k = 12; k < 14; ++k) EXPECT_EQ(rows[14 * l + k], -1);
+    }
 }
 
 TEST(Eight, ANumberOfEachRowStandsAtEachOfItsThree) {

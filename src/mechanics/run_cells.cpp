@@ -1,0 +1,226 @@
+#include "mechanics/run_cells.hpp"
+
+#include "mechanics/cells.hpp"
+#include "mechanics/crushed_zones.hpp"
+#include "mechanics/staged_zones.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace kaya {
+
+namespace {
+
+constexpr Row cells_in_batch = 32;
+constexpr std::size_t groups_in_batch = cells_in_batch / eight;
+
+/// Throws where a zone has no volume left.
+void check_volumes(const Model& model, Row zone, Row cells, const CellField& x, const Eight& least) {
+    if (all_above_zero(least)) return;
+    for (Row z = 0; z < zones_of_cell; ++z) {
+        const Eight six_volumes = FaceAreas(edges_of_zone(x, z)).six_volumes;
+        for (Row l = 0; l < cells; ++l)
+            if (!(six_volumes[l] > 0)) throw turned_over(model, zone + zones_of_cell * l + z);
+    }
+}
+
+/// Whether all zones of each cell have the same stress: each component is that of the zone before.
+bool are_alike(const Column<Stress>& stresses, Row zone, Row cells) {
+    bool alike = true;
+    for (Row l = 0; l < cells; ++l) {
+        const double* const first = stresses[zone + zones_of_cell * l].data();
+        for (const std::size_t k : {0, 8, 16, 22}) // the last two overlap: there are thirty
+            alike &= all_equal(load_as<Eight>(first + k), load_as<Eight>(first + k + 6));
+    }
+    return alike;
+}
+
+/// What is wanted of eight cells after the zone model has run.
+struct CellGroup {
+    CellCorners corners;
+    CellField place, shift;
+    bool alike;
+    SixEights before; ///< the stress that the zones have, or where they are not alike its mean, turned with the cell
+    Eight3 half_spin;
+    Eight volume, work; ///< in the middle of the step; of warping
+    WarpStress warp;
+};
+
+/// Each cell is a row for the zone model. What it keeps is that of the first zone, and afterwards of all.
+class CellRun {
+public:
+    CellRun(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
+            const std::vector<double>& pressure, std::vector<PointRow>& forces)
+        : model_(model), tile_(tile), law_(law), moduli_(law.elastic.lambda, law.elastic.two_shear),
+          large_(model.settings.large_strain), rows_(model, tiles, tile, pressure), forces_(tile, forces),
+          batch_(model, law) {}
+
+    double run() {
+        Lanes work = Lanes::Zero();
+        const Row whole = cells_in_batch * zones_of_cell;
+        for (Row first = tile_.first; first < tile_.last; first += whole) {
+            const Row last = std::min(first + whole, tile_.last);
+            const Row cells = (last - first) / zones_of_cell;
+            batch_.begin(cells);
+            read_history(first, cells);
+            for (Row z = first; z < last; z += zones_of_group) strain(z, z - first, cells_from(z, last));
+            batch_.run(model_);
+            write_history(first, cells);
+            for (Row z = first; z < last; z += zones_of_group) add_to(work, finish(z, z - first, cells_from(z, last)));
+        }
+        return kaya::sum(work);
+    }
+
+private:
+    static Row cells_from(Row zone, Row last) { return std::min<Row>((last - zone) / zones_of_cell, eight); }
+    CellGroup& group_at(Row in_batch) { return groups_[static_cast<std::size_t>(in_batch / zones_of_group)]; }
+
+    void read_history(Row first, Row cells) {
+        if (!law_.model->keeps_anything()) return;
+        for (Row i = 0; i < cells; ++i) batch_.read_history(i, model_.zones, first + zones_of_cell * i);
+    }
+    void write_history(Row first, Row cells) {
+        if (!law_.model->keeps_anything()) return;
+        for (Row z = 0; z < zones_of_cell * cells; ++z)
+            batch_.write_history(z / zones_of_cell, model_.zones, first + z);
+    }
+
+    double* stresses(Row zone) { return model_.zones.stress[zone].data(); }
+
+    /// The stress of the zones before the step, in the mean.
+    SixEights mean_stress(Row zone, Row cells) {
+        SixEights mean = load_six(stresses(zone), to_next_cell, cells);
+        for (Row z = 1; z < zones_of_cell; ++z) mean = sum(mean, load_six(stresses(zone + z), to_next_cell, cells));
+        for (Eight& s : mean) s *= 1.0 / zones_of_cell;
+        return mean;
+    }
+
+    /// Strains of the step, the stresses turned with the material, and how the cells resist warping.
+    void strain(Row zone, Row in_batch, Row cells) {
+        CellGroup& g = group_at(in_batch);
+        const Row i = in_batch / zones_of_cell;
+        for (Row l = 0; l < cells; ++l) batch_.number[i + l] = zone + zones_of_cell * l + 1;
+        g.corners = rows_.cells_at(zone, cells);
+        std::array<Eight, 8> pressures;
+        g.place = from_first(rows_.places(), g.corners, &pressures);
+        Eight pressure{};
+        for (const Eight& p : pressures) pressure += 0.125 * p;
+        g.shift = from_first(rows_.shifts(), g.corners);
+        const CellShape shape(strained(g.place, g.shift, large_));
+        const CellMotion motion(shape, g.shift);
+        g.half_spin = motion.half_spin;
+        g.volume = shape.volume;
+        g.warp = load_warps(model_.zones, law_.cell_history, zone, cells);
+        g.work = add_warp_stress(shape, motion.warp, moduli_, g.warp);
+        store_warps(model_.zones, law_.cell_history, zone, cells, g.warp);
+
+        g.alike = are_alike(model_.zones.stress, zone, cells);
+        g.before = g.alike ? load_six(stresses(zone), to_next_cell, cells) : mean_stress(zone, cells);
+        if (large_) g.before = turned(g.before, g.half_spin);
+        for (std::size_t k = 0; k < 6; ++k) {
+            store(batch_.strain[k] + i, motion.strain[k]);
+            store(batch_.stress[k] + i, k < 3 ? g.before[k] + pressure : g.before[k]);
+        }
+        store(batch_.pressure + i, pressure);
+        store(batch_.volume + i, shape.volume * (1.0 / zones_of_cell));
+    }
+
+    /// Stresses into the zones, and their forces. Returns the work of the step, by cell.
+    Eight finish(Row zone, Row in_batch, Row cells) {
+        CellGroup& g = group_at(in_batch);
+        const Row i = in_batch / zones_of_cell;
+        const auto column = [&](const double* rows) { return load_as<Eight>(rows + i); };
+        const CellShape shape(g.place);
+        check_volumes(model_, zone, cells, g.place, shape.least);
+        SixEights change, strain;
+        for (std::size_t k = 0; k < 6; ++k) {
+            const Eight before = k < 3 ? g.before[k] + column(batch_.pressure) : g.before[k];
+            change[k] = column(batch_.stress[k]) - before;
+            strain[k] = column(batch_.strain[k]);
+        }
+        if (g.alike) {
+            const SixEights after = sum(g.before, change);
+            g.work += 0.5 * g.volume * product(sum(g.before, after), strain);
+            store_six(stresses(zone), to_next_cell, cells, after, zones_of_cell);
+            forces_.add(g.corners, cells, forces_of(shape, after, g.warp));
+        } else {
+            CellForces forces = forces_of(shape, SixEights{}, g.warp);
+            for (Row z = 0; z < zones_of_cell; ++z) finish_zone(g, z, zone + z, cells, change, forces);
+            forces_.add(g.corners, cells, forces);
+        }
+        for (Row l = cells; l < eight; ++l) g.work[l] = 0;
+        return g.work;
+    }
+
+    /// The same for zone `z` of each cell, which has a stress of its own.
+    void finish_zone(CellGroup& g, Row z, Row zone, Row cells, const SixEights& change, CellForces& forces) {
+        const Edges edges = edges_of_zone(g.place, z);
+        SixEights before = load_six(stresses(zone), to_next_cell, cells);
+        if (large_) before = turned(before, g.half_spin);
+        const SixEights after = sum(before, change);
+        store_six(stresses(zone), to_next_cell, cells, after);
+        const Deformation d(edges, edges_of_zone(g.shift, z), large_); // the forces act on what the zone itself does
+        g.work += 0.5 * d.volume * product(sum(before, after), d.strain);
+        add_forces_of_zone(edges, z, after, forces);
+    }
+
+    Model& model_;
+    const ZoneTile& tile_;
+    const ZoneLaw& law_;
+    const LayerModuli moduli_;
+    const bool large_;
+    TileRows rows_;
+    TileForces forces_;
+    StagedZones<cells_in_batch> batch_;
+    std::array<CellGroup, groups_in_batch> groups_;
+};
+
+} // namespace
+
+bool cells_go_together(const Settings& settings) {
+    return !settings.dynamic && settings.damping != Damping::none && settings.damping != Damping::rayleigh;
+}
+
+ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
+                   const std::vector<double>& pressure, std::vector<PointRow>& forces) {
+    ZoneSums sums;
+    sums.work = CellRun(model, tiles, tile, law, pressure, forces).run();
+    return sums;
+}
+
+void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
+                 std::vector<PointRow>& forces) {
+    const TileRows rows(model, tiles, tile);
+    TileForces sums(tile, forces);
+    for (Row zone = tile.first; zone < tile.last; zone += zones_of_group) {
+        const Row cells = std::min<Row>((tile.last - zone) / zones_of_cell, eight);
+        const CellCorners corners = rows.cells_at(zone, cells);
+        const CellField place = from_first(rows.places(), corners);
+        const auto stress = [&](Row z) { return load_six(model.zones.stress[zone + z].data(), to_next_cell, cells); };
+        const bool alike = are_alike(model.zones.stress, zone, cells);
+        CellForces whole = forces_of(CellShape(place), alike ? stress(0) : SixEights{},
+                                     load_warps(model.zones, law.cell_history, zone, cells));
+        if (!alike)
+            for (Row z = 0; z < zones_of_cell; ++z) add_forces_of_zone(edges_of_zone(place, z), z, stress(z), whole);
+        sums.add(corners, cells, whole);
+    }
+}
+
+double hold_warps(const Model& model, const TileRows& rows, const ZoneTile& tile, const ZoneLaw& law,
+                  TileForces& forces) {
+    Lanes whole = Lanes::Zero();
+    for (Row z = tile.first; z < tile.last; z += zones_of_group) {
+        const Row cells = std::min<Row>((tile.last - z) / zones_of_cell, eight);
+        const CellCorners corners = rows.cells_at(z, cells);
+        const CellField place = from_first(rows.places(), corners), shift = from_first(rows.shifts(), corners);
+        WarpStress stress = load_warps(model.zones, law.cell_history, z, cells);
+        const CellShape shape(strained(place, shift, model.settings.large_strain));
+        Eight work = add_warp_stress(shape, CellMotion(shape, shift).warp, LayerModuli(), stress);
+        for (Row l = cells; l < eight; ++l) work[l] = 0;
+        add_to(whole, work);
+        forces.add(corners, cells, forces_of(CellShape(place), SixEights{}, stress));
+    }
+    return sum(whole);
+}
+
+} // namespace kaya

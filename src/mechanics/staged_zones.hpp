@@ -1,0 +1,61 @@
+// What a zone model sees of cells: rows that are copied, since those of the model stand in another order.
+#pragma once
+
+#include "mechanics/zone_laws.hpp"
+
+#include <algorithm>
+
+namespace kaya {
+
+/// A batch of up to so many rows.
+template <Row most> struct StagedZones {
+    static constexpr std::size_t length =
+        most + 8; ///< with powers of two the columns would all fall in the same lines of the cache
+
+    alignas(64) double strain[6][length], stress[6][length], volume[length], pressure[length], dissipation[length];
+    double history[KAYA_JMODEL_MAX_HISTORY][length];
+    double* histories[KAYA_JMODEL_MAX_HISTORY];
+    std::uint32_t state[length] = {};
+    std::int32_t number[length]; ///< of the zone, or the first of the cell, that users see
+
+    StagedZones(const Model& model, const ZoneLaw& law) : law_(law) {
+        batch_ = {};
+        batch_.properties = law.values.data();
+        batch_.time_step = model.clock.time_step;
+        batch_.volume = volume;
+        batch_.pore_pressure = pressure;
+        batch_.dissipation = dissipation;
+        batch_.state = state;
+        for (int k = 0; k < 6; ++k) {
+            batch_.strain_inc[k] = strain[k];
+            batch_.stress[k] = stress[k];
+        }
+        for (std::size_t k = 0; k < KAYA_JMODEL_MAX_HISTORY; ++k) histories[k] = history[k];
+        batch_.history = histories;
+    }
+
+    void begin(Row rows) {
+        batch_.n = static_cast<std::size_t>(rows);
+        std::fill_n(dissipation, batch_.n, 0.0);
+    }
+    /// Throws Diagnostic when the model fails.
+    void run(const Model& model) {
+        if (const auto failure = law_.model->run(batch_, 0, number))
+            throw failed_zone(model, law_, number[failure->row] - 1, *failure);
+    }
+
+    void read_history(Row row, const Zones& zones, Row zone) {
+        state[row] = zones.state[zone];
+        for (std::size_t k = 0; k < law_.model->history.size(); ++k) history[k][row] = zones.history[k][zone];
+    }
+    void write_history(Row row, Zones& zones, Row zone) const {
+        zones.state[zone] = state[row];
+        for (std::size_t k = 0; k < law_.model->history.size(); ++k) zones.history[k][zone] = history[k][row];
+    }
+
+private:
+    const ZoneLaw& law_;
+    kaya_zbatch batch_;
+};
+
+} // namespace kaya
