@@ -30,7 +30,7 @@ public:
         kaya::Options options;
         options.threads = threads;
         options.quiet = true;
-        options.joint_folders = {KAYA_JOINT_FOLDER};
+        options.joint_folders = {KAYA_JOINT_FOLDER, KAYA_ZONE_PLUGINS};
         session_ = std::make_unique<kaya::Session>(options, silence_.get(), stderr);
         session_->run_deck(deck.front() == '/' ? deck : KAYA_BENCH_FOLDER "/" + deck);
     }

@@ -118,6 +118,20 @@ void plastic(std::vector<Row>& rows) {
                     zones_against(kernel, theirs, run, ours, 9, steps), "", 0.3, 0.5, true});
 }
 
+/// A zone model as a user writes it, in plain loops over rows, against the one that ships.
+void written_by_users(std::vector<Row>& rows) {
+    constexpr int steps = 20;
+    Run shipped("zoned-drucker.3dd"), users("zoned-cone.3dd");
+    const double speed = speed_that_yields(shipped, 0.9, steps);
+    std::vector<double> ratios;
+    for (int i = 0; i < 9; ++i) {
+        const double theirs = time_of(shipped, speed, steps);
+        ratios.push_back(time_of(users, speed, steps) / theirs);
+    }
+    rows.push_back({"Drucker-Prager's cone from a user over the one that ships, nine tenths yield, time of a cycle",
+                    median(ratios), "", 1.5, 1.2});
+}
+
 /// The whole cycle of blocks that touch.
 void jointed(std::vector<Row>& rows) {
     ZoneKernel kernel(20, 2, unlimited, true);
@@ -135,6 +149,7 @@ void jointed(std::vector<Row>& rows) {
 void zones(std::vector<Row>& rows) {
     elastic(rows);
     plastic(rows);
+    written_by_users(rows);
     jointed(rows);
 }
 
