@@ -106,6 +106,15 @@ function shapes.moved(s, where)
     return shape(points, s.faces)
 end
 
+-- The shape shrunk about its middle until no corner is farther from it than `reach`.
+function shapes.within(s, reach)
+    local middle, farthest = shapes.middle(s.points), 0
+    for _, p in ipairs(s.points) do farthest = math.max(farthest, (p - middle):length()) end
+    local points, factor = {}, math.min(1, reach / farthest)
+    for i, p in ipairs(s.points) do points[i] = middle + (p - middle) * factor end
+    return shape(points, s.faces)
+end
+
 -- Makes the block of a shape that stands where it is meant to, and finds the gridpoint of each corner.
 function shapes.build(s)
     local words, middle = { "poly" }, shapes.middle(s.points)
