@@ -34,13 +34,13 @@ template <class Vector> void store(double* to, const Vector& v) { std::memcpy(to
 inline Eight eights(double value) { return Eight{value, value, value, value, value, value, value, value}; }
 
 /// Up to eight rows of a column. Rows that are not there read as 0 and are not written.
-inline Eight load_rows(const double* column, std::ptrdiff_t count) {
+[[gnu::always_inline]] inline Eight load_rows(const double* column, std::ptrdiff_t count) {
     if (count >= eight) return load_as<Eight>(column);
     Eight e{};
     for (std::ptrdiff_t l = 0; l < count; ++l) e[l] = column[l];
     return e;
 }
-inline void store_rows(double* column, std::ptrdiff_t count, const Eight& e) {
+[[gnu::always_inline]] inline void store_rows(double* column, std::ptrdiff_t count, const Eight& e) {
     if (count >= eight) return store(column, e);
     for (std::ptrdiff_t l = 0; l < count; ++l) column[l] = e[l];
 }
