@@ -38,7 +38,7 @@ bool are_alike(const Column<Stress>& stresses, Row zone, Row cells) {
 /// What is wanted of eight cells after the zone model has run.
 struct CellGroup {
     CellCorners corners;
-    CellField place, shift;
+    CellField place;
     bool alike;
     SixEights before; ///< the stress that the zones have, or where they are not alike its mean, turned with the cell
     Eight3 half_spin;
@@ -52,8 +52,8 @@ public:
     CellRun(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
             const std::vector<double>& pressure, std::vector<PointRow>& forces)
         : model_(model), tile_(tile), law_(law), moduli_(law.elastic.lambda, law.elastic.two_shear),
-          large_(model.settings.large_strain), rows_(model, tiles, tile, pressure), forces_(tile, forces),
-          batch_(model, law) {}
+          large_(model.settings.large_strain), wet_(!pressure.empty()), rows_(model, tiles, tile, pressure),
+          forces_(tile, forces), batch_(model, law) {}
 
     double run() {
         Lanes work = Lanes::Zero();
@@ -102,12 +102,13 @@ private:
         for (Row l = 0; l < cells; ++l) batch_.number[i + l] = zone + zones_of_cell * l + 1;
         g.corners = rows_.cells_at(zone, cells);
         std::array<Eight, 8> pressures;
-        g.place = from_first(rows_.places(), g.corners, &pressures);
+        g.place = from_first(rows_.places(), g.corners, wet_ ? &pressures : nullptr);
         Eight pressure{};
-        for (const Eight& p : pressures) pressure += 0.125 * p;
-        g.shift = from_first(rows_.shifts(), g.corners);
-        const CellShape shape(strained(g.place, g.shift, large_));
-        const CellMotion motion(shape, g.shift);
+        if (wet_)
+            for (const Eight& p : pressures) pressure += 0.125 * p;
+        const CellField shift = from_first(rows_.shifts(), g.corners);
+        const CellShape shape(strained(g.place, shift, large_));
+        const CellMotion motion(shape, shift);
         g.half_spin = motion.half_spin;
         g.volume = shape.volume;
         g.warp = load_warps(model_.zones, law_.cell_history, zone, cells);
@@ -145,7 +146,8 @@ private:
             forces_.add(g.corners, cells, forces_of(shape, after, g.warp));
         } else {
             CellForces forces = forces_of(shape, SixEights{}, g.warp);
-            for (Row z = 0; z < zones_of_cell; ++z) finish_zone(g, z, zone + z, cells, change, forces);
+            const CellField shift = from_first(rows_.shifts(), g.corners);
+            for (Row z = 0; z < zones_of_cell; ++z) finish_zone(g, shift, z, zone + z, cells, change, forces);
             forces_.add(g.corners, cells, forces);
         }
         for (Row l = cells; l < eight; ++l) g.work[l] = 0;
@@ -153,13 +155,14 @@ private:
     }
 
     /// The same for zone `z` of each cell, which has a stress of its own.
-    void finish_zone(CellGroup& g, Row z, Row zone, Row cells, const SixEights& change, CellForces& forces) {
+    void finish_zone(CellGroup& g, const CellField& shift, Row z, Row zone, Row cells, const SixEights& change,
+                     CellForces& forces) {
         const Edges edges = edges_of_zone(g.place, z);
         SixEights before = load_six(stresses(zone), to_next_cell, cells);
         if (large_) before = turned(before, g.half_spin);
         const SixEights after = sum(before, change);
         store_six(stresses(zone), to_next_cell, cells, after);
-        const Deformation d(edges, edges_of_zone(g.shift, z), large_); // the forces act on what the zone itself does
+        const Deformation d(edges, edges_of_zone(shift, z), large_); // the forces act on what the zone itself does
         g.work += 0.5 * d.volume * product(sum(before, after), d.strain);
         add_forces_of_zone(edges, z, after, forces);
     }
@@ -168,7 +171,7 @@ private:
     const ZoneTile& tile_;
     const ZoneLaw& law_;
     const LayerModuli moduli_;
-    const bool large_;
+    const bool large_, wet_;
     TileRows rows_;
     TileForces forces_;
     StagedZones<cells_in_batch> batch_;
