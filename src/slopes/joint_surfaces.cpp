@@ -12,10 +12,10 @@ namespace kaya {
 
 namespace {
 
-constexpr std::size_t most_lines = 8; ///< joints that are looked at, the longest ones
+constexpr std::size_t most_lines = 8; ///< that are looked at, the longest ones
 constexpr int net = 12;               ///< places of one leg that are tried first
 
-/// Joints of one line in the section, from left to right.
+/// Joints, or bases of weak layers, of one line in the section, from left to right.
 struct Line {
     SectionPoint from, to;
     double length() const { return (to - from).norm(); }
@@ -26,8 +26,10 @@ struct Line {
 std::vector<Line> lines_of(const SlopeColumns& columns) {
     const double near = 1e-6 * (columns.right() - columns.left());
     std::vector<Line> lines;
-    for (const SectionJoint& joint : columns.section().joints) {
-        Line line{joint.from, joint.to};
+    std::vector<Line> parts;
+    for (const SectionJoint& joint : columns.section().joints) parts.push_back({joint.from, joint.to});
+    for (const auto& base : columns.bases_of_weak_layers()) parts.push_back({base.from, base.to});
+    for (Line& line : parts) {
         if (line.to.x() < line.from.x() || (line.to.x() == line.from.x() && line.to.y() < line.from.y()))
             std::swap(line.from, line.to);
         if (!(line.length() > near)) continue;

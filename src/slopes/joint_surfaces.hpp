@@ -1,4 +1,4 @@
-// Slip surfaces that follow joints: the block search for weak layers and faults.
+// Slip surfaces that follow joints and weak layers: the block search.
 #pragma once
 
 #include "slopes/section.hpp"
@@ -13,9 +13,9 @@ struct JointSurface {
     SlipSurface surface;
 };
 
-/// The weakest of surfaces along one joint of the section that leave it at either end along another joint, on a straight leg to the
+/// The weakest of surfaces along one joint of the section, or the base of a weak layer, that leave it at either end along another, on a straight leg to the
 /// ground, or where it comes to daylight. `factor` gives a surface's factor of safety, and `no_answer` or more when it has none. The longest
-/// joints are looked at.
+/// of them are looked at.
 std::optional<JointSurface> weakest_along_joints(const SlopeColumns& columns, double no_answer,
                                                  const std::function<double(const SlipSurface&)>& factor);
 

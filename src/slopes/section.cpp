@@ -117,6 +117,22 @@ SlopeColumns::Column SlopeColumns::column(const SectionPoint& base) const {
     return sum;
 }
 
+std::vector<SlopeColumns::Base> SlopeColumns::bases_of_weak_layers() const {
+    std::vector<Base> bases;
+    const auto strength_under = [&](const Layer& layer, double stress) {
+        const Strength& strength = section_.strengths[section_.cells[layer.cell].strength];
+        return strength.fails() ? strength.tangent(stress).at(stress) : INFINITY;
+    };
+    for (const Strip& strip : strips_)
+        for (std::size_t i = 1; i < strip.layers.size(); ++i) {
+            const Layer &weak = strip.layers[i - 1], &strong = strip.layers[i];
+            const SectionPoint from(strip.from, weak.bottom_left), to(strip.to, weak.bottom_right);
+            const double stress = column(0.5 * (from + to)).weight;
+            if (strength_under(weak, stress) < strength_under(strong, stress)) bases.push_back({from, to});
+        }
+    return bases;
+}
+
 const Strength* SlopeColumns::strength_at(const SectionPoint& place, const SectionPoint& along) const {
     const std::span<const SectionJoint> joints = along.isZero() ? std::span<const SectionJoint>() : section_.joints;
     for (const SectionJoint& joint : joints) {

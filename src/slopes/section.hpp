@@ -64,6 +64,11 @@ public:
     /// The strength at a place on a slip surface of that direction: of a joint that it runs along, else of the cell. A zero direction
     /// runs along no joint. Null where nothing is.
     const Strength* strength_at(const SectionPoint& place, const SectionPoint& along) const;
+    /// Where a layer lies on one that is stronger under the weight that is there, from left to right.
+    struct Base {
+        SectionPoint from, to;
+    };
+    std::vector<Base> bases_of_weak_layers() const;
 
 private:
     struct Layer {

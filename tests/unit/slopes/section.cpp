@@ -137,6 +137,32 @@ TEST(SurfaceSearch, AWeakLayerIsFollowed) {
     const auto circle = weakest_circle(columns, SurfaceSearch{}), polyline = weakest_polyline(columns, SurfaceSearch{});
     ASSERT_TRUE(circle && polyline);
     EXPECT_LT(polyline->answer.factor, 0.97 * circle->answer.factor);
+
+    double length = 0;
+    for (const auto& base : columns.bases_of_weak_layers()) {
+        length += base.to.x() - base.from.x();
+        EXPECT_NEAR(base.from.y(), -1.5, 1e-9);
+        EXPECT_NEAR(base.to.y(), -1.5, 1e-9);
+    }
+    EXPECT_NEAR(length, 70, 1e-9);
+    // A net of surfaces along that base has none that is weaker.
+    int count = 0;
+    for (double lower = 0; lower < 10; lower += 1)
+        for (double upper = lower + 2; upper < 25; upper += 1)
+            for (double leg = 1; leg < 8; leg += 1)
+                for (double back = 2; back < 16; back += 1) {
+                    const SlipSurface along{{{lower - leg, *columns.ground_at(lower - leg)},
+                                             {lower, -1.5},
+                                             {upper, -1.5},
+                                             {upper + back, *columns.ground_at(upper + back)}},
+                                            {}};
+                    const auto body = body_above(columns, along, 30);
+                    const auto answer = body ? factor_of_safety(*body, SliceMethod::spencer) : std::nullopt;
+                    if (!answer || answer->lambda < 0) continue;
+                    ++count;
+                    EXPECT_GE(answer->factor, 0.999 * polyline->answer.factor) << lower << ' ' << upper;
+                }
+    EXPECT_GT(count, 1000);
 }
 
 /// A weak joint that dips gently out of a slope, and a fault behind the crest.
