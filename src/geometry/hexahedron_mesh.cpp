@@ -1,4 +1,4 @@
-#include "geometry/mesh.hpp"
+#include "geometry/hexahedron.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,10 +7,7 @@
 
 namespace kaya {
 
-namespace {
-
-/// The eight vertices as corners of a cube: corner i + 2 j + 4 k. Corner 0 is the lowest vertex.
-std::optional<std::array<int, 8>> corners_of(const Polyhedron& p) {
+std::optional<std::array<int, 8>> hexahedron_corners(const Polyhedron& p) {
     if (p.vertices.size() != 8 || p.faces.size() != 6) return std::nullopt;
     for (const auto& face : p.faces)
         if (face.vertices.size() != 4) return std::nullopt;
@@ -73,7 +70,7 @@ std::optional<std::array<int, 8>> corners_of(const Polyhedron& p) {
     return corner;
 }
 
-int divisions(double length, double edge) { return std::max(1, static_cast<int>(std::lround(length / edge))); }
+namespace {
 
 /// Where the i-th of n + 1 points stands on a unit length whose n parts grow by a ratio.
 std::vector<double> graded(int n, double ratio) {
@@ -86,7 +83,8 @@ std::vector<double> graded(int n, double ratio) {
     return places;
 }
 
-/// n cells along each axis, six tetrahedra in each.
+} // namespace
+
 TetMesh grid_mesh(const Polyhedron& polyhedron, const std::array<int, 8>& corner, const std::array<int, 3>& n,
                   const std::array<double, 3>& ratio) {
     const auto at = [&](int c) -> const Vec3& { return polyhedron.vertices[corner[c]]; };
@@ -162,26 +160,9 @@ TetMesh grid_mesh(const Polyhedron& polyhedron, const std::array<int, 8>& corner
     return mesh;
 }
 
-} // namespace
-
-std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, double edge) {
-    const auto corner = corners_of(polyhedron);
-    if (!corner) return std::nullopt;
-    const auto at = [&](int c) -> const Vec3& { return polyhedron.vertices[(*corner)[c]]; };
-
-    std::array<int, 3> n;
-    for (int axis = 0; axis < 3; ++axis) {
-        double length = 0;
-        for (int c = 0; c < 8; ++c)
-            if (!(c & (1 << axis))) length += (at(c | (1 << axis)) - at(c)).norm() / 4.0;
-        n[axis] = divisions(length, edge);
-    }
-    return grid_mesh(polyhedron, *corner, n, {1, 1, 1});
-}
-
 std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, const std::array<int, 3>& parts,
                                        const std::array<double, 3>& ratio) {
-    const auto corner = corners_of(polyhedron);
+    const auto corner = hexahedron_corners(polyhedron);
     if (!corner) return std::nullopt;
     // Corners count in a right-handed order, which may have put the edge nearest to z before that nearest to y.
     const auto edge = [&](int axis) {

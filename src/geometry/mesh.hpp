@@ -21,23 +21,22 @@ struct TetMesh {
     int per_cell = 0; ///< tetrahedra of a cell, which stand one after the other; 0: there are no cells
 };
 
-/// A six-faced block with eight vertices and four-cornered faces, cut into n1 x n2 x n3 cells of six
-/// tetrahedra each (Kuhn); n from the mean edge lengths, so that cells have edges close to `edge`.
-/// Nothing when the polyhedron is not of that kind.
-std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, double edge);
-
-/// The same with the number of cells along each of the block's own axes, which are those of its edges that come nearest
-/// to x, y and z; every cell is `ratio` times as long as the one before it in the direction of growing x, y or z. Nothing, too, when a
-/// tetrahedron would have no volume.
+/// A six-faced block with eight vertices and four-cornered faces, cut into cells of six tetrahedra each (Kuhn), so many along each of
+/// the block's own axes, which are those of its edges that come nearest
+/// to x, y and z; every cell is `ratio` times as long as the one before it in the direction of growing x, y or z. Nothing when the
+/// polyhedron is not of that kind or a tetrahedron would have no volume.
 std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, const std::array<int, 3>& parts,
                                        const std::array<double, 3>& ratio = {1, 1, 1});
 
 /// A conforming mesh of any convex polyhedron with edges close to `edge`, or to the polyhedron's own where
-/// those are shorter. Bricks and the like are meshed by hexahedron_mesh where that gives good shapes; other
-/// shapes by Delaunay tetrahedra of well spread points, improved by moving points and by exchanging
-/// tetrahedra until no flat one is left. The polyhedron's vertices are points of the mesh, bit for bit.
+/// those are shorter. Bricks and the like are cut in cells where that gives good shapes; other shapes get triangles on their faces, and
+/// Delaunay tetrahedra of well spread points behind them, improved by moving points and by exchanging
+/// tetrahedra until no flat one is left. The polyhedron's vertices are points of the mesh, bit for bit. MeshPlan is the same for many blocks.
 /// Throws Diagnostic when the edge is not above 0 or the mesh would be larger than memory. `progress` is called now and then, with 0.
 TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const ProgressCallback& progress = {});
+
+/// Shapes with no angle below this are good enough to stop trying; degrees.
+constexpr double good_angle = 18;
 
 /// Smallest and largest angle between two faces of a tetrahedron, degrees. 70.5 and 70.5 in a regular one.
 struct DihedralAngles {

@@ -1,6 +1,7 @@
-// Where the points of a mesh lie: corners, edges, faces and the inside of a polyhedron. Private to geometry.
+// The surface of a block as triangles, and the points inside of it that tetrahedra are made of. Private to geometry.
 #pragma once
 
+#include "geometry/mesh.hpp"
 #include "geometry/polyhedron.hpp"
 
 #include <vector>
@@ -20,9 +21,24 @@ struct MeshPoints {
 /// Faces that all the points lie on.
 std::vector<int> common_faces(const MeshPoints& points, const std::vector<int>& numbers);
 
-/// Points `edge` apart: even steps along the edges, a lattice of equilateral triangles in the faces,
-/// a body-centred cubic lattice inside. Lattice points keep `clearance` times `edge` away from what bounds
-/// them. When none fits inside, the centroid is taken if `centre` is true.
-MeshPoints place_points(const Polyhedron& polyhedron, double edge, double clearance, bool centre);
+/// The triangles that a block's faces are to have, whatever tetrahedra fill it.
+struct BlockSurface {
+    MeshPoints points;
+    std::vector<TetMesh::BoundaryTriangle> triangles;
+};
+
+/// Points `edge` apart inside: a body-centred cubic lattice. They keep `clearance` times `edge` away from the faces. When none fits
+/// inside, the centroid is taken if `centre` is true.
+void add_inner_points(const Polyhedron& polyhedron, double edge, double clearance, bool centre, MeshPoints& points);
+
+/// The least angle between faces of tetrahedra, or what the largest lacks of 180 degrees.
+double worst_angle(const TetMesh& mesh);
+
+/// Throws Diagnostic when the edge is not above 0 or there would be more tetrahedra than any machine can hold.
+void check_mesh_size(const Polyhedron& polyhedron, double edge);
+
+/// Tetrahedra in the block whose outer triangles are those of the surface. Throws Diagnostic when there are none.
+TetMesh fill_surface(const Polyhedron& polyhedron, const BlockSurface& surface, double edge,
+                     const ProgressCallback& progress = {});
 
 } // namespace kaya

@@ -1,6 +1,7 @@
 #include "base/diagnostic.hpp"
 #include "geometry/delaunay.hpp"
-#include "geometry/mesh.hpp"
+#include "geometry/mesh_points.hpp"
+#include "geometry/surface_recovery.hpp"
 #include "geometry/tet_improvement.hpp"
 
 #include <Eigen/Geometry>
@@ -17,9 +18,6 @@ namespace {
 
 using Tet = std::array<int, 4>;
 
-/// Shapes with no angle below this are good enough to stop trying; degrees.
-constexpr double good_angle = 18;
-
 /// The triangle opposite corner `i`, anticlockwise seen from outside.
 constexpr std::array<std::array<int, 3>, 4> outer_triangle{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
@@ -27,48 +25,90 @@ std::array<int, 3> triangle_of(const Tet& t, int i) {
     return {t[outer_triangle[i][0]], t[outer_triangle[i][1]], t[outer_triangle[i][2]]};
 }
 
-/// The triangles that belong to one tetrahedron only, with the face they lie in; nothing when one lies in
-/// no face, which means that rounding has torn the surface.
-std::optional<std::vector<TetMesh::BoundaryTriangle>> boundary_of(const MeshPoints& points,
-                                                                  const std::vector<Tet>& tetrahedra) {
-    std::map<std::array<int, 3>, std::array<int, 3>> open;
-    for (const Tet& t : tetrahedra)
-        for (int i = 0; i < 4; ++i) {
-            const std::array<int, 3> triangle = triangle_of(t, i);
-            std::array<int, 3> key = triangle;
-            std::sort(key.begin(), key.end());
-            const auto [place, fresh] = open.emplace(key, triangle);
-            if (!fresh) open.erase(place);
-        }
-    std::vector<TetMesh::BoundaryTriangle> boundary;
-    for (const auto& [key, triangle] : open) {
-        const std::vector<int> faces = common_faces(points, {key.begin(), key.end()});
-        if (faces.empty()) return std::nullopt;
-        boundary.push_back({triangle, faces.front()});
+/// Worse shapes than this get new points, degrees.
+constexpr double fair_angle = 15;
+
+/// The least angle between two faces of a block, degrees.
+double sharpest_edge(const Polyhedron& p) {
+    std::map<std::array<int, 2>, Vec3> normals; // of the face to the left of an edge
+    for (const auto& face : p.faces) {
+        const Vec3 normal = face_normal(p, face);
+        for (std::size_t i = 0; i < face.vertices.size(); ++i)
+            normals[{face.vertices[i], face.vertices[(i + 1) % face.vertices.size()]}] = normal;
     }
-    return boundary;
+    double least = std::numbers::pi;
+    for (const auto& [edge, normal] : normals) {
+        const auto other = normals.find({edge[1], edge[0]});
+        if (other == normals.end()) continue;
+        least = std::min(least,
+                         std::numbers::pi - std::atan2(normal.cross(other->second).norm(), normal.dot(other->second)));
+    }
+    return least * 180 / std::numbers::pi;
 }
 
-std::optional<TetMesh> try_points(const Polyhedron& polyhedron, MeshPoints points, const ProgressCallback& progress) {
-    std::vector<Tet> tetrahedra = delaunay(points.points);
-    // Four points of one face make a flat tetrahedron by rounding alone.
-    std::erase_if(tetrahedra, [&](const Tet& t) { return !common_faces(points, {t.begin(), t.end()}).empty(); });
-    improve(polyhedron, points, tetrahedra, progress);
-    auto boundary = boundary_of(points, tetrahedra);
-    if (!boundary) return std::nullopt;
-    TetMesh mesh{std::move(points.points), std::move(tetrahedra), std::move(*boundary)};
-    double volume = 0, wanted = mass_properties(polyhedron).volume;
-    for (const Tet& t : mesh.tetrahedra) {
-        const Vec3& a = mesh.points[t[0]];
-        const double part = (mesh.points[t[1]] - a).dot((mesh.points[t[2]] - a).cross(mesh.points[t[3]] - a)) / 6;
-        if (part <= 0) return std::nullopt;
+/// Tetrahedra of positive volume in the place of those that are there; nothing when some cannot be made good.
+std::optional<TetMesh> improved(const Polyhedron& polyhedron, const BlockSurface& surface, MeshPoints points,
+                                std::vector<Tet> tetrahedra, bool new_points, const ProgressCallback& progress) {
+    improve(points, tetrahedra, new_points, progress);
+    double volume = 0;
+    const double wanted = mass_properties(polyhedron).volume;
+    for (const Tet& t : tetrahedra) {
+        const Vec3& a = points.points[t[0]];
+        const double part = (points.points[t[1]] - a).dot((points.points[t[2]] - a).cross(points.points[t[3]] - a)) / 6;
+        if (!(part > 1e-13 * wanted)) return std::nullopt;
         volume += part;
     }
-    if (std::abs(volume - wanted) > 1e-9 * wanted) return std::nullopt;
-    return mesh;
+    // What far coordinates have lost shows in the volume.
+    double area = 0, far = 0;
+    for (const auto& t : surface.triangles) {
+        const Vec3& a = points.points[t.points[0]];
+        area += (points.points[t.points[1]] - a).cross(points.points[t.points[2]] - a).norm() / 2;
+        far = std::max(far, a.lpNorm<Eigen::Infinity>());
+    }
+    const double noise = 16 * std::numeric_limits<double>::epsilon() * far * area;
+    if (std::abs(volume - wanted) > 1e-9 * wanted + noise) return std::nullopt;
+    return TetMesh{std::move(points.points), std::move(tetrahedra), surface.triangles};
 }
 
-void check_request(const Polyhedron& polyhedron, double edge) {
+/// The points with faces and edges a little convex: no four points lie in one plane, so signs need no exact arithmetic, which takes longer
+/// than all the rest.
+std::vector<Vec3> bulged(const std::vector<Vec3>& points) {
+    constexpr double bulge = 1e-5;
+    Vec3 low = points.front(), high = low;
+    for (const Vec3& x : points) {
+        low = low.cwiseMin(x);
+        high = high.cwiseMax(x);
+    }
+    const Vec3 centre = 0.5 * (low + high);
+    const double factor = bulge / (0.25 * (high - low).squaredNorm());
+    std::vector<Vec3> result;
+    for (const Vec3& x : points) result.push_back((1 - factor * (x - centre).squaredNorm()) * (x - centre));
+    return result;
+}
+
+std::optional<TetMesh> try_points(const Polyhedron& polyhedron, const BlockSurface& surface, MeshPoints points,
+                                  const ProgressCallback& progress) {
+    std::vector<Tet> tetrahedra = delaunay(bulged(points.points));
+    // Four points of one face make a flat tetrahedron by rounding alone.
+    std::erase_if(tetrahedra, [&](const Tet& t) { return !common_faces(points, {t.begin(), t.end()}).empty(); });
+    if (!recover_surface(polyhedron, surface, points, tetrahedra)) return std::nullopt;
+    return improved(polyhedron, surface, std::move(points), std::move(tetrahedra), false, progress);
+}
+
+/// A tetrahedron from each triangle to the centroid: of bad shape, but always there.
+std::optional<TetMesh> star(const Polyhedron& polyhedron, const BlockSurface& surface,
+                            const ProgressCallback& progress) {
+    MeshPoints points = surface.points;
+    const int centre = static_cast<int>(points.points.size());
+    points.add(mass_properties(polyhedron).centroid, {});
+    std::vector<Tet> tetrahedra;
+    for (const auto& t : surface.triangles) tetrahedra.push_back({t.points[0], t.points[2], t.points[1], centre});
+    return improved(polyhedron, surface, std::move(points), std::move(tetrahedra), true, progress);
+}
+
+} // namespace
+
+void check_mesh_size(const Polyhedron& polyhedron, double edge) {
     if (!(edge > 0) || !std::isfinite(edge))
         throw Diagnostic(fmt::format("the edge length of zones is {}, and must be above 0", edge));
     // A regular tetrahedron has 0.118 edge^3; half of that or less is common.
@@ -79,7 +119,10 @@ void check_request(const Polyhedron& polyhedron, double edge) {
                          "use longer edges");
 }
 
-} // namespace
+double worst_angle(const TetMesh& mesh) {
+    const DihedralAngles angles = dihedral_angles(mesh);
+    return std::min(angles.smallest, 180 - angles.largest);
+}
 
 DihedralAngles dihedral_angles(const TetMesh& mesh) {
     DihedralAngles angles;
@@ -100,19 +143,17 @@ DihedralAngles dihedral_angles(const TetMesh& mesh) {
     return angles;
 }
 
-TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const ProgressCallback& progress) {
-    check_request(polyhedron, edge);
+TetMesh fill_surface(const Polyhedron& polyhedron, const BlockSurface& surface, double edge,
+                     const ProgressCallback& progress) {
     std::optional<TetMesh> best;
     double best_angle = -1;
     const auto consider = [&](std::optional<TetMesh>&& candidate) {
         if (!candidate) return;
-        const DihedralAngles angles = dihedral_angles(*candidate);
-        const double angle = std::min(angles.smallest, 180 - angles.largest);
+        const double angle = worst_angle(*candidate);
         if (angle <= best_angle) return;
         best_angle = angle;
         best = std::move(candidate);
     };
-    consider(hexahedron_mesh(polyhedron, edge));
     struct Trial {
         double clearance;
         bool centre;
@@ -121,9 +162,23 @@ TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const ProgressCallb
     // depends on how the lattice happens to meet the faces.
     constexpr std::array trials{Trial{0.6, false}, Trial{0.6, true},  Trial{0.5, true},
                                 Trial{0.7, true},  Trial{0.45, true}, Trial{0.8, true}};
-    for (const Trial& trial : trials)
-        if (best_angle < good_angle)
-            consider(try_points(polyhedron, place_points(polyhedron, edge, trial.clearance, trial.centre), progress));
+    // No mesh has larger angles than those between the block's faces.
+    const double part = std::min(1.0, 0.9 * sharpest_edge(polyhedron) / good_angle);
+    std::vector<std::vector<Vec3>> tried;
+    for (const Trial& trial : trials) {
+        if (best_angle >= good_angle * part) break;
+        MeshPoints points = surface.points;
+        add_inner_points(polyhedron, edge, trial.clearance, trial.centre, points);
+        if (std::ranges::find(tried, points.points) != tried.end()) continue;
+        tried.push_back(points.points);
+        consider(try_points(polyhedron, surface, std::move(points), progress));
+    }
+    if (best && best_angle < fair_angle * part) {
+        MeshPoints points = surface.points;
+        for (std::size_t i = points.points.size(); i < best->points.size(); ++i) points.add(best->points[i], {});
+        consider(improved(polyhedron, surface, std::move(points), best->tetrahedra, true, progress));
+    }
+    if (!best) consider(star(polyhedron, surface, progress));
     if (!best)
         throw Diagnostic("the block could not be filled with zones",
                          "its faces are not flat or its shape is too thin; look at it with 'list blocks quality'");

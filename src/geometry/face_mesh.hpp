@@ -1,0 +1,26 @@
+// Triangles that cover one face of a block. Private to geometry.
+#pragma once
+
+#include "base/vector.hpp"
+
+#include <array>
+#include <vector>
+
+namespace kaya {
+
+/// A convex flat polygon and the points that divide its edges.
+struct FaceOutline {
+    std::vector<Vec3> corners;              ///< anticlockwise
+    std::vector<std::vector<Vec3>> between; ///< of corner i and the one after it
+};
+
+struct FaceMesh {
+    std::vector<Vec3> points;                  ///< the corners, the points between them in turn, those inside
+    std::vector<std::array<int, 3>> triangles; ///< anticlockwise
+};
+
+/// Well shaped triangles with edges close to `edge`. They follow from the outline as it is given and from nothing else: who wants the same
+/// ones on both sides of a face begins at the same corner and walks in the same direction.
+FaceMesh mesh_face(const FaceOutline& outline, double edge);
+
+} // namespace kaya

@@ -1,0 +1,19 @@
+// Blocks with six faces of four corners, as grids. Private to geometry.
+#pragma once
+
+#include "geometry/mesh.hpp"
+
+#include <array>
+#include <optional>
+
+namespace kaya {
+
+/// The eight vertices as corners of a cube: corner i + 2 j + 4 k stands at the ends i, j, k of the three axes, which are right-handed. Corner 0
+/// is the lowest vertex. Nothing when the polyhedron is not of that kind.
+std::optional<std::array<int, 8>> hexahedron_corners(const Polyhedron& polyhedron);
+
+/// n cells along each axis, six tetrahedra in each, all with an edge from the end nearest to corner 0 to the one nearest to corner 7.
+TetMesh grid_mesh(const Polyhedron& polyhedron, const std::array<int, 8>& corner, const std::array<int, 3>& n,
+                  const std::array<double, 3>& ratio = {1, 1, 1});
+
+} // namespace kaya

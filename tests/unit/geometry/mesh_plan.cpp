@@ -1,0 +1,210 @@
+#include "geometry/mesh_plan.hpp"
+
+#include "geometry/cut.hpp"
+#include "geometry/joint_set.hpp"
+#include "geometry/random.hpp"
+#include "geometry/shapes.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <gtest/gtest.h>
+#include <map>
+#include <set>
+
+using namespace kaya;
+
+namespace {
+
+std::vector<TetMesh> meshes_of(const MeshPlan& plan, std::size_t count) {
+    std::vector<TetMesh> meshes;
+    for (std::size_t b = 0; b < count; ++b) meshes.push_back(plan.mesh(b));
+    return meshes;
+}
+
+/// One number for all points within a micrometre of each other.
+class Places {
+public:
+    int number(const Vec3& x) {
+        const auto cell = [](double v) { return static_cast<long>(std::floor(v * 1024)); };
+        for (int i = 0; i < 27; ++i) {
+            const auto [first, last] =
+                numbers_.equal_range({cell(x.x()) + i % 3 - 1, cell(x.y()) + i / 3 % 3 - 1, cell(x.z()) + i / 9 - 1});
+            for (auto it = first; it != last; ++it)
+                if ((places_[it->second] - x).norm() < 1e-6) return it->second;
+        }
+        places_.push_back(x);
+        const int number = static_cast<int>(places_.size()) - 1;
+        numbers_.emplace(std::array<long, 3>{cell(x.x()), cell(x.y()), cell(x.z())}, number);
+        return number;
+    }
+
+private:
+    std::multimap<std::array<long, 3>, int> numbers_;
+    std::vector<Vec3> places_;
+};
+
+struct Shared {
+    int faces = 0, matching = 0;
+};
+
+/// Faces with equal corners, and those of them with equal triangles.
+Shared shared_faces(const std::vector<Polyhedron>& blocks, const std::vector<TetMesh>& meshes) {
+    Places places;
+    std::map<std::vector<int>, std::set<std::array<int, 3>>> seen;
+    Shared shared;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        std::vector<std::set<std::array<int, 3>>> triangles(blocks[b].faces.size());
+        for (const auto& t : meshes[b].boundary) {
+            std::array<int, 3> key{};
+            for (std::size_t k = 0; k < 3; ++k) key[k] = places.number(meshes[b].points[t.points[k]]);
+            std::ranges::sort(key);
+            triangles[t.face].insert(key);
+        }
+        for (std::size_t f = 0; f < triangles.size(); ++f) {
+            std::vector<int> corners;
+            for (const int v : blocks[b].faces[f].vertices) corners.push_back(places.number(blocks[b].vertices[v]));
+            std::ranges::sort(corners);
+            const auto [other, fresh] = seen.emplace(corners, triangles[f]);
+            if (fresh) continue;
+            ++shared.faces;
+            shared.matching += other->second == triangles[f];
+        }
+    }
+    return shared;
+}
+
+/// Cut by three sets whose directions, spacings and scatter are drawn by chance.
+std::vector<Polyhedron> rock(std::uint64_t seed) {
+    Random random(seed);
+    std::vector<Polyhedron> blocks{make_brick({0, 0, 0}, {4, 4, 4})};
+    for (int i = 1; i <= 3; ++i) {
+        JointSet set;
+        set.dip = 90 * random.uniform();
+        set.dip_direction = 360 * random.uniform();
+        set.dip_deviation = 8 * random.uniform();
+        set.spacing = 1.2 + 0.8 * random.uniform();
+        set.number = 9;
+        set.origin = {4 * random.uniform(), 4 * random.uniform(), 4 * random.uniform()};
+        set.id = i;
+        set.seed = seed;
+        const CutBlocks cut = cut_blocks(blocks, set, 1e-3);
+        std::vector<Polyhedron> next;
+        for (std::size_t b = 0; b < blocks.size(); ++b)
+            if (!std::ranges::binary_search(cut.parents, static_cast<int>(b))) next.push_back(blocks[b]);
+        for (const auto& piece : cut.pieces) next.push_back(piece.polyhedron);
+        blocks = std::move(next);
+    }
+    return blocks;
+}
+
+void move(std::vector<Polyhedron>& blocks, const Mat3& turn, const Vec3& way) {
+    for (Polyhedron& block : blocks) {
+        for (Vec3& x : block.vertices) x = turn * x + way;
+        if (turn.determinant() < 0)
+            for (auto& face : block.faces) std::ranges::reverse(face.vertices);
+    }
+}
+
+Polyhedron wedge_on_cube() {
+    return make_prism({{1, 0, 0}, {1, 0, 1}, {1.8, 0, 0}}, {{1, 1, 0}, {1, 1, 1}, {1.8, 1, 0}}).parts.front();
+}
+
+} // namespace
+
+TEST(MeshPlan, BlocksOfJointSetsHaveTheSameTrianglesOnBothSides) {
+    const Mat3 turned = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    const Mat3 mirrored = Vec3(-1, 1, 1).asDiagonal();
+    int faces = 0;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed)
+        for (const double edge : {0.5, 1.2}) {
+            std::vector<Polyhedron> blocks = rock(seed);
+            if (seed % 4 == 1) move(blocks, turned, Vec3::Zero());
+            if (seed % 4 == 2) move(blocks, mirrored, Vec3::Zero());
+            if (seed % 4 == 3) move(blocks, Mat3::Identity(), {1e6, -1e6, 1e6});
+            const MeshPlan plan(blocks, edge);
+            const Shared shared = shared_faces(blocks, meshes_of(plan, blocks.size()));
+            EXPECT_EQ(shared.matching, shared.faces) << "seed " << seed << " edge " << edge;
+            faces += shared.faces;
+        }
+    EXPECT_GT(faces, 1000);
+}
+
+TEST(MeshPlan, CornersThatDifferByRoundingAreTheSame) {
+    std::vector<Polyhedron> blocks = rock(5);
+    Random random(3);
+    for (Polyhedron& block : blocks)
+        for (Vec3& x : block.vertices) x += 1e-11 * Vec3(random.symmetric(), random.symmetric(), random.symmetric());
+    const MeshPlan plan(blocks, 0.5);
+    const Shared shared = shared_faces(blocks, meshes_of(plan, blocks.size()));
+    EXPECT_GT(shared.faces, 50);
+    EXPECT_EQ(shared.matching, shared.faces);
+}
+
+TEST(MeshPlan, TheOrderOfBlocksDoesNotMatter) {
+    const std::vector<Polyhedron> blocks = rock(2);
+    const std::vector<Polyhedron> reversed(blocks.rbegin(), blocks.rend());
+    const MeshPlan plan(blocks, 0.6), other(reversed, 0.6);
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const TetMesh mesh = plan.mesh(b), same = other.mesh(blocks.size() - 1 - b);
+        EXPECT_EQ(mesh.points, same.points);
+        EXPECT_EQ(mesh.tetrahedra, same.tetrahedra);
+    }
+}
+
+TEST(MeshPlan, CellsGoOnFromBlockToBlock) {
+    // The cells around a tunnel: sectors are wider outside than inside, and each is turned against the next.
+    TunnelBlocks tunnel;
+    tunnel.radius = 1;
+    tunnel.boundary = 2;
+    tunnel.radial = 3;
+    tunnel.tangential = 2;
+    tunnel.axial = 2;
+    tunnel.begin = 0;
+    tunnel.end = 1;
+    const std::vector<Polyhedron> blocks = make_tunnel(tunnel);
+    const MeshPlan plan(blocks, 0.4);
+    const auto meshes = meshes_of(plan, blocks.size());
+    const Shared shared = shared_faces(blocks, meshes);
+    EXPECT_EQ(shared.faces, 16 * 3 * 2 + 16 * 2 * 2 + 16 * 3);
+    EXPECT_EQ(shared.matching, shared.faces);
+    EXPECT_TRUE(std::ranges::all_of(meshes, [](const TetMesh& m) { return m.per_cell == 6; }));
+}
+
+TEST(MeshPlan, OtherBlocksTakeTheFacesOfCells) {
+    const std::vector<Polyhedron> blocks{wedge_on_cube(), make_brick({0, 0, 0}, {1, 1, 1})};
+    const MeshPlan plan(blocks, 0.25);
+    const auto meshes = meshes_of(plan, blocks.size());
+    EXPECT_EQ(meshes[0].per_cell, 0);
+    EXPECT_EQ(meshes[1].per_cell, 6);
+    const Shared shared = shared_faces(blocks, meshes);
+    EXPECT_EQ(shared.faces, 1);
+    EXPECT_EQ(shared.matching, 1);
+}
+
+TEST(MeshPlan, FacesThatAreThereAreTakenOver) {
+    // A wedge and a cube, fine; then their neighbours, coarse: the wedge's mirror image, and a cube below.
+    std::vector<Polyhedron> fine{wedge_on_cube(), make_brick({0, 0, 0}, {1, 1, 1})};
+    std::vector<Polyhedron> coarse{
+        make_prism({{1, 0, 0}, {1, 0, -1}, {1.8, 0, 0}}, {{1, 1, 0}, {1, 1, -1}, {1.8, 1, 0}}).parts.front(),
+        make_brick({0, 0, -1}, {1, 1, 0})};
+    const MeshPlan first(fine, 0.2);
+    auto meshes = meshes_of(first, fine.size());
+    std::vector<MeshedFace> there;
+    for (std::size_t b = 0; b < fine.size(); ++b)
+        for (std::size_t f = 0; f < fine[b].faces.size(); ++f) {
+            MeshedFace face;
+            face.points = meshes[b].points;
+            for (const auto& t : meshes[b].boundary)
+                if (t.face == static_cast<int>(f)) face.triangles.push_back(t.points);
+            there.push_back(face);
+        }
+    const MeshPlan second(coarse, 0.6, there);
+    for (std::size_t b = 0; b < coarse.size(); ++b) meshes.push_back(second.mesh(b));
+    std::vector<Polyhedron> all = fine;
+    all.insert(all.end(), coarse.begin(), coarse.end());
+    const Shared shared = shared_faces(all, meshes);
+    EXPECT_EQ(shared.faces, 4);
+    EXPECT_EQ(shared.matching, 4);
+    EXPECT_LT(meshes[2].tetrahedra.size(), meshes[0].tetrahedra.size());
+}
