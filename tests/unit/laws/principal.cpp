@@ -103,7 +103,13 @@ TEST(Principal, RowsThatMayYieldAreThoseWhoseBoundsDoNotHoldAndBoundsAreBounds) 
         EXPECT_EQ(p.value, Principal(all[i]).value);
     });
     for (std::size_t i = 0; i < all.size(); ++i) {
-        EXPECT_EQ(asked[i], 1);
+        EXPECT_EQ(asked[i], 2); // of wide bounds and of near ones
+        EXPECT_EQ(looked[i], i % 3 == 0 ? 1 : 0);
+    }
+    const auto all_hold = [&](std::size_t i, double high, double low) { return ++asked[i], high >= low; };
+    for_rows_that_may_yield(batch, all_hold, [&](std::size_t i, Principal&) { ++looked[i]; });
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_EQ(asked[i], 3); // of wide bounds alone
         EXPECT_EQ(looked[i], i % 3 == 0 ? 1 : 0);
     }
 }
