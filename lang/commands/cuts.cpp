@@ -39,6 +39,9 @@ CommandSpec joint_set() {
                   "a point of the first joint");
     entry.keyword({Spelling{"persistence", 1}}, real("p").at_least(0).at_most(1), &JointSetCommand::persistence,
                   "chance that a block in the way of a joint is cut, 1 if not given");
+    entry.keyword(
+        {"tolerance"}, real("distance").unit("length").at_least(0), &JointSetCommand::tolerance,
+        "a block is not cut where that would leave an edge shorter than this, or a corner nearer to the joint; 0 if not given");
     entry.keyword({"id"}, integer("n").at_least(1).at_most(2000000000), &JointSetCommand::id,
                   "number of the set, which its faces keep; counts up if not given");
     entry.keyword({"seed"}, integer("n").at_least(0), &JointSetCommand::seed,
@@ -56,6 +59,8 @@ CommandSpec joint_set() {
     entry.right("jset dip 45 dd 90").right("jset dip 60,5 dd 270,10 spacing 2,0.3 num 20 org 0,0,10 id 2");
     entry.right("jset dip 30 dd 90 join");
     entry.right("jset dip 80 spacing 1 number 5 persistence 0.7 seed 3 range region 1");
+    entry.right("jset dip 60 5 dd 270 10 spacing 2 num 20 tolerance 0.1");
+    entry.wrong("jset tolerance -1", "tolerance must be at least 0, not -1");
     entry.wrong("jset dip", "a number is missing after 'dip'");
     entry.wrong("jset dip 45 num 0", "num must be at least 1, not 0");
     entry.wrong("jset dip 45 num 1000000000", "num must be at most 1e+06, not 1e+09");

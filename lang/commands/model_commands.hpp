@@ -113,6 +113,7 @@ struct JointSetCommand {
     std::array<double, 2> dip{}, dip_direction{}, spacing{}; ///< value and deviation
     std::int64_t number = 1;
     Vec3 origin = Vec3::Zero();
+    double tolerance = 0; ///< cuts nearer than this to a corner are not made
     double persistence = 1;
     std::optional<std::int64_t> id; ///< none: the next that is free
     std::int64_t seed = 0;

@@ -52,16 +52,22 @@ std::vector<Polyhedron> shapes_of(const Model& model, const std::vector<Row>& ro
     return shapes;
 }
 
+std::string too_near(const CutBlocks& cut, double tolerance) {
+    return fmt::format("{} not made: too near to a corner of the block (tolerance {:g})",
+                       counted(cut.corners, "cut was", "cuts were"), tolerance);
+}
+
 /// Puts the pieces in place of their blocks and says in one line what was done.
 /// Returns the row of each piece.
 std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const CutBlocks& cut, double thinnest,
-                       const std::string& by) {
+                       const std::string& by, double tolerance = 0) {
     const std::size_t whole = rows.size() - cut.parents.size();
     std::string line = fmt::format("{}: {} cut into {}, {} left whole", by,
                                    counted(cut.parents.size(), "block", "blocks"), cut.pieces.size(), whole);
     if (cut.slivers > 0)
         line += fmt::format("; {} not made: a piece would be thinner than {:.3g}",
                             counted(cut.slivers, "cut was", "cuts were"), thinnest);
+    if (cut.corners > 0) line += "; " + too_near(cut, tolerance);
     std::vector<Row> pieces;
     if (!cut.parents.empty()) {
         Model& model = session.model;
@@ -103,6 +109,7 @@ void run(Session& session, const lang::JointSetCommand& command) {
         set.number = static_cast<int>(command.number);
         set.origin = command.origin;
         set.persistence = command.persistence;
+        set.tolerance = command.tolerance;
         set.id = command.id ? static_cast<int>(*command.id) : next_joint_set(session.model);
         set.seed = static_cast<std::uint64_t>(command.seed);
         const double thinnest = thinnest_part * model_size(session.model);
@@ -114,11 +121,12 @@ void run(Session& session, const lang::JointSetCommand& command) {
         const std::string name = fmt::format("joint set {}", set.id);
         LongWork work(session, name);
         const CutBlocks cut = cut_blocks(shapes_of(session.model, rows), set, thinnest, std::ref(work));
-        const auto pieces = apply(session, rows, cut, thinnest, name);
+        const auto pieces = apply(session, rows, cut, thinnest, name, set.tolerance);
         if (command.join) join_pieces(session.model, cut, pieces);
         if (cut.parents.empty())
             session.warn(Diagnostic("no block was cut by this joint set",
-                                    cut.slivers > 0
+                                    cut.corners > 0 ? too_near(cut, set.tolerance)
+                                    : cut.slivers > 0
                                         ? fmt::format("{} not made: a piece would be thinner than {:.3g}",
                                                       counted(cut.slivers, "cut was", "cuts were"), thinnest)
                                         : "look at its origin and its dip")

@@ -154,6 +154,13 @@ Vec3 twice_area(const Polyhedron& polyhedron, const Polyhedron::Face& face) {
     return sum;
 }
 
+double shortest_edge(const std::vector<int>& loop, const std::vector<Vec3>& points) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        least = std::min(least, (points[loop[(i + 1) % loop.size()]] - points[loop[i]]).norm());
+    return least;
+}
+
 } // namespace
 
 double thickness(const Polyhedron& polyhedron) {
@@ -170,15 +177,16 @@ double thickness(const Polyhedron& polyhedron) {
     return std::isfinite(least) ? least : 0;
 }
 
-Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double thinnest) {
+Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double thinnest, double nearest) {
     Cut result;
     // Most planes miss most blocks, so first look without storing anything.
     double highest = 0, lowest = 0;
-    bool any_above = false, any_below = false;
+    bool any_above = false, any_below = false, any_near = false;
     for (const Vec3& vertex : polyhedron.vertices) {
         const Side side = side_of(vertex, plane);
         any_above |= side.sign > 0;
         any_below |= side.sign < 0;
+        any_near |= side.sign != 0 && std::abs(side.distance) < nearest;
         highest = std::max(highest, side.distance);
         lowest = std::min(lowest, side.distance);
     }
@@ -186,8 +194,8 @@ Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double 
         result.outcome = any_above ? CutOutcome::above : CutOutcome::below;
         return result;
     }
-    if (std::min(highest, -lowest) < thinnest) {
-        result.outcome = CutOutcome::sliver;
+    if (any_near || std::min(highest, -lowest) < thinnest) {
+        result.outcome = any_near ? CutOutcome::corner : CutOutcome::sliver;
         return result;
     }
     CutVertices vertices;
@@ -223,6 +231,10 @@ Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double 
     if (cap.vertices.empty() || cap.vertices != closing_loop(below, vertices)) {
         // The plane grazes the polyhedron within the band, or a face is not flat: nothing to share.
         result.outcome = CutOutcome::sliver;
+        return result;
+    }
+    if (nearest > 0 && shortest_edge(cap.vertices, vertices.points) < nearest) {
+        result.outcome = CutOutcome::corner; // it cuts the tip off a narrow corner
         return result;
     }
     below.faces.push_back(std::move(cap));

@@ -28,6 +28,7 @@ void check(const JointSet& set) {
         Entry{"origin's x", set.origin.x(), -any, any},
         Entry{"origin's y", set.origin.y(), -any, any},
         Entry{"origin's z", set.origin.z(), -any, any},
+        Entry{"tolerance", set.tolerance, 0, any},
         Entry{"persistence", set.persistence, 0, 1},
     };
     for (const Entry& entry : entries) {
@@ -43,11 +44,10 @@ void check(const JointSet& set) {
                          "give a spacing above 0, or number 1");
 }
 
-/// Cuts the one block in `pieces` by all planes; returns how many cuts were refused. `progress` gets the fraction of this
+/// Cuts the one block in `pieces` by all planes and counts the cuts that were refused. `progress` gets the fraction of this
 /// block.
-int cut_block(std::vector<Polyhedron>& pieces, const std::vector<Plane>& planes, const JointSet& set, double thinnest,
-              Random random, const ProgressCallback& progress) {
-    int slivers = 0;
+void cut_block(std::vector<Polyhedron>& pieces, const std::vector<Plane>& planes, const JointSet& set, double thinnest,
+               Random random, CutBlocks& result, const ProgressCallback& progress) {
     for (std::size_t k = 0; k < planes.size(); ++k) {
         const Plane& plane = planes[k];
         const std::size_t count = pieces.size();
@@ -55,15 +55,15 @@ int cut_block(std::vector<Polyhedron>& pieces, const std::vector<Plane>& planes,
         const double part = static_cast<double>(k) / static_cast<double>(planes.size());
         if (progress) progress(part * part);
         for (std::size_t i = 0; i < count; ++i) {
-            Cut parts = cut(pieces[i], plane, set.id, thinnest);
-            if (parts.outcome == CutOutcome::sliver) ++slivers;
+            Cut parts = cut(pieces[i], plane, set.id, thinnest, set.tolerance);
+            if (parts.outcome == CutOutcome::sliver) ++result.slivers;
+            if (parts.outcome == CutOutcome::corner) ++result.corners;
             if (parts.outcome != CutOutcome::cut) continue;
             if (set.persistence < 1 && random.uniform() >= set.persistence) continue;
             pieces[i] = std::move(parts.below);
             pieces.push_back(std::move(parts.above));
         }
     }
-    return slivers;
 }
 
 /// The planes that come near any of the blocks: those that cross the ball around all of them.
@@ -118,8 +118,8 @@ CutBlocks cut_blocks(const std::vector<Polyhedron>& blocks, const JointSet& set,
         std::vector<Polyhedron> pieces{blocks[block]};
         // Streams of blocks lie above the one that scatters the planes.
         const std::uint64_t stream = (static_cast<std::uint64_t>(block + 1) << 32) + static_cast<std::uint64_t>(set.id);
-        result.slivers += cut_block(pieces, planes, set, thinnest, Random(set.seed, stream),
-                                    [&](double done) { report_progress(progress, block, blocks.size(), done); });
+        cut_block(pieces, planes, set, thinnest, Random(set.seed, stream), result,
+                  [&](double done) { report_progress(progress, block, blocks.size(), done); });
         if (pieces.size() == 1) continue;
         if (result.pieces.size() + pieces.size() > most_pieces)
             throw Diagnostic(fmt::format("the joint set would make more than {} blocks", most_pieces),

@@ -17,6 +17,7 @@ struct JointSet {
     double spacing = 0, spacing_deviation = 0; ///< along the normal of the mean plane
     int number = 1;                            ///< of joints; the first passes through the origin
     Vec3 origin = Vec3::Zero();
+    double tolerance = 0;   ///< a cut that would pass nearer to a vertex of a block is not made
     double persistence = 1; ///< chance that a block in the way of a joint is cut, 0 to 1
     int id = 1;             ///< kept on the faces that the set cuts
     std::uint64_t seed = 0; ///< scatter and persistence follow from seed and id alone
@@ -36,6 +37,7 @@ struct CutBlocks {
     std::vector<Piece> pieces; ///< of blocks that were cut only; those of one parent follow each other
     std::vector<int> parents;  ///< blocks that were cut, rising
     int slivers = 0;           ///< cuts that were refused
+    int corners = 0;           ///< cuts that were refused since they would pass too near to a vertex
 };
 
 /// Cuts each block by all planes of the set. Which blocks a joint of persistence below 1 leaves whole

@@ -1,4 +1,6 @@
 // jset as a deck gives it: what is conserved, what follows from the seed, what pieces take over.
+#include "geometry/polyhedron.hpp"
+#include "model/build.hpp"
 #include "running.hpp"
 
 #include <Eigen/Geometry>
@@ -36,6 +38,34 @@ protected:
             seed + "\n");
     }
 };
+
+TEST_F(Cuts, NoCutLeavesAnEdgeShorterThanTheTolerance) {
+    const auto shortest_edge = [&](const std::string& tolerance) {
+        run("poly brick 0 10 0 10 0 10\n"
+            "jset dip 70 5 dd 200 10 spacing 1.5 .2 num 15 org 5 5 5 " +
+            tolerance + "\njset dip 40 5 dd 90 10 spacing 1.5 .2 num 15 org 5 5 5 " + tolerance +
+            "\njset dip 20 5 dd 0 10 spacing 1.5 .2 num 15 org 5 5 5 " + tolerance + "\n");
+        double least = 1e300;
+        for (std::size_t b = 0; b < model().blocks.size(); ++b) {
+            const Polyhedron shape = shape_of(model(), static_cast<Row>(b));
+            for (const auto& face : shape.faces)
+                for (std::size_t i = 0; i < face.vertices.size(); ++i)
+                    least = std::min(least, (shape.vertices[face.vertices[i]] -
+                                             shape.vertices[face.vertices[(i + 1) % face.vertices.size()]])
+                                                .norm());
+        }
+        EXPECT_NEAR(volume(), 1000, 1000 * 1e-12);
+        return least;
+    };
+    EXPECT_LT(shortest_edge(""), 0.02);
+    run("delete\n");
+    EXPECT_GE(shortest_edge("tolerance 0.1"), 0.1);
+    EXPECT_GT(model().blocks.size(), 100u);
+    EXPECT_THAT(said(), HasSubstr("not made: too near to a corner of the block (tolerance 0.1)"));
+    // A cut through a corner is none that passes near to it.
+    run("delete\npoly brick 0 1 0 1 0 1\njset dip 45 dd 90 org 0 0 1 tolerance 0.2\n");
+    EXPECT_EQ(model().blocks.size(), 2u);
+}
 
 TEST_F(Cuts, VolumeAndFirstMomentStay) {
     three_sets("0");
