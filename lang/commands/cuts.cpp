@@ -60,7 +60,7 @@ CommandSpec joint_set() {
     entry.right("jset dip 30 dd 90 join");
     entry.right("jset dip 80 spacing 1 number 5 persistence 0.7 seed 3 range region 1");
     entry.right("jset dip 60 5 dd 270 10 spacing 2 num 20 tolerance 0.1");
-    entry.wrong("jset tolerance -1", "tolerance must be at least 0, not -1");
+    entry.wrong("jset tolerance -1", "distance must be at least 0, not -1");
     entry.wrong("jset dip", "a number is missing after 'dip'");
     entry.wrong("jset dip 45 num 0", "num must be at least 1, not 0");
     entry.wrong("jset dip 45 num 1000000000", "num must be at most 1e+06, not 1e+09");

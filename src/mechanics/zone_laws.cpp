@@ -187,7 +187,8 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
     }
     const auto law_of = [&](Row zone) { return static_cast<std::size_t>(law_of_[model.zones.block[zone]]); };
     tiles = ZoneTiles(model, law_of, [&](std::size_t law) {
-        return laws[law].together >= Together::flow_in_cells ? zones_of_cell : 1;
+        const Together together = laws[law].together;
+        return together == Together::cells || together == Together::flow_in_cells ? zones_of_cell : 1;
     });
 }
 
