@@ -30,6 +30,15 @@ template <class Entry, class Each> Lists<Entry> sorted_lists(std::size_t rows, E
     return lists;
 }
 
+/// Whether gridpoints [row, row + 8) are of deformable blocks. Those of a block follow each other.
+inline bool all_in_zones(const Model& model, std::size_t row) {
+    const auto& block = model.gridpoints.block;
+    if (block[row] == block[row + 7]) return model.blocks.deformable[block[row]];
+    bool all = true;
+    for (std::size_t l = row; l < row + 8; ++l) all &= model.blocks.deformable[block[l]] != 0;
+    return all;
+}
+
 /// A weight in one side of a sub-contact.
 struct SideEntry {
     Row sub_contact;

@@ -98,6 +98,13 @@ struct PointForces {
                 add(e->weight, model.structures.nodes.force[e->node]);
         return sum;
     }
+    /// Whether each of rows [row, row + 8) is one point of one tile, and nothing else acts there.
+    bool have_one_point_each(Row row) const {
+        const Row *const points = &tiles.points_of.start[row], *const joined = &adjacency.of_gridpoint.start[row];
+        bool each = joined[0] == joined[8] && !ties.any_shares() && !adjacency.has_cables();
+        for (Row l = 0; l < eight; ++l) each &= points[l + 1] - points[l] == 1;
+        return each;
+    }
     Vec3 sum(Row row, double& acting) const {
         const Four sum = sum_of(row, acting);
         acting = sum[3] + (model.gridpoints.load[row].norm() + weight(row).norm());
@@ -116,7 +123,13 @@ void add_point(const Vec3& force, std::uint8_t fixed, const Roller& roller, doub
 void gather_eight(Model& model, const PointForces& forces, Row row, Balance& balance) {
     auto& g = model.gridpoints;
     std::array<Four, 8> rows;
-    for (Row l = 0; l < eight; ++l) rows[static_cast<std::size_t>(l)] = forces.sum_of(row + l, 0);
+    if (forces.have_one_point_each(row)) {
+        const Row* const points = forces.tiles.points_of.begin(row);
+        for (Row l = 0; l < eight; ++l)
+            rows[static_cast<std::size_t>(l)] = Four{} + load_as<Four>(forces.zone_forces[points[l]].value.data());
+    } else {
+        for (Row l = 0; l < eight; ++l) rows[static_cast<std::size_t>(l)] = forces.sum_of(row + l, 0);
+    }
     for (Row l = 0; l < eight; ++l) {
         const Four& force = rows[static_cast<std::size_t>(l)];
         g.force[row + l] = Vec3(force[0], force[1], force[2]);
@@ -140,11 +153,10 @@ void gather_eight(Model& model, const PointForces& forces, Row row, Balance& bal
 /// Whether rows [row, row + 8) are free gridpoints of zones.
 bool are_plain(const Model& model, const TieLists& ties, std::size_t row) {
     const auto& g = model.gridpoints;
-    for (std::size_t l = 0; l < 8; ++l)
-        if (g.fixed[row + l] != 0 || g.roller[row + l] != 0 || !model.blocks.deformable[g.block[row + l]] ||
-            ties.in_group(static_cast<Row>(row + l)))
-            return false;
-    return true;
+    bool free = all_in_zones(model, row);
+    for (std::size_t l = row; l < row + 8; ++l) free &= g.fixed[l] == 0 && g.roller[l] == 0;
+    for (std::size_t l = row; free && l < row + 8; ++l) free = !ties.in_group(static_cast<Row>(l));
+    return free;
 }
 
 /// Gridpoints that are tied to each other count as one.

@@ -74,11 +74,10 @@ void advance_on_boundary(const Model& model, const MovingPoint& point, const Dam
 /// Whether rows [row, row + 8) belong to zones, and nothing holds them but fixities.
 bool are_plain(const Model& model, const QuietPoints& quiet, const TieLists& ties, std::size_t row) {
     const auto& g = model.gridpoints;
-    for (std::size_t l = row; l < row + 8; ++l)
-        if (quiet.at(l) || g.roller[l] != 0 || !model.blocks.deformable[g.block[l]] ||
-            ties.in_group(static_cast<Row>(l)))
-            return false;
-    return true;
+    bool plain = all_in_zones(model, row);
+    for (std::size_t l = row; l < row + 8; ++l) plain &= g.roller[l] == 0;
+    for (std::size_t l = row; plain && l < row + 8; ++l) plain = !quiet.at(l) && !ties.in_group(static_cast<Row>(l));
+    return plain;
 }
 
 void place(Model& model, Row row) {

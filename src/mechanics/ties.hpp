@@ -53,6 +53,7 @@ public:
         Row tie;
         double weight;
     };
+    bool any_shares() const { return !shares_.entries.empty(); }
     std::span<const Share> shares(Row gridpoint) const {
         if (shares_.entries.empty()) return {};
         return {shares_.begin(gridpoint), shares_.end(gridpoint)};
