@@ -11,6 +11,9 @@ constexpr Row zones_of_group = zones_of_cell * static_cast<Row>(eight); ///< of 
 constexpr std::size_t to_next_cell =
     6 * zones_of_cell; ///< from the stresses of a cell to those of the next, in numbers
 
+/// Up to eight cells from one on.
+inline Row cells_from(Row zone, Row last) { return std::min<Row>((last - zone) / zones_of_cell, eight); }
+
 /// A field at the corners 1 to 7 of eight cells, from its value at corner 0 on: what all corners have in common leaves nothing, not even
 /// rounding. Corner i + 2 j + 4 k stands at the ends i, j, k of the three axes of its cell.
 using CellField = std::array<Eight3, 7>;

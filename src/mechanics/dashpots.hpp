@@ -12,6 +12,11 @@ namespace kaya {
 /// True when joints carry viscous forces besides those of their law.
 bool joints_are_damped(const Settings& settings);
 
+/// True when zones do.
+inline bool zones_are_damped(const Model& model) {
+    return stiffness_damping(model.settings) > 0 && model.zones.keeps_dashpots;
+}
+
 /// Times by which the rates of normal and shear force are multiplied in one contact: its dashpots are these times its
 /// springs.
 struct Beta {

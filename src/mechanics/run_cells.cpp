@@ -1,7 +1,7 @@
 #include "mechanics/run_cells.hpp"
 
 #include "mechanics/cells.hpp"
-#include "mechanics/crushed_zones.hpp"
+#include "mechanics/dashpots.hpp"
 #include "mechanics/staged_zones.hpp"
 
 #include <algorithm>
@@ -14,14 +14,11 @@ namespace {
 constexpr Row cells_in_batch = 32;
 constexpr std::size_t groups_in_batch = cells_in_batch / eight;
 
-/// Throws where a zone has no volume left.
-void check_volumes(const Model& model, Row zone, Row cells, const CellField& x, const Eight& least) {
+/// Throws where a zone has no volume left. `least` is that of the smallest of each cell, or a multiple.
+void check_cells(const Model& model, Row zone, Row cells, const CellField& x, const Eight& least) {
     if (all_above_zero(least)) return;
-    for (Row z = 0; z < zones_of_cell; ++z) {
-        const Eight six_volumes = FaceAreas(edges_of_zone(x, z)).six_volumes;
-        for (Row l = 0; l < cells; ++l)
-            if (!(six_volumes[l] > 0)) throw turned_over(model, zone + zones_of_cell * l + z);
-    }
+    for (Row z = 0; z < zones_of_cell; ++z)
+        check_volumes(model, zone + z, zones_of_cell, cells, FaceAreas(edges_of_zone(x, z)).six_volumes);
 }
 
 /// Whether all zones of each cell have the same stress: each component is that of the zone before.
@@ -72,7 +69,6 @@ public:
     }
 
 private:
-    static Row cells_from(Row zone, Row last) { return std::min<Row>((last - zone) / zones_of_cell, eight); }
     CellGroup& group_at(Row in_batch) { return groups_[static_cast<std::size_t>(in_batch / zones_of_group)]; }
 
     void read_history(Row first, Row cells) {
@@ -132,7 +128,7 @@ private:
         const Row i = in_batch / zones_of_cell;
         const auto column = [&](const double* rows) { return load_as<Eight>(rows + i); };
         const CellShape shape(g.place);
-        check_volumes(model_, zone, cells, g.place, shape.least);
+        check_cells(model_, zone, cells, g.place, shape.least);
         SixEights change, strain;
         for (std::size_t k = 0; k < 6; ++k) {
             const Eight before = k < 3 ? g.before[k] + column(batch_.pressure) : g.before[k];
@@ -195,14 +191,20 @@ void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& til
                  std::vector<PointRow>& forces) {
     const TileRows rows(model, tiles, tile);
     TileForces sums(tile, forces);
+    const bool warps = law.together == Together::cells, damped = zones_are_damped(model);
     for (Row zone = tile.first; zone < tile.last; zone += zones_of_group) {
-        const Row cells = std::min<Row>((tile.last - zone) / zones_of_cell, eight);
+        const Row cells = cells_from(zone, tile.last);
         const CellCorners corners = rows.cells_at(zone, cells);
         const CellField place = from_first(rows.places(), corners);
-        const auto stress = [&](Row z) { return load_six(model.zones.stress[zone + z].data(), to_next_cell, cells); };
-        const bool alike = are_alike(model.zones.stress, zone, cells);
-        CellForces whole = forces_of(CellShape(place), alike ? stress(0) : SixEights{},
-                                     load_warps(model.zones, law.cell_history, zone, cells));
+        const auto stress = [&](Row z) {
+            const SixEights own = load_six(model.zones.stress[zone + z].data(), to_next_cell, cells);
+            return damped ? sum(own, load_six(model.zones.dashpot[zone + z].data(), to_next_cell, cells)) : own;
+        };
+        const bool alike = warps && are_alike(model.zones.stress, zone, cells);
+        CellForces whole{};
+        if (warps)
+            whole = forces_of(CellShape(place), alike ? stress(0) : SixEights{},
+                              load_warps(model.zones, law.cell_history, zone, cells));
         if (!alike)
             for (Row z = 0; z < zones_of_cell; ++z) add_forces_of_zone(edges_of_zone(place, z), z, stress(z), whole);
         sums.add(corners, cells, whole);
@@ -213,7 +215,7 @@ double hold_warps(const Model& model, const TileRows& rows, const ZoneTile& tile
                   TileForces& forces) {
     Lanes whole = Lanes::Zero();
     for (Row z = tile.first; z < tile.last; z += zones_of_group) {
-        const Row cells = std::min<Row>((tile.last - z) / zones_of_cell, eight);
+        const Row cells = cells_from(z, tile.last);
         const CellCorners corners = rows.cells_at(z, cells);
         const CellField place = from_first(rows.places(), corners), shift = from_first(rows.shifts(), corners);
         WarpStress stress = load_warps(model.zones, law.cell_history, z, cells);

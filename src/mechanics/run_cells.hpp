@@ -17,7 +17,7 @@ bool cells_go_together(const Settings& settings);
 ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
                    const std::vector<double>& pressure, std::vector<PointRow>& forces);
 
-/// Their forces with the stresses that are there, without a step.
+/// Forces of cells, flowing ones as well, with the stresses that are there, without a step.
 void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
                  std::vector<PointRow>& forces);
 

@@ -1,7 +1,6 @@
 #include "mechanics/run_flowing_cells.hpp"
 
 #include "mechanics/cells.hpp"
-#include "mechanics/crushed_zones.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/staged_zones.hpp"
 
@@ -53,18 +52,10 @@ private:
         Row row(Row z) const { return first_row + z * cells; } ///< of zone z of the first cell
         Row zone, first_row, cells;
     };
-    static Place place(Row zone, Row first, Row last) {
-        return {zone, zone - first, std::min<Row>((last - zone) / zones_of_cell, eight)};
-    }
+    static Place place(Row zone, Row first, Row last) { return {zone, zone - first, cells_from(zone, last)}; }
     FlowGroup& group_at(const Place& at) { return groups_[static_cast<std::size_t>(at.first_row / zones_of_group)]; }
 
     double* stresses(Row zone) { return model_.zones.stress[zone].data(); }
-
-    void check_volume(const Place& at, Row z, const Eight& volume) const {
-        if (all_above_zero(volume)) return;
-        for (Row l = 0; l < at.cells; ++l)
-            if (!(volume[l] > 0)) throw turned_over(model_, at.zone + zones_of_cell * l + z);
-    }
 
     /// Strains of the step, and the stresses turned with the material.
     void strain(const Place& at) {
@@ -77,7 +68,7 @@ private:
         Eight grown{}, whole{};
         for (Row z = 0; z < zones_of_cell; ++z) {
             const Deformation d(edges_of_zone(g.place, z), edges_of_zone(shift, z), large_);
-            check_volume(at, z, d.volume);
+            check_volumes(model_, at.zone + z, zones_of_cell, at.cells, d.volume);
             g.volume[z] = d.volume;
             g.volume_strain[z] = d.volume_strain;
             grown += d.volume * d.volume_strain;

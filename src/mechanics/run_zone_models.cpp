@@ -1,5 +1,4 @@
 #include "base/reduce.hpp"
-#include "mechanics/crushed_zones.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/run_cells.hpp"
 #include "mechanics/run_flowing_cells.hpp"
@@ -15,13 +14,6 @@
 namespace kaya {
 
 namespace {
-
-/// Throws where a zone has no volume left.
-void check_volumes(const Model& model, Row zone, Row count, const Eight& volume) {
-    if (all_above_zero(volume)) return;
-    for (Row l = 0; l < count; ++l)
-        if (!(volume[l] > 0)) throw turned_over(model, zone + l);
-}
 
 /// Work of one tile on its zones, each on its own.
 class TileRun {
@@ -64,7 +56,7 @@ private:
             const ZoneGroup zones = rows_.group_at(first + i);
             const Edges edges = rows_.edges(zones);
             const Deformation d = rows_.deformation(zones, edges, large);
-            check_volumes(model_, first + i, std::min<Row>(count - i, eight), d.volume);
+            check_volumes(model_, first + i, 1, std::min<Row>(count - i, eight), d.volume);
             columns.keep(i, edges);
             store(columns.volume + i, d.volume);
             const Eight pressure = wet ? rows_.pressure(zones) : Eight{};
@@ -232,11 +224,12 @@ void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scrat
 /// Forces of all zones of a tile with the stresses that they have.
 void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std::vector<PointRow>& forces) {
     const ZoneLaw& law = laws.laws[tile.law];
-    if (law.together == Together::cells && cells_go_together(model.settings))
+    if (law.together == Together::flow_in_cells ||
+        (law.together == Together::cells && cells_go_together(model.settings)))
         return cell_forces(model, laws.tiles, tile, law, forces);
     const TileRows rows(model, laws.tiles, tile);
     TileForces sums(tile, forces);
-    const bool damped = stiffness_damping(model.settings) > 0 && model.zones.keeps_dashpots;
+    const bool damped = zones_are_damped(model);
     for (Row z = tile.first; z < tile.last; z += eight) {
         SixEights stress = load_stresses(model.zones.stress, z, tile.last - z);
         if (damped) {

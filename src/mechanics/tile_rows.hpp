@@ -1,6 +1,7 @@
 // What the work on the zones of a tile reads and writes: its gridpoints in rows, forces on them, and stresses.
 #pragma once
 
+#include "mechanics/crushed_zones.hpp"
 #include "mechanics/tetrahedra.hpp"
 #include "mechanics/zone_tiles.hpp"
 #include "model/model.hpp"
@@ -76,6 +77,13 @@ private:
     for (std::size_t l = 0; l < 8; ++l) r[l] = load_as<Four>(rows[cells[l][c]].value.data());
     const std::array<Eight, 4> columns = columns_of_rows(r);
     return {{columns[0], columns[1], columns[2]}, columns[3]};
+}
+
+/// Throws where one of so many zones has no volume left; from one of them to the next it is `each` rows.
+inline void check_volumes(const Model& model, Row zone, Row each, Row count, const Eight& volume) {
+    if (all_above_zero(volume)) return;
+    for (Row l = 0; l < count; ++l)
+        if (!(volume[l] > 0)) throw turned_over(model, zone + each * l);
 }
 
 /// Forces of stresses on the points of a tile, in rows with the sums of their sizes.

@@ -195,7 +195,7 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
 std::vector<ElasticConstants> ZoneLaws::elastic_constants() const {
     std::vector<ElasticConstants> constants(law_of_.size());
     for (std::size_t b = 0; b < constants.size(); ++b)
-        if (law_of_[b] != no_row) constants[b] = laws[static_cast<std::size_t>(law_of_[b])].elastic;
+        if (law_of_[b] != no_row) constants[b] = of_block(static_cast<Row>(b)).elastic;
     return constants;
 }
 

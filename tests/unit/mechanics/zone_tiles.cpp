@@ -123,7 +123,7 @@ void expect_work_of_cells(TwoBlocks& bench) {
     run_zone_models(model, laws, scratch, before);
     zone_forces(model, laws, between);
     for (std::size_t p = 0; p < before.size(); ++p)
-        for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t k = 0; k < 4; ++k)
             EXPECT_NEAR(between[p].value[k], before[p].value[k], 1e-12 * before[p].value[3]);
     const auto stress = model.zones.stress;
     const ZoneSums sums = run_zone_models(model, laws, scratch, after);
