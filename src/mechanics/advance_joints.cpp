@@ -95,8 +95,9 @@ template <class Each> void sum_contact(const Model& model, Row c, JointForces& f
         force = force + f;
         moment = moment + (group.load(subs.position, first) - origin).cross(f);
     }
-    forces.of_contact[c] = sum(force);
-    forces.moment[c] = sum(moment);
+    const Eight whole = sums_of({force.x, force.y, force.z, moment.x, moment.y, moment.z, Eight{}, Eight{}});
+    forces.of_contact[c] = Vec3(whole[0], whole[1], whole[2]);
+    forces.moment[c] = Vec3(whole[3], whole[4], whole[5]);
     if (contacts.twist[c] != 0) { // the pressure on a corner or an edge may turn it about the normal
         double normal = 0;
         for (Row s = span.first; s < span.end(); ++s) normal += subs.normal_force[s];

@@ -119,14 +119,27 @@ private:
     std::ptrdiff_t rows_;
 };
 
+/// What a comparison of eights gives: in each lane all bits or none.
+using MaskOfEight = decltype(Eight{} < Eight{});
+inline bool all(const MaskOfEight& mask) {
+#if defined(__AVX512F__)
+    return _mm512_movepi64_mask(reinterpret_cast<const __m512i&>(mask)) == 0xff;
+#else
+    bool every = true;
+    for (int l = 0; l < eight; ++l) every &= mask[l] != 0;
+    return every;
+#endif
+}
+inline bool all(bool one) { return one; }
+
 /// The same vector in all rows.
 inline Eight3 eights(const Vec3& v) { return {eights(v.x()), eights(v.y()), eights(v.z())}; }
 
 inline Eight larger_of(const Eight& a, const Eight& b) { return a > b ? a : b; }
 inline double largest(const Eight& e) {
-    double most = e[0];
-    for (int l = 1; l < eight; ++l) most = e[l] > most ? e[l] : most;
-    return most;
+    const Eight four = larger_of(e, __builtin_shufflevector(e, e, 4, 5, 6, 7, 0, 1, 2, 3));
+    const Eight two = larger_of(four, __builtin_shufflevector(four, four, 2, 3, 0, 1, 6, 7, 4, 5));
+    return two[0] > two[1] ? two[0] : two[1];
 }
 
 inline Eight joined(const Four& low, const Four& high) {
@@ -289,6 +302,18 @@ inline Eight3 columns_of(const ThreeEights& e) {
             pick(std::integer_sequence<int, 2, 5, 8, 11, 14, 0, 0, 0>{},
                  std::integer_sequence<int, 0, 1, 2, 3, 4, 9, 12, 15>{})};
 }
+/// The opposite.
+inline ThreeEights three_of(const Eight3& c) {
+    const auto pick = [&]<int... a, int... b>(std::integer_sequence<int, a...>, std::integer_sequence<int, b...>) {
+        return __builtin_shufflevector(__builtin_shufflevector(c.x, c.y, a...), c.z, b...);
+    };
+    return {pick(std::integer_sequence<int, 0, 8, 0, 1, 9, 0, 2, 10>{},
+                 std::integer_sequence<int, 0, 1, 8, 3, 4, 9, 6, 7>{}),
+            pick(std::integer_sequence<int, 0, 3, 11, 0, 4, 12, 0, 5>{},
+                 std::integer_sequence<int, 10, 1, 2, 11, 4, 5, 12, 7>{}),
+            pick(std::integer_sequence<int, 13, 0, 6, 14, 0, 7, 15, 0>{},
+                 std::integer_sequence<int, 0, 13, 2, 3, 14, 5, 6, 15>{})};
+}
 /// A number of each row for each of its three.
 inline ThreeEights for_each_of_three(const Eight& e) {
     return {__builtin_shufflevector(e, e, 0, 0, 0, 1, 1, 1, 2, 2),
@@ -303,6 +328,22 @@ inline ThreeEights for_each_row(const Vec3& v) {
 inline Eight size_of(const Eight& e) { return e < 0 ? -e : e; }
 inline double sum(const Eight& e) { return ((e[0] + e[1]) + (e[2] + e[3])) + ((e[4] + e[5]) + (e[6] + e[7])); }
 inline Vec3 sum(const Eight3& e) { return {sum(e.x), sum(e.y), sum(e.z)}; }
+
+/// The sums of eight vectors, each as `sum` adds it: neighbours first, then pairs of pairs.
+inline Eight sums_of(const std::array<Eight, 8>& e) {
+    const auto neighbours = [](const Eight& a, const Eight& b) {
+        return Eight(__builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14) +
+                     __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15));
+    };
+    const auto pairs = [](const Eight& a, const Eight& b) {
+        return Eight(__builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13) +
+                     __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15));
+    };
+    const Eight low = pairs(neighbours(e[0], e[1]), neighbours(e[2], e[3])),
+                high = pairs(neighbours(e[4], e[5]), neighbours(e[6], e[7]));
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 8, 9, 10, 11) +
+           __builtin_shufflevector(low, high, 4, 5, 6, 7, 12, 13, 14, 15);
+}
 
 /// Adds the eight to sums of four in a fixed order: the first four, then the others.
 inline void add_to(Lanes& sum, const Eight& e) {

@@ -200,12 +200,16 @@ double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& t
             Balance part;
             for (std::size_t i = first; i < last; ++i) {
                 const Row row = static_cast<Row>(i);
+                if (const Row b = g.block[row]; !blocks.deformable[b]) {
+                    i = static_cast<std::size_t>(blocks.gridpoints[b].end()) - 1;
+                    continue;
+                }
                 if (last - i >= eight && are_plain(model, ties, i)) {
                     gather_eight(model, forces, row, part);
                     i += eight - 1;
                     continue;
                 }
-                if (!blocks.deformable[g.block[row]] || ties.in_group(row)) continue;
+                if (ties.in_group(row)) continue;
                 double acting = 0;
                 g.force[row] = forces.sum(row, acting);
                 part.inner_power += g.force[row].dot(g.velocity[row]);

@@ -5,6 +5,7 @@
 #include "mechanics/phase_sums.hpp"
 
 #include <cstdint>
+#include <type_traits>
 
 namespace kaya {
 
@@ -12,24 +13,32 @@ namespace kaya {
 inline Lanes lanes(const Vec3& v) { return LaneGroup(3).load(v.data()); }
 inline void store(Vec3& v, const Lanes& lanes) { LaneGroup(3).store(v.data(), lanes); }
 
-/// The sums of MotionSums, component by component.
-struct MotionLanes {
-    Lanes kinetic_before = Lanes::Zero(), kinetic = Lanes::Zero();
-    Lanes gravity = Lanes::Zero(), boundary = Lanes::Zero(), damped = Lanes::Zero();
-    Lanes inner_power = Lanes::Zero(), inner_power_size = Lanes::Zero(), inner_power_gain = Lanes::Zero();
+/// The sums of MotionSums, lane by lane: lanes are the components of one body, or components of eight.
+template <class L> struct MotionSumsIn {
+    L kinetic_before = zero(), kinetic = zero();
+    L gravity = zero(), boundary = zero(), damped = zero();
+    L inner_power = zero(), inner_power_size = zero(), inner_power_gain = zero();
 
     /// Power of a force of joints and zones at the velocities before and after the step.
-    void add_power(const Lanes& force, const Lanes& before, const Lanes& after) {
-        const Lanes power = force * before;
+    void add_power(const L& force, const L& before, const L& after) {
+        const L power = force * before;
         inner_power += power;
-        inner_power_size += power.abs();
+        inner_power_size += size_of(power);
         inner_power_gain += force * (after - before);
     }
     MotionSums sums() const {
         return {sum(kinetic_before), sum(kinetic),     sum(gravity),          sum(boundary),
                 sum(damped),         sum(inner_power), sum(inner_power_size), sum(inner_power_gain)};
     }
+
+private:
+    static L zero() {
+        if constexpr (std::is_same_v<L, Lanes>) return Lanes::Zero();
+        else return L{};
+    }
 };
+using MotionLanes = MotionSumsIn<Lanes>;
+using MotionEights = MotionSumsIn<Eight>;
 
 /// Components that are prescribed are 1, others 0. `bits` has one for each, the lowest for x.
 inline Lanes prescribed(unsigned bits) {

@@ -3,7 +3,8 @@
 #include "mechanics/held_directions.hpp"
 #include "mechanics/motion.hpp"
 #include "mechanics/rotation.hpp"
-#include "mechanics/triple.hpp"
+#include "mechanics/move_plain_blocks.hpp"
+#include "mechanics/turn.hpp"
 #include "model/measure.hpp"
 
 #include <Eigen/Geometry>
@@ -22,27 +23,6 @@ void combine(MotionSums& sum, const MotionSums& part) { sum.add(part); }
 
 Rotor rotor(const Quaternion& q) { return {q[0], {q[1], q[2], q[3]}}; }
 Quaternion quaternion_of(const Rotor& r) { return {r.w, r.v.x, r.v.y, r.v.z}; }
-
-/// Turns a block with angular momentum `momentum` for one step by the implicit midpoint rule: the
-/// velocity of the middle of the step, found by fixed-point iteration, carries it from end to end.
-/// Momentum is kept to the last bit and energy has no drift (Simo and Wong 1991, Int. J. Numer. Meth.
-/// Eng. 31). The inertia is in the block's own axes. Returns the velocity.
-Triple turn(Quaternion& orientation, const SymmetricInverse& inverse_inertia, const Triple& momentum, double step) {
-    const Rotor start = rotor(orientation);
-    const Triple own = start.conjugate().turned(momentum); // in the block's axes, as all that follows
-    Triple velocity = inverse_inertia * own;
-    for (int i = 0; i < 8; ++i) {
-        // In axes that have turned with the block, the momentum turns the other way.
-        const Rotor half = Rotor::by(0.5 * step * velocity);
-        const Triple next = half.turned(inverse_inertia * half.conjugate().turned(own)), change = next - velocity;
-        velocity = next;
-        if (change.dot(change) <= 1e-30 * next.dot(next)) break;
-    }
-    const Rotor end = start * Rotor::by(step * velocity);
-    // Its length is 1 but for rounding: one step of Newton's method for 1/sqrt makes it so again.
-    orientation = (1.5 - 0.5 * (end.w * end.w + end.v.dot(end.v))) * quaternion_of(end);
-    return start.turned(velocity);
-}
 
 /// Where the vertices of a block are when it has moved.
 class VertexPlaces {
@@ -170,9 +150,9 @@ inline void advance(const RigidBody& body, const Settings& settings, const Clock
             body.orientation = quaternion_of(Rotor::by(step * Triple(w)) * rotor(body.orientation)).normalized();
         }
     } else if (!momentum.isZero(0)) {
-        Quaternion turned = body.orientation;
+        Rotor turned = rotor(body.orientation);
         w = turn(turned, SymmetricInverse(body.inertia_shape, body.inertia_scale), Triple(momentum), step).vector();
-        if (settings.large_strain) body.orientation = turned;
+        if (settings.large_strain) body.orientation = quaternion_of(turned);
     } else {
         w.setZero();
     }
@@ -292,9 +272,20 @@ MotionSums move_blocks(Model& model, const JoinedBodies& bodies) {
         blocks.size(), grain, of_bodies,
         [&](std::size_t first, std::size_t last) {
             MotionLanes sums;
-            for (std::size_t b = first; b < last; ++b)
-                if (!blocks.deformable[b] && blocks.body[b] == 0) move_block(model, b, damping, sums);
-            return sums.sums();
+            PlainBlocks plain(model);
+            for (std::size_t b = first; b < last; ++b) {
+                if (plain.possible() && last - b >= eight && plain.are(b)) {
+                    plain.move(b);
+                    for (const std::size_t end = b + eight; b < end; ++b)
+                        model.blocks.travelled[b] += place_vertices(model, b);
+                    --b;
+                } else if (!blocks.deformable[b] && blocks.body[b] == 0) {
+                    move_block(model, b, damping, sums);
+                }
+            }
+            MotionSums both = sums.sums();
+            both.add(plain.sums());
+            return both;
         },
         combine);
 }

@@ -148,12 +148,16 @@ MotionSums move_gridpoints(Model& model, const QuietPoints& quiet, const TieList
             MotionLanes sums;
             PlainGridpoints plain(model);
             for (std::size_t row = first; row < last; ++row) {
+                if (const Row b = g.block[row]; !model.blocks.deformable[b]) {
+                    row = static_cast<std::size_t>(model.blocks.gridpoints[b].end()) - 1;
+                    continue;
+                }
                 if (plain.possible() && last - row >= 8 && are_plain(model, quiet, ties, row)) {
                     plain.move(row);
                     row += 7;
                     continue;
                 }
-                if (!model.blocks.deformable[g.block[row]] || ties.in_group(static_cast<Row>(row))) continue;
+                if (ties.in_group(static_cast<Row>(row))) continue;
                 Vec3& v = g.velocity[row];
                 if (quiet.at(row) || g.roller[row] != 0) {
                     MovingPoint point{g.mass[row],  g.inertial_mass[row],

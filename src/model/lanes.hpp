@@ -76,6 +76,8 @@ private:
     std::ptrdiff_t rows_;
 };
 
+inline Lanes size_of(const Lanes& lanes) { return lanes.abs(); }
+
 /// In an order that is always the same.
 inline double sum(const Lanes& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
 inline Vec3 sum(const Lanes3& lanes) { return {sum(lanes.x), sum(lanes.y), sum(lanes.z)}; }

@@ -1,0 +1,74 @@
+// Velocities of eight bodies that nothing holds but fixities, one step on, with the account of their energy. What happens to each of
+// their components is what advance_velocity (motion.hpp) does.
+#pragma once
+
+#include "mechanics/motion.hpp"
+
+namespace kaya {
+
+class PlainMotion {
+public:
+    explicit PlainMotion(const Model& model)
+        : damping_(model.settings, model.clock), gravity_(for_each_row(model.settings.gravity)),
+          kick_(model.clock.kick()) {}
+
+    /// Combined damping keeps more of each body.
+    bool possible() const { return damping_.combined == 0; }
+
+    /// Eight rows of a table of bodies: what acts on them, and how fast they are before the step.
+    struct Rows {
+        const Vec3 &velocity, &force, &load;
+        const double &mass, &inertial_mass;
+    };
+
+    /// Velocities after the step. Components with 1 in `held` keep theirs; a null pointer: all may change.
+    [[gnu::always_inline]] ThreeEights advance(const Rows& rows, const ThreeEights* held = nullptr) {
+        const ThreeEights before = load_three(rows.velocity.data()), inner = load_three(rows.force.data()),
+                          load = load_three(rows.load.data());
+        const Eight inertial = load_as<Eight>(&rows.inertial_mass);
+        const ThreeEights mass = for_each_of_three(inertial),
+                          weight_mass = for_each_of_three(load_as<Eight>(&rows.mass)),
+                          step_over_mass = for_each_of_three(kick_ / inertial);
+        ThreeEights after;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Eight weight = weight_mass[i] * gravity_[i], whole = inner[i] + load[i] + weight;
+            after[i] = damping_.advance(before[i], whole * step_over_mass[i]);
+            if (held != nullptr) after[i] = (*held)[i] != 0 ? before[i] : after[i];
+            sums.add_power(inner[i], before[i], after[i]);
+            const Eight mean = 0.5 * (before[i] + after[i]);
+            sums.gravity += weight * mean * kick_;
+            const Eight rest = (mass[i] * (after[i] - before[i]) - whole * kick_) * mean;
+            const Eight of_support = held != nullptr ? (*held)[i] : Eight{};
+            sums.boundary += load[i] * mean * kick_ + of_support * rest;
+            sums.damped -= (1 - of_support) * rest;
+            sums.kinetic_before += 0.5 * mass[i] * before[i] * before[i];
+            sums.kinetic += 0.5 * mass[i] * after[i] * after[i];
+        }
+        return after;
+    }
+
+    /// Angular momenta after the step, of bodies that may turn freely.
+    [[gnu::always_inline]] ThreeEights advance_momentum(const ThreeEights& momentum, const ThreeEights& moment) const {
+        ThreeEights after;
+        for (std::size_t i = 0; i < 3; ++i) after[i] = damping_.advance(momentum[i], moment[i] * kick_);
+        return after;
+    }
+
+    double kick() const { return kick_; }
+
+    MotionEights sums;
+
+private:
+    const DampingFactors damping_;
+    const ThreeEights gravity_;
+    const double kick_;
+};
+
+/// Adds a way of three components to each of eight rows.
+inline void add_way(Vec3& rows, const ThreeEights& way) {
+    ThreeEights sum = load_three(rows.data());
+    for (std::size_t i = 0; i < 3; ++i) sum[i] += way[i];
+    store(rows.data(), sum);
+}
+
+} // namespace kaya
