@@ -31,6 +31,7 @@ double flat_limit(const Model& model, Row old) {
 constexpr double coincidence = 2e-5, narrowest = 1e-2;
 /// Two faces whose common area is smaller than this, in least contact areas, are held as corners and edges are.
 constexpr double least_joint = 10;
+constexpr double least_part = 0.01; ///< see ContactPlane::least_area
 /// Also in parts of the margin: how much better another axis must be than that of the contact so far.
 constexpr double persistence = 0.25;
 
@@ -395,6 +396,7 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
     geometry.kind = ContactKind::joint;
     const bool flat_faces = geometry.reference != 0 && separation.cosine > flat;
     if (!model.blocks.deformable[block1] && !model.blocks.deformable[block2]) {
+        geometry.least_area = least_part * std::min(surfaces.mean_face_area(block1), surfaces.mean_face_area(block2));
         // What has been an overlap stays one while the blocks are near: it would come back too late, with a blow.
         const bool overlaps = old != no_row && model.contacts.kind[old] == ContactKind::overlap;
         if (flat_faces && separation.apart_sideways && !overlaps) return false;
@@ -404,7 +406,7 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
             geometry.normal =
                 (first * surfaces.normal(geometry.face1) - (1 - first) * surfaces.normal(geometry.face2)).normalized();
             const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance, scratch);
-            if (found && geometry.area >= least_joint * least_contact_area(model, block1, block2)) return true;
+            if (found && geometry.area >= least_joint * geometry.least_area) return true;
             if (!found && !overlaps) return false;
             geometry.points.clear();
         }

@@ -29,6 +29,9 @@ struct ContactPlane {
     Vec3 normal = Vec3::Zero(); ///< unit, from the first block to the second
     Vec3 position = Vec3::Zero();
     double area = 0;
+    /// Of two rigid blocks: a loaded contact is as stiff as a joint of at least this area, a hundredth of the mean area of a face of the
+    /// block with the smaller faces.
+    double least_area = 0;
     double gap = 0; ///< of an overlap: how far the blocks are apart; negative: how deep they overlap
     Row face1 = no_row, face2 = no_row; ///< rows of faces that lie on the common plane
     int reference = 0;                  ///< 1 or 2: whose face gives the normal; 0: two edges do

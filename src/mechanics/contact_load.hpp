@@ -1,7 +1,7 @@
 // What passes through a contact and what its springs hold.
 #pragma once
 
-#include "model/lanes.hpp"
+#include "mechanics/eight.hpp"
 #include "model/model.hpp"
 
 namespace kaya {
@@ -17,16 +17,19 @@ struct ContactLoad {
     ContactLoad(const Model& model, Row c) {
         const auto& subs = model.sub_contacts;
         const Span span = model.contacts.sub_contacts[c];
-        for (Row s = span.first; s < span.end(); s += lane_count) {
-            const LaneGroup group(span.end() - s);
-            const Lanes area = group.load(subs.area.data() + s), force = group.load(subs.normal_force.data() + s);
-            const Lanes3 along = group.load(subs.shear_force, s);
-            const Lanes squared = along.dot(along);
-            energy += in_springs(force * force, group.load(subs.normal_stiffness.data() + s) * area);
-            shear_energy += in_springs(squared, group.load(subs.shear_stiffness.data() + s) * area);
-            normal += sum(force);
-            shear_sum += sum(along);
-            shear += sum(squared.sqrt());
+        for (Row s = span.first; s < span.end(); s += eight) {
+            const RowsOfEight group(span.end() - s);
+            const Eight area = group.load(subs.area.data() + s), force = group.load(subs.normal_force.data() + s);
+            const Eight3 along = group.load(subs.shear_force, s);
+            const Eight squared = along.dot(along);
+            const Eight whole = sums_of({in_springs(force * force, group.load(subs.normal_stiffness.data() + s) * area),
+                                         in_springs(squared, group.load(subs.shear_stiffness.data() + s) * area), force,
+                                         square_root(squared), along.x, along.y, along.z, Eight{}});
+            energy += whole[0];
+            shear_energy += whole[1];
+            normal += whole[2];
+            shear += whole[3];
+            shear_sum += Vec3(whole[4], whole[5], whole[6]);
         }
         if (model.contacts.kind[c] == ContactKind::overlap && model.settings.large_strain)
             energy = model.contacts.energy_taken[c];
@@ -35,10 +38,8 @@ struct ContactLoad {
 
 private:
     /// Where there is no stiffness there is no spring.
-    static double in_springs(const Lanes& force_squared, const Lanes& stiffness) {
-        Lanes energy;
-        for (Row i = 0; i < lane_count; ++i) energy[i] = stiffness[i] > 0 ? 0.5 * force_squared[i] / stiffness[i] : 0;
-        return sum(energy);
+    static Eight in_springs(const Eight& force_squared, const Eight& stiffness) {
+        return stiffness > 0 ? 0.5 * force_squared / stiffness : Eight{};
     }
 };
 

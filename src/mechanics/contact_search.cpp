@@ -191,7 +191,7 @@ void add_overlap_points(const Model& model, Row b1, Row b2, ContactGeometry& geo
     ClosureOffset offset;
     offset.closure =
         std::max(0.0, geometry.gap) + contact_depth * std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
-    const double least = least_contact_area(model, b1, b2);
+    const double least = geometry.least_area;
     const OverlapPatch patch = overlap_patch(model, {b1, b2, no_row, no_row, least}, geometry.normal, offset, scratch);
     geometry.position =
         patch.carried > 0 ? patch.centre : 0.5 * (model.blocks.centroid[b1] + model.blocks.centroid[b2]);
@@ -319,12 +319,13 @@ std::vector<ContactDraft> find_all(const Model& model, const Surfaces& surfaces,
 }
 
 /// The blocks of the pairs that are looked at, each once and in order.
-std::vector<Row> is_due(const std::vector<Pair>& pairs) {
-    std::vector<Row> blocks;
+std::vector<Row> blocks_due(const Model& model, const std::vector<Pair>& pairs) {
+    std::vector<char> due(model.blocks.size(), 0);
     for (const auto& pair : pairs)
-        if (pair.is_due) blocks.insert(blocks.end(), {pair.block1, pair.block2});
-    std::sort(blocks.begin(), blocks.end());
-    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+        if (pair.is_due) due[pair.block1] = due[pair.block2] = 1;
+    std::vector<Row> blocks;
+    for (std::size_t b = 0; b < due.size(); ++b)
+        if (due[b]) blocks.push_back(static_cast<Row>(b));
     return blocks;
 }
 
@@ -381,7 +382,7 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
     });
     const std::vector<Pair> pairs = pairs_of(model, near_.of(boxes_), boxes_, beyond_, moved_);
     stop_point();
-    surfaces_.update(model, is_due(pairs));
+    surfaces_.update(model, blocks_due(model, pairs));
     return replace_contacts(model, joints, find_all(model, surfaces_, beyond_, pairs, moving, found_, scratch_), moving,
                             scratch_.local().overlap);
 }
@@ -409,7 +410,7 @@ ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints
         if (has_slipped(c)) pairs.push_back({contacts.block1[c], contacts.block2[c], static_cast<Row>(c)});
     if (pairs.empty()) return ContactChange::none;
     const StopListener nobody([] {});
-    const std::vector<Row> wanted = is_due(pairs);
+    const std::vector<Row> wanted = blocks_due(model, pairs);
     beyond_.resize(model.blocks.size());
     for (const Row b : wanted) beyond_[b] = travel_beyond(model, b);
     surfaces_.update(model, wanted);

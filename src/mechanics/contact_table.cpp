@@ -103,8 +103,7 @@ void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bo
 void write_contact(Model& model, Row c, const ContactPlane& g) {
     auto& contacts = model.contacts;
     contacts.kind[c] = g.kind;
-    contacts.least_area[c] =
-        between_rigid(model, c) ? least_contact_area(model, contacts.block1[c], contacts.block2[c]) : 0;
+    contacts.least_area[c] = g.least_area;
     contacts.stiffness_area[c] = contacts.depth[c] = contacts.twist[c] = contacts.offset[c] = 0;
     contacts.offset_tilt[c].setZero();
     contacts.axis[c].setZero();
@@ -285,8 +284,13 @@ bool keeps_places(const Model& model, const ContactDraft& draft) {
     if (draft.plane.normal.dot(model.contacts.normal[draft.old]) < cos_of_other_type) return false;
     const Span span = model.contacts.sub_contacts[draft.old];
     if (static_cast<Row>(draft.points.size()) != span.count) return false;
-    for (Row i = 0; i < span.count; ++i)
-        if (nearest(model.sub_contacts, span, draft.points[i].position) != span.first + i) return false;
+    const auto& subs = model.sub_contacts;
+    for (Row i = 0; i < span.count; ++i) {
+        const ContactPoint& point = draft.points[i];
+        const Row s = span.first + i;
+        const bool same_places = subs.side1[s] == point.side1 && subs.side2[s] == point.side2;
+        if (!same_places && nearest(subs, span, point.position) != s) return false;
+    }
     return true;
 }
 

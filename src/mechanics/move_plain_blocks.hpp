@@ -20,7 +20,8 @@ public:
         for (std::size_t b = row; b < row + eight; ++b)
             plain &= !blocks.deformable[b] & (blocks.body[b] == 0) & (blocks.fixed[b] == 0) &
                      (roller_of(model_, static_cast<Row>(b)).count == 0);
-        for (std::size_t i = 0; plain && i < 9; ++i) plain = all_zero(load_as<Eight>(blocks.load_arms[row].data() + 8 * i));
+        for (std::size_t i = 0; plain && i < 9; ++i)
+            plain = all_zero(load_as<Eight>(blocks.load_arms[row].data() + 8 * i));
         return plain;
     }
 

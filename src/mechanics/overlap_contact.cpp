@@ -45,22 +45,29 @@ struct RelativeMotion {
 /// Work of the forces as they are on the motion of the step.
 void add_work_of(const Model& model, Row c, const RelativeMotion& motion, JointWork& work) {
     const auto& subs = model.sub_contacts;
-    const Vec3 n = model.contacts.normal[c];
-    const Span span = model.contacts.sub_contacts[c];
+    const auto& contacts = model.contacts;
+    const Vec3 turn = motion.two.turn - motion.one.turn;
+    const Eight3 n = eights(contacts.normal[c]), origin = eights(contacts.position[c]),
+                 apart = eights(motion.at(contacts.position[c])), apart_turn = eights(turn);
     const bool damped = joints_are_damped(model.settings);
-    double joint = 0, friction = 0, fluid = 0, normal = 0;
-    for (Row s = span.first; s < span.end(); ++s) {
-        normal += subs.normal_force[s];
-        const Vec3 shift = motion.at(subs.position[s]);
-        joint += (subs.normal_force[s] * n + subs.shear_force[s]).dot(shift);
-        friction += subs.frictional_work[s];
-        fluid += subs.pore_pressure[s] * subs.area[s] * n.dot(shift);
-        if (damped) work.dashpots += (subs.dashpot_normal[s] * n + subs.dashpot_shear[s]).dot(shift);
+    const Span span = contacts.sub_contacts[c];
+    JointWork own; // stays in registers
+    Eight of_dashpots{}, normal{};
+    for (Row i = span.first; i < span.end(); i += eight) {
+        const RowsOfEight group(span.end() - i);
+        const Eight3 shift = apart + apart_turn.cross(group.load(subs.position, i, origin) - origin);
+        const Eight force = group.load(subs.normal_force.data() + i);
+        normal += force;
+        own.joint += (n * force + group.load(subs.shear_force, i)).dot(shift);
+        own.friction += group.load(subs.frictional_work.data() + i);
+        own.fluid += group.load(subs.pore_pressure.data() + i) * group.load(subs.area.data() + i) * n.dot(shift);
+        if (damped)
+            of_dashpots +=
+                (n * group.load(subs.dashpot_normal.data() + i) + group.load(subs.dashpot_shear, i)).dot(shift);
     }
-    joint += normal * model.contacts.twist[c] * n.dot(motion.two.turn - motion.one.turn);
-    work.joint[0] += joint;
-    work.friction[0] += friction;
-    work.fluid[0] += fluid;
+    if (contacts.twist[c] != 0) own.joint[0] += sum(normal) * contacts.twist[c] * contacts.normal[c].dot(turn);
+    own.dashpots = damped ? sum(of_dashpots) : 0;
+    work.add(own);
 }
 
 /// Whether nothing acts in a contact: forces that a script or a command has set count, and so does water.
@@ -327,7 +334,7 @@ double frictional_work(const Model& model, Row c) {
 double work_of_step(const Model& model, Row c) {
     JointWork work;
     add_work_of(model, c, RelativeMotion(model, c), work);
-    return work.joint[0];
+    return sum(work.joint);
 }
 
 void begin_without_force(Model& model, Row c, OverlapScratch& scratch) {

@@ -2,7 +2,6 @@
 
 #include "mechanics/overlap_scratch.hpp"
 #include "mechanics/surfaces.hpp"
-#include "model/measure.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -166,22 +165,7 @@ OverlapGradient energy_of(const CommonPart& common, double least_area) {
     return energy;
 }
 
-double mean_face_area(const Model& model, Row block) {
-    const Span faces = model.blocks.faces[block];
-    double sum = 0;
-    for (Row f = faces.first; f < faces.end(); ++f) {
-        const Span span = model.faces.triangles[f];
-        for (Row t = span.first; t < span.end(); ++t) sum += triangle_area_vector(model, t).norm();
-    }
-    return faces.count > 0 ? sum / faces.count : 0;
-}
-
 } // namespace
-
-double least_contact_area(const Model& model, Row block1, Row block2) {
-    constexpr double part = 0.01;
-    return part * std::min(mean_face_area(model, block1), mean_face_area(model, block2));
-}
 
 bool between_rigid(const Model& model, Row c) {
     return !model.blocks.deformable[model.contacts.block1[c]] && !model.blocks.deformable[model.contacts.block2[c]];

@@ -41,7 +41,7 @@ struct OverlapPair {
     Row block1, block2;
     Row face1 = no_row,
         face2 = no_row; ///< faces that lie on each other or nearly so; none where corners or edges touch
-    double least_area;  ///< see least_contact_area
+    double least_area;  ///< see ContactPlane
 };
 
 /// The common part of two rigid blocks, the second one moved against `along` by the offset. Its force is the gradient of an
@@ -49,10 +49,6 @@ struct OverlapPair {
 /// part.
 OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset,
                            OverlapScratch& scratch);
-
-/// A loaded contact is as stiff as a joint of at least this area: a hundredth of the mean area of a face of the block
-/// with the smaller faces.
-double least_contact_area(const Model& model, Row block1, Row block2);
 
 /// Whose surface gives a contact between rigid blocks its normal and its depth: 1, that of block 1; 0, that of block 2,
 /// where one is more than twice as large as the other; 0.5, the mean of both. It depends on the two blocks only and not

@@ -101,17 +101,23 @@ Springs StepBounds::springs(const Model& model, Row sub_contact, const NormalAre
 }
 
 SpringSums StepBounds::sums_of(const Model& model, Row contact) const {
-    SpringSums sums;
+    MomentsOfEights normal, shear;
     const Span span = model.contacts.sub_contacts[contact];
-    const Vec3& origin = model.contacts.position[contact];
+    const Eight3 origin = eights(model.contacts.position[contact]);
     const NormalAreaFactor factor(model, contact);
-    for (Row s = span.first; s < span.end(); ++s) {
-        const Springs k = springs(model, s, factor);
-        const Vec3 place = model.sub_contacts.position[s] - origin;
-        if (k.normal > 0) sums.normal.add(k.normal, place);
-        if (k.shear > 0) sums.shear.add(k.shear, place);
+    for (Row first = span.first; first < span.end(); first += eight) {
+        const RowsOfEight group(span.end() - first);
+        Eight across{}, along{};
+        for (Row l = 0; l < group.rows(); ++l) {
+            const Springs k = springs(model, first + l, factor);
+            across[l] = std::max(0.0, k.normal);
+            along[l] = std::max(0.0, k.shear);
+        }
+        const Eight3 place = group.load(model.sub_contacts.position, first, origin) - origin;
+        normal.add(across, place);
+        shear.add(along, place);
     }
-    return sums;
+    return {normal.sum(), shear.sum()};
 }
 
 void StepBounds::compute(const Model& model, const Adjacency& adjacency) {

@@ -1,22 +1,20 @@
 #include "mechanics/step_matrix.hpp"
 
+#include "mechanics/triple.hpp"
+
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace kaya {
 
 namespace {
 
 /// Squarings of a matrix: the 2^8th root of a trace is at most 6^(1/256) times the largest eigenvalue.
-constexpr int squarings = 8;
+constexpr std::size_t squarings = 8;
 /// What a flat body's inertia is short of by rounding, in parts of the largest.
 constexpr double rounding = 1e-14;
-
-Mat3 cross_matrix(const Vec3& v) {
-    Mat3 m;
-    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-    return m;
-}
 
 /// The lower triangle L with L m L^T = 1: the inverse of Cholesky's factor.
 Mat3 inverse_root(const Mat3& m) {
@@ -28,24 +26,63 @@ Mat3 inverse_root(const Mat3& m) {
     return inverse;
 }
 
-// Plain loops: the compiler warns of what Eigen's vector instructions leave unset here.
+/// `times` the moments of the points seen from a place that lies at -arm, as plain numbers.
+struct SecondMoments {
+    double weight;
+    Triple first;
+    double xx, yy, zz, yz, xz, xy;
 
-double trace_of(const Mat6& m) {
-    double trace = 0;
-    for (int i = 0; i < 6; ++i) trace += m(i, i);
-    return trace;
+    SecondMoments(const Moments& m, const Triple& arm, double times)
+        : weight(times * m.weight), first(times * Triple(m.first) + weight * arm) {
+        const auto moved = [&](double second, double f_i, double f_j, double a_i, double a_j) {
+            return times * (second + a_i * f_j) + a_j * f_i;
+        };
+        const Triple f(m.first);
+        const auto& s = m.second;
+        xx = moved(s(0, 0), first.x, f.x, arm.x, arm.x);
+        yy = moved(s(1, 1), first.y, f.y, arm.y, arm.y);
+        zz = moved(s(2, 2), first.z, f.z, arm.z, arm.z);
+        yz = moved(s(1, 2), first.y, f.z, arm.y, arm.z);
+        xz = moved(s(0, 2), first.x, f.z, arm.x, arm.z);
+        xy = moved(s(0, 1), first.x, f.y, arm.x, arm.y);
+    }
+    SecondMoments operator-(const SecondMoments& o) const {
+        SecondMoments d = *this;
+        d.weight -= o.weight;
+        d.first = first - o.first;
+        d.xx -= o.xx, d.yy -= o.yy, d.zz -= o.zz;
+        d.yz -= o.yz, d.xz -= o.xz, d.xy -= o.xy;
+        return d;
+    }
+    Triple operator*(const Triple& v) const {
+        return {xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z};
+    }
+    double trace() const { return xx + yy + zz; }
+};
+
+/// A matrix of six columns, each in the first six lanes.
+using SixColumns = std::array<Eight, 6>;
+
+SixColumns columns_of(const Mat6& m) {
+    SixColumns columns;
+    for (int j = 0; j < 6; ++j) columns[j] = load_rows(m.col(j).data(), 6);
+    return columns;
 }
 
+double trace_of(const SixColumns& m) { return ((m[0][0] + m[1][1]) + (m[2][2] + m[3][3])) + (m[4][4] + m[5][5]); }
+
 /// Of a symmetric matrix times a number.
-Mat6 square_of(const Mat6& m, double factor) {
-    Mat6 square;
-    for (int j = 0; j < 6; ++j) {
-        double column[6] = {0, 0, 0, 0, 0, 0};
-        for (int k = 0; k < 6; ++k) {
-            const double f = factor * factor * m(k, j);
-            for (int i = 0; i < 6; ++i) column[i] += f * m(i, k);
-        }
-        for (int i = 0; i < 6; ++i) square(i, j) = column[i];
+SixColumns square_of(const SixColumns& m, double factor) {
+    SixColumns square;
+    const Eight twice = eights(factor * factor);
+    for (std::size_t j = 0; j < 6; ++j) {
+        const Eight f = twice * m[j];
+        const auto of = [&]<int k>(std::integral_constant<int, k>) {
+            return Eight(__builtin_shufflevector(f, f, k, k, k, k, k, k, k, k) * m[k]);
+        };
+        square[j] = ((of(std::integral_constant<int, 0>{}) + of(std::integral_constant<int, 1>{})) +
+                     (of(std::integral_constant<int, 2>{}) + of(std::integral_constant<int, 3>{}))) +
+                    (of(std::integral_constant<int, 4>{}) + of(std::integral_constant<int, 5>{}));
     }
     return square;
 }
@@ -53,22 +90,34 @@ Mat6 square_of(const Mat6& m, double factor) {
 } // namespace
 
 // A spring of weight w at the place r that sees the motion v = u + t x r of its body: (n . v)^2 = (n . u + t . (r x n))^2
-// across the plane and v.v = u.u + 2 u . (t x r) + t . (r.r - r r^T) t in all directions.
+// across the plane and v.v = u.u + 2 u . (t x r) + t . (r.r - r r^T) t in all directions. With D the second moments across the plane less
+// those along it, [n] D [n]^T = (tr D - n . D n) 1 - D - tr D n n^T + (D n) n^T + n (D n)^T for a unit vector n.
 void add_springs(Mat6& matrix, const SpringSums& springs, const Vec3& normal, const Vec3& arm, double times) {
-    const Moments all = (springs.shear * times).from(arm), across = (springs.normal * times).from(arm);
-    const double weight = across.weight - all.weight;
-    const Mat3 n = cross_matrix(normal);
-    const Vec3 lever = (across.first - all.first).cross(normal);
-    const Mat3 first = cross_matrix(all.first);
-    const Mat3 second = n * (across.second - all.second) * n.transpose();
-
-    matrix.topLeftCorner<3, 3>() += weight * normal * normal.transpose();
-    matrix.topLeftCorner<3, 3>().diagonal().array() += all.weight;
-    const Mat3 mixed = normal * lever.transpose() - first;
-    matrix.topRightCorner<3, 3>() += mixed;
-    matrix.bottomLeftCorner<3, 3>() += mixed.transpose();
-    matrix.bottomRightCorner<3, 3>() += second - all.second;
-    matrix.bottomRightCorner<3, 3>().diagonal().array() += all.second.trace();
+    const Triple n(normal), a(arm);
+    const SecondMoments along(springs.shear, a, times), more = SecondMoments(springs.normal, a, times) - along;
+    const Triple of_normal = more * n, lever = more.first.cross(n);
+    const double trace = more.trace(), all = trace - n.dot(of_normal) + along.trace();
+    const auto second = [&](double of_i, double of_j, double n_i, double n_j, double of_more, double of_along) {
+        return of_i * n_j + n_i * (of_j - trace * n_j) - of_more - of_along;
+    };
+    const double xy = second(of_normal.x, of_normal.y, n.x, n.y, more.xy, along.xy),
+                 xz = second(of_normal.x, of_normal.z, n.x, n.z, more.xz, along.xz),
+                 yz = second(of_normal.y, of_normal.z, n.y, n.z, more.yz, along.yz);
+    const double mixed = more.weight, w = along.weight;
+    const Triple &f = along.first, &l = lever;
+    const double columns[6][6] = {
+        {mixed * n.x * n.x + w, mixed * n.x * n.y, mixed * n.x * n.z},
+        {mixed * n.x * n.y, mixed * n.y * n.y + w, mixed * n.y * n.z},
+        {mixed * n.x * n.z, mixed * n.y * n.z, mixed * n.z * n.z + w},
+        {n.x * l.x, n.y * l.x - f.z, n.z * l.x + f.y,
+         second(of_normal.x, of_normal.x, n.x, n.x, more.xx, along.xx) + all, xy, xz},
+        {n.x * l.y + f.z, n.y * l.y, n.z * l.y - f.x, xy,
+         second(of_normal.y, of_normal.y, n.y, n.y, more.yy, along.yy) + all, yz},
+        {n.x * l.z - f.y, n.y * l.z + f.x, n.z * l.z, xz, yz,
+         second(of_normal.z, of_normal.z, n.z, n.z, more.zz, along.zz) + all},
+    };
+    for (int j = 0; j < 6; ++j)
+        for (int i = 0; i < (j < 3 ? 3 : 6); ++i) matrix(i, j) += columns[j][i];
 }
 
 Mat6 BodyFrame::scaled(const Mat6& stiffness) const {
@@ -106,20 +155,22 @@ BodyFrame make_frame(const Vec3& centre, double mass, const Mat3& inertia, std::
     return frame;
 }
 
-// tr(S^p)^(1/p) falls to the largest eigenvalue as p grows.
+// tr(S^p)^(1/p) falls to the largest eigenvalue as p grows: it is t0 t1^(1/2) t2^(1/4) ..., each t the trace of the square of what
+// the one before has been divided by.
 double largest_eigenvalue(const Mat6& matrix) {
-    double trace = trace_of(matrix);
-    if (!(trace > 0)) return 0;
-    Mat6 power = matrix;
-    double log = 0, part = 1;
-    for (int i = 0; i < squarings; ++i) {
-        log += part * std::log(trace);
-        part *= 0.5;
-        power = square_of(power, 1 / trace);
-        trace = trace_of(power);
-        if (trace > 1 - 1e-13) break; // one direction is all
+    std::array<double, squarings + 1> traces;
+    SixColumns power = columns_of(matrix);
+    traces[0] = trace_of(power);
+    if (!(traces[0] > 0)) return 0;
+    std::size_t last = 0;
+    while (last < squarings) {
+        power = square_of(power, 1 / traces[last]);
+        traces[++last] = trace_of(power);
+        if (traces[last] > 1 - 1e-13) break; // one direction is all
     }
-    return std::exp(log + part * std::log(trace));
+    double product = 1;
+    for (; last > 0; --last) product = std::sqrt(traces[last] * product);
+    return traces[0] * product;
 }
 
 } // namespace kaya

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/vector.hpp"
+#include "mechanics/eight.hpp"
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -22,12 +23,30 @@ struct Moments {
         first += w * place;
         second += (w * place) * place.transpose();
     }
-    /// The same points seen from a place that lies at -arm.
-    Moments from(const Vec3& arm) const {
-        const Vec3 product = first + weight * arm;
-        return {weight, product, second + arm * first.transpose() + product * arm.transpose()};
-    }
     Moments operator*(double f) const { return {f * weight, f * first, f * second}; }
+};
+
+/// The same sums over points that come eight at a time.
+class MomentsOfEights {
+public:
+    void add(const Eight& weight, const Eight3& place) {
+        const Eight3 product = place * weight;
+        weight_ += weight;
+        first_ = first_ + product;
+        square_ = square_ + Eight3{product.x * place.x, product.y * place.y, product.z * place.z};
+        mixed_ = mixed_ + Eight3{product.y * place.z, product.x * place.z, product.x * place.y};
+    }
+    Moments sum() const {
+        const Eight one = sums_of({weight_, first_.x, first_.y, first_.z, square_.x, square_.y, square_.z, mixed_.x});
+        const double xz = kaya::sum(mixed_.y), xy = kaya::sum(mixed_.z), yz = one[7];
+        Moments moments{one[0], Vec3(one[1], one[2], one[3]), {}};
+        moments.second << one[4], xy, xz, xy, one[5], yz, xz, yz, one[6];
+        return moments;
+    }
+
+private:
+    Eight weight_{};
+    Eight3 first_{}, square_{}, mixed_{};
 };
 
 /// The springs of one contact: weights are stiffnesses across and along its plane, places are counted from its position.
@@ -35,7 +54,8 @@ struct SpringSums {
     Moments normal, shear;
 };
 
-/// Adds `times` the stiffness matrix of springs that hold a body; `arm` leads from the centre of the body to their origin.
+/// Adds `times` the stiffness matrix of springs that hold a body; `arm` leads from the centre of the body to their origin. The
+/// lower left quarter, which is the upper right one turned over, stays as it is.
 void add_springs(Mat6& matrix, const SpringSums& springs, const Vec3& normal, const Vec3& arm, double times);
 
 /// How a rigid body resists: mass and inertia in coordinates in which both are 1.

@@ -21,6 +21,18 @@ std::size_t number_groups(const Column<Span>& spans, std::vector<std::size_t>& f
     return first.back() = next;
 }
 
+/// By the corners in the block's own axes, which do not change as it moves, not in their last bits either.
+double mean_face_area_of(const Model& model, Row block) {
+    const Span faces = model.blocks.faces[block], triangles = model.blocks.triangles[block];
+    const auto& x = model.gridpoints.reference;
+    double sum = 0;
+    for (Row t = triangles.first; t < triangles.end(); ++t) {
+        const auto& g = model.triangles.gridpoints[t];
+        sum += 0.5 * (x[g[1]] - x[g[0]]).cross(x[g[2]] - x[g[0]]).norm();
+    }
+    return faces.count > 0 ? sum / faces.count : 0;
+}
+
 } // namespace
 
 Vec3 current_normal(const Model& model, Row face) {
@@ -46,7 +58,8 @@ void Surfaces::learn(const Model& model, Row block) {
     const auto& blocks = model.blocks;
     const auto& of_triangle = model.triangles.gridpoints;
     Shape& shape = shapes_[block];
-    shape = {blocks.id[block], blocks.gridpoints[block], blocks.faces[block], blocks.triangles[block], {}, {}, {}};
+    shape = {blocks.id[block], blocks.gridpoints[block], blocks.faces[block], blocks.triangles[block], {}, {}, {}, 0};
+    if (!blocks.deformable[block]) shape.mean_face_area = mean_face_area_of(model, block);
     edges_of(model, block, shape.edges);
 
     std::vector<Row>& corners = shape.corners;

@@ -47,6 +47,8 @@ public:
         return {four_planes_.data() + first_planes_[block], four_planes_.data() + first_planes_[block + 1]};
     }
     const std::vector<Edge>& edges(Row block) const { return shapes_[block].edges; }
+    /// Of a rigid block: the mean area of its faces.
+    double mean_face_area(Row block) const { return shapes_[block].mean_face_area; }
     /// The gridpoints of a face, each once and in order.
     std::span<const Row> corners(Row face) const { return planes_[face].corners; }
     /// The triangles of that face, by the places of their gridpoints in `corners`.
@@ -60,6 +62,7 @@ private:
         std::vector<Edge> edges;
         std::vector<Row> corners;                         ///< of one face after another
         std::vector<std::array<int, 3>> corner_triangles; ///< of each triangle of the block
+        double mean_face_area = 0;
     };
     struct Plane {
         Vec3 normal;

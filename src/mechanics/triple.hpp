@@ -14,9 +14,7 @@ namespace kaya {
 template <class T> struct TripleOf {
     T x, y, z;
 
-    explicit TripleOf(const Vec3& v)
-        requires std::is_same_v<T, double>
-        : x(v.x()), y(v.y()), z(v.z()) {}
+    explicit TripleOf(const Vec3& v) requires std::is_same_v<T, double> : x(v.x()), y(v.y()), z(v.z()) {}
     TripleOf(const T& a, const T& b, const T& c) : x(a), y(b), z(c) {}
     friend TripleOf operator+(const TripleOf& a, const TripleOf& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend TripleOf operator-(const TripleOf& a, const TripleOf& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -25,16 +23,10 @@ template <class T> struct TripleOf {
     }
     T dot(const TripleOf& o) const { return x * o.x + y * o.y + z * o.z; }
     TripleOf cross(const TripleOf& o) const { return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x}; }
-    Eight3 eights() const
-        requires std::is_same_v<T, double>
-    {
+    Eight3 eights() const requires std::is_same_v<T, double> {
         return {kaya::eights(x), kaya::eights(y), kaya::eights(z)};
     }
-    Vec3 vector() const
-        requires std::is_same_v<T, double>
-    {
-        return {x, y, z};
-    }
+    Vec3 vector() const requires std::is_same_v<T, double> { return {x, y, z}; }
 };
 using Triple = TripleOf<double>;
 
@@ -89,8 +81,7 @@ public:
         yz_ = (e * f - a * d) * factor;
         zz_ = (a * b - f * f) * factor;
     }
-    SymmetricInverseOf(const Mat3& m, double scale)
-        requires std::is_same_v<T, double>
+    SymmetricInverseOf(const Mat3& m, double scale) requires std::is_same_v<T, double>
         : SymmetricInverseOf(m(0, 0), m(1, 1), m(2, 2), m(1, 2), m(0, 2), m(0, 1), scale) {}
     TripleOf<T> operator*(const TripleOf<T>& v) const {
         return {xx_ * v.x + xy_ * v.y + xz_ * v.z, xy_ * v.x + yy_ * v.y + yz_ * v.z,

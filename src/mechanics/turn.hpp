@@ -10,9 +10,8 @@ namespace kaya {
 /// Momentum is kept to the last bit and energy has no drift (Simo and Wong 1991, Int. J. Numer. Meth.
 /// Eng. 31). The inertia is in the block's own axes. Returns the velocity. Of eight blocks each stops where it
 /// would stop by itself.
-template <class T>
-TripleOf<T> turn(RotorOf<T>& orientation, const SymmetricInverseOf<T>& inverse_inertia, const TripleOf<T>& momentum,
-                 double step) {
+template <class T> TripleOf<T> turn(RotorOf<T>& orientation, const SymmetricInverseOf<T>& inverse_inertia,
+                                    const TripleOf<T>& momentum, double step) {
     const RotorOf<T> start = orientation;
     const TripleOf<T> own = start.conjugate().turned(momentum); // in the block's axes, as all that follows
     TripleOf<T> velocity = inverse_inertia * own;
