@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace kaya {
@@ -182,6 +183,12 @@ void begin_again(Model& model, const Batch& batch, Row c, BatchColumns& made) {
         throw joint_failure(model, rows, *failure);
 }
 
+/// The first eight contacts that are there, if one of them needs it.
+void take_pairs(Model& model, std::span<const Row> contacts, PairMotions& pairs) {
+    const auto next = contacts.first(std::min<std::size_t>(eight, contacts.size()));
+    if (std::ranges::any_of(next, [&](Row c) { return is_rigid_joint(model, c); })) pairs.take(model, next);
+}
+
 JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces, JointScratch& scratch) {
     JointSums sums;
     auto& subs = model.sub_contacts;
@@ -190,12 +197,16 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces, J
     friction.resize(batch.contacts.size());
     auto& carried = scratch.carried;
     carried.resize(batch.contacts.size());
+    PairMotions pairs;
     for (std::size_t i = 0; i < batch.contacts.size(); ++i) {
         const Row c = batch.contacts[i];
+        if (i % eight == 0) take_pairs(model, std::span(batch.contacts).subspan(i), pairs);
         if (follows_overlap(model, c)) {
             sums.lost += move_overlap_contact(model, c, before, scratch.overlap);
             turn_kept_vectors(model, c, batch.model->vectors);
             carried[i] = CarriedLoad(model, c);
+        } else if (between_rigid(model, c)) {
+            move_rigid_contact(model, c, pairs, i % eight, batch.model->vectors, before);
         } else {
             move_contact(model, c, batch.model->vectors, before);
         }

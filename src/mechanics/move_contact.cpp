@@ -14,21 +14,7 @@ namespace {
 /// Cycles between two looks at the faces of deformable blocks, which turn slowly.
 constexpr std::int64_t face_interval = 10;
 
-/// Motion of a rigid block in a step. Velocities are those of the middle of the step and so are the arms that they act
-/// on: with arms of either end a block that turns would close its joints by half the square of the angle in each step.
-struct RigidMotion {
-    Triple velocity, spin, centroid;
-
-    RigidMotion(const Model& model, Row b)
-        : velocity(model.blocks.velocity[b]), spin(model.blocks.rotational_velocity[b]),
-          centroid(model.blocks.centroid[b]) {
-        if (model.settings.large_strain)
-            centroid = centroid - 0.5 * model.clock.time_step * velocity; // it has moved already
-    }
-    Triple at(const Triple& place) const { return velocity + spin.cross(place - centroid); }
-};
-
-/// The plane turns with the block whose face it is, between rigid blocks with the blocks whose faces are on it.
+/// The plane turns with the block whose face it is; between rigid blocks see PairMotions.
 void turn_plane(Model& model, Row c) {
     auto& contacts = model.contacts;
     const auto& blocks = model.blocks;
@@ -42,13 +28,8 @@ void turn_plane(Model& model, Row c) {
         if (!outward.isZero()) n = reference == 1 ? outward : Vec3(-outward);
         return;
     }
-    Triple spin(0, 0, 0);
-    if (!blocks.deformable[b1] && !blocks.deformable[b2]) {
-        const double first = reference == 0 ? 0.5 : part_of_first(model, b1, b2);
-        spin = first * Triple(blocks.rotational_velocity[b1]) + (1 - first) * Triple(blocks.rotational_velocity[b2]);
-    } else if (reference != 0) {
-        spin = Triple(blocks.rotational_velocity[owner]);
-    }
+    if (reference == 0) return;
+    const Triple spin(blocks.rotational_velocity[owner]);
     const Triple before(n), turned = before + (model.clock.time_step * spin).cross(before);
     // It is almost 1 long: one step of Newton's method for 1/sqrt.
     n = ((1.5 - 0.5 * turned.dot(turned)) * turned).vector();
@@ -82,55 +63,10 @@ inline void turn_kept(SubContacts& subs, const std::vector<std::size_t>& kept, R
     }
 }
 
-/// Two rigid blocks: the relative velocity is linear in the place, so that a few numbers per contact
-/// serve all its sub-contacts.
-void move_between_rigid(Model& model, Row c, const Vec3& normal_before, const std::vector<std::size_t>& kept,
-                        JointWork& work) {
-    auto& subs = model.sub_contacts;
-    auto& contacts = model.contacts;
-    const Triple o(contacts.position[c]), normal(contacts.normal[c]);
-    const RigidMotion one(model, contacts.block1[c]), two(model, contacts.block2[c]);
-    const double step = model.clock.time_step;
-    const bool large = model.settings.large_strain;
-    const double half = large ? 0.5 : 0;
-    const Triple middle = o + 0.5 * half * step * (two.at(o) + one.at(o)); // of the way of the origin
-    const Triple velocity1 = one.at(middle), velocity2 = two.at(middle);
-    const Triple shift = 0.5 * step * (velocity2 + velocity1), turn = 0.5 * step * (two.spin + one.spin);
-
-    const Eight3 n = normal.eights(), origin = o.eights();
-    const Eight3 n_middle = (0.5 * (normal + Triple(normal_before))).eights();
-    const Eight3 apart = (step * (velocity2 - velocity1)).eights();
-    const Eight3 apart_turn = (step * (two.spin - one.spin)).eights();
-    const Eight3 mean = shift.eights(), mean_turn = turn.eights();
-    const Eight twist = eights(turn.dot(normal));
-
-    const Span span = contacts.sub_contacts[c];
-    Eight farthest{};
-    JointWork own; // stays in registers, which `work` would not
-    for (Row i = span.first; i < span.end(); i += eight) {
-        const RowsOfEight group(span.end() - i);
-        // Rows that are not there move as the origin does, or they would seem to slip far.
-        const Eight3 x = group.load(subs.position, i, origin), arm = x - origin;
-        const Eight3 turned = mean_turn.cross(arm);
-        const Eight3 u = apart + apart_turn.cross(arm + turned * eights(half));
-        const Eight opening = u.dot(n_middle);
-        const Eight3 shear = u - n * u.dot(n);
-        group.store(subs.normal_displacement_increment.data() + i, opening);
-        group.store(subs.shear_displacement_increment, i, shear);
-        Eight3 force = group.load(subs.shear_force, i);
-        if (large) {
-            farthest = larger_of(farthest, shear.dot(shear));
-            group.store(subs.position, i, x + (mean + turned));
-            force = turned_in_plane(force, n, twist);
-            group.store(subs.shear_force, i, force);
-            turn_kept(subs, kept, i, group, n, twist);
-        }
-        add_work(own, subs, i, group, force, opening, shear);
-    }
-    work.add(own);
-    if (!large) return;
-    contacts.slip_since_update[c] += std::sqrt(largest(farthest));
-    contacts.position[c] += Vec3(shift.x, shift.y, shift.z); // the origin of moments goes with the mean of the blocks
+/// One vector of eight, in all lanes.
+inline Eight3 lane(const Eight3& v, std::size_t l) {
+    const auto of = [l](const Eight& e) { return eights(reinterpret_cast<const double*>(&e)[l]); };
+    return {of(v.x), of(v.y), of(v.z)};
 }
 
 /// Velocity of the material point of one side.
@@ -237,14 +173,43 @@ void move_between(Model& model, Row c, const std::vector<std::size_t>& kept, Joi
 } // namespace
 
 void move_contact(Model& model, Row c, const std::vector<std::size_t>& kept, JointWork& work) {
-    const auto& contacts = model.contacts;
-    const Vec3 normal_before = contacts.normal[c];
     if (model.settings.large_strain) turn_plane(model, c);
-    if (model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]]) {
-        move_between(model, c, kept, work);
-    } else {
-        move_between_rigid(model, c, normal_before, kept, work);
+    move_between(model, c, kept, work);
+}
+
+void move_rigid_contact(Model& model, Row c, const PairMotions& pairs, std::size_t l,
+                        const std::vector<std::size_t>& kept, JointWork& work) {
+    auto& subs = model.sub_contacts;
+    const bool large = model.settings.large_strain;
+    const Eight3 n = lane(pairs.normal, l), n_middle = lane(pairs.normal_middle, l), origin = lane(pairs.origin, l),
+                 apart = lane(pairs.apart, l), apart_turn = lane(pairs.apart_turn, l), mean = lane(pairs.mean, l),
+                 mean_turn = lane(pairs.mean_turn, l);
+    const Eight twist = eights(reinterpret_cast<const double*>(&pairs.twist)[l]), half = eights(large ? 0.5 : 0);
+    const Span span = model.contacts.sub_contacts[c];
+    Eight farthest{};
+    JointWork own; // stays in registers, which `work` would not
+    for (Row i = span.first; i < span.end(); i += eight) {
+        const RowsOfEight group(span.end() - i);
+        // Rows that are not there move as the origin does, or they would seem to slip far.
+        const Eight3 x = group.load(subs.position, i, origin), arm = x - origin;
+        const Eight3 turned = mean_turn.cross(arm);
+        const Eight3 u = apart + apart_turn.cross(arm + turned * half);
+        const Eight opening = u.dot(n_middle);
+        const Eight3 shear = u - n * u.dot(n);
+        group.store(subs.normal_displacement_increment.data() + i, opening);
+        group.store(subs.shear_displacement_increment, i, shear);
+        Eight3 force = group.load(subs.shear_force, i);
+        if (large) {
+            farthest = larger_of(farthest, shear.dot(shear));
+            group.store(subs.position, i, x + (mean + turned));
+            force = turned_in_plane(force, n, twist);
+            group.store(subs.shear_force, i, force);
+            turn_kept(subs, kept, i, group, n, twist);
+        }
+        add_work(own, subs, i, group, force, opening, shear);
     }
+    work.add(own);
+    if (large) model.contacts.slip_since_update[c] += std::sqrt(largest(farthest));
 }
 
 void turn_kept_vectors(Model& model, Row c, const std::vector<std::size_t>& kept) {

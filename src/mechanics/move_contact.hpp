@@ -1,7 +1,7 @@
 // The part of advance_joints in which a contact follows its blocks.
 #pragma once
 
-#include "mechanics/eight.hpp"
+#include "mechanics/pair_motions.hpp"
 #include "model/model.hpp"
 
 #include <cstddef>
@@ -26,7 +26,12 @@ struct JointWork {
 /// Turns the plane of a contact with its blocks and writes the displacement increments of its
 /// sub-contacts; turns their shear forces with the plane, and the vectors that a joint model keeps of them: `kept` has the
 /// first of the three history variables of each. Adds the work of the forces as they then are to `work`.
+/// For contacts of deformable blocks.
 void move_contact(Model& model, Row contact, const std::vector<std::size_t>& kept, JointWork& work);
+
+/// The same for a joint between rigid blocks, which is number `lane` of the pairs that have been taken.
+void move_rigid_contact(Model& model, Row contact, const PairMotions& pairs, std::size_t lane,
+                        const std::vector<std::size_t>& kept, JointWork& work);
 
 /// Turns the vectors only, of a contact that has moved. Nothing in small strain.
 void turn_kept_vectors(Model& model, Row contact, const std::vector<std::size_t>& kept);
