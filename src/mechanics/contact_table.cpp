@@ -1,7 +1,7 @@
 #include "mechanics/contact_table.hpp"
 
 #include "mechanics/batches.hpp"
-#include "mechanics/contact_load.hpp"
+#include "mechanics/load_before.hpp"
 #include "mechanics/overlap_contact.hpp"
 #include "mechanics/overlap_scratch.hpp"
 #include "mechanics/property_sets.hpp"
@@ -184,79 +184,10 @@ void clear_sub_contact(SubContacts& subs, Row s) {
     subs.forget(s);
 }
 
-/// New geometry must not make energy. It may give back what it has taken from this contact before, and no more
-/// (Hannaford and Ryu 2002, IEEE Trans. Robot. Autom. 18, keep a contact passive by such an account). What then
-/// overlaps more than its force says is noted. Returns what is lost of the energy in the springs.
-double keep_passive(Model& model, Row c, const ContactLoad& before) {
-    const ContactLoad after(model, c);
-    auto& subs = model.sub_contacts;
-    double& account = model.contacts.withdrawn_energy[c];
-    const double gain = after.energy - before.energy, allowed = std::min(gain, account);
-    // Energy withdrawn in an impact is not returned to a contact at rest.
-    account = std::min(account - allowed, before.energy);
-    const double normal = gain > allowed ? std::sqrt((before.energy + allowed) / after.energy) : 1;
-    const double shear = after.shear > before.shear ? before.shear / after.shear : 1;
-    if (normal != 1 || shear != 1) {
-        const Span span = model.contacts.sub_contacts[c];
-        for (Row s = span.first; s < span.end(); ++s) {
-            subs.normal_force[s] *= normal;
-            subs.shear_force.set(s, shear * subs.shear_force[s]);
-        }
-        // The mean closure that belongs to the force which is not there now.
-        if (after.normal > 0) model.contacts.unforced_overlap[c] += (1 - normal) * 2 * after.energy / after.normal;
-    }
-    return before.stored() - normal * normal * after.energy - shear * shear * after.shear_energy;
-}
-
-/// Shear forces of a joint between rigid blocks stay no larger than they were when its places change; its normal force
-/// is that of its closure, before and after. Returns what is lost of the energy in the springs.
-double keep_shear(Model& model, Row c, const ContactLoad& before) {
-    const ContactLoad after(model, c);
-    const double scale = after.shear > before.shear ? before.shear / after.shear : 1;
-    const Span span = model.contacts.sub_contacts[c];
-    if (scale != 1)
-        for (Row s = span.first; s < span.end(); ++s)
-            model.sub_contacts.shear_force.set(s, scale * Vec3(model.sub_contacts.shear_force[s]));
-    return before.stored() - after.energy - scale * scale * after.shear_energy;
-}
-
-/// Forces that a contact between rigid blocks has other than before act in half of the step. What they made there is of the joints' work,
-/// and negative in what is lost, which is returned.
-double book_change(Model& model, Row c, double work_before) {
-    if (!model.settings.energy || !between_rigid(model, c)) return 0;
-    const double made = 0.5 * (work_of_step(model, c) - work_before);
-    model.energy.joint_work -= made;
-    return -made;
-}
-
-/// What is lost when a contact's geometry has been made anew.
-double settle(Model& model, Row c, const ContactLoad& before) {
-    if (model.contacts.kind[c] == ContactKind::overlap) return 0;
-    return between_rigid(model, c) ? keep_shear(model, c, before) : keep_passive(model, c, before);
-}
-
 /// Whether an overlap becomes a joint.
 bool closes(const Model& model, const ContactDraft& draft) {
     return draft.kind == DraftKind::new_geometry && draft.old != no_row &&
            model.contacts.kind[draft.old] == ContactKind::overlap;
-}
-
-struct LoadBefore {
-    Row row; ///< of the draft
-    ContactLoad load;
-    double work; ///< of its forces in the step
-
-    LoadBefore(const Model& model, Row draft, Row old)
-        : row(draft), load(model, old), work(between_rigid(model, old) ? work_of_step(model, old) : 0) {}
-};
-
-/// The loads of contacts that get new geometry.
-std::vector<LoadBefore> loads_of(const Model& model, const std::vector<ContactDraft>& drafts) {
-    std::vector<LoadBefore> loads;
-    for (std::size_t c = 0; c < drafts.size(); ++c)
-        if (drafts[c].old != no_row && drafts[c].kind == DraftKind::new_geometry)
-            loads.emplace_back(model, static_cast<Row>(c), drafts[c].old);
-    return loads;
 }
 
 /// Which contacts will still be there.
@@ -265,14 +196,6 @@ std::vector<char> kept_contacts(const Model& model, const std::vector<ContactDra
     for (const auto& draft : drafts)
         if (draft.old != no_row) kept[draft.old] = 1;
     return kept;
-}
-
-/// The energy in the springs of those that will not.
-double stored_in_parted(const Model& model, const std::vector<char>& kept) {
-    double stored = 0;
-    for (std::size_t c = 0; c < kept.size(); ++c)
-        if (!kept[c]) stored += ContactLoad(model, static_cast<Row>(c)).stored();
-    return stored;
 }
 
 /// Whether the contact keeps as many points and every point is nearest to the sub-contact of its own row.
@@ -450,7 +373,7 @@ bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<Con
     tell_joint_models(model, joints, changes, true);
     for (const auto& before : loads) {
         const Row c = drafts[before.row].old;
-        lost += settle(model, c, before.load) + book_change(model, c, before.work);
+        lost += before.settle(model, c, true);
     }
     if (model.settings.energy) model.energy.joint_lost += lost;
     return true;
@@ -493,8 +416,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
         if (drafts[c].kind == DraftKind::overlap && drafts[c].old != no_row)
             lost += follow_overlap(model, static_cast<Row>(c), scratch);
     tell_joint_models(model, joints, changes, moving);
-    for (const auto& before : loads)
-        lost += settle(model, before.row, before.load) + (moving ? book_change(model, before.row, before.work) : 0);
+    for (const auto& before : loads) lost += before.settle(model, before.row, moving);
     for (std::size_t c = 0; c < drafts.size(); ++c)
         if (drafts[c].old == no_row) lost -= ContactLoad(model, static_cast<Row>(c)).stored();
     if (model.settings.energy) model.energy.joint_lost += lost;
