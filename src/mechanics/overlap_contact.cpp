@@ -114,25 +114,36 @@ double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& moti
     return lost;
 }
 
-/// Gives a carrier another area. Its normal traction stays. Its shear force stays where faces lie on each other: if it
+/// Gives each carrier of a contact another area. Normal tractions stay. Shear forces stay where faces lie on each other: if they
 /// followed the area, a joint that opens and closes at its edge would lose some each time and creep. On corners and edges
-/// that roll, what leaves the contact takes its shear force along. A spring that keeps its force on a smaller area holds more
-/// energy. In an impact `taken`, what larger areas have taken of it before, must pay for that, or the force is smaller; a joint that opens
-/// slowly gains next to nothing, and would creep. Returns the energy of the shear spring that is lost.
-double change_area(SubContacts& subs, Row s, double area, bool lies, double& taken) {
-    const double before = shear_energy(subs, s);
-    const double ratio = subs.area[s] > 0 ? area / subs.area[s] : 1;
-    subs.normal_force[s] *= ratio;
-    subs.area[s] = area;
+/// that roll, what leaves the contact takes its shear force along. Springs that keep their force on a smaller area hold more
+/// energy. In an impact `taken`, what larger areas have taken of it before, must pay for that, or the forces are smaller, all in the same
+/// proportion; a joint that opens slowly gains next to nothing, and would creep. Returns the energy of the shear springs that is lost.
+double change_areas(SubContacts& subs, Span rows, double area, bool lies, double& taken) {
+    constexpr double slow = 0.99;                         // of the area left after a step
+    double before = 0, quick_before = 0, quick_after = 0; // energy: of all, of areas that shrink in an impact
+    std::array<double, carriers> ratios;
+    const Row count = std::min(carriers, rows.count);
+    for (Row k = 0; k < count; ++k) {
+        const Row s = rows.first + k;
+        const double energy = shear_energy(subs, s), ratio = subs.area[s] > 0 ? area / subs.area[s] : 1;
+        ratios[k] = ratio;
+        before += energy;
+        if (ratio < slow) quick_before += energy, quick_after += energy / ratio;
+        subs.normal_force[s] *= ratio;
+        subs.area[s] = area;
+    }
     if (!(before > 0)) return 0;
-    constexpr double slow = 0.99; // of the area left after a step
-    double scale = 1;
-    if (ratio < 1 && !lies) scale = ratio;
-    else if (ratio < slow) scale = std::min(1.0, std::sqrt(ratio * (1 + taken / before)));
-    if (scale != 1) subs.shear_force.set(s, scale * Vec3(subs.shear_force[s]));
-    const double lost = before - shear_energy(subs, s);
-    if (lies) taken = std::max(0.0, taken + lost);
-    return lost;
+    const double quick = quick_before > 0 ? std::min(1.0, std::sqrt((quick_before + taken) / quick_after)) : 1;
+    double after = 0;
+    for (Row k = 0; k < count; ++k) {
+        const Row s = rows.first + k;
+        const double scale = ratios[k] < 1 && !lies ? ratios[k] : ratios[k] < slow ? quick : 1;
+        if (scale != 1) subs.shear_force.set(s, scale * Vec3(subs.shear_force[s]));
+        after += shear_energy(subs, s);
+    }
+    if (lies) taken = std::max(0.0, taken + before - after);
+    return before - after;
 }
 
 double normal_force_of(const Model& model, Row c) {
@@ -179,6 +190,7 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
     contacts.depth[c] = closed ? patch.depth : 0;
     contacts.twist[c] = patch.twist;
     const Vec3 apart = motion.at(contacts.position[c]);
+    if (closed) lost = change_areas(subs, span, contacts.area[c] / carriers, patch.lies, contacts.withdrawn_energy[c]);
     for (Row k = 0; k < span.count; ++k) {
         const Row s = span.first + k;
         if (k >= carriers) {
@@ -193,7 +205,6 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
         }
         Vec3 shift = apart; // of all rows of blocks that are apart: they stand in one place
         if (closed) {
-            lost += change_area(subs, s, contacts.area[c] / carriers, patch.lies, contacts.withdrawn_energy[c]);
             subs.position.set(s, places[k]);
             shift = motion.at(places[k]);
         } else {
