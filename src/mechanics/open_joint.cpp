@@ -102,6 +102,21 @@ Closures closures_of(const Model& model, Row c) {
     return found;
 }
 
+/// The normal force of an overlap that begins as a joint opens in part. The rows of a joint integrate closures that are linear over it:
+/// those of a part of it they miss by up to half. With the rows' force the overlap would be short of what it carries as long as it
+/// lasts, and give back more energy than it takes.
+double force_of_overlap(const Model& model, Row c, const Closures& closures, const OverlapPatch& patch) {
+    constexpr double most = 2; // times the rows' force
+    const auto& subs = model.sub_contacts;
+    const Vec3 n = model.contacts.normal[c];
+    const Span span = model.contacts.sub_contacts[c];
+    double volume = 0;
+    for (Row s = span.first; s < span.end(); ++s)
+        if (subs.side1[s].attached() && subs.side2[s].attached())
+            volume += subs.area[s] * std::max(0.0, geometric_closure(model, s, n) + closures.mean_offset);
+    return volume > 0 ? closures.force * std::clamp(patch.carried / volume, 1 / most, most) : closures.force;
+}
+
 /// What the overlap of two blocks carries with an offset that is linear over a joint, beside the resultant that it is wanted to have.
 class ResultantFit {
 public:
@@ -239,11 +254,12 @@ double follow_overlap(Model& model, Row c, OverlapScratch& scratch) {
     ClosureOffset offset;
     constexpr double same = 0.05; // of the deepest closure
     offset.closure = closures.mean_offset;
-    if (closures.force > 0 && closures.misfit > same * closures.deepest)
-        offset = closure_of_resultant(model, c, closures, scratch);
+    const bool fits = !(closures.force > 0 && closures.misfit > same * closures.deepest);
+    if (!fits) offset = closure_of_resultant(model, c, closures, scratch);
 
     const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch);
     const bool closed = patch.carried > 0 && closures.force > 0;
+    const double force = fits && closed ? force_of_overlap(model, c, closures, patch) : closures.force;
     contacts.kind[c] = ContactKind::overlap;
     contacts.offset[c] = offset.closure;
     contacts.offset_tilt[c] = offset.tilt;
@@ -253,7 +269,7 @@ double follow_overlap(Model& model, Row c, OverlapScratch& scratch) {
     contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
     contacts.stiffness_area[c] = rung_above(std::max(patch.area, contacts.area[c]), contacts.least_area[c]);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
-    contacts.energy_taken[c] = closures.force * contacts.energy_length[c];
+    contacts.energy_taken[c] = force * contacts.energy_length[c];
     contacts.withheld[c] = contacts.slip_since_update[c] = contacts.unforced_overlap[c] = contacts.withdrawn_energy[c] =
         0;
     std::array<Vec3, carriers> places;
@@ -280,7 +296,7 @@ double follow_overlap(Model& model, Row c, OverlapScratch& scratch) {
         const bool carries = k < carriers;
         (carries ? of_carrier : of_open).put(subs, s);
         subs.area[s] = carries ? contacts.area[c] / carriers : closures.open == no_row ? 0 : open_area;
-        subs.normal_force[s] = carries && closed ? closures.force / carriers : 0;
+        subs.normal_force[s] = carries && closed ? force / carriers : 0;
         subs.shear_force.set(s, carries && closed ? Vec3(shear / carriers) : Vec3(Vec3::Zero()));
         if (carries) subs.normal_displacement[s] = closed ? -patch.depth : std::max(0.0, of_carrier.displacement);
         subs.position.set(s, carries ? places[k] : contacts.position[c]);
