@@ -24,9 +24,9 @@ public:
             motion_.advance({g.velocity[row], g.force[row], g.load[row], g.mass[row], g.inertial_mass[row]},
                             fixed == 0 ? nullptr : &held);
         store(g.velocity[row].data(), velocity);
-        for (auto& way : velocity) way *= step_;
-        add_way(g.displacement[row], velocity);
-        if (large_) add_way(g.position[row], velocity);
+        for (auto& shift : velocity) shift *= step_;
+        add_shift(g.displacement[row], velocity);
+        if (large_) add_shift(g.position[row], velocity);
     }
 
     MotionSums sums() const { return motion_.sums.sums(); }

@@ -28,12 +28,12 @@ public:
     /// Moves blocks [row, row + 8), but not their vertices.
     void move(std::size_t row) {
         auto& blocks = model_.blocks;
-        ThreeEights way = motion_.advance(
+        ThreeEights shift = motion_.advance(
             {blocks.velocity[row], blocks.force[row], blocks.load[row], blocks.mass[row], blocks.inertial_mass[row]});
-        store(blocks.velocity[row].data(), way);
-        for (auto& of : way) of *= step_;
-        add_way(blocks.displacement[row], way);
-        add_way(blocks.centroid[row], way);
+        store(blocks.velocity[row].data(), shift);
+        for (auto& of : shift) of *= step_;
+        add_shift(blocks.displacement[row], shift);
+        add_shift(blocks.centroid[row], shift);
         turn_eight(row);
     }
 

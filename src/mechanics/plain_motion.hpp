@@ -64,10 +64,10 @@ private:
     const double kick_;
 };
 
-/// Adds a way of three components to each of eight rows.
-inline void add_way(Vec3& rows, const ThreeEights& way) {
+/// Adds a shift of three components to each of eight rows.
+inline void add_shift(Vec3& rows, const ThreeEights& shift) {
     ThreeEights sum = load_three(rows.data());
-    for (std::size_t i = 0; i < 3; ++i) sum[i] += way[i];
+    for (std::size_t i = 0; i < 3; ++i) sum[i] += shift[i];
     store(rows.data(), sum);
 }
 
