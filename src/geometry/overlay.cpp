@@ -63,8 +63,8 @@ void clip(Polygon& polygon, const Line& line, double tolerance) {
 std::array<double, 3> barycentric(const PlaneMesh& mesh, int triangle, const Vec2& p) {
     const auto& t = mesh.triangles[triangle];
     const Vec2 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-    const double whole = cross(b - a, c - a);
-    std::array<double, 3> w{cross(b - p, c - p) / whole, cross(c - p, a - p) / whole, 0};
+    const double part = 1 / cross(b - a, c - a);
+    std::array<double, 3> w{part * cross(b - p, c - p), part * cross(c - p, a - p), 0};
     for (int k = 0; k < 2; ++k) w[k] = std::clamp(w[k], 0.0, 1.0);
     w[2] = std::max(0.0, 1 - w[0] - w[1]);
     const double sum = w[0] + w[1] + w[2];
@@ -360,9 +360,9 @@ int triangle_at(const PlaneMesh& mesh, const Vec2& place, std::array<double, 3>&
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto& corner = mesh.triangles[t];
         const Vec2 &a = mesh.points[corner[0]], &b = mesh.points[corner[1]], &c = mesh.points[corner[2]];
-        const double whole = cross(b - a, c - a);
-        const double least = std::min({cross(b - place, c - place) / whole, cross(c - place, a - place) / whole,
-                                       cross(a - place, b - place) / whole});
+        const double part = 1 / cross(b - a, c - a);
+        const double least = std::min({part * cross(b - place, c - place), part * cross(c - place, a - place),
+                                       part * cross(a - place, b - place)});
         if (least > deepest) {
             deepest = least;
             best = static_cast<int>(t);

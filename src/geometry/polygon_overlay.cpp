@@ -19,9 +19,9 @@ double signed_area(const std::vector<Vec2>& polygon) {
 
 /// Leaves what lies on the left of the line from a to b (Sutherland and Hodgman 1974).
 void clip(std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b, double tolerance, OverlayScratch& scratch) {
-    const double length = (b - a).norm();
-    if (!(length > tolerance)) return;
-    const Vec2 along = (b - a) / length;
+    const Vec2 along = b - a; // heights are times its length
+    const double squared = along.squaredNorm(), near = tolerance * tolerance * squared;
+    if (!(squared > tolerance * tolerance)) return;
     auto& heights = scratch.heights;
     auto& left = scratch.left;
     heights.clear();
@@ -29,7 +29,7 @@ void clip(std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b, double toler
     bool all_left = true;
     for (const Vec2& p : polygon) {
         const double h = cross(along, p - a);
-        heights.push_back(std::abs(h) <= tolerance ? 0.0 : h);
+        heights.push_back(h * h <= near ? 0.0 : h);
         all_left = all_left && heights.back() >= 0;
     }
     if (all_left) return;
@@ -59,7 +59,8 @@ void drop_straight(std::vector<Vec2>& polygon, double tolerance) {
         const Vec2 &before = polygon[(i + polygon.size() - 1) % polygon.size()],
                    &after = polygon[(i + 1) % polygon.size()];
         const Vec2 along = after - before;
-        if (std::abs(cross(along, polygon[i] - before)) <= tolerance * along.norm())
+        const double height = cross(along, polygon[i] - before); // times the length
+        if (height * height <= tolerance * tolerance * along.squaredNorm())
             polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i));
         else ++i;
     }

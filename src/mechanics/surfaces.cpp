@@ -101,6 +101,14 @@ void Surfaces::take_vertices(const Model& model, Row block) {
         }
 }
 
+/// No vertex of a rigid block lies farther out than the corners of the face; faces of deformed blocks are warped.
+double Surfaces::reach_of(const Model& model, Row block, const Plane& plane) const {
+    if (model.blocks.deformable[block]) return -lowest(vertices(block), -plane.normal);
+    double reach = -std::numeric_limits<double>::infinity();
+    for (const Row g : plane.corners) reach = std::max(reach, model.gridpoints.position[g].dot(plane.normal));
+    return reach;
+}
+
 void Surfaces::take_planes(const Model& model, Row block) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Span span = model.blocks.faces[block];
@@ -110,7 +118,7 @@ void Surfaces::take_planes(const Model& model, Row block) {
         for (Row i = 0; i < std::min<Row>(lane_count, span.end() - f); ++i) {
             Plane& plane = planes_[f + i];
             plane.normal = current_normal(model, f + i);
-            plane.reach = plane.normal.isZero(0) ? infinity : -lowest(vertices(block), -plane.normal);
+            plane.reach = plane.normal.isZero(0) ? infinity : reach_of(model, block, plane);
             group->normal.x[i] = plane.normal.x();
             group->normal.y[i] = plane.normal.y();
             group->normal.z[i] = plane.normal.z();

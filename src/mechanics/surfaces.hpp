@@ -74,6 +74,7 @@ private:
     bool knows(const Model& model, Row block) const;
     void learn(const Model& model, Row block);
     void take_vertices(const Model& model, Row block);
+    double reach_of(const Model& model, Row block, const Plane& plane) const;
     void take_planes(const Model& model, Row block);
 
     std::vector<Plane> planes_;

@@ -1,5 +1,6 @@
 -- A strip footing on ground without weight: half of it, one cell wide. `footing(name, cells, friction, dilation, mesh, steps, low, high)`
--- presses it and compares N_c, which may lie `low` below the exact one and `high` above it, and must not grow any more. With `slanting`
+-- presses it and compares N_c, which may lie `low` below Davis's estimate, that is below the exact one of associated flow, and `high` above
+-- the exact one, and must not grow any more. With `slanting`
 -- the far side is no brick's, so that `gen edge` fills the ground with tetrahedra in no order; it is pressed faster then.
 local verify = require "verify"
 local half, width, height, cohesion = 3, 15, 7.5, 1e5
@@ -37,12 +38,16 @@ return function(name, n, phi, psi, mesh, steps, low, high, slanting)
     command(("cycle %d"):format(steps / 4))
     local before = pressure()
     command(("cycle %d"):format(steps / 4))
-    local after, exact = pressure(), 2 + math.pi
-    if phi > 0 then
-        local t = math.tan(math.rad(phi))
-        exact = (math.exp(math.pi * t) * math.tan(math.rad(45 + phi / 2)) ^ 2 - 1) / t
+    local after = pressure()
+    local function prandtl(t) -- of the tangent of friction
+        if t == 0 then return 2 + math.pi end
+        return (math.exp(math.pi * t) * math.tan(math.pi / 4 + math.atan(t) / 2) ^ 2 - 1) / t
     end
-    verify.relative("D6, " .. name, "N_c", after, exact, high)
-    verify.absolute("D6, " .. name, "N_c short of the exact one, parts", math.min(0, after / exact - 1), 0, low)
+    -- Davis (1968): what flows with another dilation carries at least as much as if strength were that along its velocity characteristics.
+    local f, d = math.rad(phi), math.rad(psi)
+    local part = math.cos(d) / (1 - math.sin(d) * math.sin(f))
+    local exact, davis = prandtl(math.tan(f)), part * math.cos(f) * prandtl(part * math.sin(f))
+    verify.relative("D6, " .. name, "N_c beside that of associated flow", after, exact, math.max(high, 1 - (1 - low) * davis / exact))
+    verify.absolute("D6, " .. name, "N_c short of Davis's estimate, parts", math.min(0, after / davis - 1), 0, low)
     verify.absolute("D6, " .. name, "growth of N_c in the last quarter, parts", after / before - 1, 0, 0.01)
 end
