@@ -63,7 +63,7 @@ void give(const Body& body, double value, MassChange& change) {
     }
     const Vec3 spin = *body.spin, momentum = *body.momentum;
     *body.spin *= slower;
-    *body.momentum *= ratio * slower;
+    *body.momentum *= std::min(ratio, 1.0);
     change.kinetic += 0.5 * (body.spin->dot(*body.momentum) - spin.dot(momentum));
     change.power += body.moment->dot(*body.spin - spin);
 }

@@ -49,11 +49,11 @@ void spread(const Contacts& contacts, const std::vector<char>& from, std::vector
 }
 
 void add_cable_node(const Model& model, const BodyFrame& frame, const NodeStiffness& stiffness, Row node,
-                    Mat6& matrix) {
+                    SpringMatrix& matrix) {
     SpringSums sums;
     sums.normal.add(stiffness.along + stiffness.across, Vec3::Zero());
     sums.shear.add(stiffness.across, Vec3::Zero());
-    add_springs(matrix, sums, direction_at(model, node), model.structures.nodes.position[node] - frame.centre, 1);
+    matrix.add(1, {sums, direction_at(model, node), model.structures.nodes.position[node] - frame.centre});
 }
 
 void mark_whole_bodies(const JoinedBodies& bodies, std::vector<char>& blocks) {
@@ -134,12 +134,6 @@ void StepBounds::compute(const Model& model, const Adjacency& adjacency) {
             fixed_[lead] |= blocks.fixed[b];
         }
     }
-    const auto& contacts = model.contacts;
-    sums_.resize(contacts.size());
-    for_rows(contacts.size(), [&](Row c) {
-        if ((near_[contacts.block1[c]] || near_[contacts.block2[c]]) && between_rigid(model, c))
-            sums_[c] = sums_of(model, c);
-    });
 }
 
 void StepBounds::find_frames(const Model& model, const Adjacency& adjacency, Masses masses) {
@@ -238,11 +232,11 @@ void StepBounds::add_contact(const Model& model, const BodyFrame& frame, const C
     const Vec3& normal = model.contacts.normal[c];
     const Beta beta = damped_ ? beta_[c] : Beta{0, 0};
     const auto add_dashpots = [&](const SpringSums& sums, double times) {
-        add_springs(matrices.viscous, {sums.normal * beta.normal, sums.shear * beta.shear}, normal, arm, times);
+        matrices.viscous.add(times, {{sums.normal * beta.normal, sums.shear * beta.shear}, normal, arm});
     };
     if (between_rigid(model, c)) {
         const Share times = share(model, c, no_row, entry.side, shares);
-        add_springs(matrices.elastic, sums_[c], normal, arm, times.elastic);
+        matrices.elastic.add(times.elastic, matrices_[c][static_cast<std::size_t>(entry.side)]);
         if (damped_) add_dashpots(sums_[c], times.viscous);
         return;
     }
@@ -260,7 +254,7 @@ void StepBounds::add_contact(const Model& model, const BodyFrame& frame, const C
         damped.normal.add(times.viscous * k.normal, place);
         damped.shear.add(times.viscous * k.shear, place);
     }
-    add_springs(matrices.elastic, sums, normal, arm, 1);
+    matrices.elastic.add(1, {sums, normal, arm});
     if (damped_) add_dashpots(damped, 1);
 }
 
@@ -309,6 +303,22 @@ Resistance StepBounds::of_gridpoint(const Model& model, const Adjacency& adjacen
     return sum;
 }
 
+/// Of contacts between rigid blocks on each of the two: bodies add them up twice, with different shares.
+void StepBounds::find_matrices(const Model& model) {
+    const auto& contacts = model.contacts;
+    matrices_.resize(contacts.size());
+    if (damped_) sums_.resize(contacts.size());
+    for_rows(contacts.size(), [&](Row c) {
+        if (!(near_[contacts.block1[c]] || near_[contacts.block2[c]]) || !between_rigid(model, c)) return;
+        const SpringSums sums = sums_of(model, c);
+        if (damped_) sums_[c] = sums;
+        for (int side = 0; side < 2; ++side) {
+            const Vec3& centre = frames_[lead_[block_of(model, c, side)]].centre;
+            matrices_[c][static_cast<std::size_t>(side)] = {sums, contacts.normal[c], contacts.position[c] - centre};
+        }
+    });
+}
+
 void StepBounds::find_resistances(const Model& model, const Adjacency& adjacency, Masses masses) {
     find_frames(model, adjacency, masses);
     damped_ = joints_are_damped(model.settings);
@@ -319,6 +329,7 @@ void StepBounds::find_resistances(const Model& model, const Adjacency& adjacency
             if (near_[contacts.block1[c]] || near_[contacts.block2[c]]) beta_[c] = beta_of(model, c);
         });
     }
+    find_matrices(model);
     if (alone_) return;
     resistance_.resize(model.blocks.size());
     for_rows(model.blocks.size(), [&](Row b) {

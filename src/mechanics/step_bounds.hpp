@@ -7,6 +7,7 @@
 #include "mechanics/step_matrix.hpp"
 #include "model/model.hpp"
 
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -85,14 +86,14 @@ public:
 private:
     /// A rigid body's matrices, each contact's part multiplied with what its side bears.
     struct Matrices {
-        Mat6 elastic = Mat6::Zero(), viscous = Mat6::Zero();
+        SpringMatrix elastic, viscous;
     };
     class Operator;
     enum class Shares { none, by_resistance, halves };
 
     void compute(const Model& model, const Adjacency& adjacency);
     void find_frames(const Model& model, const Adjacency& adjacency, Masses masses);
-    void find_bodies(const Model& model, const Adjacency& adjacency);
+    void find_matrices(const Model& model);
     void find_resistances(const Model& model, const Adjacency& adjacency, Masses masses);
     Springs springs(const Model& model, Row sub_contact, const NormalAreaFactor& factor) const;
     SpringSums sums_of(const Model& model, Row contact) const;
@@ -112,16 +113,17 @@ private:
     StepLimit smallest(const Model& model, const Adjacency& adjacency, Shares shares) const;
 
     bool damped_ = false;
-    bool alone_ = false;                 ///< bounds do not ask for those of neighbours
-    std::vector<char> asked_;            ///< by block: bounds are of these
-    std::vector<char> near_;             ///< by block: asked, or in contact with one that is
-    std::vector<Row> body_;              ///< by block: of joined rigid blocks the row in Adjacency::bodies, else no_row
-    std::vector<BodyFrame> frames_;      ///< by block; of joined ones at the first
-    std::vector<Row> lead_;              ///< by block: itself or the first of those that it is joined to
-    std::vector<std::uint8_t> fixed_;    ///< by block; of joined ones at the first, for all
-    std::vector<SpringSums> sums_;       ///< by contact, of contacts between rigid blocks
-    std::vector<Beta> beta_;             ///< by contact
-    std::vector<Resistance> resistance_; ///< by block: about its largest eigenvalue without its neighbours
+    bool alone_ = false;              ///< bounds do not ask for those of neighbours
+    std::vector<char> asked_;         ///< by block: bounds are of these
+    std::vector<char> near_;          ///< by block: asked, or in contact with one that is
+    std::vector<Row> body_;           ///< by block: of joined rigid blocks the row in Adjacency::bodies, else no_row
+    std::vector<BodyFrame> frames_;   ///< by block; of joined ones at the first
+    std::vector<Row> lead_;           ///< by block: itself or the first of those that it is joined to
+    std::vector<std::uint8_t> fixed_; ///< by block; of joined ones at the first, for all
+    std::vector<std::array<SpringMatrix, 2>> matrices_; ///< by contact between rigid blocks, on each of the two
+    std::vector<SpringSums> sums_;                      ///< the same contacts' springs, where dashpots ask for them
+    std::vector<Beta> beta_;                            ///< by contact
+    std::vector<Resistance> resistance_;       ///< by block: about its largest eigenvalue without its neighbours
     std::vector<double> root_of_gridpoint_;    ///< 1 over the root of the mass, 0 for what cannot move
     std::vector<double> zone_part_;            ///< by gridpoint
     std::vector<Resistance> point_resistance_; ///< by gridpoint

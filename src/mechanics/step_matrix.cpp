@@ -26,16 +26,21 @@ Mat3 inverse_root(const Mat3& m) {
     return inverse;
 }
 
-/// `times` the moments of the points seen from a place that lies at -arm, as plain numbers.
+Mat3 symmetric(const Eight& e) {
+    Mat3 m;
+    m << e[0], e[5], e[4], e[5], e[1], e[3], e[4], e[3], e[2];
+    return m;
+}
+
+/// The moments of the points seen from a place that lies at -arm, as plain numbers.
 struct SecondMoments {
     double weight;
     Triple first;
     double xx, yy, zz, yz, xz, xy;
 
-    SecondMoments(const Moments& m, const Triple& arm, double times)
-        : weight(times * m.weight), first(times * Triple(m.first) + weight * arm) {
+    SecondMoments(const Moments& m, const Triple& arm) : weight(m.weight), first(Triple(m.first) + weight * arm) {
         const auto moved = [&](double second, double f_i, double f_j, double a_i, double a_j) {
-            return times * (second + a_i * f_j) + a_j * f_i;
+            return second + a_i * f_j + a_j * f_i;
         };
         const Triple f(m.first);
         const auto& s = m.second;
@@ -92,40 +97,38 @@ SixColumns square_of(const SixColumns& m, double factor) {
 // A spring of weight w at the place r that sees the motion v = u + t x r of its body: (n . v)^2 = (n . u + t . (r x n))^2
 // across the plane and v.v = u.u + 2 u . (t x r) + t . (r.r - r r^T) t in all directions. With D the second moments across the plane less
 // those along it, [n] D [n]^T = (tr D - n . D n) 1 - D - tr D n n^T + (D n) n^T + n (D n)^T for a unit vector n.
-void add_springs(Mat6& matrix, const SpringSums& springs, const Vec3& normal, const Vec3& arm, double times) {
+SpringMatrix::SpringMatrix(const SpringSums& springs, const Vec3& normal, const Vec3& arm) {
     const Triple n(normal), a(arm);
-    const SecondMoments along(springs.shear, a, times), more = SecondMoments(springs.normal, a, times) - along;
+    const SecondMoments along(springs.shear, a), more = SecondMoments(springs.normal, a) - along;
     const Triple of_normal = more * n, lever = more.first.cross(n);
     const double trace = more.trace(), all = trace - n.dot(of_normal) + along.trace();
     const auto second = [&](double of_i, double of_j, double n_i, double n_j, double of_more, double of_along) {
         return of_i * n_j + n_i * (of_j - trace * n_j) - of_more - of_along;
     };
-    const double xy = second(of_normal.x, of_normal.y, n.x, n.y, more.xy, along.xy),
-                 xz = second(of_normal.x, of_normal.z, n.x, n.z, more.xz, along.xz),
-                 yz = second(of_normal.y, of_normal.z, n.y, n.z, more.yz, along.yz);
-    const double mixed = more.weight, w = along.weight;
+    const double k = more.weight, w = along.weight;
     const Triple &f = along.first, &l = lever;
-    const double columns[6][6] = {
-        {mixed * n.x * n.x + w, mixed * n.x * n.y, mixed * n.x * n.z},
-        {mixed * n.x * n.y, mixed * n.y * n.y + w, mixed * n.y * n.z},
-        {mixed * n.x * n.z, mixed * n.y * n.z, mixed * n.z * n.z + w},
-        {n.x * l.x, n.y * l.x - f.z, n.z * l.x + f.y,
-         second(of_normal.x, of_normal.x, n.x, n.x, more.xx, along.xx) + all, xy, xz},
-        {n.x * l.y + f.z, n.y * l.y, n.z * l.y - f.x, xy,
-         second(of_normal.y, of_normal.y, n.y, n.y, more.yy, along.yy) + all, yz},
-        {n.x * l.z - f.y, n.y * l.z + f.x, n.z * l.z, xz, yz,
-         second(of_normal.z, of_normal.z, n.z, n.z, more.zz, along.zz) + all},
-    };
-    for (int j = 0; j < 6; ++j)
-        for (int i = 0; i < (j < 3 ? 3 : 6); ++i) matrix(i, j) += columns[j][i];
+    translations = Eight{
+        k * n.x * n.x + w, k * n.y * n.y + w, k * n.z * n.z + w, k * n.y * n.z, k * n.x * n.z, k * n.x * n.y, 0, 0};
+    mixed = Eight{n.x * l.x, n.y * l.x - f.z, n.z * l.x + f.y, n.x * l.y + f.z,
+                  n.y * l.y, n.z * l.y - f.x, n.x * l.z - f.y, n.y * l.z + f.x};
+    rotations = Eight{second(of_normal.x, of_normal.x, n.x, n.x, more.xx, along.xx) + all,
+                      second(of_normal.y, of_normal.y, n.y, n.y, more.yy, along.yy) + all,
+                      second(of_normal.z, of_normal.z, n.z, n.z, more.zz, along.zz) + all,
+                      second(of_normal.y, of_normal.z, n.y, n.z, more.yz, along.yz),
+                      second(of_normal.x, of_normal.z, n.x, n.z, more.xz, along.xz),
+                      second(of_normal.x, of_normal.y, n.x, n.y, more.xy, along.xy),
+                      n.z * l.z,
+                      0};
 }
 
-Mat6 BodyFrame::scaled(const Mat6& stiffness) const {
+Mat6 BodyFrame::scaled(const SpringMatrix& stiffness) const {
+    Mat3 mixed;
+    for (int k = 0; k < 8; ++k) mixed(k % 3, k / 3) = stiffness.mixed[k];
+    mixed(2, 2) = stiffness.rotations[6];
     Mat6 result;
-    result.topLeftCorner<3, 3>() = root_of_mass * root_of_mass * stiffness.topLeftCorner<3, 3>();
-    result.topRightCorner<3, 3>() = root_of_mass * stiffness.topRightCorner<3, 3>() * root_of_inertia.transpose();
-    result.bottomRightCorner<3, 3>() =
-        root_of_inertia * stiffness.bottomRightCorner<3, 3>() * root_of_inertia.transpose();
+    result.topLeftCorner<3, 3>() = root_of_mass * root_of_mass * symmetric(stiffness.translations);
+    result.topRightCorner<3, 3>() = root_of_mass * mixed * root_of_inertia.transpose();
+    result.bottomRightCorner<3, 3>() = root_of_inertia * symmetric(stiffness.rotations) * root_of_inertia.transpose();
     for (int k = 0; k < 3; ++k)
         if (fixed & (1 << k)) {
             result.row(k).setZero();

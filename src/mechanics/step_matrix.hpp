@@ -54,9 +54,23 @@ struct SpringSums {
     Moments normal, shear;
 };
 
-/// Adds `times` the stiffness matrix of springs that hold a body; `arm` leads from the centre of the body to their origin. The
-/// lower left quarter, which is the upper right one turned over, stays as it is.
-void add_springs(Mat6& matrix, const SpringSums& springs, const Vec3& normal, const Vec3& arm, double times);
+/// A stiffness matrix of one body: symmetric, so that 21 numbers are enough.
+struct SpringMatrix {
+    Eight translations{}; ///< xx, yy, zz, yz, xz, xy
+    Eight mixed{};        ///< rows of translations, columns of rotations, column by column, but for the last number
+    Eight rotations{};    ///< as translations, and the last number of the mixed ones
+
+    /// Of springs that hold a body; `arm` leads from the centre of the body to their origin.
+    SpringMatrix(const SpringSums& springs, const Vec3& normal, const Vec3& arm);
+    SpringMatrix() = default;
+
+    /// Adds `times` another.
+    void add(double times, const SpringMatrix& o) {
+        translations += times * o.translations;
+        mixed += times * o.mixed;
+        rotations += times * o.rotations;
+    }
+};
 
 /// How a rigid body resists: mass and inertia in coordinates in which both are 1.
 struct BodyFrame {
@@ -67,7 +81,7 @@ struct BodyFrame {
 
     bool moves() const { return root_of_mass > 0; }
     /// A stiffness matrix in these coordinates, (rad/time)^2; components that are held have zeros.
-    Mat6 scaled(const Mat6& stiffness) const;
+    Mat6 scaled(const SpringMatrix& stiffness) const;
 };
 
 /// `inertia` about the centre, global axes. Components that are held are left out (the others follow from their momentum).
