@@ -57,6 +57,11 @@ std::string too_near(const CutBlocks& cut, double tolerance) {
                        counted(cut.corners, "cut was", "cuts were"), tolerance);
 }
 
+std::string too_thin(const CutBlocks& cut, double thinnest) {
+    return fmt::format("{} not made: a piece would be thinner than {:.3g}",
+                       counted(cut.slivers, "cut was", "cuts were"), thinnest);
+}
+
 /// Puts the pieces in place of their blocks and says in one line what was done.
 /// Returns the row of each piece.
 std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const CutBlocks& cut, double thinnest,
@@ -64,9 +69,7 @@ std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const Cut
     const std::size_t whole = rows.size() - cut.parents.size();
     std::string line = fmt::format("{}: {} cut into {}, {} left whole", by,
                                    counted(cut.parents.size(), "block", "blocks"), cut.pieces.size(), whole);
-    if (cut.slivers > 0)
-        line += fmt::format("; {} not made: a piece would be thinner than {:.3g}",
-                            counted(cut.slivers, "cut was", "cuts were"), thinnest);
+    if (cut.slivers > 0) line += "; " + too_thin(cut, thinnest);
     if (cut.corners > 0) line += "; " + too_near(cut, tolerance);
     std::vector<Row> pieces;
     if (!cut.parents.empty()) {
@@ -124,12 +127,10 @@ void run(Session& session, const lang::JointSetCommand& command) {
         const auto pieces = apply(session, rows, cut, thinnest, name, set.tolerance);
         if (command.join) join_pieces(session.model, cut, pieces);
         if (cut.parents.empty())
-            session.warn(Diagnostic("no block was cut by this joint set",
-                                    cut.corners > 0 ? too_near(cut, set.tolerance)
-                                    : cut.slivers > 0
-                                        ? fmt::format("{} not made: a piece would be thinner than {:.3g}",
-                                                      counted(cut.slivers, "cut was", "cuts were"), thinnest)
-                                        : "look at its origin and its dip")
+            session.warn(Diagnostic("no block was cut by this joint set", cut.corners > 0 ? too_near(cut, set.tolerance)
+                                                                          : cut.slivers > 0
+                                                                              ? too_thin(cut, thinnest)
+                                                                              : "look at its origin and its dip")
                              .at(command.place));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);

@@ -19,17 +19,8 @@ template <Row most> struct StagedZones {
     std::int32_t number[length]; ///< of the zone, or the first of the cell, that users see
 
     StagedZones(const Model& model, const ZoneLaw& law) : law_(law) {
-        batch_ = {};
-        batch_.properties = law.values.data();
-        batch_.time_step = model.clock.time_step;
-        batch_.volume = volume;
-        batch_.pore_pressure = pressure;
-        batch_.dissipation = dissipation;
+        point_to(batch_, law, model.clock.time_step, *this);
         batch_.state = state;
-        for (int k = 0; k < 6; ++k) {
-            batch_.strain_inc[k] = strain[k];
-            batch_.stress[k] = stress[k];
-        }
         for (std::size_t k = 0; k < KAYA_JMODEL_MAX_HISTORY; ++k) histories[k] = history[k];
         batch_.history = histories;
     }

@@ -22,18 +22,9 @@ struct ZoneColumns {
     kaya_zbatch batch;
 
     ZoneColumns(Model& model, Row first, Row count, const ZoneLaw& law) {
-        batch = {};
+        point_to(batch, law, model.clock.time_step, *this);
         batch.n = static_cast<std::size_t>(count);
-        batch.properties = law.values.data();
-        batch.time_step = model.clock.time_step;
-        batch.volume = volume;
-        batch.pore_pressure = pressure;
-        batch.dissipation = dissipation;
         batch.state = model.zones.state.data() + first;
-        for (int k = 0; k < 6; ++k) {
-            batch.strain_inc[k] = strain[k];
-            batch.stress[k] = stress[k];
-        }
         for (std::size_t k = 0; k < law.model->history.size(); ++k) history[k] = model.zones.history[k].data() + first;
         batch.history = history;
         std::fill_n(dissipation, batch.n, 0.0);

@@ -56,6 +56,20 @@ std::vector<double> zone_model_values(const Model& model, Row block, const ZoneM
 /// What a property of a zone model is for a material: as `prop mat` gave it, else its initial value.
 double value_for_material(const LawTable::Property& property, const Material& material);
 
+/// Points a batch at columns of the same names; rows, history and state are the caller's.
+template <class Columns> void point_to(kaya_zbatch& batch, const ZoneLaw& law, double time_step, Columns& columns) {
+    batch = {};
+    batch.properties = law.values.data();
+    batch.time_step = time_step;
+    batch.volume = columns.volume;
+    batch.pore_pressure = columns.pressure;
+    batch.dissipation = columns.dissipation;
+    for (int k = 0; k < 6; ++k) {
+        batch.strain_inc[k] = columns.strain[k];
+        batch.stress[k] = columns.stress[k];
+    }
+}
+
 /// What to say of a zone whose model failed.
 Diagnostic failed_zone(const Model& model, const ZoneLaw& law, Row zone, const ZoneFailure& failure);
 
