@@ -1,4 +1,5 @@
 // Joints between rigid blocks that begin to open: from then on their force follows the overlap.
+#include "mechanics/closure_search.hpp"
 #include "mechanics/contact_load.hpp"
 #include "mechanics/contact_geometry.hpp"
 #include "mechanics/eight.hpp"
@@ -151,7 +152,7 @@ public:
     }
 
     struct Carried {
-        Vec3 missing; ///< of the resultant: parts of its force, and of its moments over force and length
+        Vec3 excess; ///< over the resultant: parts of its force, and of its moments over force and length
         double depth;
     };
     Carried at(const Vec3& closure) const {
@@ -163,16 +164,11 @@ public:
 
     /// The closure in the middle alone that gives the force.
     double closure_for_force(double start) const {
-        const auto missing = [&](double closure) { return at({closure, 0, 0}).missing[0]; };
-        const double reach = carried / pair.least_area;
-        double low = start - reach, high = start + reach;
-        for (int i = 0; i < 60 && missing(high) < 0; ++i) high += reach;
-        for (int i = 0; i < 60 && missing(low) > 0; ++i) low -= reach;
-        for (int i = 0; i < 50; ++i) {
-            const double half = 0.5 * (low + high);
-            (missing(half) < 0 ? low : high) = half;
-        }
-        return 0.5 * (low + high);
+        return closure_with_none_missing(
+            [&](double closure) {
+                return -at({closure, 0, 0}).excess[0];
+            },
+            start, carried / pair.least_area);
     }
 
 private:
@@ -195,16 +191,16 @@ ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& cl
     Vec3 closure(fit.closure_for_force(closures.mean_offset), 0, 0);
     ResultantFit::Carried now = fit.at(closure);
     const double limit = std::max(deepest * closures.deepest, now.depth);
-    for (int i = 0; i < most_steps && now.depth > 0 && now.missing.norm() > met; ++i) {
+    for (int i = 0; i < most_steps && now.depth > 0 && now.excess.norm() > met; ++i) {
         const double difference = 1e-3 * now.depth;
         Mat3 slope;
         for (int k = 0; k < 3; ++k)
-            slope.col(k) = (fit.at(closure + difference * Vec3::Unit(k)).missing - now.missing) / difference;
-        const Vec3 step = slope.fullPivLu().solve(now.missing);
+            slope.col(k) = (fit.at(closure + difference * Vec3::Unit(k)).excess - now.excess) / difference;
+        const Vec3 step = slope.fullPivLu().solve(now.excess);
         double part = 1;
         ResultantFit::Carried next = fit.at(closure - step);
         const auto is_better = [&] {
-            return next.depth > 0 && next.depth <= limit && next.missing.norm() < now.missing.norm();
+            return next.depth > 0 && next.depth <= limit && next.excess.norm() < now.excess.norm();
         };
         for (int k = 0; k < most_halves && !is_better(); ++k) next = fit.at(closure - (part *= 0.5) * step);
         if (!is_better()) break;

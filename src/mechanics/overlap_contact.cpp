@@ -2,6 +2,7 @@
 #include "mechanics/growth.hpp"
 #include "mechanics/overlap_gap.hpp"
 
+#include "mechanics/closure_search.hpp"
 #include "mechanics/contact_geometry.hpp"
 #include "mechanics/dashpots.hpp"
 
@@ -162,13 +163,7 @@ double offset_for_force(const Model& model, Row c, double force, double stiffnes
         const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch);
         return force - stiffness * patch.carried;
     };
-    double low = contacts.offset[c], step = force / (stiffness * contacts.least_area[c]), high = low + step;
-    for (int i = 0; i < 60 && missing(high) > 0; ++i) high += (step *= 2);
-    for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        (missing(middle) > 0 ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
+    return closure_with_none_missing(missing, contacts.offset[c], force / (stiffness * contacts.least_area[c]));
 }
 
 /// Writes places, areas, increments for the common part as it is now.
