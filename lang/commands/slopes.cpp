@@ -49,7 +49,7 @@ void add_surfaces(Entry<Limit>& entry) {
     entry.keyword({"depth"}, real("d").unit("length").at_least(0), &Limit::least_depth,
                   "surfaces that stay nearer below the ground do not count");
     entry.keyword({"corners"}, integer("n").at_least(3).at_most(40), &Limit::corners,
-                  "corners of a searched polyline; 8 if not given");
+                  "corners that a searched polyline may have; 8 if not given");
 }
 
 CommandSpec limit() {

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t most_lines = 8; ///< that are looked at, the longest ones
 constexpr int net = 12;               ///< places of one leg that are tried first
+constexpr std::size_t starts = 4,
+                      kept = 4; ///< places of the net that are gone downhill from, and surfaces that are given
 
 /// Joints, or bases of weak layers, of one line in the section, from left to right.
 struct Line {
@@ -63,11 +65,11 @@ struct Leg {
 
 class JointSearch {
 public:
-    JointSearch(const SlopeColumns& columns, double no_answer, const std::function<double(const SlipSurface&)>& factor)
-        : columns_(columns), no_answer_(no_answer), factor_(factor), lines_(lines_of(columns)),
+    JointSearch(const SlopeColumns& columns, const SurfaceRating& rating)
+        : columns_(columns), rating_(rating), lines_(lines_of(columns)),
           near_(1e-6 * (columns.right() - columns.left())) {}
 
-    std::optional<JointSurface> weakest() {
+    std::vector<RatedSurface> weakest() {
         for (const Line& base : lines_) {
             stop_point();
             if (base.upright()) continue;
@@ -75,7 +77,9 @@ public:
             for (const Leg& a : left)
                 for (const Leg& b : right) consider(base, a, b);
         }
-        return best_;
+        std::ranges::stable_sort(found_, {}, &RatedSurface::factor);
+        if (found_.size() > kept) found_.resize(kept);
+        return found_;
     }
 
 private:
@@ -128,13 +132,58 @@ private:
         return found.points.size() < 2 ? std::nullopt : std::optional(found);
     }
 
-    double value(const Line& base, const Leg& a, const Leg& b, const std::vector<double>& x) {
+    double value(const Line& base, const Leg& a, const Leg& b, const std::vector<double>& x) const {
         const auto trial = surface(base, a, b, x);
-        const double factor = trial ? factor_(*trial) : no_answer_;
-        if (factor < no_answer_ && (!best_ || factor < best_->factor)) best_ = {factor, *trial};
-        return factor;
+        return trial ? rating_.factor(*trial) : rating_.no_answer;
     }
 
+    void keep(const Line& base, const Leg& a, const Leg& b, const std::vector<double>& x) {
+        const auto end = surface(base, a, b, x);
+        const double factor = end ? rating_.factor(*end) : rating_.no_answer;
+        if (factor < rating_.no_answer) found_.push_back({factor, *end});
+    }
+
+    struct Place {
+        double factor;
+        std::vector<double> x;
+    };
+
+    /// The weakest places of a net over all that may differ, none next to a better one.
+    std::vector<Place> weakest_of_net(const Line& base, const Leg& a, const Leg& b, const std::vector<double>& low,
+                                      const std::vector<double>& high) const {
+        const int steps = low.size() == 2 ? net : net / 2;
+        std::vector<int> at(low.size(), 0);
+        std::vector<double> x(low.size());
+        std::vector<Place> all;
+        for (bool more = true; more;) {
+            for (std::size_t k = 0; k < x.size(); ++k) {
+                const double part = (at[k] + 0.5) / steps;
+                x[k] = low[k] + (high[k] - low[k]) * (k % 2 == 0 ? part : part * part); // legs are rather short
+            }
+            if (const double factor = value(base, a, b, x); factor < rating_.no_answer) all.push_back({factor, x});
+            more = false;
+            for (std::size_t k = 0; k < at.size() && !more; ++k) {
+                more = ++at[k] < steps;
+                if (!more) at[k] = 0;
+            }
+        }
+        std::ranges::stable_sort(all, {}, &Place::factor);
+        std::vector<Place> best;
+        for (const Place& place : all) {
+            const bool adjacent = std::ranges::any_of(best, [&](const Place& other) {
+                double apart = 0;
+                for (std::size_t k = 0; k < x.size(); ++k)
+                    apart = std::max(apart, std::abs(other.x[k] - place.x[k]) / (high[k] - low[k]));
+                return apart < 1.5 / steps;
+            });
+            if (adjacent) continue;
+            best.push_back(place);
+            if (best.size() == starts) break;
+        }
+        return best;
+    }
+
+    /// From a net of all places downhill.
     void consider(const Line& base, const Leg& a, const Leg& b) {
         std::vector<double> low, high;
         const double width = columns_.right() - columns_.left();
@@ -144,58 +193,45 @@ private:
                 high.insert(high.end(), {base.to.x(), 0.5 * width});
             }
         if (low.empty()) {
-            value(base, a, b, {});
+            keep(base, a, b, {});
             return;
         }
-        // A net of all places, then downhill from the best.
-        const int steps = low.size() == 2 ? net : net / 2;
-        std::vector<int> at(low.size(), 0);
-        std::vector<double> x(low.size()), start;
-        double least = no_answer_;
-        for (bool more = true; more;) {
-            for (std::size_t k = 0; k < x.size(); ++k) {
-                const double part = (at[k] + 0.5) / steps;
-                x[k] = low[k] + (high[k] - low[k]) * (k % 2 == 0 ? part : part * part); // legs are rather short
-            }
-            if (const double factor = value(base, a, b, x); factor < least) least = factor, start = x;
-            more = false;
-            for (std::size_t k = 0; k < at.size() && !more; ++k) {
-                more = ++at[k] < steps;
-                if (!more) at[k] = 0;
-            }
-        }
-        if (start.empty()) return;
         const Objective objective = [&](const std::vector<double>& to) { return value(base, a, b, to); };
-        nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(x.size()));
-        optimiser.set_min_objective([](const std::vector<double>& to, std::vector<double>&,
-                                       void* data) { return (*static_cast<const Objective*>(data))(to); },
-                                    const_cast<Objective*>(&objective));
-        optimiser.set_lower_bounds(low);
-        optimiser.set_upper_bounds(high);
-        std::vector<double> first(x.size());
-        for (std::size_t k = 0; k < x.size(); ++k) first[k] = 0.5 * (high[k] - low[k]) / steps;
-        optimiser.set_initial_step(first);
-        optimiser.set_maxeval(300);
-        optimiser.set_ftol_rel(1e-5);
-        try {
-            optimiser.optimize(start, least);
-        } catch (const nlopt::roundoff_limited&) {}
+        std::vector<double> first(low.size());
+        for (std::size_t k = 0; k < first.size(); ++k)
+            first[k] = 0.5 * (high[k] - low[k]) / (first.size() == 2 ? net : net / 2);
+        for (Place& place : weakest_of_net(base, a, b, low, high)) {
+            stop_point();
+            nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(low.size()));
+            optimiser.set_min_objective([](const std::vector<double>& to, std::vector<double>&,
+                                           void* data) { return (*static_cast<const Objective*>(data))(to); },
+                                        const_cast<Objective*>(&objective));
+            optimiser.set_lower_bounds(low);
+            optimiser.set_upper_bounds(high);
+            optimiser.set_initial_step(first);
+            optimiser.set_maxeval(300);
+            optimiser.set_ftol_rel(1e-5);
+            std::vector<double> x = place.x;
+            double least = place.factor;
+            try {
+                optimiser.optimize(x, least);
+            } catch (const nlopt::roundoff_limited&) {}
+            keep(base, a, b, objective(x) <= place.factor ? x : place.x);
+        }
     }
 
     using Objective = std::function<double(const std::vector<double>&)>;
     const SlopeColumns& columns_;
-    double no_answer_;
-    const std::function<double(const SlipSurface&)>& factor_;
+    const SurfaceRating& rating_;
     std::vector<Line> lines_;
     double near_;
-    std::optional<JointSurface> best_;
+    std::vector<RatedSurface> found_;
 };
 
 } // namespace
 
-std::optional<JointSurface> weakest_along_joints(const SlopeColumns& columns, double no_answer,
-                                                 const std::function<double(const SlipSurface&)>& factor) {
-    return JointSearch(columns, no_answer, factor).weakest();
+std::vector<RatedSurface> weakest_along_joints(const SlopeColumns& columns, const SurfaceRating& rating) {
+    return JointSearch(columns, rating).weakest();
 }
 
 } // namespace kaya

@@ -17,6 +17,8 @@ namespace {
 constexpr double no_answer = 1e6; ///< a factor that no surface has
 /// Methods differ by some percent on one circle (Fredlund and Krahn 1977).
 constexpr double most_beyond_bishop = 1.05;
+constexpr int most_even_corners = 8;        ///< of the first polylines; further corners come where they gain most
+constexpr std::size_t kept_for_corners = 3; ///< polylines whose corners are moved freely
 
 struct Ends {
     std::array<double, 2> left, right;
@@ -227,6 +229,81 @@ std::optional<Candidate> best_circle(const Search& search, std::vector<Candidate
     return best;
 }
 
+/// Of a polyline with its inner corners at even distances.
+double factor_of(const Search& search, const std::vector<double>& x, bool right) {
+    const auto surface = search.polyline(x);
+    return surface && search.slides(*surface, right) ? search.factor(*surface, search.asked().method) : no_answer;
+}
+
+/// A polyline with its inner corners at even distances, on a circle.
+Candidate on_circle(const Search& search, const SlipSurface& surface, std::size_t inner, bool right) {
+    const SectionPoint a = surface.points.front(), b = surface.points.back(), centre = surface.circle->centre;
+    Candidate start{no_answer, {a.x(), b.x()}, right};
+    for (std::size_t k = 1; k <= inner; ++k) {
+        const double part = static_cast<double>(k) / static_cast<double>(inner + 1),
+                     at = a.x() + part * (b.x() - a.x()), d = at - centre.x();
+        const double z = centre.y() - std::sqrt(std::max(0.0, surface.circle->radius * surface.circle->radius - d * d));
+        start.x.push_back((a.y() + part * (b.y() - a.y()) - z) / (b.x() - a.x()));
+    }
+    start.factor = factor_of(search, start.x, right);
+    return start;
+}
+
+/// Where a controlled random search ends: it finds weak layers, which no circle follows.
+Candidate drawn(Candidate start, const std::vector<double>& low, std::vector<double> high, const Objective& objective) {
+    stop_point();
+    std::fill(high.begin() + 2, high.end(), 0.6);
+    nlopt::opt optimiser(nlopt::GN_CRS2_LM, static_cast<unsigned>(start.x.size()));
+    optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
+                                   void* data) { return (*static_cast<const Objective*>(data))(x); },
+                                const_cast<Objective*>(&objective));
+    optimiser.set_lower_bounds(low);
+    optimiser.set_upper_bounds(high);
+    optimiser.set_population(static_cast<unsigned>(20 * start.x.size()));
+    optimiser.set_maxeval(6000);
+    optimiser.set_ftol_rel(1e-4);
+    for (std::size_t i = 0; i < start.x.size(); ++i) start.x[i] = std::clamp(start.x[i], low[i], high[i]);
+    try {
+        optimiser.optimize(start.x, start.factor);
+    } catch (const nlopt::roundoff_limited&) {}
+    start.factor = objective(start.x);
+    return start;
+}
+
+/// The ends of searches for polylines whose inner corners lie at even distances.
+std::vector<RatedSurface> even_polylines(const Search& search) {
+    std::vector<Candidate> circles;
+    if (!best_circle(search, &circles)) return {};
+    const SurfaceSearch& asked = search.asked();
+    const std::size_t inner = static_cast<std::size_t>(std::clamp(asked.corners, 3, most_even_corners)) - 2;
+    std::vector<RatedSurface> all;
+    for (const bool right : {true, false}) {
+        const Ends ends = search.both_ends()[right ? 0 : 1];
+        if (!right && !asked.entry && !asked.exit) break;
+        const Objective objective = [&](const std::vector<double>& x) { return factor_of(search, x, right); };
+        std::vector<double> low{ends.left[0], ends.right[0]}, high{ends.left[1], ends.right[1]},
+            steps{0.1 * search.size(), 0.1 * search.size()};
+        low.resize(inner + 2, 0.0);
+        high.resize(inner + 2, 1.0);
+        steps.resize(inner + 2, 0.03);
+        std::vector<Candidate> starts;
+        for (const Candidate& circle : circles) {
+            const auto surface = search.circle(circle.x[0], circle.x[1], circle.x[2]);
+            if (surface && circle.right == right) starts.push_back(on_circle(search, *surface, inner, right));
+        }
+        nlopt::srand(20261123);
+        for (int run = 0; run < 2 && !starts.empty(); ++run)
+            starts.push_back(drawn(starts.front(), low, high, objective));
+        for (const Candidate& start : starts) {
+            stop_point();
+            if (start.factor >= no_answer) continue;
+            const Candidate end = downhill(start, steps, low, high, objective);
+            all.push_back({end.factor, *search.polyline(end.x)});
+        }
+    }
+    return all;
+}
+
 } // namespace
 
 std::optional<FoundSurface> weakest_circle(const SlopeColumns& columns, const SurfaceSearch& asked) {
@@ -240,78 +317,23 @@ std::optional<FoundSurface> weakest_polyline(const SlopeColumns& columns, const 
     SurfaceSearch by_forces = asked;
     if (needs_circle(asked.method)) by_forces.method = SliceMethod::spencer;
     const Search search(columns, by_forces);
-    const auto along_joint = weakest_along_joints(columns, no_answer, [&](const SlipSurface& surface) {
-        const bool right = surface.points.front().y() > surface.points.back().y();
-        return search.allows(surface, right) ? search.factor(surface, by_forces.method) : no_answer;
-    });
-    const auto with_joints = [&](std::optional<FoundSurface> other) {
-        if (!along_joint || (other && other->answer.factor <= along_joint->factor)) return other;
-        return found(search, along_joint->surface, by_forces.method);
-    };
-    std::vector<Candidate> circles;
-    if (!best_circle(search, &circles)) return with_joints(std::nullopt);
-    const std::size_t inner = static_cast<std::size_t>(std::max(3, asked.corners)) - 2;
-    std::optional<Candidate> best;
-    for (const bool right : {true, false}) {
-        const auto both_ends = search.both_ends();
-        const Ends& ends = both_ends[right ? 0 : 1];
-        if (!right && !asked.entry && !asked.exit) break;
-        const Objective objective = [&](const std::vector<double>& x) {
-            const auto surface = search.polyline(x);
-            return surface && search.slides(*surface, right) ? search.factor(*surface, by_forces.method) : no_answer;
-        };
-        std::vector<double> low{ends.left[0], ends.right[0]}, high{ends.left[1], ends.right[1]},
-            steps{0.1 * search.size(), 0.1 * search.size()};
-        low.resize(inner + 2, 0.0);
-        high.resize(inner + 2, 1.0);
-        steps.resize(inner + 2, 0.03);
-        std::vector<Candidate> starts;
-        for (const Candidate& circle : circles) {
-            const auto surface = search.circle(circle.x[0], circle.x[1], circle.x[2]);
-            if (!surface || circle.right != right) continue;
-            const SectionPoint a = surface->points.front(), b = surface->points.back();
-            Candidate start{no_answer, {a.x(), b.x()}, right};
-            for (std::size_t k = 1; k <= inner; ++k) {
-                const double part = static_cast<double>(k) / static_cast<double>(inner + 1),
-                             at = a.x() + part * (b.x() - a.x()), d = at - surface->circle->centre.x();
-                const double z = surface->circle->centre.y() -
-                                 std::sqrt(std::max(0.0, surface->circle->radius * surface->circle->radius - d * d));
-                start.x.push_back((a.y() + part * (b.y() - a.y()) - z) / (b.x() - a.x()));
-            }
-            start.factor = objective(start.x);
-            starts.push_back(std::move(start));
-        }
-        // Weak layers, which no circle follows.
-        nlopt::srand(20261123);
-        for (int run = 0; run < 2 && !starts.empty(); ++run) {
-            stop_point();
-            nlopt::opt optimiser(nlopt::GN_CRS2_LM, static_cast<unsigned>(inner + 2));
-            optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
-                                           void* data) { return (*static_cast<const Objective*>(data))(x); },
-                                        const_cast<Objective*>(&objective));
-            optimiser.set_lower_bounds(low);
-            std::vector<double> reach = high;
-            std::fill(reach.begin() + 2, reach.end(), 0.6);
-            optimiser.set_upper_bounds(reach);
-            optimiser.set_population(static_cast<unsigned>(20 * (inner + 2)));
-            optimiser.set_maxeval(6000);
-            optimiser.set_ftol_rel(1e-4);
-            Candidate start = starts.front();
-            for (std::size_t i = 0; i < start.x.size(); ++i) start.x[i] = std::clamp(start.x[i], low[i], reach[i]);
-            try {
-                optimiser.optimize(start.x, start.factor);
-            } catch (const nlopt::roundoff_limited&) {}
-            start.factor = objective(start.x);
-            starts.push_back(std::move(start));
-        }
-        for (Candidate& start : starts) {
-            stop_point();
-            if (start.factor >= no_answer) continue;
-            Candidate end = downhill(start, steps, low, high, objective);
-            if (!best || end.factor < best->factor) best = std::move(end);
-        }
+    const SurfaceRating rating{[&](const SlipSurface& surface) {
+                                   const bool right = surface.points.front().y() > surface.points.back().y();
+                                   return search.allows(surface, right) ? search.factor(surface, by_forces.method)
+                                                                        : no_answer;
+                               },
+                               no_answer};
+    std::vector<RatedSurface> ends = weakest_along_joints(columns, rating);
+    for (auto& end : even_polylines(search)) ends.push_back(std::move(end));
+    std::ranges::stable_sort(ends, {}, &RatedSurface::factor);
+    if (ends.size() > kept_for_corners) ends.resize(kept_for_corners);
+    std::optional<RatedSurface> best;
+    for (const RatedSurface& end : ends) {
+        RatedSurface free =
+            with_free_corners(columns, end, static_cast<std::size_t>(std::max(3, asked.corners)), rating);
+        if (!best || free.factor < best->factor) best = std::move(free);
     }
-    return with_joints(best ? found(search, search.polyline(best->x), by_forces.method) : std::nullopt);
+    return best ? found(search, best->surface, by_forces.method) : std::nullopt;
 }
 
 } // namespace kaya

@@ -27,7 +27,7 @@ struct FoundSurface {
 std::optional<FoundSurface> weakest_circle(const SlopeColumns& columns, const SurfaceSearch& search);
 
 /// Polylines that bend upward only: from the weakest circles on, and by a controlled random search (CRS2 of NLopt, from a
-/// fixed seed), then downhill; and surfaces that follow joints (joint_surfaces.hpp).
+/// fixed seed), then downhill; and surfaces that follow joints (joint_surfaces.hpp). All corners of the weakest of these then move freely (free_corners.hpp).
 std::optional<FoundSurface> weakest_polyline(const SlopeColumns& columns, const SurfaceSearch& search);
 
 } // namespace kaya
