@@ -4,6 +4,7 @@
 
 #include "base/counted.hpp"
 
+#include "commands/failure_mode.hpp"
 #include "commands/failure_monitor.hpp"
 #include "commands/handlers.hpp"
 #include "commands/materials.hpp"
@@ -14,7 +15,6 @@
 
 #include "mechanics/contact_table.hpp"
 #include "mechanics/zone_laws.hpp"
-#include "model/measure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,9 +99,11 @@ public:
             if (warm_) outcome.cycles += run(std::max<std::int64_t>(1, span_ / (2 * lowering_steps)), 0).cycles;
             else settle(outcome, lowered, calm, nullptr);
         }
+        std::optional<FailureMode> mode;
         if (!outcome.tired) {
             lower(factor);
             session_.cycle->prepare();
+            mode.emplace(session_.model, *session_.cycle);
             FailureMonitor monitor(
                 session_.model, *session_.cycle,
                 static_cast<std::int64_t>((patient_ ? patient_window_part : window_part) * static_cast<double>(span_)));
@@ -122,7 +124,9 @@ public:
                 stable_ = State{session_.model, whole_, factor};
             }
         } else {
-            mechanism_ = mechanism_text(factor);
+            mechanism_ = farthest_text(start_, session_.model, factor);
+            mode_.reset();
+            if (mode) mode_ = mode->shares(session_.model, *session_.cycle);
             failed_early_ = outcome.goes_on;
             failed_ = State{session_.model, whole_, factor};
         }
@@ -148,6 +152,8 @@ public:
     bool has_warm_answer() const { return warm_ && stable_.has_value(); }
     /// What moved in the last trial that failed; "" when none did.
     const std::string& mechanism() const { return mechanism_; }
+    /// How that trial failed; none where it did on the way to its factor.
+    const std::optional<FailureMode::Shares>& mode() const { return mode_; }
 
 private:
     RestSpan run(std::int64_t cycles, double ratio, FailureMonitor* monitor = nullptr) {
@@ -265,24 +271,6 @@ private:
         ModelEdit(session_.model, Change::lists);
     }
 
-    std::string mechanism_text(double factor) const {
-        const Model& model = session_.model;
-        double farthest = 0;
-        Row first = no_row;
-        std::vector<double> shifts(model.blocks.size());
-        for (Row b = 0; b < static_cast<Row>(shifts.size()); ++b) {
-            shifts[static_cast<std::size_t>(b)] = (block_displacement(model, b) - block_displacement(start_, b)).norm();
-            if (shifts[static_cast<std::size_t>(b)] > farthest)
-                farthest = shifts[static_cast<std::size_t>(b)], first = b;
-        }
-        if (first == no_row) return {};
-        constexpr double much = 0.1;
-        const auto moved = std::ranges::count_if(shifts, [&](double shift) { return shift > much * farthest; });
-        return fmt::format("at {:.6g} {} moved most, by {} when the trial ended; {} of {} went a tenth of that or more",
-                           factor, body_text(model, MovingBody{first}), number_text(farthest), moved,
-                           counted(static_cast<std::int64_t>(shifts.size()), "block"));
-    }
-
     void check_strengths(const Place& place) {
         std::string without;
         bool any = false;
@@ -352,6 +340,7 @@ private:
     std::vector<std::vector<double>> whole_; ///< of the present state
     bool warm_ = true, patient_ = false, failed_early_ = false;
     std::string mechanism_;
+    std::optional<FailureMode::Shares> mode_;
     std::int64_t span_ = 0;
     int trials_ = 0, expected_ = 0;
 };
@@ -471,6 +460,7 @@ Bracket confirmed(Trials& trials, Bracket bracket, double resolution) {
 
 void find_factor_of_safety(Session& session, const lang::Solve& command, const Limits& limits) {
     Bracket bracket;
+    std::optional<FailureMode::Shares> mode;
     const double guess = command.bracket ? 0 : guessed_factor(session);
     if (guess > 0) session.output.say(fmt::format("the search begins at a factor of {:.4g}", guess));
     {
@@ -481,7 +471,9 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
         if (closed(bracket))
             bracket = confirmed(trials, narrowed(trials, bracket, command.resolution), command.resolution);
         if (!trials.mechanism().empty()) session.output.say(trials.mechanism());
+        mode = trials.mode();
     }
+    if (mode) session.output.say(mode_text(*mode));
     double& factor = session.model.clock.factor_of_safety;
     if (bracket.stands == 0) {
         factor = bracket.fails;

@@ -1,0 +1,51 @@
+// How a model fails: by sliding, by toppling, or by yield of its zones.
+#pragma once
+
+#include "model/model.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+class Cycle;
+
+/// Looks at a model twice, before it moves and after. docs/theory/slopes.md, "How it fails".
+class FailureMode {
+public:
+    FailureMode(const Model& model, const Cycle& cycle);
+
+    struct Shares {
+        double turning = 0; ///< of the motion across joints: by blocks that turn, not by blocks that shift
+        double zones = 0;   ///< of the work that was lost: in zones, not in joints
+        bool joints_move = false;
+    };
+    /// Since it was made. Blocks must be the same.
+    Shares shares(const Model& model, const Cycle& cycle) const;
+
+private:
+    /// A block's mean motion as that of a rigid body.
+    struct Motion {
+        Vec3 centre = Vec3::Zero(), shift = Vec3::Zero(), turn = Vec3::Zero();
+    };
+    Motion motion(const Model& model, Row block) const;
+
+    struct Touch {
+        Row block1, block2;
+        Vec3 position;
+        double area;
+    };
+    std::vector<Touch> touches_;
+    std::vector<Vec3> positions_, displacements_; ///< of gridpoints
+    std::vector<Vec3> centroids_, block_displacements_;
+    std::vector<Quaternion> orientations_;
+    double joint_loss_, zone_loss_;
+};
+
+/// The mode's name and both shares.
+std::string mode_text(const FailureMode::Shares& shares);
+
+/// Which block has moved most since `start`, and how many have gone far; "" where none moved.
+std::string farthest_text(const Model& start, const Model& model, double factor);
+
+} // namespace kaya
