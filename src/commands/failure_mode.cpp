@@ -16,7 +16,7 @@ namespace kaya {
 
 namespace {
 
-constexpr double toppling = 0.25;            ///< of the motion across joints, by turning
+constexpr double toppling = 0.25;               ///< of the motion across joints, by turning
 constexpr double some = 0.25, nearly_all = 0.9; ///< of the work that is lost, in zones
 
 double lost_in_joints(const Model& model) { return model.energy.joint_friction + model.energy.joint_lost; }
@@ -38,7 +38,7 @@ const char* name_of(const FailureMode::Shares& shares) {
 FailureMode::FailureMode(const Model& model, const Cycle& cycle)
     : joint_loss_(lost_in_joints(model)), zone_loss_(lost_in_zones(model, cycle)) {
     for (std::size_t c = 0; c < model.contacts.size(); ++c)
-        touches_.push_back(
+        joints_.push_back(
             {model.contacts.block1[c], model.contacts.block2[c], model.contacts.position[c], model.contacts.area[c]});
     const auto& points = model.gridpoints;
     for (std::size_t g = 0; g < points.size(); ++g)
@@ -88,13 +88,13 @@ FailureMode::Shares FailureMode::shares(const Model& model, const Cycle& cycle) 
     std::vector<Motion> motions;
     for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) motions.push_back(motion(model, b));
     double all = 0, turning = 0;
-    for (const Touch& touch : touches_) {
-        const Motion &one = motions[static_cast<std::size_t>(touch.block1)],
-                     &two = motions[static_cast<std::size_t>(touch.block2)];
+    for (const Joint& joint : joints_) {
+        const Motion &one = motions[static_cast<std::size_t>(joint.block1)],
+                     &two = motions[static_cast<std::size_t>(joint.block2)];
         const Vec3 by_shift = two.shift - one.shift,
-                   by_turn = two.turn.cross(touch.position - two.centre) - one.turn.cross(touch.position - one.centre);
+                   by_turn = two.turn.cross(joint.position - two.centre) - one.turn.cross(joint.position - one.centre);
         // Blocks that turn together as one body do not move across their joint, though both parts are there.
-        const double weight = touch.area * (by_shift + by_turn).norm(), sum = by_shift.norm() + by_turn.norm();
+        const double weight = joint.area * (by_shift + by_turn).norm(), sum = by_shift.norm() + by_turn.norm();
         if (!(sum > 0)) continue;
         all += weight;
         turning += weight * by_turn.norm() / sum;
@@ -102,9 +102,9 @@ FailureMode::Shares FailureMode::shares(const Model& model, const Cycle& cycle) 
     Shares shares;
     shares.joints_move = all > 0;
     shares.turning = all > 0 ? turning / all : 0;
-    const double joints = std::max(0.0, lost_in_joints(model) - joint_loss_),
+    const double in_joints = std::max(0.0, lost_in_joints(model) - joint_loss_),
                  zones = std::max(0.0, lost_in_zones(model, cycle) - zone_loss_);
-    shares.zones = joints + zones > 0 ? zones / (joints + zones) : 0;
+    shares.zones = in_joints + zones > 0 ? zones / (in_joints + zones) : 0;
     return shares;
 }
 

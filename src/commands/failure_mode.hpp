@@ -30,12 +30,12 @@ private:
     };
     Motion motion(const Model& model, Row block) const;
 
-    struct Touch {
+    struct Joint {
         Row block1, block2;
         Vec3 position;
         double area;
     };
-    std::vector<Touch> touches_;
+    std::vector<Joint> joints_;
     std::vector<Vec3> positions_, displacements_; ///< of gridpoints
     std::vector<Vec3> centroids_, block_displacements_;
     std::vector<Quaternion> orientations_;

@@ -54,10 +54,10 @@ public:
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const bool before = i > 0 && on_joint_[i - 1], after = i < on_joint_.size() && on_joint_[i];
             const bool end = i == 0 || i + 1 == points_.size();
-            ways_.push_back((before && after) || (end && (before || after)) ? Way::held
-                            : end                                           ? Way::ground
-                            : before || after                               ? Way::line
-                                                                            : Way::free);
+            freedoms_.push_back((before && after) || (end && (before || after)) ? Freedom::held
+                                : end                                           ? Freedom::ground
+                                : before || after                               ? Freedom::line
+                                                                                : Freedom::free);
         }
     }
 
@@ -86,7 +86,7 @@ public:
     }
 
 private:
-    enum class Way { held, ground, line, free };
+    enum class Freedom { held, ground, line, free };
 
     bool follows_joint(std::size_t i) const {
         const SectionPoint middle = 0.5 * (points_[i] + points_[i + 1]), along = points_[i + 1] - points_[i];
@@ -100,24 +100,24 @@ private:
     }
 
     void add_numbers(std::size_t i, std::vector<double>& x) const {
-        switch (ways_[i]) {
-        case Way::held: break;
-        case Way::ground: x.push_back(points_[i].x()); break;
-        case Way::line: x.push_back(0); break;
-        case Way::free: x.insert(x.end(), {points_[i].x(), points_[i].y()}); break;
+        switch (freedoms_[i]) {
+        case Freedom::held: break;
+        case Freedom::ground: x.push_back(points_[i].x()); break;
+        case Freedom::line: x.push_back(0); break;
+        case Freedom::free: x.insert(x.end(), {points_[i].x(), points_[i].y()}); break;
         }
     }
 
     std::optional<SectionPoint> place(std::size_t i, const std::vector<double>& x, std::size_t& next) const {
-        switch (ways_[i]) {
-        case Way::held: break;
-        case Way::ground: {
+        switch (freedoms_[i]) {
+        case Freedom::held: break;
+        case Freedom::ground: {
             const double at = x[next++];
             const auto height = columns_.ground_at(at, i == 0 ? SlopeColumns::Side::right : SlopeColumns::Side::left);
             return height ? std::optional(SectionPoint(at, *height)) : std::nullopt;
         }
-        case Way::line: return points_[i] + x[next++] * line_at(i);
-        case Way::free: {
+        case Freedom::line: return points_[i] + x[next++] * line_at(i);
+        case Freedom::free: {
             const SectionPoint point(x[next], x[next + 1]);
             next += 2;
             return point.y() >= columns_.lowest() ? std::optional(point) : std::nullopt;
@@ -129,7 +129,7 @@ private:
     const SlopeColumns& columns_;
     std::vector<SectionPoint> points_;
     std::vector<char> on_joint_; ///< between a corner and the next one
-    std::vector<Way> ways_;
+    std::vector<Freedom> freedoms_;
     double near_;
 };
 
