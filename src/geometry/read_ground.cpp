@@ -3,7 +3,9 @@
 
 #include "base/diagnostic.hpp"
 #include "base/lower_case.hpp"
+#include "geometry/pit.hpp"
 #include "geometry/surface_files.hpp"
+#include "geometry/text_lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,37 +23,6 @@ namespace kaya {
 namespace {
 
 constexpr std::size_t most_points = 20'000'000;
-
-std::vector<std::string_view> words_of(std::string_view line) {
-    std::vector<std::string_view> words;
-    std::size_t at = 0;
-    const auto between = [](char c) { return c == ' ' || c == '\t' || c == ',' || c == ';' || c == '\r'; };
-    while (at < line.size()) {
-        while (at < line.size() && between(line[at])) ++at;
-        const std::size_t first = at;
-        while (at < line.size() && !between(line[at])) ++at;
-        if (at > first) words.push_back(line.substr(first, at - first));
-    }
-    return words;
-}
-
-std::optional<double> number(std::string_view word) {
-    if (word.starts_with('+')) word.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
-    return value;
-}
-
-/// Calls visit(line number, line) for each line.
-template <class Visit> void each_line(std::string_view text, Visit visit) {
-    int count = 0;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        visit(++count, text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-}
 
 } // namespace
 
@@ -173,6 +144,7 @@ Ground read_ground(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) throw Diagnostic(fmt::format("{} cannot be opened", path), "check the name and the folder");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (suffix == ".pit") return ground_from_pit(text, path);
     return suffix == ".asc" ? ground_from_grid(text, path) : ground_from_points(text, path);
 }
 
