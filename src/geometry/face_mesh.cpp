@@ -1,6 +1,7 @@
 #include "geometry/face_mesh.hpp"
 
 #include "base/stop_point.hpp"
+#include "geometry/graded_points.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -249,21 +250,62 @@ std::vector<Vec2> lattice_points(const Drawing& drawing, double edge, const Latt
     return points;
 }
 
+/// In the drawing's plane.
+Spacing spacing_on(const Drawing& drawing, const FaceOutline& outline, const EdgeField& field) {
+    /// Parts of edges that are shorter than that part of the field's are fine ones, which a neighbour has brought.
+    constexpr double fine = 0.55;
+    Spacing spacing{[&drawing, field](const Vec3& p) {
+                        return field.at(drawing.in_space({p.x(), p.y()}));
+                    },
+                    field.change(),
+                    {}};
+    std::size_t next = outline.corners.size();
+    for (std::size_t i = 0; i < outline.corners.size(); ++i) {
+        const auto& between = outline.between[i];
+        for (std::size_t k = 0; k < between.size(); ++k, ++next) {
+            const Vec3& before = k > 0 ? between[k - 1] : outline.corners[i];
+            const Vec3& after =
+                k + 1 < between.size() ? between[k + 1] : outline.corners[(i + 1) % outline.corners.size()];
+            const double length = 0.5 * ((between[k] - before).norm() + (after - between[k]).norm());
+            const Vec2& p = drawing.points[next];
+            if (length < fine * field.at(between[k])) spacing.finer.push_back({{p.x(), p.y(), 0}, length});
+        }
+    }
+    return spacing;
+}
+
+std::vector<Vec2> graded_points_of(const Drawing& drawing, const Spacing& spacing, double clearance) {
+    Vec2 low = drawing.corners.front(), high = low;
+    for (const Vec2& c : drawing.corners) {
+        low = low.cwiseMin(c);
+        high = high.cwiseMax(c);
+    }
+    const auto inside = [&](const Vec3& p, double edge) { return drawing.depth({p.x(), p.y()}) >= clearance * edge; };
+    std::vector<Vec2> points;
+    for (const Vec3& p : graded_points({low.x(), low.y(), 0}, {high.x(), high.y(), 0}, spacing, inside))
+        points.emplace_back(p.x(), p.y());
+    return points;
+}
+
 } // namespace
 
-FaceMesh mesh_face(const FaceOutline& outline, double edge) {
+FaceMesh mesh_face(const FaceOutline& outline, const EdgeField& field) {
     const Drawing drawing(outline);
     /// Where the worst triangle is above this there is no need to look for better ones: angles of 35 degrees or so.
     constexpr double good = 0.85;
     constexpr std::array trials{Lattice{0.6, true},  Lattice{0.6, false}, Lattice{0.5, true},
                                 Lattice{0.5, false}, Lattice{0.75, true}, Lattice{0.75, false}};
+    const Spacing spacing = spacing_on(drawing, outline, field);
+    const bool graded = !field.even() || !spacing.finer.empty();
     std::vector<Vec2> best_points, before;
     std::vector<Triangle> best_triangles;
     double best = -std::numeric_limits<double>::infinity();
     for (const Lattice& lattice : trials) {
         if (best >= good) break;
         std::vector<Vec2> points = drawing.points;
-        for (const Vec2& p : lattice_points(drawing, edge, lattice)) points.push_back(p);
+        const std::vector<Vec2> inside = graded ? graded_points_of(drawing, spacing, lattice.clearance)
+                                                : lattice_points(drawing, field.edge, lattice);
+        points.insert(points.end(), inside.begin(), inside.end());
         if (!best_triangles.empty() && points.size() == before.size() && points == before) continue;
         before = points;
         Improvable mesh(drawing, points, delaunay_triangles(points, drawing.loop));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/vector.hpp"
+#include "geometry/edge_field.hpp"
 
 #include <array>
 #include <vector>
@@ -19,8 +20,8 @@ struct FaceMesh {
     std::vector<std::array<int, 3>> triangles; ///< anticlockwise
 };
 
-/// Well shaped triangles with edges close to `edge`. They follow from the outline as it is given and from nothing else: who wants the same
+/// Well shaped triangles with edges close to what the field says, but growing from where the outline is divided in shorter ones. They follow from the outline as it is given and from nothing else: who wants the same
 /// ones on both sides of a face begins at the same corner and walks in the same direction.
-FaceMesh mesh_face(const FaceOutline& outline, double edge);
+FaceMesh mesh_face(const FaceOutline& outline, const EdgeField& field);
 
 } // namespace kaya

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace kaya {
 
@@ -12,8 +13,10 @@ namespace kaya {
 /// is the lowest vertex. Nothing when the polyhedron is not of that kind.
 std::optional<std::array<int, 8>> hexahedron_corners(const Polyhedron& polyhedron);
 
-/// n cells along each axis, six tetrahedra in each, all with an edge from the end nearest to corner 0 to the one nearest to corner 7.
-TetMesh grid_mesh(const Polyhedron& polyhedron, const std::array<int, 8>& corner, const std::array<int, 3>& n,
-                  const std::array<double, 3>& ratio = {1, 1, 1});
+/// Where points stand along each axis of a grid, on a unit length, with its ends.
+using GridPlaces = std::array<std::vector<double>, 3>;
+
+/// Cells between the places along each axis, six tetrahedra in each, all with an edge from the end nearest to corner 0 to the one nearest to corner 7.
+TetMesh grid_mesh(const Polyhedron& polyhedron, const std::array<int, 8>& corner, const GridPlaces& places);
 
 } // namespace kaya

@@ -85,11 +85,10 @@ std::vector<double> graded(int n, double ratio) {
 
 } // namespace
 
-TetMesh grid_mesh(const Polyhedron& polyhedron, const std::array<int, 8>& corner, const std::array<int, 3>& n,
-                  const std::array<double, 3>& ratio) {
+TetMesh grid_mesh(const Polyhedron& polyhedron, const std::array<int, 8>& corner, const GridPlaces& places) {
     const auto at = [&](int c) -> const Vec3& { return polyhedron.vertices[corner[c]]; };
-    const std::array<std::vector<double>, 3> places{graded(n[0], ratio[0]), graded(n[1], ratio[1]),
-                                                    graded(n[2], ratio[2])};
+    std::array<int, 3> n;
+    for (int axis = 0; axis < 3; ++axis) n[axis] = static_cast<int>(places[axis].size()) - 1;
     TetMesh mesh;
     const auto index = [&](int i, int j, int k) { return (k * (n[1] + 1) + j) * (n[0] + 1) + i; };
     for (int k = 0; k <= n[2]; ++k)
@@ -170,13 +169,12 @@ std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, const std::
     };
     std::array<int, 3> axes{0, 1, 2};
     if (std::abs(edge(2).y()) > std::abs(edge(1).y())) std::swap(axes[1], axes[2]);
-    std::array<int, 3> n;
-    std::array<double, 3> growth;
+    GridPlaces places;
     for (int axis = 0; axis < 3; ++axis) {
-        n[axis] = parts[axes[axis]];
-        growth[axis] = edge(axis)[axes[axis]] < 0 ? 1 / ratio[axes[axis]] : ratio[axes[axis]];
+        const double growth = edge(axis)[axes[axis]] < 0 ? 1 / ratio[axes[axis]] : ratio[axes[axis]];
+        places[axis] = graded(parts[axes[axis]], growth);
     }
-    TetMesh mesh = grid_mesh(polyhedron, *corner, n, growth);
+    TetMesh mesh = grid_mesh(polyhedron, *corner, places);
     for (const auto& t : mesh.tetrahedra) {
         const Vec3& x = mesh.points[t[0]];
         if (!((mesh.points[t[1]] - x).dot((mesh.points[t[2]] - x).cross(mesh.points[t[3]] - x)) > 0))

@@ -70,17 +70,18 @@ std::vector<int> loop_around(const std::vector<Triangle>& triangles) {
 
 struct MeshPlan::Parts {
     const std::vector<Polyhedron>& blocks;
-    double edge;
+    EdgeField field;
     SharedPlaces places;
     std::map<std::vector<int>, FaceMesh> faces;        ///< that are there, by their outline
     std::map<SharedEdge, std::vector<Vec3>> divisions; ///< of edges that are divided, from the lower end
     std::vector<std::optional<CellBlock>> cells;
 
-    Parts(const std::vector<Polyhedron>& b, double e) : blocks(b), edge(e), places(b), cells(b.size()) {}
+    Parts(const std::vector<Polyhedron>& b, const EdgeField& f) : blocks(b), field(f), places(b), cells(b.size()) {}
 
     void take_face(const MeshedFace& face);
     bool good_for_cells(std::size_t block) const;
     bool stays_good(std::size_t block) const;
+    std::map<SharedEdge, std::vector<double>> divisions_along() const;
     void choose_cells();
     std::vector<std::vector<int>> outlines(std::size_t block) const;
     bool cells_fit(std::size_t block, const TetMesh& mesh) const;
@@ -205,9 +206,10 @@ std::vector<Vec3> MeshPlan::Parts::between(SharedEdge ends) const {
     const auto known = divisions.find(ends);
     if (known != divisions.end()) return known->second;
     const Vec3 &a = places.place(ends[0]), &b = places.place(ends[1]);
-    const int steps = parts_of((b - a).norm() + long_edge * edge, edge);
+    const EdgeParts parts(field, a, b);
+    const std::vector<double> division = parts.division(whole_parts(parts.mean() + long_edge));
     std::vector<Vec3> points;
-    for (int i = 1; i < steps; ++i) points.push_back(a + (static_cast<double>(i) / steps) * (b - a));
+    for (std::size_t i = 1; i + 1 < division.size(); ++i) points.push_back(a + division[i] * (b - a));
     return points;
 }
 
@@ -222,7 +224,7 @@ FaceMesh MeshPlan::Parts::face(const std::vector<int>& corners) const {
         outline.between.push_back(between(shared_edge(a, b)));
         if (a > b) std::ranges::reverse(outline.between.back());
     }
-    return mesh_face(outline, edge);
+    return mesh_face(outline, field);
 }
 
 BlockSurface MeshPlan::Parts::surface(std::size_t block) const {
@@ -294,42 +296,58 @@ bool MeshPlan::Parts::good_for_cells(std::size_t block) const {
     const Polyhedron& p = blocks[block];
     const auto corner = hexahedron_corners(p);
     if (!corner) return false;
-    std::array<int, 3> parts;
+    GridPlaces places_of_grid;
     for (int axis = 0; axis < 3; ++axis) {
-        double length = 0;
+        EdgeParts parts;
         for (int c = 0; c < 8; ++c)
             if (!(c & (1 << axis)))
-                length += (p.vertices[(*corner)[c | 1 << axis]] - p.vertices[(*corner)[c]]).norm() / 4;
-        parts[axis] = parts_of(length, edge);
+                parts.add({field, p.vertices[(*corner)[c]], p.vertices[(*corner)[c | 1 << axis]]}, false);
+        places_of_grid[axis] = parts.division(whole_parts(parts.mean()));
     }
-    const double angle = worst_angle(grid_mesh(p, *corner, parts));
+    const double angle = worst_angle(grid_mesh(p, *corner, places_of_grid));
     if (angle >= good_angle) return true;
     try {
-        return worst_angle(fill_surface(p, surface(block), edge)) <= angle;
+        return worst_angle(fill_surface(p, surface(block), field)) <= angle;
     } catch (const Diagnostic&) { return true; }
 }
 
 /// Whether cells that go on from those of other blocks are as good for the block as its own would be.
 bool MeshPlan::Parts::stays_good(std::size_t block) const {
-    const double angle = worst_angle(grid_mesh(blocks[block], cells[block]->corner, cells[block]->parts));
+    const double angle = worst_angle(grid_mesh(blocks[block], cells[block]->corner, cells[block]->places));
     if (angle >= good_angle) return true;
     try {
-        return worst_angle(fill_surface(blocks[block], surface(block), edge)) <= angle;
+        return worst_angle(fill_surface(blocks[block], surface(block), field)) <= angle;
     } catch (const Diagnostic&) { return true; }
+}
+
+/// Where the points of edges that are divided stand on a unit length, with its ends.
+std::map<SharedEdge, std::vector<double>> MeshPlan::Parts::divisions_along() const {
+    std::map<SharedEdge, std::vector<double>> along;
+    for (const auto& [ends, points] : divisions) {
+        const Vec3& a = places.place(ends[0]);
+        const double length = (places.place(ends[1]) - a).norm();
+        std::vector<double>& division = along[ends];
+        const std::size_t parts = points.size() + 1;
+        for (std::size_t i = 0; i <= parts; ++i) {
+            // Of even parts to the last bit, as those of neighbours.
+            const double even = static_cast<double>(i) / static_cast<double>(parts);
+            const double place = i == 0 ? 0 : i == parts ? 1 : (points[i - 1] - a).norm() / length;
+            division.push_back(std::abs(place - even) * length <= 4 * places.tolerance() ? even : place);
+        }
+    }
+    return along;
 }
 
 void MeshPlan::Parts::choose_cells() {
     std::vector<std::vector<int>> numbers(blocks.size());
-    std::map<SharedEdge, int> given;
     for (std::size_t b = 0; b < blocks.size(); ++b)
         if (good_for_cells(b)) numbers[b] = places.numbers()[b];
-    for (const auto& [shared, points] : divisions) given[shared] = static_cast<int>(points.size()) + 1;
-    cells = cell_blocks(blocks, numbers, given, edge);
+    cells = cell_blocks(blocks, numbers, divisions_along(), field);
     const bool any_there = !divisions.empty();
     std::set<std::vector<int>> of_others; // faces of blocks that are not cut in cells
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (cells[b] && !stays_good(b)) cells[b].reset();
-        if (cells[b] && any_there && !cells_fit(b, grid_mesh(blocks[b], cells[b]->corner, cells[b]->parts)))
+        if (cells[b] && any_there && !cells_fit(b, grid_mesh(blocks[b], cells[b]->corner, cells[b]->places)))
             cells[b].reset();
         if (cells[b]) continue;
         for (const auto& outline : outlines(b)) of_others.insert(outline);
@@ -338,7 +356,7 @@ void MeshPlan::Parts::choose_cells() {
         if (!cells[b]) continue;
         const auto mine = outlines(b);
         if (std::ranges::none_of(mine, [&](const auto& outline) { return of_others.contains(outline); })) continue;
-        const auto meshed = faces_of(grid_mesh(blocks[b], cells[b]->corner, cells[b]->parts), mine.size());
+        const auto meshed = faces_of(grid_mesh(blocks[b], cells[b]->corner, cells[b]->places), mine.size());
         for (std::size_t f = 0; f < mine.size(); ++f)
             if (of_others.contains(mine[f])) take_face(meshed[f]);
     }
@@ -354,9 +372,9 @@ std::vector<std::vector<int>> MeshPlan::Parts::outlines(std::size_t block) const
     return result;
 }
 
-MeshPlan::MeshPlan(const std::vector<Polyhedron>& blocks, double edge, const std::vector<MeshedFace>& there)
-    : parts_(std::make_unique<Parts>(blocks, edge)) {
-    for (const Polyhedron& block : blocks) check_mesh_size(block, edge);
+MeshPlan::MeshPlan(const std::vector<Polyhedron>& blocks, const EdgeField& field, const std::vector<MeshedFace>& there)
+    : parts_(std::make_unique<Parts>(blocks, field)) {
+    for (const Polyhedron& block : blocks) check_mesh_size(block, field);
     for (const MeshedFace& face : there) parts_->take_face(face);
     parts_->choose_cells();
 }
@@ -365,12 +383,12 @@ MeshPlan::~MeshPlan() = default;
 
 TetMesh MeshPlan::mesh(std::size_t block, const ProgressCallback& progress) const {
     const Polyhedron& p = parts_->blocks[block];
-    if (const auto& cells = parts_->cells[block]) return grid_mesh(p, cells->corner, cells->parts);
-    return fill_surface(p, parts_->surface(block), parts_->edge, progress);
+    if (const auto& cells = parts_->cells[block]) return grid_mesh(p, cells->corner, cells->places);
+    return fill_surface(p, parts_->surface(block), parts_->field, progress);
 }
 
 TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const ProgressCallback& progress) {
-    return MeshPlan({polyhedron}, edge).mesh(0, progress);
+    return MeshPlan({polyhedron}, EdgeField(edge)).mesh(0, progress);
 }
 
 } // namespace kaya

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/progress_callback.hpp"
+#include "geometry/edge_field.hpp"
 #include "geometry/mesh.hpp"
 
 #include <memory>
@@ -20,7 +21,7 @@ struct MeshedFace {
 class MeshPlan {
 public:
     /// `blocks` has to stay as long as the plan. Vertices of blocks nearer to each other than a hundred-millionth of the whole are one place.
-    MeshPlan(const std::vector<Polyhedron>& blocks, double edge, const std::vector<MeshedFace>& there = {});
+    MeshPlan(const std::vector<Polyhedron>& blocks, const EdgeField& field, const std::vector<MeshedFace>& there = {});
     ~MeshPlan();
     MeshPlan(const MeshPlan&) = delete;
     MeshPlan& operator=(const MeshPlan&) = delete;

@@ -1,7 +1,9 @@
 // The surface of a block as triangles, and the points inside of it that tetrahedra are made of. Private to geometry.
 #pragma once
 
+#include "geometry/edge_field.hpp"
 #include "geometry/mesh.hpp"
+#include "geometry/graded_points.hpp"
 #include "geometry/polyhedron.hpp"
 
 #include <vector>
@@ -27,18 +29,29 @@ struct BlockSurface {
     std::vector<TetMesh::BoundaryTriangle> triangles;
 };
 
+/// The side of the cells of a body-centred cubic lattice that makes tetrahedra with edges of that length.
+double lattice_cell(double edge);
+
 /// Points `edge` apart inside: a body-centred cubic lattice. They keep `clearance` times `edge` away from the faces. When none fits
 /// inside, the centroid is taken if `centre` is true.
 void add_inner_points(const Polyhedron& polyhedron, double edge, double clearance, bool centre, MeshPoints& points);
+
+/// The same with edges that vary, and with room between coarse and fine.
+void add_graded_points(const Polyhedron& polyhedron, const Spacing& spacing, double clearance, bool centre,
+                       MeshPoints& points);
+
+/// Edges as long as the field says, but growing from where the surface has shorter ones: than its own corners ask for, or at all.
+enum class Shorter { by_neighbours, at_all };
+Spacing spacing_in(const Polyhedron& polyhedron, const BlockSurface& surface, const EdgeField& field, Shorter shorter);
 
 /// The least angle between faces of tetrahedra, or what the largest lacks of 180 degrees.
 double worst_angle(const TetMesh& mesh);
 
 /// Throws Diagnostic when the edge is not above 0 or there would be more tetrahedra than any machine can hold.
-void check_mesh_size(const Polyhedron& polyhedron, double edge);
+void check_mesh_size(const Polyhedron& polyhedron, const EdgeField& field);
 
 /// Tetrahedra in the block whose outer triangles are those of the surface. Throws Diagnostic when there are none.
-TetMesh fill_surface(const Polyhedron& polyhedron, const BlockSurface& surface, double edge,
+TetMesh fill_surface(const Polyhedron& polyhedron, const BlockSurface& surface, const EdgeField& field,
                      const ProgressCallback& progress = {});
 
 } // namespace kaya

@@ -50,6 +50,9 @@ double sharpest_edge(const Polyhedron& p) {
 std::optional<TetMesh> improved(const Polyhedron& polyhedron, const BlockSurface& surface, MeshPoints points,
                                 std::vector<Tet> tetrahedra, bool new_points, const ProgressCallback& progress) {
     improve(points, tetrahedra, new_points, progress);
+    const auto& fixed = surface.points.points;
+    if (points.points.size() < fixed.size() || !std::equal(fixed.begin(), fixed.end(), points.points.begin()))
+        return std::nullopt;
     double volume = 0;
     const double wanted = mass_properties(polyhedron).volume;
     for (const Tet& t : tetrahedra) {
@@ -108,15 +111,15 @@ std::optional<TetMesh> star(const Polyhedron& polyhedron, const BlockSurface& su
 
 } // namespace
 
-void check_mesh_size(const Polyhedron& polyhedron, double edge) {
-    if (!(edge > 0) || !std::isfinite(edge))
-        throw Diagnostic(fmt::format("the edge length of zones is {}, and must be above 0", edge));
+void check_mesh_size(const Polyhedron& polyhedron, const EdgeField& field) {
+    field.check();
     // A regular tetrahedron has 0.118 edge^3; half of that or less is common.
     constexpr double most_tetrahedra = 2e8;
-    const double expected = mass_properties(polyhedron).volume / (0.1 * edge * edge * edge);
+    const double expected = 10 * field.cubes_in(polyhedron);
     if (expected > most_tetrahedra)
-        throw Diagnostic(fmt::format("an edge length of {} makes some {:.2g} zones in one block", edge, expected),
-                         "use longer edges");
+        throw Diagnostic(
+            fmt::format("an edge length of {} makes some {:.2g} zones in one block", field.least(), expected),
+            "use longer edges");
 }
 
 double worst_angle(const TetMesh& mesh) {
@@ -143,7 +146,7 @@ DihedralAngles dihedral_angles(const TetMesh& mesh) {
     return angles;
 }
 
-TetMesh fill_surface(const Polyhedron& polyhedron, const BlockSurface& surface, double edge,
+TetMesh fill_surface(const Polyhedron& polyhedron, const BlockSurface& surface, const EdgeField& field,
                      const ProgressCallback& progress) {
     std::optional<TetMesh> best;
     double best_angle = -1;
@@ -164,19 +167,37 @@ TetMesh fill_surface(const Polyhedron& polyhedron, const BlockSurface& surface, 
                                 Trial{0.7, true},  Trial{0.45, true}, Trial{0.8, true}};
     // No mesh has larger angles than those between the block's faces.
     const double part = std::min(1.0, 0.9 * sharpest_edge(polyhedron) / good_angle);
+    const Spacing spacing = spacing_in(polyhedron, surface, field, Shorter::by_neighbours);
+    const bool graded = !field.even() || !spacing.finer.empty();
     std::vector<std::vector<Vec3>> tried;
     for (const Trial& trial : trials) {
         if (best_angle >= good_angle * part) break;
         MeshPoints points = surface.points;
-        add_inner_points(polyhedron, edge, trial.clearance, trial.centre, points);
+        if (graded) add_graded_points(polyhedron, spacing, trial.clearance, trial.centre, points);
+        else add_inner_points(polyhedron, field.edge, trial.clearance, trial.centre, points);
         if (std::ranges::find(tried, points.points) != tried.end()) continue;
         tried.push_back(points.points);
         consider(try_points(polyhedron, surface, std::move(points), progress));
     }
-    if (best && best_angle < fair_angle * part) {
+    // New points in the place of what is bad.
+    const auto with_points = [&](const TetMesh& mesh) {
         MeshPoints points = surface.points;
-        for (std::size_t i = points.points.size(); i < best->points.size(); ++i) points.add(best->points[i], {});
-        consider(improved(polyhedron, surface, std::move(points), best->tetrahedra, true, progress));
+        for (std::size_t i = points.points.size(); i < mesh.points.size(); ++i) points.add(mesh.points[i], {});
+        return improved(polyhedron, surface, std::move(points), mesh.tetrahedra, true, progress);
+    };
+    if (best && best_angle < fair_angle * part) consider(with_points(*best));
+    // What is bad still may have short edges of its own: points inside that crowd there.
+    const Spacing crowded = spacing_in(polyhedron, surface, field, Shorter::at_all);
+    for (const double clearance : {0.6, 0.5, 0.7}) {
+        if (best_angle >= fair_angle * part || crowded.finer.empty()) break;
+        MeshPoints points = surface.points;
+        add_graded_points(polyhedron, crowded, clearance, true, points);
+        if (std::ranges::find(tried, points.points) != tried.end()) continue;
+        tried.push_back(points.points);
+        if (const auto other = try_points(polyhedron, surface, std::move(points), progress)) {
+            consider(with_points(*other));
+            consider(std::optional(*other));
+        }
     }
     if (!best) consider(star(polyhedron, surface, progress));
     if (!best)

@@ -389,16 +389,17 @@ std::vector<MeshedFace> meshed_faces(const Model& model, const ToMesh& blocks) {
 
 } // namespace
 
-std::size_t generate_zones(Model& model, const std::vector<Row>& rows, double edge, const ProgressCallback& progress) {
-    if (!(edge > 0) || !std::isfinite(edge)) throw Diagnostic("the edge length of zones must be a number above 0");
+std::size_t generate_zones(Model& model, const std::vector<Row>& rows, const EdgeField& field,
+                           const ProgressCallback& progress) {
+    field.check();
     const ToMesh blocks(model, rows);
     double count = 0;
-    for (const Row block : blocks.rows) count += 6 * std::max(1.0, model.blocks.volume[block] / std::pow(edge, 3));
-    if (count > most_zones)
-        throw Diagnostic(fmt::format("an edge of {} would make more than {:.0e} zones", edge, most_zones),
+    for (const Polyhedron& shape : blocks.shapes) count += 6 * std::max(1.0, field.cubes_in(shape));
+    if (!(count <= most_zones))
+        throw Diagnostic(fmt::format("an edge of {} would make more than {:.0e} zones", field.least(), most_zones),
                          "give a longer edge or a smaller range");
     if (blocks.rows.empty()) return 0;
-    const MeshPlan plan(blocks.shapes, edge, meshed_faces(model, blocks));
+    const MeshPlan plan(blocks.shapes, field, meshed_faces(model, blocks));
     return fill_with_zones(
         model, blocks,
         [&](std::size_t i, const ProgressCallback& of_block) {

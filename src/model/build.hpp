@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/progress_callback.hpp"
+#include "geometry/edge_field.hpp"
 #include "geometry/mesh.hpp"
 #include "model/model.hpp"
 
@@ -43,9 +44,9 @@ Polyhedron shape_of(const Model& model, Row block);
 /// joined body stays joined where its parts touch.
 void delete_blocks(Model& model, const std::vector<Row>& blocks);
 
-/// A conforming mesh of tetrahedra of average edge `edge` in each of the blocks that has none; they
+/// A conforming mesh of tetrahedra of edges as the field says in each of the blocks that has none; they
 /// become deformable. Returns how many blocks were zoned. Throws Diagnostic, model unchanged.
-std::size_t generate_zones(Model& model, const std::vector<Row>& blocks, double edge,
+std::size_t generate_zones(Model& model, const std::vector<Row>& blocks, const EdgeField& field,
                            const ProgressCallback& progress = {});
 
 /// The same with six tetrahedra in each of so many cells along the axes of blocks with six faces of four corners: hexahedron_mesh.

@@ -1,0 +1,58 @@
+// How long edges of zones are to be, everywhere alike or by the distance from a place.
+#pragma once
+
+#include "base/vector.hpp"
+#include "geometry/polyhedron.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace kaya {
+
+/// Around the centre the edge changes linearly up to the distance, beyond it at the same rate (a quarter of the way at least) until it is `edge`.
+struct EdgeField {
+    double edge = 0;     ///< far from the centre; everywhere when the distance is 0
+    double distance = 0; ///< from the centre
+    double at_center = 0, at_distance = 0;
+    Vec3 center = Vec3::Zero();
+
+    EdgeField(double everywhere) : edge(everywhere) {} // a number is a field
+    EdgeField(double far, const Vec3& place, double there, double away, double reach)
+        : edge(far), distance(reach), at_center(there), at_distance(away), center(place) {}
+
+    bool even() const { return distance == 0; }
+    double at(const Vec3& x) const { return even() ? edge : at_radius((x - center).norm()); }
+    double least() const { return even() ? edge : std::min({edge, at_center, at_distance}); }
+    double change() const; ///< with the distance, at most
+    /// Volume over the cube of the edge, about: a sixth of the zones that cells make.
+    double cubes_in(const Polyhedron& block) const;
+    /// Throws Diagnostic when an edge is not a number above 0.
+    void check() const;
+
+private:
+    double at_radius(double r) const;
+};
+
+/// Into how many parts the field divides an edge, or several edges in the mean.
+class EdgeParts {
+public:
+    EdgeParts() = default;
+    EdgeParts(const EdgeField& field, const Vec3& from, const Vec3& to);
+
+    void add(const EdgeParts& other, bool turned); ///< turned: its beginning is at the end of this one
+    double mean() const { return edges_ ? sum_ / edges_ : 0; }
+    double total() const { return sum_; }
+    int edges() const { return edges_; }
+    /// Where n + 1 points that divide the edges in n parts stand on a unit length.
+    std::vector<double> division(int n, bool turned = false) const;
+
+private:
+    double sum_ = 0;
+    int edges_ = 0;
+    std::vector<double> along_; ///< parts up to equal steps of the length; empty where all parts are alike
+};
+
+/// The next whole number, at least 1. Odd numbers of halves go one way whatever rounding does to them.
+int whole_parts(double parts);
+
+} // namespace kaya

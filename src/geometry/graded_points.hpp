@@ -1,0 +1,32 @@
+// Points whose distances vary from place to place. Private to geometry.
+#pragma once
+
+#include "base/vector.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace kaya {
+
+/// A place where edges are short, from which they grow with the distance.
+struct FinePlace {
+    Vec3 place;
+    double edge;
+};
+
+/// How far apart points are to be.
+struct Spacing {
+    std::function<double(const Vec3&)> field; ///< where nothing finer is near
+    double change = 0;                        ///< of the field with the distance, at most
+    std::vector<FinePlace> finer;
+
+    /// Edges grow by that much with the distance from a finer place.
+    static constexpr double growth = 0.35;
+};
+
+/// Lattice points of many sizes in a box, each where its size is wanted, and none too near to another. A body-centred cubic lattice; in a box
+/// without height a triangular one. `fits` says whether a point may stand at a place where edges are that long.
+std::vector<Vec3> graded_points(const Vec3& low, const Vec3& high, const Spacing& spacing,
+                                const std::function<bool(const Vec3&, double)>& fits);
+
+} // namespace kaya
