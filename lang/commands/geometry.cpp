@@ -3,6 +3,7 @@
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
 
+#include <fmt/format.h>
 #include <limits>
 
 namespace kaya::lang {
@@ -28,6 +29,64 @@ Entry<FaceTriangulation> face_corners() {
         command.place = statement.words.front().place;
     });
     entry.range(&FaceTriangulation::range);
+    return entry;
+}
+
+/// All words of a field of edges, or none.
+void check_field(const Reader& reader, const GenerateEdge& g) {
+    std::string missing;
+    const auto need = [&](const char* word, bool there) {
+        if (!there) missing += (missing.empty() ? "" : ", ") + std::string(word);
+    };
+    need("center", g.center.has_value());
+    need("edgelength-center", g.at_center.has_value());
+    need("edgelength-distance", g.at_distance.has_value());
+    need("distance", g.distance.has_value());
+    const bool any = g.center || g.at_center || g.at_distance || g.distance;
+    if (any && !missing.empty())
+        incomplete_line(
+            reader, fmt::format("edges that vary with the distance from a place lack {}", missing),
+            "write for example: gen edge 2 center 0 0 0 edgelength-center 0.2 edgelength-distance 1 distance 5");
+    if (!any && !g.edge)
+        incomplete_line(reader, "generate edge does not say how long edges are", "write for example: gen edge 0.5");
+}
+
+CommandSpec generate_edge() {
+    Entry<GenerateEdge> entry({"generate"}, {"edge", "edgelength"});
+    entry.help("fills blocks with tetrahedral zones; from then on they deform");
+    entry.argument(real("edge").unit("length").above(0).optional().help(
+                       "average edge of a zone; with a center, far from it: edgelength-distance if not given"),
+                   &GenerateEdge::edge);
+    entry.keyword({"center", "centre"}, vector("x y z").unit("length"), &GenerateEdge::center,
+                  "edges vary with the distance from this place");
+    entry.keyword({Spelling{"edgelength-center", 12}, Spelling{"edgelength-centre", 12}},
+                  real("edge").unit("length").above(0), &GenerateEdge::at_center, "edge there");
+    entry.keyword({Spelling{"edgelength-distance", 12}}, real("edge").unit("length").above(0),
+                  &GenerateEdge::at_distance, "edge at the distance, linearly up to there");
+    entry.keyword(
+        {"distance"}, real("distance").unit("length").above(0), &GenerateEdge::distance,
+        "how far from the center that is; beyond it edges change on at the same rate, a quarter of the way at least");
+    entry.range(&GenerateEdge::range).place(&GenerateEdge::place);
+    entry.finish([](const Reader& reader, GenerateEdge& g) {
+        if (!reader.wildcards()) check_field(reader, g);
+    });
+    entry.right("gen edge 1").right("gen edge 0.2 range region 1");
+    entry.right("gen edge 2 center 0 0 0 edgelength-center 0.2 edgelength-distance 1 distance 5");
+    entry.right("gen edge center 0 0 0 edgelength-center 0.2 edgelength-distance 1 distance 5 range region 1");
+    entry.wrong("gen", "a word is missing after 'gen'");
+    entry.wrong("gen edge", "generate edge does not say how long edges are");
+    entry.wrong("gen edge 0", "edge must be greater than 0, not 0");
+    entry.wrong("gen edge -0.5", "edge must be greater than 0, not -0.5");
+    entry.wrong("gen edge big", "'big' is not a keyword of generate edge");
+    entry.wrong("gen egde 1", "'egde' is not a kind of generate");
+    entry.wrong("gen edge 1 center 0 0 0", "edges that vary with the distance from a place lack edgelength-center, "
+                                           "edgelength-distance, distance");
+    entry.wrong("gen edge 1 edgelength-center 0.2 edgelength-distance 1 distance 5",
+                "edges that vary with the distance from a place lack center");
+    entry.wrong("gen edge 1 center 0 0 0 edgelength-center 0 edgelength-distance 1 distance 5",
+                "edge must be greater than 0, not 0");
+    entry.wrong("gen edge 1 center 0 0 0 edgelength-center 1 edgelength-distance 1 distance 0",
+                "distance must be greater than 0, not 0");
     return entry;
 }
 
@@ -122,19 +181,7 @@ Family geometry() {
                 .right("range nrange top z 0.9 1.1")
                 .wrong("range name top", "the named range has no element")
                 .wrong("range z 0 1", "'z' is not a kind of range"),
-            Entry<GenerateEdge>({"generate"}, {"edge"})
-                .help("fills blocks with tetrahedral zones; from then on they deform")
-                .argument(real("edge").unit("length").above(0).help("average edge of a zone"), &GenerateEdge::edge)
-                .range(&GenerateEdge::range)
-                .place(&GenerateEdge::place)
-                .right("gen edge 1")
-                .right("gen edge 0.2 range region 1")
-                .wrong("gen", "a word is missing after 'gen'")
-                .wrong("gen edge", "a number is missing after 'edge'")
-                .wrong("gen edge 0", "edge must be greater than 0, not 0")
-                .wrong("gen edge -0.5", "edge must be greater than 0, not -0.5")
-                .wrong("gen edge big", "expected a number, found 'big'")
-                .wrong("gen egde 1", "'egde' is not a kind of generate"),
+            generate_edge(),
             generate_quad(),
             face_triangulation({"edge"}, FaceTriangulation::Style::edge)
                 .help("puts sub-contacts on the faces of rigid blocks that far apart, besides those at corners")

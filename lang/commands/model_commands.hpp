@@ -221,8 +221,11 @@ struct FaceTriangulation {
     RangePhrase range;
     Place place;
 };
+/// generate edge f [center x y z edgelength-center f edgelength-distance f distance f]: edges everywhere, or far from the centre.
 struct GenerateEdge {
-    double edge = 0;
+    std::optional<double> edge;
+    std::optional<Vec3> center;
+    std::optional<double> at_center, at_distance, distance;
     RangePhrase range;
     Place place;
 };

@@ -14,9 +14,9 @@ struct Known {
 /// Of `generate` the forms that are missing; of the others the whole command.
 const std::vector<Known>& known() {
     static const std::vector<Known> commands = {
-        {{"generate"}, {"center"}, "zones whose size varies: see the ratio of generate quad"},
-        {{"generate"}, {"grade"}, "zones whose size varies: see the ratio of generate quad"},
-        {{"generate"}, {"fix"}, "zones whose size varies: see the ratio of generate quad"},
+        {{"generate"}, {"center"}, "zones whose size varies: write generate edge center"},
+        {{"generate"}, {"grade"}, "zones whose size varies: see generate edge center"},
+        {{"generate"}, {"fix"}, "zones whose size varies: see generate edge center"},
         {{"pfix"}, {}, "a pore pressure that is held"},
         {{"pfree"}, {}, "a pore pressure that is held"},
         {{"ffield"}, {}, "free fields at the sides of a model"},

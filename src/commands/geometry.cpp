@@ -70,8 +70,11 @@ void run(Session& session, const lang::FaceTriangulation& command) {
 }
 
 void run(Session& session, const lang::GenerateEdge& command) {
+    EdgeField field(command.edge.value_or(command.at_distance.value_or(0)));
+    if (command.center)
+        field = EdgeField(field.edge, *command.center, *command.at_center, *command.at_distance, *command.distance);
     give_zones_to_blocks(session, command, [&](const std::vector<Row>& blocks, const ProgressCallback& progress) {
-        return generate_zones(session.model, blocks, command.edge, progress);
+        return generate_zones(session.model, blocks, field, progress);
     });
 }
 

@@ -256,10 +256,10 @@ TEST(Binder, ValuesOfNames) {
         return answer;
     };
     answer = 0.25;
-    EXPECT_EQ(bound_as<GenerateEdge>("gen edge [size*2]", &values).edge, 0.25);
+    EXPECT_EQ(bound_as<GenerateEdge>("gen edge [size*2]", &values).edge, std::optional(0.25));
     EXPECT_EQ(asked, std::vector<std::string>{"size*2"});
     answer = std::int64_t{3};
-    EXPECT_EQ(bound_as<GenerateEdge>("gen edge @n", &values).edge, 3);
+    EXPECT_EQ(bound_as<GenerateEdge>("gen edge @n", &values).edge, std::optional(3.0));
     EXPECT_EQ(bound_as<CycleCommand>("cycle @n", &values).cycles, 3);
     answer = 3.0;
     EXPECT_EQ(bound_as<CycleCommand>("cycle @n", &values).cycles, 3) << "a whole real is a whole number";
