@@ -2,7 +2,9 @@
 #include "commands/handlers.hpp"
 #include "commands/long_work.hpp"
 
+#include "base/counted.hpp"
 #include "model/build.hpp"
+#include "model/volume_jumps.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +13,22 @@
 namespace kaya {
 
 namespace {
+
+/// One warning for all zones beside much larger ones.
+void warn_of_jumps(Session& session, const std::vector<Row>& blocks, const Place& place) {
+    const VolumeJumps jumps = volume_jumps(session.model, blocks);
+    if (jumps.count == 0) return;
+    const auto number = [&](std::size_t i) { return session.model.blocks.number[jumps.blocks[i]]; };
+    const std::string where = number(0) == number(1) ? fmt::format("in block {}", number(0))
+                                                     : fmt::format("between blocks {} and {}", number(0), number(1));
+    session.warn(Diagnostic(fmt::format("the volumes of {} of zones with a common face differ by more than 4 to 1; the "
+                                        "worst by {:.3g} to 1, {} at ({:.6g}, {:.6g}, {:.6g})",
+                                        counted(jumps.count, "pair"), jumps.worst, where, jumps.place.x(),
+                                        jumps.place.y(), jumps.place.z()),
+                            "zones that change slowly are more exact: give edges that are nearer to those of the "
+                            "neighbours, or a field with `gen edge f center ...`")
+                     .at(place));
+}
 
 template <class Command, class Generate>
 void give_zones_to_blocks(Session& session, const Command& command, const Generate& generate) {
@@ -22,6 +40,7 @@ void give_zones_to_blocks(Session& session, const Command& command, const Genera
             session.warn(Diagnostic(fmt::format("all {} blocks that this acts on have zones already", blocks.size()),
                                     "the command has no effect")
                              .at(command.place));
+        else warn_of_jumps(session, blocks, command.place);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
