@@ -48,7 +48,8 @@ void check_field(const Reader& reader, const GenerateEdge& g) {
             reader, fmt::format("edges that vary with the distance from a place lack {}", missing),
             "write for example: gen edge 2 center 0 0 0 edgelength-center 0.2 edgelength-distance 1 distance 5");
     if (!any && !g.edge)
-        incomplete_line(reader, "generate edge does not say how long edges are", "write for example: gen edge 0.5");
+        incomplete_line(reader, "a number is missing after 'edge'",
+                        "expected: edge, a number, greater than 0 [length]");
 }
 
 CommandSpec generate_edge() {
@@ -74,10 +75,10 @@ CommandSpec generate_edge() {
     entry.right("gen edge 2 center 0 0 0 edgelength-center 0.2 edgelength-distance 1 distance 5");
     entry.right("gen edge center 0 0 0 edgelength-center 0.2 edgelength-distance 1 distance 5 range region 1");
     entry.wrong("gen", "a word is missing after 'gen'");
-    entry.wrong("gen edge", "generate edge does not say how long edges are");
+    entry.wrong("gen edge", "a number is missing after 'edge'");
     entry.wrong("gen edge 0", "edge must be greater than 0, not 0");
     entry.wrong("gen edge -0.5", "edge must be greater than 0, not -0.5");
-    entry.wrong("gen edge big", "'big' is not a keyword of generate edge");
+    entry.wrong("gen edge wide", "expected a number, found 'wide'");
     entry.wrong("gen egde 1", "'egde' is not a kind of generate");
     entry.wrong("gen edge 1 center 0 0 0", "edges that vary with the distance from a place lack edgelength-center, "
                                            "edgelength-distance, distance");

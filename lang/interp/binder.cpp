@@ -173,6 +173,20 @@ std::size_t wrong_word(const CommandSpec& spec, const Statement& statement) {
     reader.unknown(fmt::format("a keyword of {}", spec.name()), candidates, listed);
 }
 
+/// Whether the next word is none of the keywords, nor nearly one: where a number may stand it is meant as one.
+bool is_no_keyword(const CommandSpec& spec, const Reader& reader) {
+    const Word* word = reader.peek();
+    if (!word || spec.otherwise || word->text == "?" || word->text == "&") return false;
+    if (word->kind != WordKind::word) return true;
+    std::vector<std::string_view> candidates;
+    add_words(candidates, spec.keywords);
+    if (spec.range_elements) candidates.push_back("range");
+    if (spec.range_without_word) add_words(candidates, *spec.range_elements);
+    const bool known = find_keyword(spec.keywords, word->folded) || Spelling{"range", 2}.matches(word->folded) ||
+                       (spec.range_without_word && find_keyword(*spec.range_elements, word->folded));
+    return !known && did_you_mean(word->folded, candidates).empty();
+}
+
 /// True when the next word opens the range phrase; the word `range` itself is taken.
 bool at_range(const CommandSpec& spec, Reader& reader) {
     if (!spec.range_elements) return false;
@@ -299,7 +313,9 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
     for (const auto& positional : spec.arguments) {
         const bool number =
             positional.argument.kind == ArgumentKind::real || positional.argument.kind == ArgumentKind::integer;
-        if (positional.argument.optional && !(number ? reader.at_number() : reader.at_value())) continue;
+        if (positional.argument.optional && !(number ? reader.at_number() : reader.at_value()) &&
+            !(positional.argument.kind == ArgumentKind::real && is_no_keyword(spec, reader)))
+            continue;
         positional.read(reader, target);
     }
     read_rest(language, spec, reader, target, true, bound.ignored);

@@ -208,8 +208,8 @@ TEST(Binder, MessagesPointAtTheWord) {
     EXPECT_EQ(render(d), "test.3dd:1:6: error: 'brik' is not a kind of poly\n"
                          "     1 | poly brik 0,1 0,1 0,1\n"
                          "       |      ^^^^ did you mean 'brick'?");
-    const Diagnostic missing = mistake("gen edge ; how long");
-    EXPECT_EQ(missing.place.column, 9);
+    const Diagnostic missing = mistake("facetri edge ; how long");
+    EXPECT_EQ(missing.place.column, 13);
     EXPECT_EQ(missing.hint, "expected: edge, a number, greater than 0 [length]");
     const Diagnostic continued = mistake("bound xvel 0 &\n  yvle 0");
     EXPECT_EQ(continued.place.line, 2);
@@ -230,7 +230,8 @@ TEST(Binder, QuestionMarkListsTheChoices) {
     EXPECT_NE(d.message.find("elastic"), std::string::npos);
     EXPECT_NE(mistake("?").message.find("poly"), std::string::npos);
     EXPECT_NE(mistake("poly ?").message.find("brick"), std::string::npos);
-    EXPECT_EQ(mistake("gen edge ?").message, "expected: edge, a number, greater than 0 [length]");
+    EXPECT_EQ(mistake("facetri edge ?").message, "expected: edge, a number, greater than 0 [length]");
+    EXPECT_NE(mistake("gen edge ?").message.find("edgelength-center"), std::string::npos);
     EXPECT_EQ(mistake("new ?").message, "nothing more may stand here");
     EXPECT_NE(mistake("hide range plane ?").message.find("above"), std::string::npos);
     EXPECT_NE(mistake("hide range ?").message.find("sphere"), std::string::npos);
