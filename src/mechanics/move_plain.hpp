@@ -19,10 +19,8 @@ public:
         auto& g = model_.gridpoints;
         std::uint64_t fixed;
         std::memcpy(&fixed, &g.fixed[row], sizeof fixed);
-        const ThreeEights held = fixed == 0 ? ThreeEights{} : prescribed(&g.fixed[row]);
-        ThreeEights velocity =
-            motion_.advance({g.velocity[row], g.force[row], g.load[row], g.mass[row], g.inertial_mass[row]},
-                            fixed == 0 ? nullptr : &held);
+        const PlainMotion::Rows rows{g.velocity[row], g.force[row], g.load[row], g.mass[row], g.inertial_mass[row]};
+        ThreeEights velocity = fixed == 0 ? motion_.advance(rows) : motion_.advance(rows, prescribed(&g.fixed[row]));
         store(g.velocity[row].data(), velocity);
         for (auto& shift : velocity) shift *= step_;
         add_shift(g.displacement[row], velocity);

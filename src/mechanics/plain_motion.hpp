@@ -21,30 +21,11 @@ public:
         const double &mass, &inertial_mass;
     };
 
-    /// Velocities after the step. Components with 1 in `held` keep theirs; a null pointer: all may change.
-    [[gnu::always_inline]] ThreeEights advance(const Rows& rows, const ThreeEights* held = nullptr) {
-        const ThreeEights before = load_three(rows.velocity.data()), inner = load_three(rows.force.data()),
-                          load = load_three(rows.load.data());
-        const Eight inertial = load_as<Eight>(&rows.inertial_mass);
-        const ThreeEights mass = for_each_of_three(inertial),
-                          weight_mass = for_each_of_three(load_as<Eight>(&rows.mass)),
-                          step_over_mass = for_each_of_three(kick_ / inertial);
-        ThreeEights after;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Eight weight = weight_mass[i] * gravity_[i], whole = inner[i] + load[i] + weight;
-            after[i] = damping_.advance(before[i], whole * step_over_mass[i]);
-            if (held != nullptr) after[i] = (*held)[i] != 0 ? before[i] : after[i];
-            sums.add_power(inner[i], before[i], after[i]);
-            const Eight mean = 0.5 * (before[i] + after[i]);
-            sums.gravity += weight * mean * kick_;
-            const Eight rest = (mass[i] * (after[i] - before[i]) - whole * kick_) * mean;
-            const Eight of_support = held != nullptr ? (*held)[i] : Eight{};
-            sums.boundary += load[i] * mean * kick_ + of_support * rest;
-            sums.damped -= (1 - of_support) * rest;
-            sums.kinetic_before += 0.5 * mass[i] * before[i] * before[i];
-            sums.kinetic += 0.5 * mass[i] * after[i] * after[i];
-        }
-        return after;
+    /// Velocities after the step.
+    [[gnu::always_inline]] ThreeEights advance(const Rows& rows) { return advance_by<false>(rows, {}); }
+    /// Components with 1 in `held` keep theirs.
+    [[gnu::always_inline]] ThreeEights advance(const Rows& rows, const ThreeEights& held) {
+        return advance_by<true>(rows, held);
     }
 
     /// Angular momenta after the step, of bodies that may turn freely.
@@ -59,6 +40,35 @@ public:
     MotionEights sums;
 
 private:
+    template <bool some_held> [[gnu::always_inline]] ThreeEights advance_by(const Rows& rows, const ThreeEights& held) {
+        const ThreeEights before = load_three(rows.velocity.data()), inner = load_three(rows.force.data()),
+                          load = load_three(rows.load.data());
+        const Eight inertial = load_as<Eight>(&rows.inertial_mass);
+        const ThreeEights mass = for_each_of_three(inertial),
+                          weight_mass = for_each_of_three(load_as<Eight>(&rows.mass)),
+                          step_over_mass = for_each_of_three(kick_ / inertial);
+        ThreeEights after;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Eight weight = weight_mass[i] * gravity_[i], whole = inner[i] + load[i] + weight;
+            after[i] = damping_.advance(before[i], whole * step_over_mass[i]);
+            if constexpr (some_held) after[i] = held[i] != 0 ? before[i] : after[i];
+            sums.add_power(inner[i], before[i], after[i]);
+            const Eight mean = 0.5 * (before[i] + after[i]);
+            sums.gravity += weight * mean * kick_;
+            const Eight rest = (mass[i] * (after[i] - before[i]) - whole * kick_) * mean;
+            if constexpr (some_held) {
+                sums.boundary += load[i] * mean * kick_ + held[i] * rest;
+                sums.damped -= (1 - held[i]) * rest;
+            } else {
+                sums.boundary += load[i] * mean * kick_;
+                sums.damped -= rest;
+            }
+            sums.kinetic_before += 0.5 * mass[i] * before[i] * before[i];
+            sums.kinetic += 0.5 * mass[i] * after[i] * after[i];
+        }
+        return after;
+    }
+
     const DampingFactors damping_;
     const ThreeEights gravity_;
     const double kick_;
