@@ -3,6 +3,7 @@
 // edge and one for all: blocks, zones, processor time, blocks that could not be meshed; of the benign ones the least angle between faces of
 // zones; the mean edge of those whose own edges are no shorter, over what was asked; how many of the faces that two blocks share
 // have the same triangles on both sides. Benign are edges above a fifth of the asked one, angles above 20 degrees, thickness above 0.3 of it.
+#include "tests/unit/geometry/cut_rock.hpp"
 #include "base/diagnostic.hpp"
 #include "geometry/cut.hpp"
 #include "geometry/joint_set.hpp"
@@ -38,12 +39,7 @@ std::vector<Polyhedron> jointed_cube(Random& random) {
         set.origin = {4 * random.uniform(), 4 * random.uniform(), 4 * random.uniform()};
         set.id = i + 1;
         set.seed = static_cast<std::uint64_t>(1e9 * random.uniform());
-        const CutBlocks cut = cut_blocks(blocks, set, 1e-3);
-        std::vector<Polyhedron> next;
-        for (std::size_t b = 0; b < blocks.size(); ++b)
-            if (!std::ranges::binary_search(cut.parents, static_cast<int>(b))) next.push_back(blocks[b]);
-        for (const auto& piece : cut.pieces) next.push_back(piece.polyhedron);
-        blocks = std::move(next);
+        cut_rock(blocks, set);
     }
     return blocks;
 }

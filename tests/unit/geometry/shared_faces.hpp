@@ -1,6 +1,7 @@
 // Meshes of many blocks and the faces that two of them share.
 #pragma once
 
+#include "cut_rock.hpp"
 #include "geometry/cut.hpp"
 #include "geometry/joint_set.hpp"
 #include "geometry/mesh_plan.hpp"
@@ -87,12 +88,7 @@ inline std::vector<Polyhedron> rock(std::uint64_t seed) {
         set.origin = {4 * random.uniform(), 4 * random.uniform(), 4 * random.uniform()};
         set.id = i;
         set.seed = seed;
-        const CutBlocks cut = cut_blocks(blocks, set, 1e-3);
-        std::vector<Polyhedron> next;
-        for (std::size_t b = 0; b < blocks.size(); ++b)
-            if (!std::ranges::binary_search(cut.parents, static_cast<int>(b))) next.push_back(blocks[b]);
-        for (const auto& piece : cut.pieces) next.push_back(piece.polyhedron);
-        blocks = std::move(next);
+        cut_rock(blocks, set);
     }
     return blocks;
 }

@@ -1,0 +1,22 @@
+// Blocks that are cut again and again.
+#pragma once
+
+#include "geometry/cut.hpp"
+#include "geometry/joint_set.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace kaya {
+
+/// Cuts all blocks by a joint set: those that are cut give way to their pieces.
+inline void cut_rock(std::vector<Polyhedron>& blocks, const JointSet& set) {
+    const CutBlocks cut = cut_blocks(blocks, set, 1e-3);
+    std::vector<Polyhedron> next;
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+        if (!std::ranges::binary_search(cut.parents, static_cast<int>(b))) next.push_back(blocks[b]);
+    for (const auto& piece : cut.pieces) next.push_back(piece.polyhedron);
+    blocks = std::move(next);
+}
+
+} // namespace kaya
