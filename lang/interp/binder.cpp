@@ -173,6 +173,15 @@ std::size_t wrong_word(const CommandSpec& spec, const Statement& statement) {
     reader.unknown(fmt::format("a keyword of {}", spec.name()), candidates, listed);
 }
 
+/// True when the next word opens the range phrase.
+bool at_range(const CommandSpec& spec, const Reader& reader) {
+    if (!spec.range_elements) return false;
+    const Word* word = reader.peek();
+    if (!word || word->kind != WordKind::word) return false;
+    if (Spelling{"range", 2}.matches(word->folded)) return true;
+    return spec.range_without_word && find_keyword(*spec.range_elements, word->folded);
+}
+
 /// Whether the next word is none of the keywords, nor nearly one: where a number may stand it is meant as one.
 bool is_no_keyword(const CommandSpec& spec, const Reader& reader) {
     const Word* word = reader.peek();
@@ -182,18 +191,8 @@ bool is_no_keyword(const CommandSpec& spec, const Reader& reader) {
     add_words(candidates, spec.keywords);
     if (spec.range_elements) candidates.push_back("range");
     if (spec.range_without_word) add_words(candidates, *spec.range_elements);
-    const bool known = find_keyword(spec.keywords, word->folded) || Spelling{"range", 2}.matches(word->folded) ||
-                       (spec.range_without_word && find_keyword(*spec.range_elements, word->folded));
+    const bool known = find_keyword(spec.keywords, word->folded) || at_range(spec, reader);
     return !known && did_you_mean(word->folded, candidates).empty();
-}
-
-/// True when the next word opens the range phrase; the word `range` itself is taken.
-bool at_range(const CommandSpec& spec, Reader& reader) {
-    if (!spec.range_elements) return false;
-    const Word* word = reader.peek();
-    if (!word || word->kind != WordKind::word) return false;
-    if (Spelling{"range", 2}.matches(word->folded)) return true;
-    return spec.range_without_word && find_keyword(*spec.range_elements, word->folded);
 }
 
 /// `ignored` gets the keywords that are without effect.
