@@ -57,7 +57,8 @@ double book_change(Model& model, Row c, double work_before) {
 } // namespace
 
 LoadBefore::LoadBefore(const Model& model, Row draft, Row old)
-    : row(draft), load(model, old), work_(between_rigid(model, old) ? work_of_step(model, old) : 0) {}
+    : row(draft), load(model, old),
+      work_(model.settings.energy && between_rigid(model, old) ? work_of_step(model, old) : 0) {}
 
 double LoadBefore::settle(Model& model, Row c, bool moving) const {
     double lost = 0;

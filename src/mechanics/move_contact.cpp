@@ -1,7 +1,7 @@
 #include "mechanics/contact_geometry.hpp"
 #include "mechanics/overlap_contact.hpp"
 #include "mechanics/move_contact.hpp"
-#include "mechanics/triple.hpp"
+#include "mechanics/turn.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -30,9 +30,7 @@ void turn_plane(Model& model, Row c) {
     }
     if (reference == 0) return;
     const Triple spin(blocks.rotational_velocity[owner]);
-    const Triple before(n), turned = before + (model.clock.time_step * spin).cross(before);
-    // It is almost 1 long: one step of Newton's method for 1/sqrt.
-    n = ((1.5 - 0.5 * turned.dot(turned)) * turned).vector();
+    n = turned_a_little(Triple(n), model.clock.time_step * spin).vector();
 }
 
 inline void add_work(JointWork& work, const SubContacts& subs, Row row, const RowsOfEight& group,

@@ -1,6 +1,7 @@
 #include "mechanics/pair_motions.hpp"
 
 #include "mechanics/overlap_contact.hpp"
+#include "mechanics/turn.hpp"
 
 #include <algorithm>
 #include <array>
@@ -75,9 +76,8 @@ void PairMotions::take(Model& model, std::span<const Row> rows) {
     const Triples shift = 0.5 * step * (velocity2 + velocity1), turn = 0.5 * step * (two.spin + one.spin);
     Triples n = before;
     if (large) {
-        const Triples spin = first * one.spin + (1 - first) * two.spin, turned = before + (step * spin).cross(before);
-        // It is almost 1 long: one step of Newton's method for 1/sqrt.
-        n = (1.5 - 0.5 * turned.dot(turned)) * turned;
+        const Triples spin = first * one.spin + (1 - first) * two.spin;
+        n = turned_a_little(before, step * spin);
         scatter(contacts.normal, rows, wanted, n);
         scatter(contacts.position, rows, wanted, o + shift); // the origin of moments goes with the mean of the blocks
     }

@@ -5,6 +5,12 @@
 
 namespace kaya {
 
+/// A unit vector after a small turn, of length 1 again: it is almost that, and takes one step of Newton's method for 1/sqrt.
+template <class T> TripleOf<T> turned_a_little(const TripleOf<T>& unit, const TripleOf<T>& turn) {
+    const TripleOf<T> turned = unit + turn.cross(unit);
+    return (1.5 - 0.5 * turned.dot(turned)) * turned;
+}
+
 /// Turns a block with angular momentum `momentum` for one step by the implicit midpoint rule: the
 /// velocity of the middle of the step, found by fixed-point iteration, carries it from end to end.
 /// Momentum is kept to the last bit and energy has no drift (Simo and Wong 1991, Int. J. Numer. Meth.
