@@ -154,20 +154,26 @@ function shapes.lowest(body)
     return low
 end
 
--- Directions of edges, each once.
-local function directions(points, s)
-    local list = {}
+-- Ends of edges, one for each direction. A rigid body keeps them, so they are found once.
+local function edge_directions(s)
+    if s.directions then return s.directions end
+    local known = {}
+    s.directions = {}
     for _, edge in ipairs(shapes.edges(s)) do
-        local d = (points[edge[2]] - points[edge[1]]):unit()
-        local known = false
-        for _, other in ipairs(list) do
-            if math.abs(d:dot(other)) > 1 - 1e-10 then
-                known = true
-                break
-            end
+        local d = (s.points[edge[2]] - s.points[edge[1]]):unit()
+        local new = true
+        for _, other in ipairs(known) do new = new and math.abs(d:dot(other)) <= 1 - 1e-10 end
+        if new then
+            known[#known + 1] = d
+            s.directions[#s.directions + 1] = edge
         end
-        if not known then list[#list + 1] = d end
     end
+    return s.directions
+end
+
+local function directions_now(points, s)
+    local list = {}
+    for i, edge in ipairs(edge_directions(s)) do list[i] = (points[edge[2]] - points[edge[1]]):unit() end
     return list
 end
 
@@ -182,23 +188,25 @@ local function reach(points, axis)
 end
 
 -- The least way along which one body must move to be free of the other, negative where they do not touch: separating axes
--- are normals of faces and cross products of edges (Gottschalk, Lin and Manocha 1996).
-function shapes.overlap(one, other)
+-- are normals of faces and cross products of edges (Gottschalk, Lin and Manocha 1996). Who looks for ways above `enough`
+-- gets any way that is no longer where there is one.
+function shapes.overlap(one, other, enough)
+    enough = math.max(enough or 0, 0)
     local a, b = shapes.points_now(one), shapes.points_now(other)
     local least = math.huge
-    local function try(axis)
+    local function is_small(axis)
         local low_a, high_a = reach(a, axis)
         local low_b, high_b = reach(b, axis)
         least = math.min(least, high_a - low_b, high_b - low_a)
-        return least
+        return least < enough
     end
-    for _, n in ipairs(shapes.normals(a, one.shape.faces)) do if try(n) < 0 then return least end end
-    for _, n in ipairs(shapes.normals(b, other.shape.faces)) do if try(n) < 0 then return least end end
-    local of_b = directions(b, other.shape)
-    for _, d in ipairs(directions(a, one.shape)) do
+    for _, n in ipairs(shapes.normals(a, one.shape.faces)) do if is_small(n) then return least end end
+    for _, n in ipairs(shapes.normals(b, other.shape.faces)) do if is_small(n) then return least end end
+    local of_b = directions_now(b, other.shape)
+    for _, d in ipairs(directions_now(a, one.shape)) do
         for _, e in ipairs(of_b) do
             local axis = d:cross(e)
-            if axis:length() > 1e-6 and try(axis:unit()) < 0 then return least end
+            if axis:length() > 1e-6 and is_small(axis:unit()) then return least end
         end
     end
     return least
