@@ -62,7 +62,7 @@ bool is_convex(const Model& model, std::span<const Row> members) {
     Vec3 centroid = Vec3::Zero();
     double volume = 0, margin = 0;
     for (const Row b : members) {
-        centroid += model.blocks.volume[b] * model.blocks.centroid[b];
+        centroid += model.blocks.volume[b] * block_centroid(model, b);
         volume += model.blocks.volume[b];
         margin = std::max(margin, 0.01 * model.blocks.margin[b]);
     }

@@ -57,7 +57,7 @@ std::optional<MovingBody> fastest_body(const Model& model) {
 }
 
 std::string body_text(const Model& model, const MovingBody& body) {
-    const Vec3& place = model.blocks.centroid[body.block];
+    const Vec3 place = block_centroid(model, body.block);
     return fmt::format("block {} at ({}, {}, {})", model.blocks.number[body.block], number_text(place.x()),
                        number_text(place.y()), number_text(place.z()));
 }

@@ -93,7 +93,7 @@ Vec3 inside_joint(const Model& model, Row s) {
     Vec3 middle = Vec3::Zero();
     for (Row k = span.first; k < span.end(); ++k) middle += subs.position[k] / span.count;
     const Vec3 blocks =
-        0.5 * (model.blocks.centroid[model.contacts.block1[c]] + model.blocks.centroid[model.contacts.block2[c]]);
+        0.5 * (block_centroid(model, model.contacts.block1[c]) + block_centroid(model, model.contacts.block2[c]));
     return (1 - 2 * hair) * Vec3(subs.position[s]) + hair * middle + hair * blocks;
 }
 

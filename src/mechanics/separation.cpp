@@ -161,7 +161,7 @@ void SeparationSearch::try_faces(bool of_first) {
     const Span faces = model_.blocks.faces[own];
     const std::size_t start = of_first ? of_block1_ : 0;
     // No vertex needs to be looked at where another face is farther away.
-    const std::size_t likely = along_.bound(surfaces_, own, model_.blocks.centroid[other], start);
+    const std::size_t likely = along_.bound(surfaces_, own, surfaces_.middle(other), start);
     const double least =
         along_.find(surfaces_, likely, faces.first + static_cast<Row>(likely - start), other) - limits_.tie;
     std::size_t i = start;
@@ -192,7 +192,7 @@ bool SeparationSearch::overhangs(bool of_first) {
 }
 
 void SeparationSearch::try_edges() {
-    const Vec3 towards = model_.blocks.centroid[block2_] - model_.blocks.centroid[block1_];
+    const Vec3 towards = surfaces_.middle(block2_) - surfaces_.middle(block1_);
     auto &arcs1 = scratch_.arcs1, &arcs2 = scratch_.arcs2;
     arcs_of(surfaces_, block1_, 1, arcs1);
     arcs_of(surfaces_, block2_, -1, arcs2);

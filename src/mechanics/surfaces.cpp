@@ -1,6 +1,7 @@
 #include "mechanics/surfaces.hpp"
 
 #include "base/parallel.hpp"
+#include "model/measure.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -21,7 +22,7 @@ std::size_t number_groups(const Column<Span>& spans, std::vector<std::size_t>& f
     return first.back() = next;
 }
 
-/// By the corners in the block's own axes, which do not change as it moves, not in their last bits either.
+/// By places that do not change as it moves, not in their last bits either: of a rigid block those in its own axes.
 double mean_face_area_of(const Model& model, Row block) {
     const Span faces = model.blocks.faces[block], triangles = model.blocks.triangles[block];
     const auto& x = model.gridpoints.reference;
@@ -59,7 +60,7 @@ void Surfaces::learn(const Model& model, Row block) {
     const auto& of_triangle = model.triangles.gridpoints;
     Shape& shape = shapes_[block];
     shape = {blocks.id[block], blocks.gridpoints[block], blocks.faces[block], blocks.triangles[block], {}, {}, {}, 0};
-    if (!blocks.deformable[block]) shape.mean_face_area = mean_face_area_of(model, block);
+    shape.mean_face_area = mean_face_area_of(model, block);
     edges_of(model, block, shape.edges);
 
     std::vector<Row>& corners = shape.corners;
@@ -91,6 +92,7 @@ void Surfaces::learn(const Model& model, Row block) {
 
 void Surfaces::take_vertices(const Model& model, Row block) {
     const Span span = model.blocks.gridpoints[block];
+    middles_[block] = block_centroid(model, block);
     Lanes3* group = vertices_.data() + first_vertices_[block];
     for (Row g = span.first; g < span.end(); g += lane_count, ++group)
         for (Row i = 0; i < lane_count; ++i) {
@@ -130,6 +132,7 @@ void Surfaces::take_planes(const Model& model, Row block) {
 void Surfaces::update(const Model& model, const std::vector<Row>& blocks) {
     planes_.resize(model.faces.size());
     shapes_.resize(model.blocks.size());
+    middles_.resize(model.blocks.size());
     vertices_.resize(number_groups(model.blocks.gridpoints, first_vertices_));
     four_planes_.resize(number_groups(model.blocks.faces, first_planes_));
     for_chunks(blocks.size(), 64, [&](std::size_t first, std::size_t last) {

@@ -42,12 +42,14 @@ public:
     std::span<const Lanes3> vertices(Row block) const {
         return {vertices_.data() + first_vertices_[block], vertices_.data() + first_vertices_[block + 1]};
     }
+    /// A place inside of a block.
+    const Vec3& middle(Row block) const { return middles_[block]; }
     /// The planes of the faces of a block, four at a time.
     std::span<const FourPlanes> planes(Row block) const {
         return {four_planes_.data() + first_planes_[block], four_planes_.data() + first_planes_[block + 1]};
     }
     const std::vector<Edge>& edges(Row block) const { return shapes_[block].edges; }
-    /// Of a rigid block: the mean area of its faces.
+    /// The mean area of its faces when the block was made.
     double mean_face_area(Row block) const { return shapes_[block].mean_face_area; }
     /// The gridpoints of a face, each once and in order.
     std::span<const Row> corners(Row face) const { return planes_[face].corners; }
@@ -81,6 +83,7 @@ private:
     std::vector<Shape> shapes_;
     std::vector<Lanes3> vertices_;
     std::vector<FourPlanes> four_planes_;
+    std::vector<Vec3> middles_;
     std::vector<std::size_t> first_vertices_, first_planes_; ///< of each block in those, and their numbers
 };
 

@@ -67,7 +67,6 @@ Row find_cable_node(const Model& model, const Identity& identity) {
 }
 
 template <auto table> Vec3 position(const Model& model, Row row) { return (model.*table).position[row]; }
-Vec3 centroid(const Model& model, Row row) { return model.blocks.centroid[row]; }
 
 // --- kinds ------------------------------------------------------------------------------------------------------
 
@@ -80,7 +79,7 @@ constexpr auto block_of_face = owner<&Model::faces, &Faces::block>;
 /// In the order of ObjectKind.
 constexpr std::array<KindInfo, 11> all_kinds{{
     {.kind = ObjectKind::block, .name = "block", .noun = "block", .plural = "blocks", .file = "blocks",
-     .count = size<&Model::blocks>, .block = itself, .place = centroid, .number = number<&Model::blocks>, .shown = block_shown,
+     .count = size<&Model::blocks>, .block = itself, .place = block_centroid, .number = number<&Model::blocks>, .shown = block_shown,
      .groups = groups<&Model::blocks>, .identity = identity<&Model::blocks>, .find = find<&Model::blocks>,
      .history = 4, .missing = "blocks", .remedy = "make blocks before this history",
      .classic = "b", .modern = "block", .has_spares = true},

@@ -106,6 +106,22 @@ Vec3 gridpoint_velocity(const Model& model, Row gridpoint) {
            blocks.rotational_velocity[b].cross(model.gridpoints.position[gridpoint] - blocks.centroid[b]);
 }
 
+Vec3 block_centroid(const Model& model, Row block) {
+    const auto& blocks = model.blocks;
+    if (!blocks.deformable[block]) return blocks.centroid[block];
+    // About a gridpoint, so that numbers stay small.
+    const Vec3 origin = model.gridpoints.position[blocks.gridpoints[block].first];
+    const Span zones = blocks.zones[block];
+    Vec3 sum = Vec3::Zero();
+    double volume = 0;
+    for (Row z = zones.first; z < zones.end(); ++z) {
+        const double part = zone_volume(model, z);
+        sum += part * (zone_centroid(model, z) - origin);
+        volume += part;
+    }
+    return volume > 0 ? Vec3(origin + sum / volume) : blocks.centroid[block];
+}
+
 Vec3 block_velocity(const Model& model, Row block) {
     return model.blocks.deformable[block] ? gridpoint_mean(model, block, model.gridpoints.velocity)
                                           : model.blocks.velocity[block];

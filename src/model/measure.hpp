@@ -28,6 +28,9 @@ std::pair<Vec3, Mat3> principal_axes(const Model& model, Row zone);
 /// Of a deformable block's gridpoint its column; the vertex of a rigid block goes with the block.
 Vec3 gridpoint_velocity(const Model& model, Row gridpoint);
 
+/// Of a rigid block its column; of a deformable one that of its zones as they are now.
+Vec3 block_centroid(const Model& model, Row block);
+
 /// Of a rigid block its column; of a deformable one the mean of its gridpoints, weighted with their
 /// masses (equally while these are not known).
 Vec3 block_velocity(const Model& model, Row block);

@@ -93,7 +93,8 @@ std::string block_table(const Model& model) {
     }
     if (least == no_row) return "<p>There are no blocks.</p>\n";
     const auto of = [&](Row b) {
-        return fmt::format("{:.6g} (block {} at {})", blocks.volume[b], blocks.number[b], place(blocks.centroid[b]));
+        return fmt::format("{:.6g} (block {} at {})", blocks.volume[b], blocks.number[b],
+                           place(block_centroid(model, b)));
     };
     return pair_table({{"blocks", fmt::format("{}, of them {} deformable{}", blocks.size(), deformable,
                                               hidden > 0 ? fmt::format(", {} hidden", hidden) : "")},
