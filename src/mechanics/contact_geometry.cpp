@@ -1,6 +1,7 @@
 #include "mechanics/contact_geometry.hpp"
 
 #include "geometry/polygon_overlay.hpp"
+#include "mechanics/corner_contact.hpp"
 #include "mechanics/corner_joints.hpp"
 #include "mechanics/overlap_contact.hpp"
 #include "mechanics/search_scratch.hpp"
@@ -41,11 +42,10 @@ double edge_between(const Model& model, Row block1, Row block2) {
     return std::isinf(length) ? 0 : length;
 }
 
-/// The part of a block's surface that belongs to a vertex, seen along a direction out of the block. It changes
-/// without a jump as the block turns: of a cube on its face a corner has a quarter of the face.
-double share_of_vertex(const Model& model, Row block, Row vertex, const Vec3& outward) {
+/// The sum of `of` the area vectors of a vertex, one for each face at it.
+template <class Of> double sum_at_vertex(const Model& model, Row block, Row vertex, const Of& of) {
     const auto& x = model.gridpoints.position;
-    double share = 0;
+    double sum = 0;
     const Span faces = model.blocks.faces[block];
     for (Row f = faces.first; f < faces.end(); ++f) {
         const Span triangles = model.faces.triangles[f];
@@ -59,8 +59,33 @@ double share_of_vertex(const Model& model, Row block, Row vertex, const Vec3& ou
         if (around.isZero(0)) continue;
         // A polygon that does not bend is shared by its corners; of a mesh a gridpoint has a third of its triangles.
         if (!model.blocks.deformable[block]) around = whole / (triangles.count + 2);
-        share += std::max(0.0, around.dot(outward));
+        sum += of(around);
     }
+    return sum;
+}
+
+/// The part of a block's surface that belongs to a vertex, seen along a direction out of the block. It changes
+/// without a jump as the block turns: of a cube on its face a corner has a quarter of the face.
+double share_of_vertex(const Model& model, Row block, Row vertex, const Vec3& outward) {
+    return sum_at_vertex(model, block, vertex, [&](const Vec3& around) { return std::max(0.0, around.dot(outward)); });
+}
+
+/// All of the surface that belongs to the gridpoints of a side with zones; without end for a rigid block.
+double surface_of_side(const Model& model, Row block, const Attachment& side) {
+    if (!model.blocks.deformable[block]) return std::numeric_limits<double>::infinity();
+    double surface = 0;
+    for (int k = 0; k < 3; ++k)
+        if (side.weights[k] > 0)
+            surface += side.weights[k] * sum_at_vertex(model, block, side.gridpoints[k],
+                                                       [](const Vec3& around) { return around.norm(); });
+    return surface;
+}
+
+/// Of a place on the surface: that of the vertices about it.
+double share_of_side(const Model& model, Row block, const Attachment& side, const Vec3& outward) {
+    double share = 0;
+    for (int k = 0; k < 3; ++k)
+        if (side.weights[k] > 0) share += side.weights[k] * share_of_vertex(model, block, side.gridpoints[k], outward);
     return share;
 }
 
@@ -118,7 +143,7 @@ void go_over_to_corners(const Model& model, const Surfaces& surfaces, ContactGeo
 bool intersect_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double cosine,
                      double margin, double tolerance, SearchScratch& scratch) {
     const PlaneAxes axes = axes_of(geometry.normal);
-    const Vec3 origin = model.blocks.centroid[model.faces.block[geometry.face2]]; // keeps coordinates small
+    const Vec3 origin = surfaces.middle(model.faces.block[geometry.face2]); // keeps coordinates small
     auto& [face1, face2] = scratch.faces;
     face1.project(model, surfaces, geometry.face1, axes, origin);
     face2.project(model, surfaces, geometry.face2, axes, origin);
@@ -253,13 +278,24 @@ bool inside_face(const Model& model, Row face, const PlaneAxes& axes, const Vec3
 
 Attachment on_edge(const std::array<Row, 2>& ends, double t) { return {{ends[0], ends[1], ends[1]}, {1 - t, t, 0}}; }
 
-/// Sums over the points of a touch. Together they own no more than `most`.
-bool complete_geometry(ContactGeometry& geometry, double most) {
+/// The least area of a touch of blocks with zones at corners and edges: a sharp tip has next to none. No more than the gridpoints
+/// there have, which soft ground of large blocks would make too stiff.
+double least_area_of(const Model& model, const ContactGeometry& geometry, Row block1, Row block2, double least) {
+    double area = 0;
+    for (const auto& point : geometry.points)
+        area = std::max(area, std::min({least, surface_of_side(model, block1, point.side1),
+                                        surface_of_side(model, block2, point.side2)}));
+    return area;
+}
+
+/// Sums over the points of a touch. Together they own no more than `most` and no less than `least`.
+bool complete_geometry(ContactGeometry& geometry, double most, double least) {
     if (geometry.points.size() == 0) return false;
     double whole = 0;
     for (const auto& point : geometry.points) whole += point.area;
-    if (whole > most)
-        for (auto& point : geometry.points) point.area *= most / whole;
+    const double wanted = std::max(std::min(whole, most), least);
+    for (auto& point : geometry.points)
+        point.area = whole > 0 ? point.area * (wanted / whole) : wanted / static_cast<double>(geometry.points.size());
     Vec3 centre = Vec3::Zero();
     for (const auto& point : geometry.points) {
         geometry.area += point.area;
@@ -289,7 +325,7 @@ double covered_area(const Model& model, const Surfaces& surfaces, Row face, Row 
 /// One block on a face of the other that is not parallel to any of its own: its vertices over the face, and its edges
 /// where they cross the outline of the face.
 bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, Row block1, Row block2,
-                     double margin, double tolerance, SearchScratch& scratch) {
+                     double margin, double tolerance) {
     const bool face_of_first = geometry.reference == 1;
     const Row face = face_of_first ? geometry.face1 : geometry.face2;
     const Row own = face_of_first ? block1 : block2, other = face_of_first ? block2 : block1;
@@ -340,7 +376,7 @@ bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeomet
     geometry.type = geometry.points.size() == 1 && geometry.points[0].type != SubContactType::edge_edge
                         ? ContactType::face_vertex
                         : ContactType::face_edge;
-    return complete_geometry(geometry, covered_area(model, surfaces, face, other, axes, out, tolerance, scratch));
+    return geometry.points.size() > 0;
 }
 
 /// Two edges that cross.
@@ -367,7 +403,28 @@ bool join_edges(const Model& model, ContactGeometry& geometry, const Separation&
                           share_of_edge(model, block2, s.edge2, -geometry.normal));
     geometry.type = ContactType::edge_edge;
     geometry.points.add() = point;
-    return complete_geometry(geometry, std::numeric_limits<double>::infinity());
+    return true;
+}
+
+/// Blocks with zones on corners and edges.
+bool contact_at_corners(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, const Separation& s,
+                        Row block1, Row block2, double margin, double tolerance, double least, SearchScratch& scratch) {
+    double most = std::numeric_limits<double>::infinity();
+    if (geometry.reference == 0) {
+        join_edges(model, geometry, s, block1, block2, margin);
+    } else if (project_on_face(model, surfaces, geometry, block1, block2, margin, tolerance)) {
+        const bool first = geometry.reference == 1;
+        most = covered_area(model, surfaces, first ? geometry.face1 : geometry.face2, first ? block2 : block1,
+                            axes_of(geometry.normal), first ? geometry.normal : Vec3(-geometry.normal), tolerance,
+                            scratch);
+    }
+    if (geometry.points.size() == 0) {
+        if (!find_corner_contact(model, surfaces, block1, block2, s.distance, geometry, scratch.overlap)) return false;
+        ContactPoint& point = geometry.points[0];
+        point.area = std::min(share_of_side(model, block1, point.side1, geometry.normal),
+                              share_of_side(model, block2, point.side2, -geometry.normal));
+    }
+    return complete_geometry(geometry, most, least_area_of(model, geometry, block1, block2, least));
 }
 
 } // namespace
@@ -395,8 +452,9 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
     geometry.points.clear();
     geometry.kind = ContactKind::joint;
     const bool flat_faces = geometry.reference != 0 && separation.cosine > flat;
+    const double least = least_part * std::min(surfaces.mean_face_area(block1), surfaces.mean_face_area(block2));
     if (!model.blocks.deformable[block1] && !model.blocks.deformable[block2]) {
-        geometry.least_area = least_part * std::min(surfaces.mean_face_area(block1), surfaces.mean_face_area(block2));
+        geometry.least_area = least;
         // What has been an overlap stays one while the blocks are near: it would come back too late, with a blow.
         const bool overlaps = old != no_row && model.contacts.kind[old] == ContactKind::overlap;
         if (flat_faces && separation.apart_sideways && !overlaps) return false;
@@ -416,11 +474,20 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
         geometry.gap = separation.distance;
         return true;
     }
-    if (geometry.reference == 0) return join_edges(model, geometry, separation, block1, block2, margin);
-    if (!flat_faces) return project_on_face(model, surfaces, geometry, block1, block2, margin, tolerance, scratch);
-    if (separation.apart_sideways) return false; // an edge or a corner next to another
-    (geometry.reference == 1 ? geometry.face2 : geometry.face1) = separation.opposite;
-    return intersect_faces(model, surfaces, geometry, separation.cosine, margin, tolerance, scratch);
+    if (flat_faces) {
+        if (separation.apart_sideways) return false; // an edge or a corner next to another
+        Row& opposite = geometry.reference == 1 ? geometry.face2 : geometry.face1;
+        opposite = separation.opposite;
+        if (!intersect_faces(model, surfaces, geometry, separation.cosine, margin, tolerance, scratch)) return false;
+        // Joints of rock that was cut keep what they are; bodies that arrive on so little stand on a corner or an edge.
+        const bool arrives = old == no_row ? std::abs(separation.distance) > tolerance
+                                           : model.contacts.type[old] != ContactType::face_face;
+        if (!arrives || geometry.area >= least) return true;
+        opposite = no_row;
+        geometry.area = 0;
+        geometry.points.clear();
+    }
+    return contact_at_corners(model, surfaces, geometry, separation, block1, block2, margin, tolerance, least, scratch);
 }
 
 } // namespace kaya

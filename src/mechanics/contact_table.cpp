@@ -184,6 +184,18 @@ void clear_sub_contact(SubContacts& subs, Row s) {
     subs.forget(s);
 }
 
+/// A contact that is found when its blocks overlap already carries no force for that: nothing has done the work of its springs,
+/// which would throw the blocks apart. Motion brings blocks to contacts that are there before.
+void begin_found_late(Model& model, Row c) {
+    auto& subs = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[c];
+    for (Row s = span.first; s < span.end(); ++s) {
+        double& opening = subs.normal_displacement[s];
+        model.contacts.unforced_overlap[c] = std::max(model.contacts.unforced_overlap[c], -opening);
+        opening = std::max(opening, 0.0);
+    }
+}
+
 /// Whether an overlap becomes a joint.
 bool closes(const Model& model, const ContactDraft& draft) {
     return draft.kind == DraftKind::new_geometry && draft.old != no_row &&
@@ -292,17 +304,19 @@ RowSources sources_of(const Model& model, const std::vector<ContactDraft>& draft
 /// Fills the tables row by row when they have been gathered from the old ones.
 class ContactWriter {
 public:
-    ContactWriter(Model& model, const RowSources& from, Changes& changes, std::size_t old_subs, OverlapScratch& scratch)
-        : model_(model), from_(from), changes_(changes), sub_kept_(old_subs, 0), scratch_(scratch) {}
+    ContactWriter(Model& model, const RowSources& from, Changes& changes, std::size_t old_subs, bool moving,
+                  OverlapScratch& scratch)
+        : model_(model), from_(from), changes_(changes), sub_kept_(old_subs, 0), moving_(moving), scratch_(scratch) {}
 
     /// `properties` and `material` are those of new contacts; `loads` of contacts that get new geometry.
     void write(const ContactDraft& draft, Row c, Row properties, std::int32_t material,
                const std::vector<LoadBefore>& loads) {
         auto& contacts = model_.contacts;
+        const bool was_there = draft.old != no_row;
         contacts.block1[c] = draft.block1;
         contacts.block2[c] = draft.block2;
         contacts.sub_contacts[c] = from_.spans[c];
-        if (draft.old == no_row) {
+        if (!was_there) {
             contacts.id[c] = contacts.ids.create(c);
             contacts.number[c] = model_.next_contact_number++;
             contacts.material[c] = material;
@@ -310,7 +324,6 @@ public:
         } else {
             contacts.ids.move(contacts.id[c], c);
         }
-        const bool was_there = draft.old != no_row;
         const bool closing =
             draft.kind == DraftKind::new_geometry && was_there && contacts.kind[c] == ContactKind::overlap;
         const bool is_new = draft.kind == DraftKind::new_geometry || (draft.kind == DraftKind::overlap && !was_there);
@@ -329,6 +342,7 @@ public:
                               other_type || from_.subs[s] == from_.blank_sub,
                               draft.plane.type == ContactType::face_face, changes_);
         }
+        if (!was_there && moving_ && draft.kind == DraftKind::new_geometry) begin_found_late(model_, c);
         if (!closing) return;
         const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.row == c; });
         close_joint(model_, draft, c, from_.spans[c].first, load->load, offset);
@@ -355,6 +369,7 @@ private:
     const RowSources& from_;
     Changes& changes_;
     std::vector<char> sub_kept_;
+    bool moving_;
     OverlapScratch& scratch_;
 };
 
@@ -403,7 +418,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     subs.gather(from.subs);
 
     Changes changes(subs.size());
-    ContactWriter writer(model, from, changes, old_sub_ids.size(), scratch);
+    ContactWriter writer(model, from, changes, old_sub_ids.size(), moving, scratch);
     for (std::size_t c = 0; c < drafts.size(); ++c)
         writer.write(drafts[c], static_cast<Row>(c), properties, material, loads);
     for (std::size_t c = 0; c < contact_kept.size(); ++c)

@@ -45,10 +45,10 @@ double keep_shear(Model& model, Row c, const ContactLoad& before) {
     return before.stored() - after.energy - scale * scale * after.shear_energy;
 }
 
-/// Forces that a contact between rigid blocks has other than before act in half of the step. What they made there is of the joints' work,
+/// Forces that a contact has other than before act in half of the step. What they made there is of the joints' work,
 /// and negative in what is lost, which is returned.
 double book_change(Model& model, Row c, double work_before) {
-    if (!model.settings.energy || !between_rigid(model, c)) return 0;
+    if (!model.settings.energy) return 0;
     const double made = 0.5 * (work_of_step(model, c) - work_before);
     model.energy.joint_work -= made;
     return -made;
@@ -57,8 +57,7 @@ double book_change(Model& model, Row c, double work_before) {
 } // namespace
 
 LoadBefore::LoadBefore(const Model& model, Row draft, Row old)
-    : row(draft), load(model, old),
-      work_(model.settings.energy && between_rigid(model, old) ? work_of_step(model, old) : 0) {}
+    : row(draft), load(model, old), work_(model.settings.energy ? work_of_step(model, old) : 0) {}
 
 double LoadBefore::settle(Model& model, Row c, bool moving) const {
     double lost = 0;

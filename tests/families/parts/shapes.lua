@@ -129,14 +129,19 @@ function shapes.build(s)
     end
     command(table.concat(words, " "))
     local body = { shape = s, block = require("parts.scene").newest(), corners = {} }
-    for i, p in ipairs(s.points) do
+    shapes.find_corners(body)
+    return body
+end
+
+-- The gridpoints at the corners of a body where it was made; others once it has got zones.
+function shapes.find_corners(body)
+    for i, p in ipairs(body.shape.points) do
         local nearest_way = math.huge
         for g in body.block:gridpoints() do
             local way = (g.position - p):length()
             if way < nearest_way then nearest_way, body.corners[i] = way, g end
         end
     end
-    return body
 end
 
 function shapes.points_now(body)
