@@ -1,0 +1,284 @@
+#include "commands/strength_trials.hpp"
+
+#include "base/counted.hpp"
+
+#include "commands/handlers.hpp"
+#include "commands/materials.hpp"
+#include "commands/save_session.hpp"
+#include "commands/slip.hpp"
+
+#include "mechanics/contact_table.hpp"
+#include "mechanics/zone_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace kaya {
+
+namespace {
+
+/// Below this the model counts as at rest when the command does not say.
+constexpr double default_ratio = 1e-5;
+/// Cycles after which a model that cannot fail ought to be at rest.
+constexpr std::int64_t patience = 100000;
+constexpr std::int64_t shortest_span = 100;
+/// A trial lowers the strength in so many steps, over half a span; one that begins anew comes nearly to rest after each.
+constexpr int lowering_steps = 10;
+constexpr double calm = 1e-3;
+/// Spans that one trial may take, the part of its unbalanced force that each should take away, and how many in a row may
+/// fail to: near the limit a block sticks and slips, and the force goes up and down.
+constexpr int spans = 12;
+constexpr double gain = 0.1;
+constexpr int most_without_gain = 2;
+/// Spans over which a trial is watched for motion that goes on.
+constexpr double window_part = 2.0 / 3, patient_window_part = 2;
+/// A model that has failed slides on with its strength divided by so much more, so that it does not take long.
+constexpr double shove = 1.1;
+constexpr int spans_of_sliding = 3;
+
+} // namespace
+
+StrengthTrials::StrengthTrials(Session& session, const lang::Solve& command, const Limits& limits)
+    : session_(session), asked_(command), file_(command.file), keep_(command.keep),
+      ratio_(limits.ratio.value_or(default_ratio)), energy_(session.model.settings.energy),
+      damping_(session.model.settings.damping), progress_(session.output, session.model, {}) {
+    session.cycle->prepare(); // contacts must have their properties
+    check_strengths(command.place);
+    if (session.model.settings.damping == Damping::none)
+        throw Diagnostic("without damping a model never comes to rest, and no factor of safety can be found",
+                         "write before it, for example: damp local")
+            .at(command.place);
+    // Local damping holds back what slides on (docs/theory/damping.md).
+    if (damping_ == Damping::local) session.model.settings.damping = Damping::combined;
+    start_ = session.model;
+    start_.settings.energy = true; // a failing trial is known by its account
+    start_.unreduced = static_cast<std::uint8_t>((asked_(Reduced::friction) ? 0 : keep_friction) |
+                                                 (asked_(Reduced::cohesion) ? 0 : keep_cohesion) |
+                                                 (asked_(Reduced::tension) ? 0 : keep_tension));
+    try {
+        span_ = command.cycles ? *command.cycles : characteristic_span(command.place);
+    } catch (...) {
+        leave(start_);
+        throw;
+    }
+    go_back(start_);
+}
+StrengthTrials::~StrengthTrials() { leave(keep_ && failed_ ? failed_->model : start_); }
+
+bool StrengthTrials::stands(double factor) {
+    progress_.expect(fmt::format("strength divided by {:.6g}", factor), seconds_left());
+    ++trials_;
+    const bool warm = warm_ && stable_ && factor > stable_->factor, from_motion = sliding_.has_value();
+    if (from_motion) stop_sliding(factor);
+    else go_to(warm ? *stable_ : State{start_, {}, 1});
+    // A model that does not stand as it is must not begin to slide on the way to more strength.
+    const double first = warm ? stable_->factor : factor > 1 ? 1 : 0.5 * factor;
+    Outcome outcome;
+    // Step by step: joints that are past their peak do not get it back, and a blow carries them over it.
+    for (int step = 1; step < lowering_steps && !outcome.tired && !from_motion; ++step) {
+        const double lowered = first * std::pow(factor / first, static_cast<double>(step) / lowering_steps);
+        lower(lowered);
+        if (warm_) outcome.cycles += run(std::max<std::int64_t>(1, span_ / (2 * lowering_steps)), 0).cycles;
+        else settle(outcome, lowered, calm, nullptr);
+    }
+    std::optional<FailureMode> mode;
+    if (!outcome.tired) {
+        lower(factor);
+        session_.cycle->prepare();
+        mode.emplace(session_.model, *session_.cycle);
+        FailureMonitor monitor(
+            session_.model, *session_.cycle,
+            static_cast<std::int64_t>((patient_ ? patient_window_part : window_part) * static_cast<double>(span_)));
+        // A bolt across a joint that slips is far softer than all that a span knows: nobody can tell how long a block goes on.
+        settle(outcome, factor, ratio_, patient_ && !session_.model.structures.cables.empty() ? nullptr : &monitor);
+    }
+    keep_end(outcome, factor, mode);
+    return outcome.at_rest;
+}
+
+/// What became of a trial, for the person who waits and for those that come after it.
+void StrengthTrials::keep_end(const Outcome& outcome, double factor, const std::optional<FailureMode>& mode) {
+    session_.output.say(fmt::format("strength divided by {:.6g}: {} after {}, ratio {:.3e}{}", factor,
+                                    outcome.at_rest ? "stands" : "fails", counted(outcome.cycles, "cycle"),
+                                    session_.model.clock.average_ratio,
+                                    outcome.moving    ? "; " + body_text(session_.model, *outcome.moving) + " moves on"
+                                    : outcome.goes_on ? "; it moves on and does not slow down"
+                                                      : ""));
+    if (!outcome.at_rest && !file_.empty()) save_as(session_, file_);
+    if (outcome.at_rest) {
+        if (!stable_ || factor > stable_->factor) {
+            lower(factor); // what is new
+            stable_ = State{session_.model, whole_, factor};
+        }
+    } else {
+        mechanism_ = farthest_text(start_, session_.model, factor);
+        mode_.reset();
+        if (mode) mode_ = mode->shares(session_.model, *session_.cycle);
+        failed_early_ = outcome.goes_on;
+        failed_ = State{session_.model, whole_, factor};
+    }
+}
+
+void StrengthTrials::begin_anew() {
+    warm_ = false, patient_ = true;
+    if (!slides_without_trace()) sliding_.reset();
+}
+
+RestSpan StrengthTrials::run(std::int64_t cycles, double ratio, FailureMonitor* monitor) {
+    return advance_span(session_, cycles, ratio, monitor, &progress_);
+}
+
+/// Cycles until the model is at rest or fails.
+void StrengthTrials::settle(Outcome& outcome, double factor, double ratio, FailureMonitor* monitor) {
+    double least = INFINITY;
+    for (int i = 0, without_gain = 0; i < spans && without_gain <= most_without_gain; ++i) {
+        if (session_.model.joint_properties.size() > whole_.size()) lower(factor);
+        const RestSpan span = run(span_, ratio, monitor);
+        outcome.cycles += span.cycles;
+        outcome.at_rest = span.at_rest, outcome.goes_on = span.fails, outcome.moving = span.moving;
+        if (span.at_rest || span.moving || span.fails) return;
+        without_gain = span.mean_ratio > (1 - gain) * least ? without_gain + 1 : 0;
+        least = std::min(least, span.mean_ratio);
+    }
+    outcome.tired = true;
+}
+
+void StrengthTrials::go_to(const State& state) {
+    go_back(state.model);
+    whole_ = state.whole;
+}
+
+/// Lets the model slide on from the end of the last trial that failed, with less strength, until shear that loading had locked into
+/// its joints has turned into the direction of slip. Whether it did, and neither joints nor zones are weaker or stronger by it.
+bool StrengthTrials::slides_without_trace() {
+    if (!failed_ || !start_.structures.cables.empty()) return false; // bolts take up load on the way
+    for (const Row row : property_sets_in_use(session_.model)) {
+        const auto& set = session_.model.joint_properties[row];
+        if (loses_strength(session_.joints.get(set.model), set.values)) return false;
+    }
+    go_to(*failed_);
+    lower(shove * failed_->factor);
+    const Slip slip(session_.model);
+    for (int i = 0; i < spans_of_sliding && !slip.has_turned_shear(session_.model); ++i) run(span_, 0);
+    if (!slip.has_turned_shear(session_.model)) return false;
+    sliding_ = State{session_.model, whole_, shove * failed_->factor};
+    slipping_ = slip.rows(session_.model);
+    return answer_of_next_cycle(false) == answer_of_next_cycle(true);
+}
+
+/// Forces and stresses one cycle after sliding_, when joints and zones remember it or not.
+StrengthTrials::Answer StrengthTrials::answer_of_next_cycle(bool forgets) {
+    go_to(*sliding_);
+    if (forgets) forget_slip(session_.model, start_, session_.joints);
+    ModelEdit(session_.model, Change::properties);
+    run(1, 0);
+    const auto& subs = session_.model.sub_contacts;
+    return {subs.normal_force, subs.shear_force.component, session_.model.zones.stress};
+}
+
+/// The model as it has slid, but at rest, and with the shear that slipping joints have with their strength divided by the factor.
+void StrengthTrials::stop_sliding(double factor) {
+    go_to(*sliding_);
+    Model& model = session_.model;
+    model.gridpoints.velocity = start_.gridpoints.velocity;
+    model.blocks.velocity = start_.blocks.velocity;
+    model.blocks.rotational_velocity = start_.blocks.rotational_velocity;
+    model.blocks.angular_momentum = start_.blocks.angular_momentum;
+    for (auto& column : model.sub_contacts.shear_force.component)
+        for (const Row row : slipping_) column[row] *= sliding_->factor / factor;
+}
+
+/// At the rate of the trials so far; none where that is not known.
+std::optional<double> StrengthTrials::seconds_left() const {
+    if (trials_ == 0 || expected_ == 0) return std::nullopt;
+    return progress_.seconds() / trials_ * expected_;
+}
+
+/// All strengths are those of the beginning, divided by the factor.
+void StrengthTrials::lower(double factor) {
+    learn_whole_values();
+    auto& sets = session_.model.joint_properties;
+    if (asked_(Reduced::joints))
+        for (std::size_t i = 0; i < sets.size(); ++i)
+            if (const auto values = reduced(session_.joints.get(sets[i].model), whole_[i], factor, asked_))
+                sets[i].values = *values;
+    session_.model.settings.strength_factor = asked_(Reduced::zones) ? factor : 1;
+    ModelEdit(session_.model, Change::properties);
+}
+
+/// Contacts that are new in a trial get the values of their material, which are whole.
+void StrengthTrials::learn_whole_values() {
+    const auto& sets = session_.model.joint_properties;
+    while (whole_.size() < sets.size()) whole_.push_back(sets[whole_.size()].values);
+}
+
+/// The model as the command leaves it.
+void StrengthTrials::leave(const Model& state) {
+    go_back(state);
+    session_.model.unreduced = 0;
+    session_.model.settings.energy = energy_;
+    session_.model.settings.damping = damping_;
+}
+
+void StrengthTrials::go_back(const Model& state) {
+    session_.model = state;
+    ModelEdit(session_.model, Change::lists);
+}
+
+void StrengthTrials::check_strengths(const Place& place) {
+    std::string without;
+    bool any = false;
+    if (asked_(Reduced::joints))
+        for (const Row row : property_sets_in_use(session_.model)) {
+            const auto& set = session_.model.joint_properties[row];
+            const JointModel& joint = session_.joints.get(set.model);
+            const bool strong = reduced(joint, set.values, 1, asked_).has_value();
+            any = any || strong;
+            if (!strong) without = joint.name;
+            if (auto doubt = doubtful_tension(joint, set)) session_.warn(std::move(*doubt).at(place));
+        }
+    for (const auto& name : zone_models_in_use(session_.model)) {
+        const ZoneModel& zones = session_.joints.zones.get(name);
+        any = any || (can_be_reduced(zones) && asked_(Reduced::zones));
+        if (asked_(Reduced::zones) && zones.flows() && !can_be_reduced(zones))
+            session_.warn(Diagnostic(fmt::format("zone model '{}' has no strength that could be divided", name),
+                                     "its strength stays as it is in all trials")
+                              .at(place));
+    }
+    if (!any)
+        throw Diagnostic(without.empty()
+                             ? "there is no joint whose strength could be divided"
+                             : fmt::format("joint model '{}' has no strength that could be divided", without),
+                         "a factor of safety needs joints with friction, cohesion or tension")
+            .at(place);
+    if (!without.empty())
+        session_.warn(Diagnostic(fmt::format("joint model '{}' has no friction, cohesion or tension", without),
+                                 "its strength stays as it is in all trials")
+                          .at(place));
+}
+
+/// How many cycles the model needs to come to rest when half of all its inner forces are taken away and nothing
+/// can fail.
+std::int64_t StrengthTrials::characteristic_span(const Place& place) {
+    Model& model = session_.model;
+    const ElasticJoints strong(session_);
+    model.settings.strength_factor = 0.01; // zones a hundred times as strong do not yield
+    for (double& force : model.sub_contacts.normal_force) force *= 0.5;
+    for (auto& column : model.sub_contacts.shear_force.component)
+        for (double& force : column) force *= 0.5;
+    for (Stress& stress : model.zones.stress) stress *= 0.5;
+    initialise_sub_contacts(model, session_.joints, std::vector<char>(model.sub_contacts.size(), 1));
+    ModelEdit(model, Change::properties);
+    progress_.expect("how long the model takes to come to rest", std::nullopt);
+    const RestSpan span = run(patience, ratio_);
+    if (span.at_rest) return std::max(span.cycles, shortest_span);
+    throw Diagnostic(
+        fmt::format("with joints that cannot fail the model is not at rest after {} cycles: the ratio is {:.3e}",
+                    span.cycles, model.clock.average_ratio),
+        "hold it so that only joints can let it go, or give a larger `ratio`, or the `cycles` of a span")
+        .at(place);
+}
+
+} // namespace kaya
