@@ -259,7 +259,7 @@ double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, C
         const ContactLoad before = from_overlap ? ContactLoad(model, draft.old) : ContactLoad();
         write_contact(model, draft.old, g);
         if (from_overlap) {
-            close_joint(model, draft, draft.old, span.first, before, offset);
+            close_joint(model, draft, draft.old, span.first, before, offset, changes.moved);
             continue;
         }
         for (Row i = 0; i < span.count; ++i)
@@ -345,7 +345,7 @@ public:
         if (!was_there && moving_ && draft.kind == DraftKind::new_geometry) begin_found_late(model_, c);
         if (!closing) return;
         const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.row == c; });
-        close_joint(model_, draft, c, from_.spans[c].first, load->load, offset);
+        close_joint(model_, draft, c, from_.spans[c].first, load->load, offset, changes_.moved);
     }
     /// Which of the old sub-contacts are still there.
     const std::vector<char>& sub_kept() const { return sub_kept_; }

@@ -303,7 +303,7 @@ double follow_overlap(Model& model, Row c, OverlapScratch& scratch) {
 }
 
 void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
-                 const ClosureOffset& offset) {
+                 const ClosureOffset& offset, std::vector<char>& moved) {
     auto& subs = model.sub_contacts;
     const Vec3& n = draft.plane.normal;
     const Vec3 origin = model.blocks.centroid[draft.block1], shear = before.shear_sum - before.shear_sum.dot(n) * n;
@@ -311,11 +311,11 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
         return offset.closure + offset.tilt.dot(p.position - origin) - p.gap;
     };
     double whole = 0;
-    for (const auto& point : draft.points) whole += point.area * closure(point);
+    for (const auto& point : draft.points) whole += point.area * std::max(0.0, closure(point));
     for (std::size_t i = 0; i < draft.points.size(); ++i) {
         const ContactPoint& point = draft.points[i];
         const Row s = first + static_cast<Row>(i);
-        const double part = point.area * closure(point) / whole;
+        const double closed = closure(point), part = closed > 0 ? point.area * closed / whole : 0;
         subs.contact[s] = c;
         subs.type[s] = point.type;
         subs.side1[s] = point.side1;
@@ -324,8 +324,10 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
         subs.area[s] = point.area;
         subs.normal_force[s] = part * before.normal;
         subs.shear_force.set(s, part * shear);
-        subs.normal_displacement[s] = -closure(point);
-        subs.normal_displacement_increment[s] = 0;
+        // The history is that of a place that carries: its joint model is told how far the others have opened.
+        moved[static_cast<std::size_t>(s)] = closed < 0;
+        subs.normal_displacement[s] = std::min(0.0, -closed);
+        subs.normal_displacement_increment[s] = std::max(0.0, -closed);
         if (s == first) continue;
         for (std::size_t h = 0; h < static_cast<std::size_t>(subs.history_columns); ++h)
             subs.history[h][s] = subs.history[h][first];

@@ -48,9 +48,10 @@ bool is_partly_open(const Model& model, Row contact);
 /// that is lost.
 double follow_overlap(Model& model, Row contact, OverlapScratch& scratch);
 
-/// Makes a joint of an overlap that is closed everywhere: normal force by the closure of each place, in all what it was;
-/// shear force in the same parts. `row` of the first place; history comes from the overlap's first sub-contact.
+/// Makes a joint of an overlap: normal force by the closure of each place, in all what it was; shear force in the same parts. Places that
+/// are open, as those of a block that gets zones may be, carry nothing and are marked in `moved`: their joint models must be told of their
+/// displacement increments. `first` is the row of the first place; history comes from the overlap's first sub-contact.
 void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
-                 const ClosureOffset& offset);
+                 const ClosureOffset& offset, std::vector<char>& moved);
 
 } // namespace kaya
