@@ -11,8 +11,9 @@ namespace kaya {
 
 namespace {
 
-constexpr double turned_part = 0.9; ///< where it stands only with less of its factor, it has not only slid, but turned
-constexpr double largest = 64;      ///< factors beyond which nobody looks
+/// Where a model that has slid stands only with less of its factor, it has fallen, and not only slid.
+constexpr double fallen_part = 0.5;
+constexpr double largest = 64; ///< factors beyond which nobody looks
 /// A bracket that begins with a guess has this half width, and is widened so many times as much each time.
 constexpr double first_width = 0.03, widening = 4;
 
@@ -120,7 +121,7 @@ Bracket confirmed(StrengthTrials& trials, Bracket bracket, double resolution) {
     }
     if (!trials.has_warm_answer() || !closed(bracket)) return bracket;
     trials.begin_anew();
-    const double least = trials.slides() ? turned_part * bracket.stands : 1 / largest;
+    const double least = trials.slides() ? fallen_part * bracket.stands : 1 / largest;
     const Bracket below = bracket_below(trials, bracket, resolution, least);
     if (closed(below) || !trials.slides()) return below;
     trials.forget_sliding();

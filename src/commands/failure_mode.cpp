@@ -28,12 +28,13 @@ Eigen::Quaterniond as_rotation(const Quaternion& q) { return {q[0], q[1], q[2], 
 
 const char* name_of(const FailureMode::Shares& shares) {
     if (!shares.joints_move || shares.zones > nearly_all) return "yield of zones";
-    const bool topples = shares.turning > toppling;
-    if (shares.zones > some) return topples ? "toppling with yield of zones" : "sliding with yield of zones";
-    return topples ? "toppling" : "sliding";
+    if (shares.zones > some) return shares.topples() ? "toppling with yield of zones" : "sliding with yield of zones";
+    return shares.topples() ? "toppling" : "sliding";
 }
 
 } // namespace
+
+bool FailureMode::Shares::topples() const { return turning > toppling; }
 
 FailureMode::FailureMode(const Model& model, const Cycle& cycle)
     : joint_loss_(lost_in_joints(model)), zone_loss_(lost_in_zones(model, cycle)) {

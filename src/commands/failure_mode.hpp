@@ -19,6 +19,7 @@ public:
         double turning = 0; ///< of the motion across joints: by blocks that turn, not by blocks that shift
         double zones = 0;   ///< of the work that was lost: in zones, not in joints
         bool joints_move = false;
+        bool topples() const;
     };
     /// Since it was made. Blocks must be the same.
     Shares shares(const Model& model, const Cycle& cycle) const;

@@ -119,11 +119,7 @@ void run(Session& session, const lang::Damp& command) {
     else if (settings.contact_damping > 0) settings.damping = Damping::none;
     if (stiff_part() == before) return;
     ModelEdit(model, Change::properties); // the stable step is another
-    if (joints_are_damped(settings)) return;
-    std::ranges::fill(model.sub_contacts.dashpot_normal, 0.0);
-    for (auto& column : model.sub_contacts.dashpot_shear.component) std::ranges::fill(column, 0.0);
-    std::ranges::fill(model.zones.dashpot, Stress::Zero());
-    std::ranges::fill(model.ties.dashpot, Vec3::Zero());
+    drop_idle_dashpots(model);
 }
 
 void run(Session& session, const lang::MassScale& command) {

@@ -8,6 +8,7 @@
 #include "commands/slip.hpp"
 
 #include "mechanics/contact_table.hpp"
+#include "mechanics/dashpots.hpp"
 #include "mechanics/zone_laws.hpp"
 
 #include <algorithm>
@@ -33,25 +34,29 @@ constexpr int spans = 12;
 constexpr double gain = 0.1;
 constexpr int most_without_gain = 2;
 /// Spans over which a trial is watched for motion that goes on.
-constexpr double window_part = 2.0 / 3, patient_window_part = 2;
+constexpr double window_part = 2.0 / 3, patient_window_part = 5;
 /// A model that has failed slides on with its strength divided by so much more, so that it does not take long.
 constexpr double shove = 1.1;
 constexpr int spans_of_sliding = 3;
+/// Dashpots of contacts in trials, of critical damping.
+constexpr double dashpots = 0.4;
 
 } // namespace
 
 StrengthTrials::StrengthTrials(Session& session, const lang::Solve& command, const Limits& limits)
     : session_(session), asked_(command), file_(command.file), keep_(command.keep),
       ratio_(limits.ratio.value_or(default_ratio)), energy_(session.model.settings.energy),
-      damping_(session.model.settings.damping), progress_(session.output, session.model, {}) {
+      damping_(session.model.settings.damping), dashpots_(session.model.settings.contact_damping),
+      progress_(session.output, session.model, {}) {
     session.cycle->prepare(); // contacts must have their properties
     check_strengths(command.place);
     if (session.model.settings.damping == Damping::none)
         throw Diagnostic("without damping a model never comes to rest, and no factor of safety can be found",
                          "write before it, for example: damp local")
             .at(command.place);
-    // Local damping holds back what slides on (docs/theory/damping.md).
+    // Local damping holds back what slides on (docs/theory/damping.md); no damping of bodies stills what friction shakes.
     if (damping_ == Damping::local) session.model.settings.damping = Damping::combined;
+    session.model.settings.contact_damping = std::max(dashpots_, dashpots);
     start_ = session.model;
     start_.settings.energy = true; // a failing trial is known by its account
     start_.unreduced = static_cast<std::uint8_t>((asked_(Reduced::friction) ? 0 : keep_friction) |
@@ -91,8 +96,7 @@ bool StrengthTrials::stands(double factor) {
         FailureMonitor monitor(
             session_.model, *session_.cycle,
             static_cast<std::int64_t>((patient_ ? patient_window_part : window_part) * static_cast<double>(span_)));
-        // A bolt across a joint that slips is far softer than all that a span knows: nobody can tell how long a block goes on.
-        settle(outcome, factor, ratio_, patient_ && !session_.model.structures.cables.empty() ? nullptr : &monitor);
+        settle(outcome, factor, ratio_, goes_to_its_end() ? nullptr : &monitor);
     }
     keep_end(outcome, factor, mode);
     return outcome.at_rest;
@@ -133,7 +137,7 @@ RestSpan StrengthTrials::run(std::int64_t cycles, double ratio, FailureMonitor* 
 /// Cycles until the model is at rest or fails.
 void StrengthTrials::settle(Outcome& outcome, double factor, double ratio, FailureMonitor* monitor) {
     double least = INFINITY;
-    for (int i = 0, without_gain = 0; i < spans && without_gain <= most_without_gain; ++i) {
+    for (int i = 0, without_gain = 0; i < spans && (without_gain <= most_without_gain || goes_to_its_end()); ++i) {
         if (session_.model.joint_properties.size() > whole_.size()) lower(factor);
         const RestSpan span = run(span_, ratio, monitor);
         outcome.cycles += span.cycles;
@@ -145,13 +149,16 @@ void StrengthTrials::settle(Outcome& outcome, double factor, double ratio, Failu
     outcome.tired = true;
 }
 
+/// A bolt across a joint that slips is far softer than all that a span knows: nobody can tell how long a block goes on.
+bool StrengthTrials::goes_to_its_end() const { return patient_ && !session_.model.structures.cables.empty(); }
+
 void StrengthTrials::go_to(const State& state) {
     go_back(state.model);
     whole_ = state.whole;
 }
 
 /// Lets the model slide on from the end of the last trial that failed, with less strength, until shear that loading had locked into
-/// its joints has turned into the direction of slip. Whether it did, and neither joints nor zones are weaker or stronger by it.
+/// its joints has turned into the direction of slip. Whether it did without toppling, and neither joints nor zones are weaker or stronger by it.
 bool StrengthTrials::slides_without_trace() {
     if (!failed_ || !start_.structures.cables.empty()) return false; // bolts take up load on the way
     for (const Row row : property_sets_in_use(session_.model)) {
@@ -160,9 +167,11 @@ bool StrengthTrials::slides_without_trace() {
     }
     go_to(*failed_);
     lower(shove * failed_->factor);
+    session_.cycle->prepare();
+    const FailureMode mode(session_.model, *session_.cycle);
     const Slip slip(session_.model);
     for (int i = 0; i < spans_of_sliding && !slip.has_turned_shear(session_.model); ++i) run(span_, 0);
-    if (!slip.has_turned_shear(session_.model)) return false;
+    if (!slip.has_turned_shear(session_.model) || mode.shares(session_.model, *session_.cycle).topples()) return false;
     sliding_ = State{session_.model, whole_, shove * failed_->factor};
     slipping_ = slip.rows(session_.model);
     return answer_of_next_cycle(false) == answer_of_next_cycle(true);
@@ -220,6 +229,8 @@ void StrengthTrials::leave(const Model& state) {
     session_.model.unreduced = 0;
     session_.model.settings.energy = energy_;
     session_.model.settings.damping = damping_;
+    session_.model.settings.contact_damping = dashpots_;
+    drop_idle_dashpots(session_.model);
 }
 
 void StrengthTrials::go_back(const Model& state) {

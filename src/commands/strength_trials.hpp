@@ -68,6 +68,7 @@ private:
     RestSpan run(std::int64_t cycles, double ratio, FailureMonitor* monitor = nullptr);
     void settle(Outcome& outcome, double factor, double ratio, FailureMonitor* monitor);
     void keep_end(const Outcome& outcome, double factor, const std::optional<FailureMode>& mode);
+    bool goes_to_its_end() const;
     bool slides_without_trace();
     Answer answer_of_next_cycle(bool forgets);
     void stop_sliding(double factor);
@@ -87,6 +88,7 @@ private:
     double ratio_;
     bool energy_;     ///< as the deck has it
     Damping damping_; ///< so too
+    double dashpots_; ///< so too
     Progress progress_;
     Model start_;
     std::optional<State> stable_, failed_;   ///< ends of trials

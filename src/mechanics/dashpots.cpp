@@ -23,6 +23,14 @@ bool joints_are_damped(const Settings& settings) {
     return settings.contact_damping > 0 || stiffness_damping(settings) > 0;
 }
 
+void drop_idle_dashpots(Model& model) {
+    if (joints_are_damped(model.settings)) return;
+    std::ranges::fill(model.sub_contacts.dashpot_normal, 0.0);
+    for (auto& column : model.sub_contacts.dashpot_shear.component) std::ranges::fill(column, 0.0);
+    std::ranges::fill(model.zones.dashpot, Stress::Zero());
+    std::ranges::fill(model.ties.dashpot, Vec3::Zero());
+}
+
 Beta beta_of(const Model& model, Row c) {
     const double rayleigh = stiffness_damping(model.settings);
     Beta beta{rayleigh, rayleigh};

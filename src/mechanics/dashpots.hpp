@@ -17,6 +17,9 @@ inline bool zones_are_damped(const Model& model) {
     return stiffness_damping(model.settings) > 0 && model.zones.keeps_dashpots;
 }
 
+/// Where nothing is damped so any more, the viscous forces of the last step are gone.
+void drop_idle_dashpots(Model& model);
+
 /// Times by which the rates of normal and shear force are multiplied in one contact: its dashpots are these times its
 /// springs.
 struct Beta {
