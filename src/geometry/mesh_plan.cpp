@@ -4,6 +4,7 @@
 #include "geometry/cell_blocks.hpp"
 #include "geometry/face_mesh.hpp"
 #include "geometry/hexahedron.hpp"
+#include "geometry/mesh_mending.hpp"
 #include "geometry/mesh_points.hpp"
 #include "geometry/shared_places.hpp"
 
@@ -387,8 +388,33 @@ TetMesh MeshPlan::mesh(std::size_t block, const ProgressCallback& progress) cons
     return fill_surface(p, parts_->surface(block), parts_->field, progress);
 }
 
+void MeshPlan::mend(std::vector<TetMesh>& meshes, const ProgressCallback& progress) const {
+    const auto& numbers = parts_->places.numbers();
+    // What cells have stays, and what is there already.
+    std::set<SharedEdge> staying;
+    for (std::size_t b = 0; b < meshes.size(); ++b) {
+        if (!meshes[b].tetrahedra.empty() && meshes[b].per_cell == 0) continue;
+        for (const auto& corners : parts_->outlines(b))
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                staying.insert(shared_edge(corners[i], corners[(i + 1) % corners.size()]));
+    }
+    const MeshedBlocks together{
+        parts_->blocks, numbers,
+        [&](std::size_t block, int face) {
+            std::vector<int> loop;
+            for (const int v : parts_->blocks[block].faces[face].vertices) loop.push_back(numbers[block][v]);
+            return parts_->faces.contains(outline_of(loop).corners);
+        },
+        [&](SharedEdge edge) { return staying.contains(edge) || parts_->divisions.contains(edge); }};
+    mend_meshes(together, meshes, progress);
+}
+
 TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const ProgressCallback& progress) {
-    return MeshPlan({polyhedron}, EdgeField(edge)).mesh(0, progress);
+    const std::vector<Polyhedron> blocks{polyhedron};
+    const MeshPlan plan(blocks, EdgeField(edge));
+    std::vector<TetMesh> meshes{plan.mesh(0, progress)};
+    plan.mend(meshes, progress);
+    return std::move(meshes.front());
 }
 
 } // namespace kaya

@@ -28,6 +28,8 @@ public:
 
     /// The mesh of one of the blocks, as make_mesh. Throws Diagnostic. May be called by several threads.
     TetMesh mesh(std::size_t block, const ProgressCallback& progress = {}) const;
+    /// Bad zones of blocks are made better by changes of faces and edges that blocks share, on all sides of them. A block without tetrahedra has no mesh.
+    void mend(std::vector<TetMesh>& meshes, const ProgressCallback& progress = {}) const;
 
 private:
     struct Parts;

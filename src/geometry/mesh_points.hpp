@@ -47,6 +47,9 @@ Spacing spacing_in(const Polyhedron& polyhedron, const BlockSurface& surface, co
 /// The least angle between faces of tetrahedra, or what the largest lacks of 180 degrees.
 double worst_angle(const TetMesh& mesh);
 
+/// What is worth work where the worst angle of a block's mesh is below it. No mesh has larger angles than those between the block's faces.
+double fair_angle_of(const Polyhedron& polyhedron);
+
 /// Throws Diagnostic when the edge is not above 0 or there would be more tetrahedra than any machine can hold.
 void check_mesh_size(const Polyhedron& polyhedron, const EdgeField& field);
 

@@ -146,6 +146,10 @@ DihedralAngles dihedral_angles(const TetMesh& mesh) {
     return angles;
 }
 
+double fair_angle_of(const Polyhedron& polyhedron) {
+    return fair_angle * std::min(1.0, 0.9 * sharpest_edge(polyhedron) / good_angle);
+}
+
 TetMesh fill_surface(const Polyhedron& polyhedron, const BlockSurface& surface, const EdgeField& field,
                      const ProgressCallback& progress) {
     std::optional<TetMesh> best;

@@ -3,7 +3,7 @@
 
 #include "base/progress_callback.hpp"
 #include "geometry/mesh_points.hpp"
-#include "geometry/polyhedron.hpp"
+#include "geometry/tet_exchanges.hpp"
 
 #include <array>
 #include <vector>
@@ -14,5 +14,12 @@ namespace kaya {
 /// there is an end to it. The surface stays as it is. Tetrahedra without volume are taken out where they can be.
 void improve(MeshPoints& points, std::vector<std::array<int, 4>>& tetrahedra, bool new_points,
              const ProgressCallback& progress = {});
+
+/// The sine of an angle that is good enough.
+constexpr double good_sine = 0.309;
+
+/// The same for tetrahedra of block 0 whose least sine of an angle between faces is not that wanted, in a mesh whose points on faces have ways of
+/// their own.
+void improve_angles(ChangeableTets& mesh, double wanted, const ProgressCallback& progress);
 
 } // namespace kaya

@@ -336,14 +336,16 @@ struct ToMesh {
     }
 };
 
-/// Gives the blocks the zones that mesh(number in the list) makes; first all meshes, then the model.
-template <class Mesh>
-std::size_t fill_with_zones(Model& model, const ToMesh& blocks, const Mesh& mesh, const ProgressCallback& progress) {
+/// Gives the blocks the zones that mesh(number in the list) makes and finish(all) makes better; first all meshes, then the model.
+template <class Mesh, class Finish> std::size_t fill_with_zones(Model& model, const ToMesh& blocks, const Mesh& mesh,
+                                                                const Finish& finish,
+                                                                const ProgressCallback& progress) {
     std::vector<TetMesh> meshes;
     for (std::size_t i = 0; i < blocks.rows.size(); ++i) {
         report_progress(progress, i, blocks.rows.size());
         meshes.push_back(mesh(i, [&](double done) { report_progress(progress, i, blocks.rows.size(), done); }));
     }
+    finish(meshes, [&](double) { report_progress(progress, 1, 1); });
     for (std::size_t i = 0; i < meshes.size(); ++i) give_zones(model, blocks.rows[i], blocks.shapes[i], meshes[i]);
     if (!meshes.empty()) put_in_block_order(model);
     return meshes.size();
@@ -409,7 +411,7 @@ std::size_t generate_zones(Model& model, const std::vector<Row>& rows, const Edg
                 throw problem.add(fmt::format("in block {}", model.blocks.number[blocks.rows[i]]));
             }
         },
-        progress);
+        [&](std::vector<TetMesh>& meshes, const ProgressCallback& of_all) { plan.mend(meshes, of_all); }, progress);
 }
 
 std::size_t generate_zones(Model& model, const std::vector<Row>& rows, const std::array<int, 3>& parts,
@@ -431,7 +433,7 @@ std::size_t generate_zones(Model& model, const std::vector<Row>& rows, const std
                     "leave it out of the range, or use `generate edge`");
             return std::move(*mesh);
         },
-        progress);
+        [](std::vector<TetMesh>&, const ProgressCallback&) {}, progress);
 }
 
 } // namespace kaya

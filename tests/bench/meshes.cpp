@@ -137,28 +137,29 @@ struct Count {
     }
 };
 
-std::vector<std::optional<TetMesh>> meshes_of(const std::vector<Polyhedron>& blocks, double edge) {
-    std::vector<std::optional<TetMesh>> meshes;
+/// Those of blocks that could not be meshed have no tetrahedra.
+std::vector<TetMesh> meshes_of(const std::vector<Polyhedron>& blocks, double edge) {
+    std::vector<TetMesh> meshes(blocks.size());
     const MeshPlan plan(blocks, edge);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         try {
-            meshes.push_back(plan.mesh(b));
-        } catch (const Diagnostic&) { meshes.push_back(std::nullopt); }
+            meshes[b] = plan.mesh(b);
+        } catch (const Diagnostic&) {}
     }
+    plan.mend(meshes);
     return meshes;
 }
 
-void look_at_faces(const std::vector<Polyhedron>& blocks, const std::vector<std::optional<TetMesh>>& meshes,
-                   Count& count) {
+void look_at_faces(const std::vector<Polyhedron>& blocks, const std::vector<TetMesh>& meshes, Count& count) {
     Places places;
     std::map<std::vector<int>, Triangles> seen;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
-        if (!meshes[b]) continue;
+        if (meshes[b].tetrahedra.empty()) continue;
         std::vector<Triangles> triangles(blocks[b].faces.size());
-        for (const auto& t : meshes[b]->boundary) {
+        for (const auto& t : meshes[b].boundary) {
             std::array<int, 3> key;
             for (std::size_t k = 0; k < 3; ++k)
-                key[k] = places.number(meshes[b]->points[static_cast<std::size_t>(t.points[k])]);
+                key[k] = places.number(meshes[b].points[static_cast<std::size_t>(t.points[k])]);
             std::ranges::sort(key);
             triangles[static_cast<std::size_t>(t.face)].insert(key);
         }
@@ -175,15 +176,15 @@ void look_at_faces(const std::vector<Polyhedron>& blocks, const std::vector<std:
     }
 }
 
-void look_at_shapes(const std::vector<Polyhedron>& blocks, const std::vector<std::optional<TetMesh>>& meshes,
-                    double edge, Count& count) {
+void look_at_shapes(const std::vector<Polyhedron>& blocks, const std::vector<TetMesh>& meshes, double edge,
+                    Count& count) {
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         ++count.blocks;
-        if (!meshes[b]) {
+        if (meshes[b].tetrahedra.empty()) {
             ++count.failed;
             continue;
         }
-        const TetMesh& m = *meshes[b];
+        const TetMesh& m = meshes[b];
         count.zones += m.tetrahedra.size();
         const Shape shape = shape_of(blocks[b]);
         if (shape.shortest_edge > 0.2 * edge && shape.smallest_angle > 20 && shape.thickness > 0.3 * edge)

@@ -23,14 +23,6 @@ double worst_angle_of(const TetMesh& mesh) {
     return std::min(angles.smallest, 180 - angles.largest);
 }
 
-/// The faces of a mesh as those of a block that has it already.
-std::vector<MeshedFace> faces_there(const Polyhedron& block, const TetMesh& mesh) {
-    std::vector<MeshedFace> faces(block.faces.size());
-    for (auto& face : faces) face.points = mesh.points;
-    for (const auto& t : mesh.boundary) faces[t.face].triangles.push_back(t.points);
-    return faces;
-}
-
 /// Mean edge of tetrahedra over what a field asks for, nearer to a place than a distance, and beyond another.
 std::array<double, 2> edges_over_field(const std::vector<TetMesh>& meshes, const EdgeField& field, double near,
                                        double far) {
@@ -80,10 +72,10 @@ TEST(GradedMesh, EdgesFollowAFieldInRockOfAnyShape) {
         EXPECT_LT(far, 1.2) << seed; // blocks themselves are smaller there
         std::vector<Polyhedron> reversed(blocks.rbegin(), blocks.rend());
         const MeshPlan other(reversed, field);
-        for (std::size_t b = 0; b < blocks.size(); b += 7) {
-            const TetMesh same = other.mesh(blocks.size() - 1 - b);
-            EXPECT_EQ(meshes[b].points, same.points);
-            EXPECT_EQ(meshes[b].tetrahedra, same.tetrahedra);
+        const auto same = meshes_of(other, blocks.size());
+        for (std::size_t b = 0; b < blocks.size(); ++b) {
+            EXPECT_EQ(meshes[b].points, same[blocks.size() - 1 - b].points);
+            EXPECT_EQ(meshes[b].tetrahedra, same[blocks.size() - 1 - b].tetrahedra);
         }
     }
 }
@@ -125,9 +117,9 @@ TEST(GradedMesh, ACoarseBlockBesideAFineOneGrowsFromItsFace) {
             const MeshPlan first({blocks.begin(), blocks.begin() + 1}, 0.25);
             std::vector<Polyhedron> fine{blocks[0]}, coarse{blocks[1]};
             const MeshPlan fine_plan(fine, 0.25);
-            std::vector<TetMesh> meshes{fine_plan.mesh(0)};
+            std::vector<TetMesh> meshes = meshes_of(fine_plan, 1);
             const MeshPlan plan(coarse, 2, faces_there(blocks[0], meshes[0]));
-            meshes.push_back(plan.mesh(0));
+            meshes.push_back(meshes_of(plan, 1).front());
             const Shared shared = shared_faces(blocks, meshes);
             EXPECT_EQ(shared.faces, 1);
             EXPECT_EQ(shared.matching, 1);

@@ -2,6 +2,7 @@
 
 #include "geometry/shapes.hpp"
 #include "shared_faces.hpp"
+#include "sound_mesh.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -50,10 +51,12 @@ TEST(MeshPlan, TheOrderOfBlocksDoesNotMatter) {
     const std::vector<Polyhedron> blocks = rock(2);
     const std::vector<Polyhedron> reversed(blocks.rbegin(), blocks.rend());
     const MeshPlan plan(blocks, 0.6), other(reversed, 0.6);
+    const auto meshes = meshes_of(plan, blocks.size());
+    auto others = meshes_of(other, blocks.size());
+    std::ranges::reverse(others);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
-        const TetMesh mesh = plan.mesh(b), same = other.mesh(blocks.size() - 1 - b);
-        EXPECT_EQ(mesh.points, same.points);
-        EXPECT_EQ(mesh.tetrahedra, same.tetrahedra);
+        EXPECT_EQ(meshes[b].points, others[b].points);
+        EXPECT_EQ(meshes[b].tetrahedra, others[b].tetrahedra);
     }
 }
 
@@ -87,6 +90,56 @@ TEST(MeshPlan, OtherBlocksTakeTheFacesOfCells) {
     EXPECT_EQ(shared.matching, 1);
 }
 
+TEST(MeshPlan, BadBlocksAreMendedAndThoseBesideThemStayFair) {
+    const Mat3 turned = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    const Mat3 mirrored = Vec3(-1, 1, 1).asDiagonal();
+    constexpr double fair = 18; // of a block that a neighbour takes room from, degrees
+    int better = 0, divided = 0;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed)
+        for (const double edge : {0.5, 1.2}) {
+            std::vector<Polyhedron> blocks = rock(seed);
+            if (seed % 3 == 1) move(blocks, turned, Vec3::Zero());
+            if (seed % 3 == 2) move(blocks, mirrored, Vec3::Zero());
+            const MeshPlan plan(blocks, edge);
+            std::vector<TetMesh> before;
+            for (std::size_t b = 0; b < blocks.size(); ++b) before.push_back(plan.mesh(b));
+            std::vector<TetMesh> after = before;
+            plan.mend(after);
+            for (std::size_t b = 0; b < blocks.size(); ++b) {
+                expect_sound(blocks[b], after[b]);
+                const auto was = dihedral_angles(before[b]), now = dihedral_angles(after[b]);
+                const double worst = std::min(was.smallest, 180 - was.largest),
+                             mended = std::min(now.smallest, 180 - now.largest);
+                EXPECT_GE(mended, std::min(worst, fair) - 1e-9)
+                    << "seed " << seed << " edge " << edge << " block " << b;
+                better += mended > worst + 1;
+                divided += after[b].boundary.size() > before[b].boundary.size();
+            }
+            const Shared shared = shared_faces(blocks, after);
+            EXPECT_EQ(shared.matching, shared.faces) << "seed " << seed << " edge " << edge;
+        }
+    EXPECT_GT(better, 20);
+    EXPECT_GT(divided, 5);
+}
+
+TEST(MeshPlan, FacesThatAreThereStayWhenBlocksAreMended) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        std::vector<Polyhedron> blocks = rock(seed);
+        const std::size_t half = blocks.size() / 2;
+        std::vector<Polyhedron> first(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(half)),
+            second(blocks.begin() + static_cast<std::ptrdiff_t>(half), blocks.end());
+        auto meshes = meshes_of(MeshPlan(first, 1.2), first.size());
+        std::vector<MeshedFace> there;
+        for (std::size_t b = 0; b < first.size(); ++b)
+            for (const MeshedFace& face : faces_there(first[b], meshes[b])) there.push_back(face);
+        const MeshPlan plan(second, 1.2, there);
+        for (TetMesh& mesh : meshes_of(plan, second.size())) meshes.push_back(std::move(mesh));
+        for (std::size_t b = 0; b < blocks.size(); ++b) expect_sound(blocks[b], meshes[b]);
+        const Shared shared = shared_faces(blocks, meshes);
+        EXPECT_EQ(shared.matching, shared.faces) << "seed " << seed;
+    }
+}
+
 TEST(MeshPlan, FacesThatAreThereAreTakenOver) {
     // A wedge and a cube, fine; then their neighbours, coarse: the wedge's mirror image, and a cube below.
     std::vector<Polyhedron> fine{wedge_on_cube(), make_brick({0, 0, 0}, {1, 1, 1})};
@@ -97,15 +150,9 @@ TEST(MeshPlan, FacesThatAreThereAreTakenOver) {
     auto meshes = meshes_of(first, fine.size());
     std::vector<MeshedFace> there;
     for (std::size_t b = 0; b < fine.size(); ++b)
-        for (std::size_t f = 0; f < fine[b].faces.size(); ++f) {
-            MeshedFace face;
-            face.points = meshes[b].points;
-            for (const auto& t : meshes[b].boundary)
-                if (t.face == static_cast<int>(f)) face.triangles.push_back(t.points);
-            there.push_back(face);
-        }
+        for (const MeshedFace& face : faces_there(fine[b], meshes[b])) there.push_back(face);
     const MeshPlan second(coarse, 0.6, there);
-    for (std::size_t b = 0; b < coarse.size(); ++b) meshes.push_back(second.mesh(b));
+    for (TetMesh& mesh : meshes_of(second, coarse.size())) meshes.push_back(std::move(mesh));
     std::vector<Polyhedron> all = fine;
     all.insert(all.end(), coarse.begin(), coarse.end());
     const Shared shared = shared_faces(all, meshes);

@@ -19,7 +19,16 @@ namespace kaya {
 inline std::vector<TetMesh> meshes_of(const MeshPlan& plan, std::size_t count) {
     std::vector<TetMesh> meshes;
     for (std::size_t b = 0; b < count; ++b) meshes.push_back(plan.mesh(b));
+    plan.mend(meshes);
     return meshes;
+}
+
+/// The faces of a mesh as those of a block that has it already.
+inline std::vector<MeshedFace> faces_there(const Polyhedron& block, const TetMesh& mesh) {
+    std::vector<MeshedFace> faces(block.faces.size());
+    for (auto& face : faces) face.points = mesh.points;
+    for (const auto& t : mesh.boundary) faces[t.face].triangles.push_back(t.points);
+    return faces;
 }
 
 /// One number for all points within a micrometre of each other.
