@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -11,6 +12,17 @@ namespace {
 
 constexpr double least_growth = 0.25; ///< of an edge with the distance, beyond that of the field
 constexpr int steps = 256;            ///< of the integrals over an edge
+
+/// How far the nearest and the farthest place of a box around a block are from a place.
+std::array<double, 2> distances_of_box(const Polyhedron& block, const Vec3& place) {
+    Vec3 low = block.vertices.front(), high = low;
+    for (const Vec3& v : block.vertices) {
+        low = low.cwiseMin(v);
+        high = high.cwiseMax(v);
+    }
+    return {(low - place).cwiseMax(place - high).cwiseMax(0).norm(),
+            (low - place).cwiseAbs().cwiseMax((high - place).cwiseAbs()).norm()};
+}
 
 } // namespace
 
@@ -24,20 +36,20 @@ double EdgeField::at_radius(double r) const {
     return at_distance < edge ? std::min(edge, at_distance + growth) : std::max(edge, at_distance - growth);
 }
 
+double EdgeField::least_in(const Polyhedron& block) const {
+    if (even()) return edge;
+    const auto [near, far] = distances_of_box(block, center);
+    return std::min({at_radius(near), at_radius(far), at_radius(std::clamp(distance, near, far))});
+}
+
 double EdgeField::cubes_in(const Polyhedron& block) const {
     const double volume = mass_properties(block).volume;
     if (even()) return volume / (edge * edge * edge);
     // The mean over shells around the centre, from the nearest place of a box around the block to the farthest one.
-    Vec3 low = block.vertices.front(), high = low;
-    for (const Vec3& v : block.vertices) {
-        low = low.cwiseMin(v);
-        high = high.cwiseMax(v);
-    }
-    const double near = (low - center).cwiseMax(center - high).cwiseMax(0).norm();
-    const double far = (low - center).cwiseAbs().cwiseMax((high - center).cwiseAbs()).norm();
+    const auto [near, far] = distances_of_box(block, center);
     double cubes = 0, whole = 0;
     for (int i = 0; i < steps; ++i) {
-        const auto radius = [&](double t) { return near + t * t * (far - near); };
+        const auto radius = [near = near, far = far](double t) { return near + t * t * (far - near); };
         const double r = radius((i + 0.5) / steps), size = at_radius(r);
         const double shell = r * r * (radius((i + 1.0) / steps) - radius(static_cast<double>(i) / steps));
         cubes += shell / (size * size * size);

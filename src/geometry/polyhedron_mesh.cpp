@@ -120,6 +120,19 @@ void check_mesh_size(const Polyhedron& polyhedron, const EdgeField& field) {
         throw Diagnostic(
             fmt::format("an edge length of {} makes some {:.2g} zones in one block", field.least(), expected),
             "use longer edges");
+    // Places on an edge of the block would be too coarse for edges that shrink further.
+    constexpr double least_part = 5e-5;
+    Vec3 low = polyhedron.vertices.front(), high = low;
+    for (const Vec3& v : polyhedron.vertices) {
+        low = low.cwiseMin(v);
+        high = high.cwiseMax(v);
+    }
+    const double size = (high - low).norm(), least = field.least_in(polyhedron);
+    if (!field.even() && least < least_part * size)
+        throw Diagnostic(
+            fmt::format("edges of {:.3g} are too short for zones that grow in a block of a size of {:.3g}", least,
+                        size),
+            fmt::format("give edges of {:.2g} or more, or cut the block around the center", least_part * size));
 }
 
 double worst_angle(const TetMesh& mesh) {

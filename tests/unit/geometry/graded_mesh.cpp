@@ -2,6 +2,7 @@
 #include "geometry/mesh_plan.hpp"
 
 #include "geometry/shapes.hpp"
+#include "base/diagnostic.hpp"
 #include "shared_faces.hpp"
 
 #include <Eigen/Geometry>
@@ -78,6 +79,27 @@ TEST(GradedMesh, EdgesFollowAFieldInRockOfAnyShape) {
             EXPECT_EQ(meshes[b].tetrahedra, same[blocks.size() - 1 - b].tetrahedra);
         }
     }
+}
+
+TEST(GradedMesh, RefusesEdgesThatNoBlockOfTheSizeCanGrowFrom) {
+    for (const double size : {1e-3, 1.0, 1e3})
+        for (const Vec3& center : {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0.5), Vec3(-1e-6, 1, 0.3)}) {
+            const std::vector<Polyhedron> blocks{make_brick(Vec3::Zero(), Vec3::Constant(size))};
+            const auto refused = [&](double at_center, const Vec3& place) {
+                try {
+                    const MeshPlan plan(blocks, EdgeField(size, size * place, size * at_center, size, 5 * size));
+                    meshes_of(plan, 1);
+                } catch (const Diagnostic& problem) {
+                    EXPECT_NE(problem.message.find("too short for zones that grow"), std::string::npos)
+                        << problem.message;
+                    return true;
+                }
+                return false;
+            };
+            for (const double edge : {1e-300, 1e-9, 5e-5}) EXPECT_TRUE(refused(edge, center)) << edge;
+            for (const double edge : {2e-4, 1e-2}) EXPECT_FALSE(refused(edge, center)) << edge;
+            EXPECT_FALSE(refused(1e-9, {-2, 0, 0})); // short edges are elsewhere
+        }
 }
 
 TEST(GradedMesh, CellsOfBricksAreGradedAlike) {
