@@ -1,0 +1,53 @@
+// What elements of beams and liners have in common: how their nodes lie, what they do to them, and how stiff they are to them.
+#pragma once
+
+#include "base/vector.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace kaya {
+
+/// A node as it lies now.
+struct NodePose {
+    Vec3 place = Vec3::Zero();
+    Mat3 turn = Mat3::Identity(); ///< from how it was made
+};
+
+/// Of an element on one of its nodes.
+struct EndForce {
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+};
+
+/// The rotation vector of a turn of less than half a revolution.
+inline Vec3 rotation_vector(const Mat3& turn) {
+    const Vec3 sine =
+        0.5 * Vec3(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)); // times the axis
+    const double size = sine.norm();
+    if (size < 1e-12) return sine;
+    return (std::atan2(size, 0.5 * (turn.trace() - 1)) / size) * sine;
+}
+
+/// Stiffnesses of a node, alone on fixed ground, that together resist at least as much as an element does:
+/// K <= diag(translation, rotation) for each of its nodes.
+struct EndStiffness {
+    double translation = 0, rotation = 0;
+};
+
+/// `deformation` gives deformations by the motion of the nodes (each three translations and three rotations), `stiffness` their
+/// generalised forces. A rotation counts as a translation at the distance `arm`.
+template <int deformations, int motions>
+EndStiffness end_stiffness(const Eigen::Matrix<double, deformations, motions>& deformation,
+                           const Eigen::Matrix<double, deformations, deformations>& stiffness, double arm) {
+    Eigen::Matrix<double, deformations, motions> scaled = deformation;
+    for (int k = 0; k < motions; ++k)
+        if (k % 6 >= 3) scaled.col(k) /= arm;
+    const Eigen::Matrix<double, motions, motions> whole = scaled.transpose() * stiffness * scaled;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, motions, motions>> solver(whole, Eigen::EigenvaluesOnly);
+    const double largest = std::max(0.0, solver.eigenvalues()[motions - 1]);
+    return {largest, largest * arm * arm};
+}
+
+} // namespace kaya
