@@ -64,7 +64,26 @@ struct StructureCable {
     bool anchor_first = false, anchor_last = false;
     Place place;
 };
-/// structure property: what cables are made of
+/// structure beam: a line of bars that bend, through these places
+struct StructureBeam {
+    std::vector<Vec3> places;
+    std::int64_t segments = 10, property = 1;
+    std::optional<Vec3> axis;
+    double tolerance = 0;
+    enum class Grip { link, anchor, clamp };
+    Grip all = Grip::link, first = Grip::link, last = Grip::link;
+    Place place;
+};
+/// structure liner: plates on the faces in a range
+struct StructureLiner {
+    std::int64_t property = 1;
+    std::optional<Vec3> axis;
+    double edge = 0, tolerance = 0;
+    StructureBeam::Grip grip = StructureBeam::Grip::link;
+    RangePhrase range;
+    Place place;
+};
+/// structure property: what cables, beams and liners are made of
 struct StructureProperty {
     struct Item {
         std::string name;
@@ -151,7 +170,8 @@ using InitialStateCommands = CommandList<Initialize, InSitu>;
 using TableCommands = CommandList<TableCommand>;
 using WaterCommands = CommandList<WaterCommand>;
 using SlopeCommands = CommandList<LimitEquilibrium>;
-using StructureCommands = CommandList<StructureCable, StructureProperty, StructureDelete>;
+using StructureCommands =
+    CommandList<StructureCable, StructureBeam, StructureLiner, StructureProperty, StructureDelete>;
 using HistoryCommands = CommandList<HistoryAdd, HistoryLabel, HistoryDelete>;
 using ListCommands = CommandList<List>;
 using PlotCommands = CommandList<Plot>;

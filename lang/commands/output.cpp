@@ -64,7 +64,7 @@ const std::vector<Listed>& listed() {
          Follows::objects},
         {structures,
          {"structures", "cables", Spelling{"struct", 3}},
-         "cables: length, tension, slip; the nodes of one after its number",
+         "cables, beams and liners: size, largest forces, slip; the nodes or elements of one after its number",
          Follows::number},
         {joint_sets, {"jset"}, "joint sets: mean orientation, faces, contacts"},
         {memory, {"memory"}, "what the tables of the model take"},

@@ -15,6 +15,9 @@ enum class ObjectKind : std::int32_t {
     sub_contact,
     corner, ///< of the triangles of a face
     cable_node,
+    structure_node, ///< of beams and liners
+    beam_element,
+    liner_element,
     // Others.
     triangle,
     global,   ///< the whole model

@@ -204,6 +204,7 @@ void reset_histories(Session& session) { session.model.histories = Histories{}; 
 void reset_displacements(Session& session) {
     links::clear(session.model.gridpoints, {Role::displacement});
     links::clear(session.model.blocks, {Role::displacement});
+    links::clear(session.model.structures.member_nodes, {Role::displacement});
 }
 
 void reset_velocities(Session& session) {
@@ -219,6 +220,7 @@ void reset_velocities(Session& session) {
             if ((blocks.fixed[row] & (fix_rx << axis)) == 0) blocks.rotational_velocity[row][axis] = 0;
         }
     std::ranges::fill(blocks.angular_momentum, Vec3::Zero());
+    links::clear(session.model.structures.member_nodes, {Role::motion});
 }
 
 void reset_joint_displacements(Session& session) { links::clear(session.model.sub_contacts, {Role::displacement}); }

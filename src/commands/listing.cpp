@@ -249,7 +249,10 @@ std::string list_energy(Session& session, const lang::List&) {
                                                      {"put into zones", e.zone_work},
                                                      {"made by changes of the time step", e.step_made},
                                                      {"not accounted for", e.error()}};
-    if (session.model.structures.any()) rows.insert(rows.end() - 2, {"put into cables", e.structure_work});
+    if (session.model.structures.any())
+        rows.insert(
+            rows.end() - 2,
+            {session.model.structures.members.empty() ? "put into cables" : "put into structures", e.structure_work});
     for (const auto& [name, value] : rows) table.add({name, number_text(value)});
     return table.text();
 }

@@ -75,7 +75,14 @@ void add_item(Session& session, Scene& scene, const PlotItem& item, bool edges_o
         else if (item.kind == PlotItem::Kind::iso_surfaces)
             add_iso_surfaces(scene, model, shown, *find_colour_field(item.field.empty() ? "disp" : item.field),
                              item.levels);
-        else if (item.kind == PlotItem::Kind::cables) {
+        else if (item.kind == PlotItem::Kind::beams || item.kind == PlotItem::Kind::liners) {
+            const bool beams = item.kind == PlotItem::Kind::beams;
+            const ObjectKind kind = beams ? ObjectKind::beam_element : ObjectKind::liner_element;
+            if (count_of(model, kind) == 0)
+                throw Diagnostic(fmt::format("there are no {} to draw", beams ? "beams" : "liners"),
+                                 fmt::format("'structure {}' makes them", beams ? "beam" : "liner"));
+            add_members(scene, model, shown, kind, item.field);
+        } else if (item.kind == PlotItem::Kind::cables) {
             if (model.structures.cables.empty())
                 throw Diagnostic("there are no cables to draw", "'structure cable' makes them");
             add_cables(scene, model, shown, item.field);
@@ -106,8 +113,8 @@ Scene scene_of(Session& session, const PlotView& view) {
         return std::ranges::find(view.items, kind, &PlotItem::kind) != view.items.end();
     };
     using enum PlotItem::Kind;
-    const bool outside = has(blocks),
-               inside = has(joints) || has(arrows) || has(crosses) || has(iso_surfaces) || has(cables);
+    const bool outside = has(blocks), inside = has(joints) || has(arrows) || has(crosses) || has(iso_surfaces) ||
+                                               has(cables) || has(beams) || has(liners);
     for (const PlotItem& item : view.items) {
         if (item.deformed != 1) scene.note += fmt::format(", displacements {:g} times as large", item.deformed);
         add_item(session, scene, item, inside && outside);

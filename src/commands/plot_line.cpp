@@ -134,6 +134,8 @@ private:
             take({"force", "axial", "tension"});
             return true;
         }
+        if (take({"beam", "beams"})) return begin_members(beams, ObjectKind::beam_element, "axial_force");
+        if (take({"liner", "liners"})) return begin_members(liners, ObjectKind::liner_element, "membrane_2");
         if (take({"iso", "isosurface", "iso-surface"})) {
             begin(iso_surfaces);
             take({"of"});
@@ -162,6 +164,16 @@ private:
         return false;
     }
 
+    /// The next word is what their colours are, if it is a number among their fields.
+    bool begin_members(PlotItem::Kind kind, ObjectKind objects, const char* usual) {
+        begin(kind);
+        item().field = usual;
+        const Field* field = at_ < words_.size() ? find_field(objects, words_[at_].folded) : nullptr;
+        if (field != nullptr &&
+            (field->unit.starts_with("force") || field->unit.starts_with("moment") || field->unit == "stress"))
+            item().field = words_[at_++].folded;
+        return true;
+    }
     bool begin(PlotItem::Kind kind) {
         line_.items.emplace_back().kind = kind;
         return true;

@@ -22,13 +22,16 @@ struct PlotItem {
         crosses,
         iso_surfaces,
         cables,
+        beams,
+        liners,
         histories,
         tables,
         net
     }; ///< the model, then charts
     Kind kind = Kind::blocks;
-    std::string field;          ///< of the colours; of arrows: velocity or displacement; of cables: slip or cable_force
-    double scale = 0;           ///< of arrows and crosses
+    std::string field; ///< of the colours; of arrows: velocity or displacement; of cables: slip or cable_force; of
+                       ///< beams and liners: a number among the fields of their elements
+    double scale = 0;  ///< of arrows and crosses
     std::vector<double> levels; ///< of iso-surfaces; none: five
     std::optional<CutPlane> cut;
     double deformed = 1;               ///< displacements are drawn so many times as large

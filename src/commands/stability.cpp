@@ -88,16 +88,20 @@ private:
             held.force += material->second.density * model_.blocks.volume[block] * model_.settings.gravity +
                           block_load(model_, block);
         }
-        add_cables();
+        add_structures();
     }
 
-    /// Cables pull with the tension that they have.
-    void add_cables() {
+    /// Cables pull with the tension that they have, beams and liners with the forces of the last cycle.
+    void add_structures() {
+        const auto& members = model_.structures.member_nodes;
+        for (Row node = 0; node < static_cast<Row>(members.size()); ++node)
+            if (const Row block = rock_block(model_, members, node); block != no_row)
+                bodies_[body_of_[static_cast<std::size_t>(block)]].force += members.rock_force[node];
         if (model_.structures.cables.empty()) return;
-        take_cable_properties(model_);
+        take_structure_properties(model_);
         std::vector<CableChain> chains;
         run_cables(model_, chains);
-        const auto& nodes = model_.structures.nodes;
+        const auto& nodes = model_.structures.cable_nodes;
         for (Row node = 0; node < static_cast<Row>(nodes.size()); ++node) {
             const Row block = block_of_node(model_, node);
             if (block != no_row) bodies_[body_of_[static_cast<std::size_t>(block)]].force += nodes.force[node];

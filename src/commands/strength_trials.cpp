@@ -150,7 +150,7 @@ void StrengthTrials::settle(Outcome& outcome, double factor, double ratio, Failu
 }
 
 /// A bolt across a joint that slips is far softer than all that a span knows: nobody can tell how long a block goes on.
-bool StrengthTrials::goes_to_its_end() const { return patient_ && !session_.model.structures.cables.empty(); }
+bool StrengthTrials::goes_to_its_end() const { return patient_ && session_.model.structures.stand(); }
 
 void StrengthTrials::go_to(const State& state) {
     go_back(state.model);
@@ -160,7 +160,7 @@ void StrengthTrials::go_to(const State& state) {
 /// Lets the model slide on from the end of the last trial that failed, with less strength, until shear that loading had locked into
 /// its joints has turned into the direction of slip. Whether it did without toppling, and neither joints nor zones are weaker or stronger by it.
 bool StrengthTrials::slides_without_trace() {
-    if (!failed_ || !start_.structures.cables.empty()) return false; // bolts take up load on the way
+    if (!failed_ || start_.structures.stand()) return false; // bolts take up load on the way
     for (const Row row : property_sets_in_use(session_.model)) {
         const auto& set = session_.model.joint_properties[row];
         if (loses_strength(session_.joints.get(set.model), set.values)) return false;

@@ -1,8 +1,7 @@
-// structure cable, structure property, structure delete, list structures.
+// structure cable, structure beam, structure liner, structure property, structure delete.
 #include "commands/handlers.hpp"
-#include "commands/listing.hpp"
-#include "commands/row_table.hpp"
-#include "model/cables.hpp"
+#include "model/lining.hpp"
+#include "model/structures.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -11,55 +10,32 @@ namespace kaya {
 
 namespace {
 
-/// How many nodes of a cable lie in the rock.
-std::int32_t nodes_in_rock(const Model& model, const Span& nodes) {
+/// How many nodes of a structure lie in the rock.
+std::int32_t nodes_in_rock(const Model& model, const RockPoints& points, const Span& nodes) {
     std::int32_t count = 0;
-    for (Row node = nodes.first; node < nodes.end(); ++node) count += block_of_node(model, node) != no_row;
+    for (Row node = nodes.first; node < nodes.end(); ++node) count += rock_block(model, points, node) != no_row;
     return count;
 }
 
-std::string state_text(std::uint8_t state, const char* now, const char* before) {
-    if (state & broken) return "broken";
-    return state & yields ? now : state & has_yielded ? before : "-";
-}
+Grip grip_of(lang::StructureBeam::Grip grip) { return static_cast<Grip>(grip); }
 
-std::string limit_text(double value) { return std::isinf(value) ? "-" : number_text(value); }
-
-std::string properties_text(const Structures& structures) {
-    std::vector<std::string> headings{"property"};
-    for (const auto& property : cable_properties()) headings.emplace_back(property.name);
-    TextTable table(std::move(headings));
-    for (const auto& [number, properties] : structures.properties) {
-        std::vector<std::string> row{std::to_string(number)};
-        for (const auto& property : cable_properties()) row.push_back(limit_text(properties.*property.value));
-        table.add(std::move(row));
-    }
-    return table.text();
-}
-
-std::string nodes_text(const Model& model, Row cable) {
-    const auto& nodes = model.structures.nodes;
-    const Span span = model.structures.cables.nodes[cable];
-    const auto grout_state = [&](Row node) {
-        return nodes.anchored[node] ? "anchored" : state_text(nodes.grout_state[node], "slips", "slipped");
-    };
-    const auto tension = [&](Row node) { return has_bar(nodes, node) ? number_text(nodes.bar_force[node]) : "-"; };
-    const auto bar_state = [&](Row node) {
-        return has_bar(nodes, node) ? state_text(nodes.bar_state[node], "yields", "yielded") : "-";
-    };
-    RowTable table(model, ObjectKind::cable_node,
-                   {{"node", [&](Row node) { return std::to_string(node - span.first + 1); }},
-                    "block",
-                    "x",
-                    "y",
-                    "z",
-                    "slip",
-                    {"grout", [&](Row node) { return number_text(nodes.grout[node]); }},
-                    {"grout state", grout_state},
-                    {"bar tension", tension},
-                    {"bar state", bar_state}});
-    for (Row node = span.first; node < span.end() && table.size() < longest_table; ++node) table.add(node);
-    return table.text();
+/// Something is wrong with a beam, none of whose nodes lies in the rock; its middle may be free.
+void warn_of_free_beam(Session& session, const NewBeam& wanted, const Span& nodes, std::int32_t number,
+                       const Place& place) {
+    const Model& model = session.model;
+    const auto& points = model.structures.member_nodes;
+    const std::int32_t inside = nodes_in_rock(model, points, nodes);
+    for (const auto& [node, grip, end] :
+         {std::tuple(nodes.first, wanted.first, "first"), std::tuple(nodes.end() - 1, wanted.last, "last")})
+        if (grip != Grip::link && rock_block(model, points, node) == no_row)
+            session.warn(Diagnostic(fmt::format("the {} node of beam {} is to be held and lies outside of all blocks",
+                                                end, number),
+                                    "nothing holds it there: put it into a block, or give a tolerance")
+                             .at(place));
+    if (inside == 0)
+        session.warn(Diagnostic(fmt::format("all nodes of beam {} lie outside of all blocks; nothing holds it", number),
+                                "make the blocks before, or give a tolerance")
+                         .at(place));
 }
 
 } // namespace
@@ -75,7 +51,8 @@ void run(Session& session, const lang::StructureCable& command) {
     auto& model = session.model;
     const Row cable = make_cable(model, wanted);
     const std::int32_t number = model.structures.cables.number[cable];
-    const std::int32_t all = wanted.segments + 1, inside = nodes_in_rock(model, model.structures.cables.nodes[cable]);
+    const std::int32_t all = wanted.segments + 1, inside = nodes_in_rock(model, model.structures.cable_nodes,
+                                                                         model.structures.cables.nodes[cable]);
     session.output.say(
         fmt::format("cable {}: {} bars, {:.6g} long", number, wanted.segments, (wanted.last - wanted.first).norm()));
     if (inside < all)
@@ -87,73 +64,109 @@ void run(Session& session, const lang::StructureCable& command) {
                 .at(command.place));
 }
 
+void run(Session& session, const lang::StructureBeam& command) {
+    NewBeam wanted{.places = command.places,
+                   .segments = static_cast<std::int32_t>(command.segments),
+                   .property = static_cast<std::int32_t>(command.property),
+                   .axis = command.axis.value_or(Vec3::Zero()),
+                   .tolerance = command.tolerance,
+                   .grip = grip_of(command.all),
+                   .first = grip_of(command.first),
+                   .last = grip_of(command.last)};
+    auto& model = session.model;
+    const Row member = make_beam(model, wanted);
+    const Span nodes = model.structures.members.nodes[member];
+    const std::int32_t number = model.structures.members.number[member];
+    double length = 0;
+    for (std::size_t k = 1; k < wanted.places.size(); ++k) length += (wanted.places[k] - wanted.places[k - 1]).norm();
+    session.output.say(fmt::format("beam {}: {} elements, {:.6g} long, {} of its {} nodes on the rock", number,
+                                   nodes.count - 1, length, nodes_in_rock(model, model.structures.member_nodes, nodes),
+                                   nodes.count));
+    warn_of_free_beam(session, wanted, nodes, number, command.place);
+}
+
+void run(Session& session, const lang::StructureLiner& command) {
+    constexpr double most = 2e6;
+    auto& model = session.model;
+    const std::vector<Row> faces = session.pick(ObjectKind::face, command.range);
+    const double expected = expected_triangles(model, faces, command.edge);
+    if (expected > most)
+        throw Diagnostic(fmt::format("the liner would have about {:.2g} elements", expected),
+                         "give a longer edge, or fewer faces");
+    NewLiner wanted{.mesh = {},
+                    .property = static_cast<std::int32_t>(command.property),
+                    .axis = command.axis.value_or(Vec3::Zero()),
+                    .tolerance = command.tolerance,
+                    .grip = grip_of(command.grip)};
+    Lining lining = line_faces(model, faces, command.edge, wanted.tolerance);
+    if (lining.mesh.triangles.empty())
+        throw Diagnostic(faces.empty() ? "there is no face for the liner"
+                                       : "other blocks cover all faces that the liner would lie on",
+                         "name faces of an opening or of the outside: structure liner ... range ...");
+    wanted.mesh = std::move(lining.mesh);
+    const Row member = make_liner(model, wanted);
+    const std::int32_t number = model.structures.members.number[member];
+    session.output.say(fmt::format("liner {}: {} elements, {} nodes, area {:.6g}", number, wanted.mesh.triangles.size(),
+                                   wanted.mesh.points.size(), lining.area));
+    if (lining.partly > 0)
+        session.warn(
+            Diagnostic(
+                fmt::format(
+                    "{} triangles for liner {} lie on other blocks in parts; those whose middle is covered are left out",
+                    lining.partly, number),
+                "a shorter edge makes the border finer")
+                .at(command.place));
+}
+
 void run(Session& session, const lang::StructureProperty& command) {
     auto& model = session.model;
     auto& properties = model.structures.properties[static_cast<std::int32_t>(command.number)];
-    const CableProperties before = properties;
+    const StructureProperties before = properties;
     for (const auto& item : command.items) {
-        const auto found = std::ranges::find(cable_properties(), item.name, &CableProperty::name);
+        const auto found = std::ranges::find(structure_properties(), item.name, &StructureProperty::name);
         properties.*found->value = item.value;
     }
-    const bool given = std::ranges::any_of(command.items, [](const auto& item) { return item.name == "sbond"; });
     // Friction alone is a strength; the cohesion next to it is then none.
-    if (properties.grout_friction > 0 && !given && std::isinf(properties.grout_cohesion)) properties.grout_cohesion = 0;
+    const auto given = [&](const char* name) {
+        return std::ranges::any_of(command.items, [name](const auto& item) { return item.name == name; });
+    };
+    if (properties.grout_friction > 0 && !given("sbond") && std::isinf(properties.grout_cohesion))
+        properties.grout_cohesion = 0;
+    if (properties.link_friction > 0 && !given("cohesion") && std::isinf(properties.link_cohesion))
+        properties.link_cohesion = 0;
     if (properties != before) ModelEdit(model, Change::properties);
 }
 
 void run(Session& session, const lang::StructureDelete& command) {
     auto& model = session.model;
-    const auto& cables = model.structures.cables;
-    std::vector<Row> gone;
+    const auto& structures = model.structures;
+    std::vector<Row> cables, members;
     if (command.number) {
-        const auto found = std::ranges::find(cables.number, static_cast<std::int32_t>(*command.number));
-        if (found == cables.number.end())
-            throw Diagnostic(fmt::format("there is no cable {}", *command.number),
-                             cables.empty() ? "there are no cables" : "list structures shows them");
-        gone.push_back(static_cast<Row>(found - cables.number.begin()));
+        const auto number = static_cast<std::int32_t>(*command.number);
+        const auto found = std::ranges::find(structures.cables.number, number);
+        const Row member = member_of_number(model, number);
+        if (found != structures.cables.number.end())
+            cables.push_back(static_cast<Row>(found - structures.cables.number.begin()));
+        else if (member != no_row) members.push_back(member);
+        else
+            throw Diagnostic(fmt::format("there is no structure {}", number),
+                             structures.stand() ? "list structures shows them" : "there are no structures");
     } else {
-        for (const Row node : session.pick(ObjectKind::cable_node, command.range)) {
-            const Row cable = model.structures.nodes.cable[node];
-            if (gone.empty() || gone.back() != cable) gone.push_back(cable);
-        }
+        const auto gather = [&](ObjectKind kind, const Column<Row>& owner, std::vector<Row>& gone) {
+            if (owner.empty()) return;
+            for (const Row node : session.pick(kind, command.range))
+                if (gone.empty() || gone.back() != owner[node]) gone.push_back(owner[node]);
+        };
+        gather(ObjectKind::cable_node, structures.cable_nodes.cable, cables);
+        gather(ObjectKind::structure_node, structures.member_nodes.member, members);
     }
-    if (gone.empty()) return;
-    delete_cables(model, gone);
-    session.output.say(fmt::format("{} {} taken out", gone.size(), gone.size() == 1 ? "cable" : "cables"));
-}
-
-std::string list_structures(Session& session, const lang::List& command) {
-    const Model& model = session.model;
-    const auto& [cables, nodes, properties, next_number] = model.structures;
-    if (cables.empty() && properties.empty()) return "no structures";
-    if (command.number) {
-        const auto found = std::ranges::find(cables.number, static_cast<std::int32_t>(*command.number));
-        return found == cables.number.end() ? fmt::format("no cable {}", *command.number)
-                                            : nodes_text(model, static_cast<Row>(found - cables.number.begin()));
-    }
-    TextTable table(
-        {"cable", "property", "nodes", "in rock", "length", "largest tension", "largest slip", "grout", "bars"});
-    for (Row cable = 0; cable < static_cast<Row>(cables.size()) && table.size() < longest_table; ++cable) {
-        const Span span = cables.nodes[cable];
-        double length = 0, tension = 0, slip = 0;
-        std::uint8_t grout = 0, bars = 0;
-        for (Row node = span.first; node < span.end(); ++node) {
-            if (has_bar(nodes, node)) {
-                length += (nodes.position[node + 1] - nodes.position[node]).norm();
-                if (std::abs(nodes.bar_force[node]) > std::abs(tension)) tension = nodes.bar_force[node];
-                bars |= nodes.bar_state[node];
-            }
-            if (std::abs(nodes.slip[node]) > std::abs(slip)) slip = nodes.slip[node];
-            grout |= nodes.grout_state[node];
-        }
-        table.add({std::to_string(cables.number[cable]), std::to_string(cables.property[cable]),
-                   std::to_string(span.count), std::to_string(nodes_in_rock(model, span)), number_text(length),
-                   number_text(tension), number_text(slip), state_text(grout, "slips", "slipped"),
-                   state_text(bars, "yields", "yielded")});
-    }
-    std::string text = table.size() > 0 ? table.text() + "\n" : std::string("no cables\n");
-    if (cables.size() > longest_table) text += fmt::format("... and {} more cables\n", cables.size() - longest_table);
-    return text + properties_text(model.structures);
+    const auto are_beams = std::ranges::count_if(
+        members, [&](Row member) { return structures.members.kind[member] == StructureKind::beam_kind; });
+    const auto beams = static_cast<std::size_t>(are_beams), liners = members.size() - beams;
+    if (!cables.empty()) delete_cables(model, cables);
+    if (!members.empty()) delete_members(model, members);
+    for (const auto& [count, noun] : {std::pair(cables.size(), "cable"), {beams, "beam"}, {liners, "liner"}})
+        if (count > 0) session.output.say(fmt::format("{} {}{} taken out", count, noun, count == 1 ? "" : "s"));
 }
 
 void add_handlers(HandlerTable& table, lang::StructureCommands list) { fill(table, list); }

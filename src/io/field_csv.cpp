@@ -23,7 +23,8 @@ std::string cell_of(const Model& model, const FieldValue& value) {
 
 std::span<const ObjectKind> exported_kinds() {
     using enum ObjectKind;
-    static constexpr std::array all{global, block, gridpoint, face, zone, contact, sub_contact, cable_node};
+    static constexpr std::array all{global,      block,      gridpoint,      face,         zone,         contact,
+                                    sub_contact, cable_node, structure_node, beam_element, liner_element};
     return all;
 }
 

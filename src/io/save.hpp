@@ -11,7 +11,7 @@
 namespace kaya {
 
 /// Raised whenever a save file of today could not be read by the program of yesterday.
-inline constexpr std::int32_t save_format_version = 12;
+inline constexpr std::int32_t save_format_version = 13;
 /// The first format that is read for good: those before were of programs that were never released.
 inline constexpr std::int32_t first_kept_format = 10;
 

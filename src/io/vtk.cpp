@@ -277,7 +277,7 @@ std::string vtk_sub_contacts(const Model& model, const OwnValues& own) {
 }
 
 std::string vtk_cables(const Model& model) {
-    const auto& nodes = model.structures.nodes;
+    const auto& nodes = model.structures.cable_nodes;
     const auto rows = all_rows(nodes.size());
     vtkNew<vtkUnstructuredGrid> grid;
     vtkNew<vtkPoints> points;
@@ -296,6 +296,38 @@ std::string vtk_cables(const Model& model) {
     add_fields(grid->GetCellData(), grid->GetFieldData(), model, ObjectKind::cable_node, first_of_bar);
     add_time(grid, model.clock);
     return bytes_of(grid);
+}
+
+namespace {
+
+template <class Elements>
+std::string vtk_members(const Model& model, const Elements& elements, int cell, ObjectKind kind) {
+    const auto& nodes = model.structures.member_nodes;
+    vtkNew<vtkUnstructuredGrid> grid;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const auto& position : nodes.position) points->InsertNextPoint(position.data());
+    grid->SetPoints(points);
+    grid->Allocate(static_cast<vtkIdType>(elements.size()));
+    for (const auto& corners : elements.nodes) {
+        std::array<vtkIdType, 3> ids{};
+        std::copy(corners.begin(), corners.end(), ids.begin());
+        grid->InsertNextCell(cell, static_cast<vtkIdType>(corners.size()), ids.data());
+    }
+    add_fields(grid->GetPointData(), grid->GetFieldData(), model, ObjectKind::structure_node, all_rows(nodes.size()));
+    add_fields(grid->GetCellData(), grid->GetFieldData(), model, kind, all_rows(elements.size()));
+    add_time(grid, model.clock);
+    return bytes_of(grid);
+}
+
+} // namespace
+
+std::string vtk_beams(const Model& model) {
+    return vtk_members(model, model.structures.beams, VTK_LINE, ObjectKind::beam_element);
+}
+
+std::string vtk_liners(const Model& model) {
+    return vtk_members(model, model.structures.liners, VTK_TRIANGLE, ObjectKind::liner_element);
 }
 
 std::vector<std::string> VtkSeries::write(const Model& model, const std::string& given_name, const OwnValues& own) {
@@ -329,15 +361,19 @@ std::vector<std::string> VtkSeries::write(const Model& model, const std::string&
     add_grid("subcontacts", [&] { return vtk_sub_contacts(model, own); });
     add_series(".pvd", "blocks");
     for (const char* kind : {"faces", "joints", "subcontacts"}) add_series(fmt::format("_{}.pvd", kind), kind);
-    // Once there were cables, each number has its file of them.
-    const auto with_cables = with_cables_.find(name);
-    const bool had_cables = with_cables != with_cables_.end() && with_cables->second < number;
-    const std::size_t first_with_cables = had_cables ? with_cables->second : number;
-    const bool cables = had_cables || !model.structures.cables.empty();
-    if (cables) {
-        add_grid("cables", [&] { return vtk_cables(model); });
-        add_series("_cables.pvd", "cables", first_with_cables);
-    }
+    // Once there were structures of a kind, each number has its file of them.
+    auto first_with = first_with_[name];
+    const auto add_structures = [&](const char* kind, bool any, std::string (*grid)(const Model&)) {
+        auto first = first_with.find(kind);
+        if (first != first_with.end() && first->second >= number) first_with.erase(first), first = first_with.end();
+        if (first == first_with.end() && !any) return;
+        if (first == first_with.end()) first = first_with.emplace(kind, number).first;
+        add_grid(kind, [&model, grid] { return grid(model); });
+        add_series(fmt::format("_{}.pvd", kind), kind, first->second);
+    };
+    add_structures("cables", !model.structures.cables.empty(), vtk_cables);
+    add_structures("beams", !model.structures.beams.empty(), vtk_beams);
+    add_structures("liners", !model.structures.liners.empty(), vtk_liners);
     files.push_back({name + "_paraview.py", [&] { return paraview_script(stem); }});
     std::vector<std::string> paths;
     for (const auto& file : files) {
@@ -346,7 +382,7 @@ std::vector<std::string> VtkSeries::write(const Model& model, const std::string&
     }
     for (const auto& file : files) write_whole_file(file.path, file.content());
     times_[name] = std::move(times);
-    if (cables) with_cables_[name] = first_with_cables;
+    first_with_[name] = std::move(first_with);
     return paths;
 }
 

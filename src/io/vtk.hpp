@@ -5,7 +5,6 @@
 #include "model/model.hpp"
 
 #include <functional>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -32,12 +31,15 @@ std::string vtk_joints(const Model& model, const OwnValues& own = {});
 std::string vtk_sub_contacts(const Model& model, const OwnValues& own = {});
 /// The bars of cables as lines.
 std::string vtk_cables(const Model& model);
+/// Elements of beams as lines, of liners as triangles. Point data: nodes of beams and liners. Cell data: the elements.
+std::string vtk_beams(const Model& model);
+std::string vtk_liners(const Model& model);
 
 /// The series of one run: each name counts its writes from 0.
 class VtkSeries {
 public:
     /// Writes the files of the next number, then the series NAME.pvd (blocks), NAME_faces.pvd, NAME_joints.pvd and
-    /// NAME_subcontacts.pvd (and NAME_cables.pvd where there are cables), and NAME_paraview.py, which opens them in ParaView. An ending .vtu or .pvd in the name is left out. A name that an
+    /// NAME_subcontacts.pvd (and NAME_cables.pvd, NAME_beams.pvd, NAME_liners.pvd where there are such), and NAME_paraview.py, which opens them in ParaView. An ending .vtu or .pvd in the name is left out. A name that an
     /// earlier run used is begun anew: its files are replaced one after the other and its series list those of this run.
     /// Throws Diagnostic (Fault::run); files that were complete before stay so. Returns the paths.
     std::vector<std::string> write(const Model& model, const std::string& name, const OwnValues& own = {});
@@ -46,7 +48,8 @@ public:
 
 private:
     std::map<std::string, std::vector<double>> times_; ///< model time of each write, by name
-    std::map<std::string, std::size_t> with_cables_;   ///< the first write with cables, by name
+    /// The first write with cables, beams or liners, by name and by that word.
+    std::map<std::string, std::map<std::string, std::size_t>> first_with_;
 };
 
 } // namespace kaya

@@ -1,39 +1,75 @@
 #include "mechanics/adjacency.hpp"
 
+#include "mechanics/member_lists.hpp"
+#include "mechanics/run_cables.hpp"
+
 namespace kaya {
 
 namespace {
 
-/// The corners of the zone that a cable node lies in; none in a rigid block.
-const std::array<Row, 4>* corners_around(const Model& model, Row node, Row block) {
-    const Row zone = model.structures.nodes.zone[node];
-    return zone == no_row ? nullptr : &model.zones.gridpoints[model.blocks.zones[block].first + zone];
+/// The table of a node of a structure, and its row there.
+struct HeldRow {
+    const RockPoints& points;
+    Row row;
+};
+
+HeldRow held_row(const Model& model, Row node) {
+    const auto& structures = model.structures;
+    const Row cables = static_cast<Row>(structures.cable_nodes.size());
+    if (node < cables) return {structures.cable_nodes, node};
+    return {structures.member_nodes, node - cables};
 }
 
-void list_cable_nodes(const Model& model, Adjacency& adjacency) {
-    const auto& nodes = model.structures.nodes;
-    const auto rows = static_cast<Row>(nodes.size());
-    const auto each = [&](auto visit) {
-        for (Row node = 0; node < rows; ++node) {
-            const Row block = block_of_node(model, node);
-            if (block != no_row) visit(node, block, corners_around(model, node, block));
-        }
-    };
+bool is_cable(const Model& model, Row node) { return node < static_cast<Row>(model.structures.cable_nodes.size()); }
+
+NodeStiffness stiffness_of(const Model& model, Row node) {
+    if (is_cable(model, node)) return cable_node_stiffness(model, node);
+    const Row row = held_row(model, node).row;
+    const auto& nodes = model.structures.member_nodes;
+    const Hold hold = hold_of(model, row);
+    const LinkStiffness link = link_stiffness(model, row, hold);
+    if (hold == Hold::springs) return {2 * link.normal, 2 * link.shear, 0}; // the node moves too
+    if (hold == Hold::none) return {};
+    return {nodes.stiffness[row], nodes.stiffness[row], hold == Hold::clamped ? nodes.rotation_stiffness[row] : 0};
+}
+
+void list_nodes(const Model& model, Adjacency& adjacency) {
+    const auto rows = static_cast<Row>(model.structures.cable_nodes.size() + model.structures.member_nodes.size());
     adjacency.nodes_of_block = sorted_lists<NodeEntry>(model.blocks.size(), [&](auto add) {
-        each([&](Row node, Row block, const std::array<Row, 4>* corners) {
-            if (corners == nullptr) add(block, NodeEntry{node, 1});
-        });
+        for (Row node = 0; node < rows; ++node)
+            if (const NodePlace at = place_of_held_node(model, node); at.block != no_row && at.corners == nullptr)
+                add(at.block, NodeEntry{node, 1});
     });
     adjacency.nodes_of_gridpoint = sorted_lists<NodeEntry>(model.gridpoints.size(), [&](auto add) {
-        each([&](Row node, Row, const std::array<Row, 4>* corners) {
-            for (std::size_t k = 0; corners != nullptr && k < 4; ++k)
-                if (nodes.weights[node][k] != 0) add((*corners)[k], NodeEntry{node, nodes.weights[node][k]});
-        });
+        for (Row node = 0; node < rows; ++node)
+            if (const NodePlace at = place_of_held_node(model, node); at.corners != nullptr)
+                for (std::size_t k = 0; k < 4; ++k)
+                    if ((*at.weights)[k] != 0) add((*at.corners)[k], NodeEntry{node, (*at.weights)[k]});
     });
-    for (Row node = 0; node < rows; ++node) adjacency.node_stiffness.push_back(node_stiffness(model, node));
+    for (Row node = 0; node < rows; ++node) adjacency.node_stiffness.push_back(stiffness_of(model, node));
 }
 
 } // namespace
+
+NodePlace place_of_held_node(const Model& model, Row node) {
+    const auto& [points, row] = held_row(model, node);
+    const Row block = rock_block(model, points, row);
+    if (block == no_row || points.zone[row] == no_row) return {block};
+    return {block, &model.zones.gridpoints[model.blocks.zones[block].first + points.zone[row]], &points.weights[row]};
+}
+
+NodeForce force_of_node(const Model& model, Row node) {
+    const auto& structures = model.structures;
+    if (is_cable(model, node))
+        return {structures.cable_nodes.force[node], Vec3::Zero(), structures.cable_nodes.position[node]};
+    const auto& nodes = structures.member_nodes;
+    const Row row = held_row(model, node).row;
+    return {nodes.rock_force[row], nodes.rock_moment[row], nodes.rock[row]};
+}
+
+Vec3 direction_of_node(const Model& model, Row node) {
+    return is_cable(model, node) ? direction_at(model, node) : normal_of_node(model, held_row(model, node).row);
+}
 
 Adjacency make_adjacency(const Model& model) {
     Adjacency adjacency;
@@ -62,7 +98,7 @@ Adjacency make_adjacency(const Model& model) {
             }
     });
     adjacency.bodies = joined_bodies(model);
-    if (!model.structures.cables.empty()) list_cable_nodes(model, adjacency);
+    if (model.structures.stand()) list_nodes(model, adjacency);
     return adjacency;
 }
 

@@ -1,34 +1,13 @@
 // Who acts on whom: forces are gathered through these lists, in the order of their rows.
 #pragma once
 
-#include "mechanics/run_cables.hpp"
+#include "mechanics/row_lists.hpp"
 #include "model/joined.hpp"
 #include "model/model.hpp"
 
 #include <vector>
 
 namespace kaya {
-
-/// For every row of one table the entries that belong to it, in ascending order.
-template <class Entry> struct Lists {
-    std::vector<Row> start{0}; ///< one more than rows
-    std::vector<Entry> entries;
-
-    const Entry* begin(Row row) const { return entries.data() + start[row]; }
-    const Entry* end(Row row) const { return entries.data() + start[row + 1]; }
-};
-
-/// Counting sort: `each(add)` calls add(row, entry) in ascending order of entries, twice.
-template <class Entry, class Each> Lists<Entry> sorted_lists(std::size_t rows, Each each) {
-    Lists<Entry> lists;
-    lists.start.assign(rows + 1, 0);
-    each([&](Row row, const Entry&) { ++lists.start[row + 1]; });
-    for (std::size_t i = 0; i < rows; ++i) lists.start[i + 1] += lists.start[i];
-    lists.entries.resize(lists.start[rows]);
-    std::vector<Row> next(lists.start.begin(), lists.start.end() - 1);
-    each([&](Row row, const Entry& entry) { lists.entries[next[row]++] = entry; });
-    return lists;
-}
 
 /// Whether gridpoints [row, row + 8) are of deformable blocks. Those of a block follow each other.
 inline bool all_in_zones(const Model& model, std::size_t row) {
@@ -52,23 +31,46 @@ struct ContactEntry {
     std::int32_t side; ///< 0 or 1
 };
 
-/// A cable node in a rigid block, or in a zone with a corner's part in it.
+/// A held node in a rigid block, or in a zone with a corner's part in it.
 struct NodeEntry {
     Row node;
     double weight;
+};
+
+/// How stiff a node of a structure may hold the rock, whatever slips or yields: along a direction, across it, and against turning.
+struct NodeStiffness {
+    double along = 0, across = 0, turning = 0;
 };
 
 struct Adjacency {
     Lists<SideEntry> of_gridpoint; ///< gridpoints of deformable blocks
     Lists<ContactEntry> of_block;  ///< rigid blocks
     JoinedBodies bodies;
-    Lists<NodeEntry> nodes_of_gridpoint;       ///< cable nodes; no rows where there are no cables
+    // Nodes of structures that act on the rock are counted through: those of cables, then those of beams and liners.
+    Lists<NodeEntry> nodes_of_gridpoint;       ///< no rows where there are no structures
     Lists<NodeEntry> nodes_of_block;           ///< the same of rigid blocks; weight 1
-    std::vector<NodeStiffness> node_stiffness; ///< by cable node
+    std::vector<NodeStiffness> node_stiffness; ///< by such a node
 
-    bool has_cables() const { return !node_stiffness.empty(); }
+    bool has_structures() const { return !node_stiffness.empty(); }
 };
 
 Adjacency make_adjacency(const Model& model);
+
+/// What a node of a structure does to the rock, and where.
+struct NodeForce {
+    Vec3 force, moment, place;
+};
+NodeForce force_of_node(const Model& model, Row node);
+
+/// The direction of NodeStiffness::along.
+Vec3 direction_of_node(const Model& model, Row node);
+
+/// Where a node of a structure lies in the rock.
+struct NodePlace {
+    Row block = no_row;                          ///< none: outside
+    const std::array<Row, 4>* corners = nullptr; ///< of its zone; none in a rigid block
+    const std::array<double, 4>* weights = nullptr;
+};
+NodePlace place_of_held_node(const Model& model, Row node);
 
 } // namespace kaya

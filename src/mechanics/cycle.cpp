@@ -18,6 +18,7 @@
 #include "mechanics/move_bodies.hpp"
 #include "mechanics/quiet_boundary.hpp"
 #include "mechanics/run_cables.hpp"
+#include "mechanics/run_members.hpp"
 #include "mechanics/run_zone_models.hpp"
 #include "mechanics/sub_contact_order.hpp"
 #include "mechanics/take_over.hpp"
@@ -63,6 +64,7 @@ struct Cycle::Lists {
     JointForces joints;
     PerThread<JointScratch> joint_scratch;
     std::vector<CableChain> cables;
+    MemberLists members;
     std::vector<PointRow> zone_forces;
 };
 
@@ -74,7 +76,7 @@ double Cycle::energy_in_zones() const { return kaya::energy_in_zones(model_, lis
 
 void Cycle::prepare() {
     Lists& s = *lists_;
-    if (model_.stale.contacts()) place_cable_nodes(model_);
+    if (model_.stale.contacts()) place_structures(model_);
     find_contacts(model_, joints_);
     if (model_.stale.properties()) {
         check_properties(model_, joints_);
@@ -85,7 +87,9 @@ void Cycle::prepare() {
         add_tie_frequencies(model_, s.ties);
     }
     if (model_.stale.lists() || model_.stale.properties()) {
-        take_cable_properties(model_);
+        take_structure_properties(model_);
+        if (model_.stale.properties()) compute_member_masses(model_);
+        s.members = MemberLists(model_);
         if (!model_.stale.properties()) take_zone_laws();
         s.step.forget(); // properties may be others now
         make_lists();
@@ -102,9 +106,9 @@ void Cycle::prepare() {
     }
     if (model_.stale.properties()) {
         apply_load_histories(model_, s.boundary_histories, hooks);
-        if (s.adjacency.has_cables()) model_.energy.structure_work += run_cables(model_, s.cables);
+        if (model_.structures.stand()) model_.energy.structure_work += run_structures(0);
         // Forces of what is there already, so that the first step starts from them.
-        gather_forces(model_, s.adjacency, s.ties, s.joints, s.laws.tiles, s.zone_forces);
+        gather_forces(model_, s.adjacency, s.ties, s.joints, s.laws.tiles, s.zone_forces, s.members);
         model_.clock.time_step = 0;
         model_.clock.last_step = 0; // what a command has changed acts from now on
         s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, TimeStep::Bodies::all_and_grow);
@@ -164,10 +168,16 @@ void Cycle::move(StepSums& sums) {
         if (!s.boundary_histories.velocities.empty()) sums.prescribed.add(follow_prescribed(model_, s.ties));
         sums.motion = move_blocks(model_, s.adjacency.bodies);
         sums.motion.add(move_gridpoints(model_, s.quiet, s.ties));
+        if (s.members.any()) sums.motion.add(move_members(model_, s.members));
     });
 }
 
-/// What answers to it: joints, zones, ties, cables.
+double Cycle::run_structures(double step) {
+    Lists& s = *lists_;
+    return run_cables(model_, s.cables) + run_members(model_, s.members, step);
+}
+
+/// What answers to it: joints, zones, ties, structures.
 void Cycle::strain(StepSums& sums) {
     Lists& s = *lists_;
     times_.timed(Phase::joints, [&] {
@@ -178,7 +188,8 @@ void Cycle::strain(StepSums& sums) {
         sums.zones = run_zone_models(model_, s.laws, s.zones, s.zone_forces);
         sums.zones.add(run_ties(model_, s.ties));
     });
-    if (s.adjacency.has_cables()) times_.timed(Phase::cables, [&] { sums.cable_work = run_cables(model_, s.cables); });
+    if (model_.structures.stand())
+        times_.timed(Phase::structures, [&] { sums.structure_work = run_structures(model_.clock.time_step); });
 }
 
 ContactChange Cycle::refresh_contacts() {
@@ -201,7 +212,7 @@ void Cycle::gather(StepSums& sums) {
     Lists& s = *lists_;
     times_.timed(Phase::gather, [&] {
         apply_load_histories(model_, s.boundary_histories, hooks);
-        sums.inner_power = gather_forces(model_, s.adjacency, s.ties, s.joints, s.laws.tiles, s.zone_forces);
+        sums.inner_power = gather_forces(model_, s.adjacency, s.ties, s.joints, s.laws.tiles, s.zone_forces, s.members);
     });
     run_hooks(hooks.after_forces);
 }

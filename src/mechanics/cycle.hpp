@@ -47,6 +47,7 @@ private:
     void begin();
     void move(StepSums& sums);
     void strain(StepSums& sums);
+    double run_structures(double step);
     ContactChange refresh_contacts();
     void gather(StepSums& sums);
     void close_account(const StepSums& sums);

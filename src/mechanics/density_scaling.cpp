@@ -1,5 +1,6 @@
 // Density scaling: inertial masses that differ from the true ones. Equations (8) to (10) of docs/theory/time-step.md.
 #include "mechanics/density_scaling.hpp"
+#include "mechanics/member_lists.hpp"
 #include "mechanics/step_bounds.hpp"
 
 #include <algorithm>
@@ -149,6 +150,28 @@ void restore_masses(Model& model) {
     });
     book(model, change);
     for (std::size_t b = 0; b < model.blocks.size(); ++b) model.blocks.inertial_mass[b] = model.blocks.mass[b];
+}
+
+void fit_member_masses(Model& model) {
+    auto& nodes = model.structures.member_nodes;
+    if (nodes.empty()) return;
+    const double longest = model.clock.time_step / (2 * time_step_fraction(model.settings)), square = longest * longest;
+    const bool follow = member_masses_follow(model.settings);
+    MassChange change;
+    const auto fit = [&](double& inertial, double right, Vec3& velocity, const Vec3& force) {
+        if (inertial == 0) inertial = right; // it has just been made
+        if (inertial >= right && enough * inertial <= right) return;
+        give(Body{right, inertial, 0, force, velocity, nullptr, nullptr, nullptr}, right, change);
+    };
+    for (Row node = 0; node < static_cast<Row>(nodes.size()); ++node) {
+        const Hold hold = hold_of(model, node);
+        if (hold == Hold::clamped) continue;
+        fit(nodes.inertia[node], square * nodes.rotation_stiffness[node], nodes.spin[node], nodes.moment[node]);
+        if (hold == Hold::pinned) continue;
+        const double needed = follow ? square * node_resistance(model, node, hold) : 0;
+        fit(nodes.inertial_mass[node], std::max(nodes.mass[node], needed), nodes.velocity[node], nodes.force[node]);
+    }
+    book(model, change);
 }
 
 ScaledMasses scaled_masses(const Model& model) {

@@ -1,6 +1,6 @@
 // What density scaling does to masses: docs/theory/time-step.md.
-// reads: blocks.mass, gridpoints.mass, settings.mass_scaling
-// writes: blocks.inertial_mass, blocks.velocity, blocks.rotational_velocity, blocks.angular_momentum, gridpoints.inertial_mass, gridpoints.velocity, energy
+// reads: blocks.mass, gridpoints.mass, structures.member_nodes, settings.mass_scaling, clock.time_step
+// writes: blocks.inertial_mass, blocks.velocity, blocks.rotational_velocity, blocks.angular_momentum, gridpoints.inertial_mass, gridpoints.velocity, structures.member_nodes, energy
 #pragma once
 
 #include "model/model.hpp"
@@ -31,5 +31,9 @@ void restore_masses(Model& model);
 
 /// The step at which full density scaling leaves the sum of all masses as it is; 0 when nothing resists.
 double mean_stable_step(const Model& model, const BodyStiffness& stiffness);
+
+/// Inertial masses and moments of inertia of the nodes of beams and liners that move by themselves, for a step as long as the model's now:
+/// equation (15) of docs/theory/beams-and-liners.md.
+void fit_member_masses(Model& model);
 
 } // namespace kaya

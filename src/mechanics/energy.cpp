@@ -24,7 +24,7 @@ double energy_in_zones(const Model& model, const std::vector<ElasticConstants>& 
 }
 
 void keep_account(Model& model, const StepSums& step) {
-    const auto& [prescribed, motion, joints, zones, cable_work, inner_power] = step;
+    const auto& [prescribed, motion, joints, zones, structure_work, inner_power] = step;
     Energy& energy = model.energy;
     // Velocities that were set from outside since the last step open the account anew by their energy.
     energy.start += motion.kinetic_before - prescribed.kinetic - energy.kinetic;
@@ -47,7 +47,7 @@ void keep_account(Model& model, const StepSums& step) {
     energy.joint_friction += joints.friction;
     energy.joint_lost += joints.lost - joints.returned;
     energy.zone_work += zones.work;
-    energy.structure_work += cable_work;
+    energy.structure_work += structure_work;
     const Clock& clock = model.clock;
     if (clock.last_step > 0) energy.step_made -= 0.25 * (clock.time_step - clock.last_step) * motion.inner_power_gain;
 }

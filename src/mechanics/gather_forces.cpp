@@ -63,9 +63,9 @@ void add_body(const Model& model, const Adjacency& adjacency, const JointForces&
         acting += blocks.load[row].norm() + weight.norm();
         for (auto e = adjacency.of_block.begin(row); e != adjacency.of_block.end(row); ++e)
             acting += joints.of_contact[e->contact].norm();
-        if (adjacency.has_cables())
+        if (adjacency.has_structures())
             for (auto e = adjacency.nodes_of_block.begin(row); e != adjacency.nodes_of_block.end(row); ++e)
-                acting += model.structures.nodes.force[e->node].norm();
+                acting += force_of_node(model, e->node).force.norm();
         fixed |= blocks.fixed[row];
     }
     if ((fixed & 7) != 7) balance.add(free_part(force, fixed, roller_of_body(model, members)), acting);
@@ -93,15 +93,15 @@ struct PointForces {
             add(e->side == 0 ? -e->weight : e->weight, joints.of_sub_contact[e->sub_contact]);
         for (const auto& share : ties.shares(row))
             add(share.weight, model.ties.force[share.tie] + model.ties.dashpot[share.tie]);
-        if (adjacency.has_cables())
+        if (adjacency.has_structures())
             for (auto e = adjacency.nodes_of_gridpoint.begin(row); e != adjacency.nodes_of_gridpoint.end(row); ++e)
-                add(e->weight, model.structures.nodes.force[e->node]);
+                add(e->weight, force_of_node(model, e->node).force);
         return sum;
     }
     /// Whether each of rows [row, row + 8) is one point of one tile, and nothing else acts there.
     bool have_one_point_each(Row row) const {
         const Row *const points = &tiles.points_of.start[row], *const joined = &adjacency.of_gridpoint.start[row];
-        bool each = joined[0] == joined[8] && !ties.any_shares() && !adjacency.has_cables();
+        bool each = joined[0] == joined[8] && !ties.any_shares() && !adjacency.has_structures();
         for (Row l = 0; l < eight; ++l) each &= points[l + 1] - points[l] == 1;
         return each;
     }
@@ -185,10 +185,34 @@ Balance gather_groups(Model& model, const PointForces& forces) {
         combine);
 }
 
+/// Nodes of beams and liners that move by themselves; their forces are summed up already.
+Balance balance_of_members(const Model& model, const MemberLists& members) {
+    const auto& nodes = model.structures.member_nodes;
+    return reduce_chunks(
+        members.holds.size(), grain, Balance{},
+        [&](std::size_t first, std::size_t last) {
+            Balance part;
+            for (std::size_t i = first; i < last; ++i) {
+                const Hold hold = members.holds[i];
+                if (hold == Hold::clamped) continue;
+                part.inner_power += nodes.moment[i].dot(nodes.spin[i]);
+                if (hold == Hold::pinned) continue;
+                part.inner_power += nodes.force[i].dot(nodes.velocity[i]);
+                const Row node = static_cast<Row>(i);
+                double acting = nodes.rock_force[i].norm() + nodes.mass[i] * model.settings.gravity.norm();
+                for (auto end = members.ends_of_node.begin(node); end != members.ends_of_node.end(node); ++end)
+                    acting += members.ends[static_cast<std::size_t>(*end)].force.norm();
+                part.add(nodes.force[i], acting);
+            }
+            return part;
+        },
+        combine);
+}
+
 } // namespace
 
 double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& ties, const JointForces& joints,
-                     const ZoneTiles& tiles, const std::vector<PointRow>& zone_forces) {
+                     const ZoneTiles& tiles, const std::vector<PointRow>& zone_forces, const MemberLists& members) {
     auto& g = model.gridpoints;
     auto& blocks = model.blocks;
     const Vec3 gravity = model.settings.gravity;
@@ -242,12 +266,12 @@ double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& t
                     moment += arm.cross(force) + sign * joints.moment[e->contact];
                     acting += force.norm();
                 }
-                if (adjacency.has_cables())
+                if (adjacency.has_structures())
                     for (auto e = adjacency.nodes_of_block.begin(row); e != adjacency.nodes_of_block.end(row); ++e) {
-                        const Vec3& force = model.structures.nodes.force[e->node];
-                        sum += force;
-                        moment += (model.structures.nodes.position[e->node] - blocks.centroid[row]).cross(force);
-                        acting += force.norm();
+                        const NodeForce node = force_of_node(model, e->node);
+                        sum += node.force;
+                        moment += (node.place - blocks.centroid[row]).cross(node.force) + node.moment;
+                        acting += node.force.norm();
                     }
                 blocks.force[row] = sum;
                 blocks.moment[row] = moment;
@@ -263,6 +287,8 @@ double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& t
     combine(balance, of_blocks);
     for (std::size_t i = 0; i < adjacency.bodies.size(); ++i)
         add_body(model, adjacency, joints, adjacency.bodies.members(i), balance);
+
+    if (members.any()) combine(balance, balance_of_members(model, members));
 
     Clock& clock = model.clock;
     clock.unbalanced_force = balance.largest;

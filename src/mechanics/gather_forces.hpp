@@ -5,6 +5,7 @@
 
 #include "mechanics/adjacency.hpp"
 #include "mechanics/advance_joints.hpp"
+#include "mechanics/member_lists.hpp"
 #include "mechanics/zone_tiles.hpp"
 #include "model/model.hpp"
 
@@ -14,8 +15,8 @@ namespace kaya {
 
 class TieLists;
 
-/// Sums the forces of contacts, zones, ties and cables. Returns the power of the forces of joints and zones on the bodies.
+/// Sums the forces of contacts, zones, ties and structures. Returns the power of the forces of joints and zones on the bodies.
 double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& ties, const JointForces& joints,
-                     const ZoneTiles& tiles, const std::vector<PointRow>& zone_forces);
+                     const ZoneTiles& tiles, const std::vector<PointRow>& zone_forces, const MemberLists& members);
 
 } // namespace kaya

@@ -66,8 +66,8 @@ struct StepSums {
     MotionSums motion;
     JointSums joints;
     ZoneSums zones;
-    double cable_work = 0;  ///< that the rock has done on the cables
-    double inner_power = 0; ///< of the forces of joints and zones after the step
+    double structure_work = 0; ///< put into cables, beams and liners
+    double inner_power = 0;    ///< of the forces of joints and zones after the step
 };
 
 } // namespace kaya

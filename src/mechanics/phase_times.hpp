@@ -8,7 +8,7 @@
 
 namespace kaya {
 
-enum class Phase { move, joints, zones, cables, search, gather, step, scripts };
+enum class Phase { move, joints, zones, structures, search, gather, step, scripts };
 
 /// Seconds spent in a phase since the program started, for `list timing`.
 struct PhaseTime {
@@ -35,7 +35,7 @@ public:
 
 private:
     std::vector<PhaseTime> all_{{"move bodies"},     {"contacts and joint models"}, {"zone models"},
-                                {"cables"},          {"search contacts"},           {"gather forces"},
+                                {"structures"},      {"search contacts"},           {"gather forces"},
                                 {"time step limit"}, {"hooks and histories"}}; ///< as in Phase
 };
 

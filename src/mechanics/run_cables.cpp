@@ -16,7 +16,7 @@ constexpr std::size_t grain = 1; // cables, each of many nodes
 /// The most strain of a bar whose tension counts in the time step.
 constexpr double most_strain = 0.02;
 
-const CableProperties& properties_of(const Model& model, Row cable) {
+const StructureProperties& properties_of(const Model& model, Row cable) {
     return model.structures.properties.at(model.structures.cables.property[cable]);
 }
 
@@ -25,7 +25,7 @@ bool in_rock(const Model& model, Row node) { return block_of_node(model, node) !
 /// Nodes between parts of the rock stay on the straight line between them; ends that stick out go along with the nearest
 /// node that is in the rock.
 void place_free_nodes(Model& model, const Span& span) {
-    auto& nodes = model.structures.nodes;
+    auto& nodes = model.structures.cable_nodes;
     Row before = no_row; // the last node in the rock
     Vec3 shift = Vec3::Zero();
     for (Row node = span.first; node < span.end(); ++node) {
@@ -50,7 +50,7 @@ void place_free_nodes(Model& model, const Span& span) {
 
 /// Compression of the rock on all sides of the cable at a node, pore pressure taken off; 0 in rigid blocks.
 double confinement(const Model& model, Row node, const Vec3& along) {
-    const auto& nodes = model.structures.nodes;
+    const auto& nodes = model.structures.cable_nodes;
     const Row block = block_of_node(model, node);
     if (block == no_row || nodes.zone[node] == no_row) return 0;
     const Row zone = model.blocks.zones[block].first + nodes.zone[node];
@@ -64,18 +64,19 @@ double confinement(const Model& model, Row node, const Vec3& along) {
     return std::max(0.0, -0.5 * (s[0] + s[1] + s[2] - axial) - pressure);
 }
 
-double grout_strength(const Model& model, Row node, const CableProperties& p, const Vec3& along) {
-    if (p.grout_friction == 0 || p.grout_perimeter == 0) return p.grout_cohesion * model.structures.nodes.share[node];
+double grout_strength(const Model& model, Row node, const StructureProperties& p, const Vec3& along) {
+    if (p.grout_friction == 0 || p.grout_perimeter == 0)
+        return p.grout_cohesion * model.structures.cable_nodes.share[node];
     const double friction =
         std::tan(p.grout_friction * std::numbers::pi / 180) * p.grout_perimeter * confinement(model, node, along);
     const double cohesion = std::isinf(p.grout_cohesion) ? 0 : p.grout_cohesion;
-    return (cohesion + friction) * model.structures.nodes.share[node];
+    return (cohesion + friction) * model.structures.cable_nodes.share[node];
 }
 
 void fill_chain(const Model& model, Row cable, CableChain& chain) {
-    const auto& nodes = model.structures.nodes;
+    const auto& nodes = model.structures.cable_nodes;
     const Span span = model.structures.cables.nodes[cable];
-    const CableProperties& p = properties_of(model, cable);
+    const StructureProperties& p = properties_of(model, cable);
     const auto count = static_cast<std::size_t>(span.count);
     chain.bars.resize(count - 1);
     chain.grout.resize(count);
@@ -112,9 +113,9 @@ std::uint8_t next_state(std::uint8_t before, bool now) {
 }
 
 void take_chain(Model& model, Row cable, const CableChain& chain) {
-    auto& nodes = model.structures.nodes;
+    auto& nodes = model.structures.cable_nodes;
     const Span span = model.structures.cables.nodes[cable];
-    const CableProperties& p = properties_of(model, cable);
+    const StructureProperties& p = properties_of(model, cable);
     for (std::size_t i = 0; i < chain.grout.size(); ++i) {
         const Row node = span.first + static_cast<Row>(i);
         const auto& grout = chain.grout[i];
@@ -154,7 +155,7 @@ Vec3 unit_between(const CableNodes& nodes, Row first, Row second) {
 
 /// Forces on the rock, and the work since the last call; `before` are the places then.
 double take_forces(Model& model, Row cable, const std::vector<Vec3>& before) {
-    auto& nodes = model.structures.nodes;
+    auto& nodes = model.structures.cable_nodes;
     const Span span = model.structures.cables.nodes[cable];
     double work = 0;
     for (Row node = span.first; node < span.end(); ++node) {
@@ -173,14 +174,14 @@ double take_forces(Model& model, Row cable, const std::vector<Vec3>& before) {
 } // namespace
 
 Vec3 direction_at(const Model& model, Row node) {
-    const auto& nodes = model.structures.nodes;
+    const auto& nodes = model.structures.cable_nodes;
     const Span span = model.structures.cables.nodes[nodes.cable[node]];
     return unit_between(nodes, std::max(span.first, node - 1), std::min(span.end() - 1, node + 1));
 }
 
 double run_cables(Model& model, std::vector<CableChain>& chains) {
     auto& cables = model.structures.cables;
-    auto& nodes = model.structures.nodes;
+    auto& nodes = model.structures.cable_nodes;
     chains.resize(cables.size());
     const auto add = [](double& sum, double part) { sum += part; };
     return reduce_chunks(
@@ -205,9 +206,9 @@ double run_cables(Model& model, std::vector<CableChain>& chains) {
         add);
 }
 
-NodeStiffness node_stiffness(const Model& model, Row node) {
-    const auto& nodes = model.structures.nodes;
-    const CableProperties& p = properties_of(model, nodes.cable[node]);
+NodeStiffness cable_node_stiffness(const Model& model, Row node) {
+    const auto& nodes = model.structures.cable_nodes;
+    const StructureProperties& p = properties_of(model, nodes.cable[node]);
     // A node follows the rock in the bound: it is anchored, or its bars are softer than its grout.
     const auto bars_of = [&](Row row) {
         double sum = 0;
@@ -218,7 +219,7 @@ NodeStiffness node_stiffness(const Model& model, Row node) {
     const double bars = 2 * bars_of(node), grout = p.grout_stiffness * nodes.share[node];
     const double tension = std::min(p.yield_tension, most_strain * p.axial_stiffness());
     const double across = p.axial_stiffness() > 0 ? tension / p.axial_stiffness() * bars : 0;
-    return {nodes.anchored[node] ? bars : std::min(grout, bars), across};
+    return {(nodes.anchored[node] ? bars : std::min(grout, bars)) + across, across, 0};
 }
 
 } // namespace kaya

@@ -1,8 +1,9 @@
 // Forces of the cables: docs/theory/cables.md.
 // reads: blocks.centroid, blocks.orientation, gridpoints.position, zones.stress, structures.properties
-// writes: structures.nodes
+// writes: structures.cable_nodes
 #pragma once
 
+#include "mechanics/adjacency.hpp"
 #include "mechanics/cable_chain.hpp"
 #include "model/model.hpp"
 
@@ -17,10 +18,7 @@ double run_cables(Model& model, std::vector<CableChain>& chains);
 
 /// Stiffness with which a cable may hold the rock at a node, along it and in other directions: bounds, whatever slips or
 /// yields. Equations (7) and (8) of docs/theory/cables.md.
-struct NodeStiffness {
-    double along = 0, across = 0;
-};
-NodeStiffness node_stiffness(const Model& model, Row node);
+NodeStiffness cable_node_stiffness(const Model& model, Row node);
 
 /// Unit vector along the cable at a node, from the places of its neighbours.
 Vec3 direction_at(const Model& model, Row node);

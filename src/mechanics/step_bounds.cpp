@@ -48,12 +48,13 @@ void spread(const Contacts& contacts, const std::vector<char>& from, std::vector
         if (from[contacts.block1[c]] || from[contacts.block2[c]]) to[contacts.block1[c]] = to[contacts.block2[c]] = 1;
 }
 
-void add_cable_node(const Model& model, const BodyFrame& frame, const NodeStiffness& stiffness, Row node,
-                    SpringMatrix& matrix) {
+void add_node(const Model& model, const BodyFrame& frame, const NodeStiffness& stiffness, Row node,
+              SpringMatrix& matrix) {
     SpringSums sums;
-    sums.normal.add(stiffness.along + stiffness.across, Vec3::Zero());
+    sums.normal.add(stiffness.along, Vec3::Zero());
     sums.shear.add(stiffness.across, Vec3::Zero());
-    matrix.add(1, {sums, direction_at(model, node), model.structures.nodes.position[node] - frame.centre});
+    matrix.add(1, {sums, direction_of_node(model, node), force_of_node(model, node).place - frame.centre});
+    for (int k = 0; k < 3; ++k) matrix.rotations[k] += stiffness.turning;
 }
 
 void mark_whole_bodies(const JoinedBodies& bodies, std::vector<char>& blocks) {
@@ -178,14 +179,12 @@ double StepBounds::mobility(const Model& model, Row block, const Attachment& att
     return sum;
 }
 
-/// The same of a cable node in a zone. No share is needed: a cable holds no node stiffer than this whatever the others do.
+/// The same of a node of a structure in a zone. No share is needed: it holds no gridpoint stiffer than this whatever the others do.
 double StepBounds::mobility_of_node(const Model& model, Row node) const {
-    const auto& nodes = model.structures.nodes;
-    const auto& corners =
-        model.zones.gridpoints[model.blocks.zones[block_of_node(model, node)].first + nodes.zone[node]];
+    const NodePlace at = place_of_held_node(model, node);
     double sum = 0;
     for (std::size_t k = 0; k < 4; ++k)
-        sum += std::abs(nodes.weights[node][k]) * root_of_gridpoint_[static_cast<std::size_t>(corners[k])];
+        sum += std::abs((*at.weights)[k]) * root_of_gridpoint_[static_cast<std::size_t>((*at.corners)[k])];
     return sum;
 }
 
@@ -265,10 +264,10 @@ Resistance StepBounds::of_block(const Model& model, const Adjacency& adjacency, 
     const auto add = [&](Row b) {
         for (auto e = adjacency.of_block.begin(b); e != adjacency.of_block.end(b); ++e)
             add_contact(model, frame, *e, shares, matrices);
-        if (adjacency.has_cables())
+        if (adjacency.has_structures())
             for (auto e = adjacency.nodes_of_block.begin(b); e != adjacency.nodes_of_block.end(b); ++e)
-                add_cable_node(model, frame, adjacency.node_stiffness[static_cast<std::size_t>(e->node)], e->node,
-                               matrices.elastic);
+                add_node(model, frame, adjacency.node_stiffness[static_cast<std::size_t>(e->node)], e->node,
+                         matrices.elastic);
     };
     if (body_[row] == no_row) add(row);
     else
@@ -295,10 +294,10 @@ Resistance StepBounds::of_gridpoint(const Model& model, const Adjacency& adjacen
         if (damped_)
             sum.viscous += times.viscous * part * std::max(beta_[c].normal * k.normal, beta_[c].shear * k.shear);
     }
-    if (adjacency.has_cables())
+    if (adjacency.has_structures())
         for (auto e = adjacency.nodes_of_gridpoint.begin(row); e != adjacency.nodes_of_gridpoint.end(row); ++e) {
             const NodeStiffness& k = adjacency.node_stiffness[static_cast<std::size_t>(e->node)];
-            sum.elastic += root * std::abs(e->weight) * mobility_of_node(model, e->node) * (k.along + k.across);
+            sum.elastic += root * std::abs(e->weight) * mobility_of_node(model, e->node) * std::max(k.along, k.across);
         }
     return sum;
 }

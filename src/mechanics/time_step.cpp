@@ -2,6 +2,7 @@
 
 #include "mechanics/remedy.hpp"
 #include "mechanics/density_scaling.hpp"
+#include "mechanics/member_lists.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,12 @@ double step_of_falling(const Model& model) {
     for (std::size_t b = 0; b < model.blocks.size(); ++b) size = std::min(size, std::cbrt(model.blocks.volume[b]));
     const double g = model.settings.gravity.norm();
     return 1e-3 * (g > 0 ? std::sqrt(2 * size / g) : 1.0);
+}
+
+/// What nodes of beams and liners allow: all where their masses follow the step, unless there is nothing else to follow.
+MemberLimit limit_of_members(const Model& model, double of_rock) {
+    const bool none = model.structures.members.empty();
+    return none || (member_masses_follow(model.settings) && !std::isinf(of_rock)) ? MemberLimit{} : member_limit(model);
 }
 
 } // namespace
@@ -58,8 +65,8 @@ void TimeStep::fit_masses(Model& model, const Adjacency& adjacency, bool anew) {
     }
 }
 
-/// `all`: `stable` is the bound of all bodies.
-void TimeStep::take_given(Model& model, const Adjacency& adjacency, double stable, bool all) {
+/// `all`: `stable` is the bound of all bodies, and of nodes of members.
+void TimeStep::take_given(Model& model, const Adjacency& adjacency, double stable, double of_members, bool all) {
     const double given = model.settings.given_time_step;
     if (given <= stable) {
         model.clock.time_step = given;
@@ -67,7 +74,8 @@ void TimeStep::take_given(Model& model, const Adjacency& adjacency, double stabl
         return;
     }
     // The bound is on the safe side; what the bodies do together may allow more.
-    const double needed = 0.25 * given * given * bounds_.estimate(model, adjacency, given);
+    const double needed = std::max(0.25 * given * given * bounds_.estimate(model, adjacency, given),
+                                   (given / of_members) * (given / of_members));
     if (needed > 1) {
         Diagnostic d(fmt::format("the time step {:.6g} is above the largest stable one, {:.6g}", given,
                                  std::max(stable, given / std::sqrt(needed))),
@@ -109,6 +117,11 @@ double TimeStep::without_growth(const Model& model, const Adjacency& adjacency, 
 }
 
 void TimeStep::limit(Model& model, const Adjacency& adjacency, std::vector<char>& changed, Bodies bodies) {
+    limit_bodies(model, adjacency, changed, bodies);
+    fit_member_masses(model);
+}
+
+void TimeStep::limit_bodies(Model& model, const Adjacency& adjacency, std::vector<char>& changed, Bodies bodies) {
     Clock& clock = model.clock;
     const Settings& settings = model.settings;
     const bool scaled = settings.mass_scaling != MassScaling::none, may_grow = bodies == Bodies::all_and_grow;
@@ -132,7 +145,9 @@ void TimeStep::limit(Model& model, const Adjacency& adjacency, std::vector<char>
         stable = bounds_.limit(model, adjacency).stable;
         bounds_.foreseen = nullptr;
     }
-    if (settings.given_time_step > 0) return take_given(model, adjacency, stable, all);
+    const double of_members = all ? limit_of_members(model, stable).stable : std::numeric_limits<double>::infinity();
+    stable = std::min(stable, of_members);
+    if (settings.given_time_step > 0) return take_given(model, adjacency, stable, of_members, all);
     if (clock.time_step == 0)
         clock.time_step = std::isinf(stable) ? step_of_falling(model) : time_step_fraction(settings) * stable;
     double step = clock.time_step;
@@ -148,6 +163,14 @@ void TimeStep::limit(Model& model, const Adjacency& adjacency, std::vector<char>
 std::string TimeStep::report(const Model& model, const Adjacency& adjacency) {
     bounds_.update(model, adjacency);
     const StepLimit limit = bounds_.limit(model, adjacency);
+    if (const MemberLimit members = limit_of_members(model, limit.stable); members.stable < limit.stable) {
+        const auto& nodes = model.structures.member_nodes;
+        const Row member = nodes.member[members.node];
+        return fmt::format("largest stable step {:.6g}, set by node {} of {} {}", members.stable,
+                           members.node - model.structures.members.nodes[member].first + 1,
+                           model.structures.members.kind[member] == beam_kind ? "beam" : "liner",
+                           model.structures.members.number[member]);
+    }
     if (!limit.exists()) return "nothing limits the time step: no stiffness acts";
     if (limit.of_block)
         return fmt::format("largest stable step {:.6g}, set by block {} and the joints on it", limit.stable,

@@ -35,8 +35,9 @@ public:
     std::string report(const Model& model, const Adjacency& adjacency);
 
 private:
+    void limit_bodies(Model& model, const Adjacency& adjacency, std::vector<char>& changed, Bodies bodies);
     void fit_masses(Model& model, const Adjacency& adjacency, bool anew);
-    void take_given(Model& model, const Adjacency& adjacency, double stable, bool all);
+    void take_given(Model& model, const Adjacency& adjacency, double stable, double of_members, bool all);
 
     double without_growth(const Model& model, const Adjacency& adjacency, double step);
 

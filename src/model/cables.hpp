@@ -3,45 +3,17 @@
 
 #include "model/blocks.hpp"
 #include "model/column.hpp"
+#include "model/rock_points.hpp"
 
-#include <array>
 #include <cstdint>
-#include <limits>
-#include <map>
-#include <string_view>
 #include <vector>
 
 namespace kaya {
 
 struct Model;
 
-/// What `structure property` gives to a number. A limit that is not given is infinite.
-struct CableProperties {
-    static constexpr double unlimited = std::numeric_limits<double>::infinity();
-    double area = 0;                   ///< of the cross section
-    double young = 0;                  ///< stress
-    double density = 0;                ///< mass/length^3
-    double grout_stiffness = 0;        ///< force per length of cable and length of slip
-    double grout_cohesion = unlimited; ///< force per length of cable
-    double grout_friction = 0;         ///< degrees
-    double grout_perimeter = 0;        ///< length
-    double yield_tension = unlimited;  ///< force
-    double yield_compression = unlimited;
-    double rupture_strain = unlimited; ///< plastic strain at which a bar breaks
-
-    double axial_stiffness() const { return area * young; } ///< force
-    bool operator==(const CableProperties&) const = default;
-};
-
-/// The names under which a deck gives them.
-struct CableProperty {
-    std::string_view name;
-    double CableProperties::*value;
-};
-const std::vector<CableProperty>& cable_properties();
-
-/// Bits of CableNodes::bar_state and CableNodes::grout_state: now, or at any time before.
-enum CableState : std::uint8_t { yields = 1, has_yielded = 2, broken = 4 };
+/// Bits of states of bars, grout, elements and links: now, or at any time before.
+enum YieldState : std::uint8_t { yields = 1, has_yielded = 2, broken = 4 };
 
 class CableNodes;
 
@@ -63,20 +35,15 @@ public:
 };
 
 /// Places of a cable, and of each the bar to the next one; the last node of a cable has none.
-class CableNodes : public Table<CableNodes> {
+class CableNodes : public Table<CableNodes>, public RockPoints {
 public:
     Column<Row> cable;
-    Column<BlockId> block;      ///< in which it lies; an id of none: outside of the rock
-    Column<std::int32_t> shape; ///< Blocks::shape when it was placed there; it is placed anew when that is another
-    Column<Row> zone;           ///< counted from the first of its block; no_row in a rigid block
-    Column<std::array<double, 4>> weights; ///< of the zone's gridpoints, sum 1
-    Column<Vec3> local;                    ///< in a rigid block: from its centroid, in its own axes
-    Column<std::uint8_t> anchored;         ///< cannot slip
-    Column<Vec3> position;                 ///< of the rock at the node
-    Column<double> share;                  ///< length of cable whose grout acts at the node
-    Column<double> slip;                   ///< of the cable past the rock, towards its end
-    Column<double> slip_lost;              ///< of it, what does not go back
-    Column<double> grout;                  ///< force of the rock on the cable along it
+    Column<std::uint8_t> anchored; ///< cannot slip
+    Column<Vec3> position;         ///< of the rock at the node
+    Column<double> share;          ///< length of cable whose grout acts at the node
+    Column<double> slip;           ///< of the cable past the rock, towards its end
+    Column<double> slip_lost;      ///< of it, what does not go back
+    Column<double> grout;          ///< force of the rock on the cable along it
     Column<std::uint8_t> grout_state;
     Column<Vec3> force;        ///< on the rock
     Column<double> bar_length; ///< without force
@@ -86,11 +53,7 @@ public:
 
     template <class Visit> void columns(Visit&& visit) {
         visit("cable", cable, link<Cables>());
-        visit("block", block, link<Blocks>());
-        visit("shape", shape, Role::identity);
-        visit("zone", zone, Role::local_link);
-        visit("weights", weights, Role::geometry);
-        visit("local", local, Role::geometry);
+        rock_columns(visit);
         visit("anchored", anchored, Role::setting);
         visit("position", position, Role::geometry);
         visit("share", share, Role::geometry);
@@ -104,16 +67,6 @@ public:
         visit("bar_force", bar_force, Role::state);
         visit("bar_state", bar_state, Role::state);
     }
-};
-
-/// What stands in the rock.
-struct Structures {
-    Cables cables;
-    CableNodes nodes;
-    std::map<std::int32_t, CableProperties> properties;
-    std::int32_t next_cable_number = 1;
-
-    bool any() const { return !cables.empty() || !properties.empty(); }
 };
 
 /// A straight cable to be made.
@@ -131,11 +84,8 @@ Row make_cable(Model& model, const NewCable& wanted);
 /// Takes cables out, given by ascending rows.
 void delete_cables(Model& model, const std::vector<Row>& cables);
 
-/// Gives new cables their tension. Throws Diagnostic when the properties of a cable are not there or have no stiffness.
-void take_cable_properties(Model& model);
-
-/// Puts nodes into the blocks and zones at their places where their block is gone or has got another shape.
-void place_cable_nodes(Model& model);
+/// Gives new cables their tension. Their properties must be there.
+void tighten_cables(Model& model);
 
 /// The row of the block that a node lies in; no_row when it is outside of the rock.
 Row block_of_node(const Model& model, Row node);

@@ -87,6 +87,10 @@ template <> constexpr const char* noun<TiedPairs> = "pair";
 template <> constexpr const char* noun<Ties> = "tie";
 template <> constexpr const char* noun<Cables> = "cable";
 template <> constexpr const char* noun<CableNodes> = "node";
+template <> constexpr const char* noun<Members> = "member";
+template <> constexpr const char* noun<MemberNodes> = "node";
+template <> constexpr const char* noun<BeamElements> = "beam";
+template <> constexpr const char* noun<LinerElements> = "liner";
 template <> constexpr const char* noun<Group> = "group";
 template <> constexpr const char* noun<Roller> = "roller";
 template <> constexpr const char* noun<JointProperties> = "property set";
@@ -332,25 +336,68 @@ void check_boundary_histories(Findings& findings, const Model& model) {
     }
 }
 
-/// Blocks may be gone by now; a node whose block has its shape yet must have its zone.
+/// Blocks may be gone by now; a point whose block has its shape yet must have its zone.
+void check_rock_points(Findings& findings, const Model& model, const char* table, const RockPoints& points) {
+    for (std::size_t i = 0; i < points.block.size() && findings.clean(); ++i) {
+        const Row row = static_cast<Row>(i), block = rock_block(model, points, row);
+        if (!is_placed(model, points, row)) continue;
+        const auto zones = static_cast<std::size_t>(model.blocks.zones[block].count);
+        findings.require(model.blocks.deformable[block] != 0 ? inside(points.zone[i], zones) : points.zone[i] == no_row,
+                         table, i, "its block has no such zone");
+    }
+}
+
 void check_cables(Findings& findings, const Model& model) {
-    const auto& [cables, nodes, properties, next_number] = model.structures;
+    const auto& cables = model.structures.cables;
+    const auto& nodes = model.structures.cable_nodes;
+    const std::int32_t next_number = model.structures.next_number;
     for (std::size_t i = 0; i < cables.size() && findings.clean(); ++i) {
         const std::int32_t before = i == 0 ? 0 : cables.number[i - 1];
         findings.require(cables.number[i] > before && cables.number[i] < next_number, "cables", i,
                          fmt::format("number {}", cables.number[i]));
         findings.require(cables.nodes[i].count >= 2, "cables", i, "it has no bar");
     }
-    for (std::size_t i = 0; i < nodes.size() && findings.clean(); ++i) {
-        const Row node = static_cast<Row>(i), block = block_of_node(model, node);
-        const bool same = block != no_row && model.blocks.shape[block] == nodes.shape[i];
-        const bool deformable = same && model.blocks.deformable[block] != 0;
-        findings.require(
-            !same || (deformable ? inside(nodes.zone[i], static_cast<std::size_t>(model.blocks.zones[block].count))
-                                 : nodes.zone[i] == no_row),
-            "cable_nodes", i, "its block has no such zone");
-        findings.require(!has_bar(nodes, node) || nodes.bar_length[i] > 0, "cable_nodes", i, "its bar has no length");
+    check_rock_points(findings, model, "cable_nodes", nodes);
+    for (std::size_t i = 0; i < nodes.size() && findings.clean(); ++i)
+        findings.require(!has_bar(nodes, static_cast<Row>(i)) || nodes.bar_length[i] > 0, "cable_nodes", i,
+                         "its bar has no length");
+}
+
+/// Elements have nodes of their own member, no two at one place.
+void check_members(Findings& findings, const Model& model) {
+    const auto& structures = model.structures;
+    const auto& members = structures.members;
+    const auto& nodes = structures.member_nodes;
+    for (std::size_t i = 0; i < members.size() && findings.clean(); ++i) {
+        const std::int32_t before = i == 0 ? 0 : members.number[i - 1];
+        findings.require(members.number[i] > before && members.number[i] < structures.next_number, "members", i,
+                         fmt::format("number {}", members.number[i]));
+        const bool beam = members.kind[i] == beam_kind, liner = members.kind[i] == liner_kind;
+        findings.require(beam || liner, "members", i, "its kind is unknown");
+        findings.require((members.beams[i].count > 0) == beam && (members.liners[i].count > 0) == liner, "members", i,
+                         "its elements are not of its kind");
     }
+    for (std::size_t i = 0; i < nodes.size() && findings.clean(); ++i) {
+        findings.require(between(nodes.grip[i], Grip::link, Grip::clamp), "member_nodes", i, "its grip is unknown");
+        const double turn = nodes.rotation[i].norm();
+        findings.require(turn > 0.5 && turn < 2, "member_nodes", i, "its rotation is none");
+    }
+    check_rock_points(findings, model, "member_nodes", nodes);
+    const auto check = [&](const char* table, const auto& corners, const Column<Row>& owners) {
+        for (std::size_t i = 0; i < corners.size() && findings.clean(); ++i)
+            for (std::size_t k = 0; k < corners[i].size() && findings.clean(); ++k) {
+                const Row node = corners[i][k], next = corners[i][(k + 1) % corners[i].size()];
+                const bool there = inside(node, nodes.size());
+                findings.require(there && nodes.member[static_cast<std::size_t>(node)] == owners[i], table, i,
+                                 fmt::format("node {} is not one of its member", node));
+                findings.require(!there || !inside(next, nodes.size()) ||
+                                     nodes.reference[static_cast<std::size_t>(node)] !=
+                                         nodes.reference[static_cast<std::size_t>(next)],
+                                 table, i, "it has no length");
+            }
+    };
+    check("beams", structures.beams.nodes, structures.beams.member);
+    check("liners", structures.liners.nodes, structures.liners.member);
 }
 
 } // namespace
@@ -381,13 +428,13 @@ std::string inconsistency(Model& model) {
     findings.require(between<std::int64_t>(model.clock.cycle, 0, std::int64_t{1} << 53),
                      fmt::format("{} cycles", model.clock.cycle));
     for (const auto next : {model.next_block_number, model.next_shape_number, model.next_contact_number,
-                            model.next_sub_contact_number, model.structures.next_cable_number})
+                            model.next_sub_contact_number, model.structures.next_number})
         findings.require(between(next, 1, 2'000'000'000), fmt::format("{} is the next number", next));
     if (findings.clean()) check_links(findings, model);
     if (!findings.clean()) return findings.text();
 
     for (const auto check : {check_blocks, check_geometry, check_excavated, check_contacts, check_sub_contacts,
-                             check_ties, check_histories, check_boundary_histories, check_cables}) {
+                             check_ties, check_histories, check_boundary_histories, check_cables, check_members}) {
         check(findings, model);
         if (!findings.clean()) break;
     }

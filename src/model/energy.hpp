@@ -16,7 +16,7 @@ struct Energy {
     double joint_friction = 0; ///< of it, lost in slip and breaking
     double joint_lost = 0;     ///< of it, lost where touches changed: contacts that parted or got new geometry
     double zone_work = 0;      ///< put into zones
-    double structure_work = 0; ///< put into cables: stored in them or lost
+    double structure_work = 0; ///< put into cables, beams and liners: stored in them or lost
     double step_made = 0;      ///< made by changes of the time step, docs/theory/energy.md (9)
     double inner_power = 0;    ///< of the forces of joints and zones on the bodies at the end of the last step
     double lag = 0;            ///< time from the velocities to the end of the last step: half of it

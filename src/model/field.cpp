@@ -56,8 +56,9 @@ namespace {
 std::vector<Field> all_fields() {
     using namespace field_rows;
     std::vector<Field> all;
-    for (const auto* table : {&global_fields(), &block_fields(), &gridpoint_fields(), &face_fields(), &zone_fields(),
-                              &contact_fields(), &sub_contact_fields(), &corner_fields(), &cable_fields()})
+    for (const auto* table :
+         {&global_fields(), &block_fields(), &gridpoint_fields(), &face_fields(), &zone_fields(), &contact_fields(),
+          &sub_contact_fields(), &corner_fields(), &cable_fields(), &member_fields()})
         all.insert(all.end(), table->begin(), table->end());
     return all;
 }

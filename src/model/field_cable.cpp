@@ -8,7 +8,7 @@ namespace {
 
 constexpr auto table = ObjectKind::cable_node;
 
-const CableNodes& nodes_of(const Model& model) { return model.structures.nodes; }
+const CableNodes& nodes_of(const Model& model) { return model.structures.cable_nodes; }
 
 std::int64_t cable_number(const Model& model, Row node) {
     return model.structures.cables.number[nodes_of(model).cable[node]];

@@ -22,6 +22,7 @@ const Fields& contact_fields();
 const Fields& sub_contact_fields();
 const Fields& corner_fields();
 const Fields& cable_fields();
+const Fields& member_fields();
 
 /// The number in a value that a script gives. Throws Diagnostic when it is something else.
 double number(const FieldValue& value);

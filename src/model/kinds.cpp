@@ -54,16 +54,43 @@ Span corners_of_block(const Model& model, Row block) {
     return {3 * triangles.first, 3 * triangles.count};
 }
 
-std::size_t cable_node_count(const Model& model) { return model.structures.nodes.size(); }
-Vec3 place_of_cable_node(const Model& model, Row row) { return model.structures.nodes.position[row]; }
+std::size_t cable_node_count(const Model& model) { return model.structures.cable_nodes.size(); }
+Vec3 place_of_cable_node(const Model& model, Row row) { return model.structures.cable_nodes.position[row]; }
 Identity cable_node_identity(const Model& model, Row row) {
     const auto& cables = model.structures.cables;
-    const Row cable = model.structures.nodes.cable[row];
+    const Row cable = model.structures.cable_nodes.cable[row];
     return {static_cast<std::uint32_t>(cables.number[cable]),
             static_cast<std::uint32_t>(row - cables.nodes[cable].first) + 1};
 }
 Row find_cable_node(const Model& model, const Identity& identity) {
     return node_of_cable(model, static_cast<std::int32_t>(identity.slot), static_cast<Row>(identity.generation) - 1);
+}
+
+// Nodes and elements of beams and liners are known by the number of their structure, and counted in it.
+template <auto table> std::size_t member_rows(const Model& model) { return (model.structures.*table).size(); }
+template <auto table, auto span> Identity member_identity(const Model& model, Row row) {
+    const auto& members = model.structures.members;
+    const Row member = (model.structures.*table).member[row];
+    return {static_cast<std::uint32_t>(members.number[member]),
+            static_cast<std::uint32_t>(row - (members.*span)[member].first) + 1};
+}
+template <auto table, auto span> Row find_in_member(const Model& model, const Identity& identity) {
+    const Row member = member_of_number(model, static_cast<std::int32_t>(identity.slot));
+    if (member == no_row) return no_row;
+    const Span rows = (model.structures.members.*span)[member];
+    const Row offset = static_cast<Row>(identity.generation) - 1;
+    return offset >= 0 && offset < rows.count ? rows.first + offset : no_row;
+}
+Row block_of_member_node(const Model& model, Row row) { return rock_block(model, model.structures.member_nodes, row); }
+template <auto table> Row block_of_element(const Model& model, Row row) {
+    return block_of_member_node(model, (model.structures.*table).nodes[row][0]);
+}
+Vec3 place_of_member_node(const Model& model, Row row) { return model.structures.member_nodes.position[row]; }
+template <auto table> Vec3 place_of_element(const Model& model, Row row) {
+    const auto& nodes = (model.structures.*table).nodes[row];
+    Vec3 sum = Vec3::Zero();
+    for (const Row node : nodes) sum += place_of_member_node(model, node);
+    return sum / static_cast<double>(nodes.size());
 }
 
 template <auto table> Vec3 position(const Model& model, Row row) { return (model.*table).position[row]; }
@@ -77,7 +104,7 @@ constexpr auto block_of_face = owner<&Model::faces, &Faces::block>;
 // A row per kind.
 // clang-format off
 /// In the order of ObjectKind.
-constexpr std::array<KindInfo, 11> all_kinds{{
+constexpr std::array<KindInfo, 14> all_kinds{{
     {.kind = ObjectKind::block, .name = "block", .noun = "block", .plural = "blocks", .file = "blocks",
      .count = size<&Model::blocks>, .block = itself, .place = block_centroid, .number = number<&Model::blocks>, .shown = block_shown,
      .groups = groups<&Model::blocks>, .identity = identity<&Model::blocks>, .find = find<&Model::blocks>,
@@ -114,6 +141,18 @@ constexpr std::array<KindInfo, 11> all_kinds{{
      .count = cable_node_count, .block = block_of_node, .place = place_of_cable_node, .number = counted_from_one, // seen through the rock
      .identity = cable_node_identity, .find = find_cable_node,
      .history = 6, .missing = "cables", .remedy = "make cables (structure cable ...) before this history"},
+    {.kind = ObjectKind::structure_node, .name = "structure_node", .noun = "node of beams and liners", .plural = "nodes of beams and liners", .file = "structure-nodes",
+     .count = member_rows<&Structures::member_nodes>, .block = block_of_member_node, .place = place_of_member_node, .number = counted_from_one,
+     .identity = member_identity<&Structures::member_nodes, &Members::nodes>, .find = find_in_member<&Structures::member_nodes, &Members::nodes>,
+     .history = 7, .missing = "beams and liners", .remedy = "make them (structure beam ..., structure liner ...) before this history"},
+    {.kind = ObjectKind::beam_element, .name = "beam_element", .noun = "element of beams", .plural = "elements of beams", .file = "beam-elements",
+     .count = member_rows<&Structures::beams>, .block = block_of_element<&Structures::beams>, .place = place_of_element<&Structures::beams>, .number = counted_from_one,
+     .identity = member_identity<&Structures::beams, &Members::beams>, .find = find_in_member<&Structures::beams, &Members::beams>,
+     .history = 8, .missing = "beams", .remedy = "make beams (structure beam ...) before this history"},
+    {.kind = ObjectKind::liner_element, .name = "liner_element", .noun = "element of liners", .plural = "elements of liners", .file = "liner-elements",
+     .count = member_rows<&Structures::liners>, .block = block_of_element<&Structures::liners>, .place = place_of_element<&Structures::liners>, .number = counted_from_one,
+     .identity = member_identity<&Structures::liners, &Members::liners>, .find = find_in_member<&Structures::liners, &Members::liners>,
+     .history = 9, .missing = "liners", .remedy = "make liners (structure liner ...) before this history"},
     {.kind = ObjectKind::triangle, .name = "triangle", .noun = "triangle", .plural = "triangles",
      .count = size<&Model::triangles>, .block = block_of_triangle, .place = triangle_centroid, .number = counted_from_one,
      .shown = shown<block_of_triangle>},

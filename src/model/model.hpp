@@ -2,7 +2,6 @@
 #pragma once
 
 #include "model/blocks.hpp"
-#include "model/cables.hpp"
 #include "model/contacts.hpp"
 #include "model/boundary_histories.hpp"
 #include "model/energy.hpp"
@@ -10,6 +9,7 @@
 #include "model/materials.hpp"
 #include "model/model_edit.hpp"
 #include "model/settings.hpp"
+#include "model/structures.hpp"
 #include "geometry/ground.hpp"
 #include "model/ties.hpp"
 
@@ -112,10 +112,20 @@ struct Model {
         visit("ties", ties);
         visit("drives", boundary_histories);
     }
-    /// The same of what stands in the rock.
+    /// The same of what stands in the rock, and on its faces.
     template <class Visit> void structure_tables(Visit&& visit) {
+        cable_tables(visit);
+        member_tables(visit);
+    }
+    template <class Visit> void cable_tables(Visit&& visit) {
         visit("cables", structures.cables);
-        visit("cable_nodes", structures.nodes);
+        visit("cable_nodes", structures.cable_nodes);
+    }
+    template <class Visit> void member_tables(Visit&& visit) {
+        visit("members", structures.members);
+        visit("member_nodes", structures.member_nodes);
+        visit("beams", structures.beams);
+        visit("liners", structures.liners);
     }
 };
 

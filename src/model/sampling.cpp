@@ -83,7 +83,7 @@ void locate(const Model& model, HistorySource& source) {
         }
     }
     if (source.kind == Kind::cable_node) {
-        const Row cable = model.structures.nodes.cable[source.row];
+        const Row cable = model.structures.cable_nodes.cable[source.row];
         source.slot = static_cast<std::uint32_t>(model.structures.cables.number[cable]);
         source.generation = 1;
         source.offset = source.row - model.structures.cables.nodes[cable].first;

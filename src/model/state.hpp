@@ -127,9 +127,12 @@ template <class Archive> void visit_state(Archive& archive, ZoneProperties& prop
     archive.aside([&] { archive.text("place", place); });
 }
 
-template <class Archive> void visit_state(Archive& archive, CableProperties& properties) {
+template <class Archive> void visit_state(Archive& archive, StructureProperties& properties) {
+    const StructureProperties fresh;
     auto& [area, young, density, grout_stiffness, grout_cohesion, grout_friction, grout_perimeter, yield_tension,
-           yield_compression, rupture_strain] = properties;
+           yield_compression, rupture_strain, poisson, moment_of_area_y, moment_of_area_z, torsion_constant,
+           plastic_moment_y, plastic_moment_z, thickness, link_normal, link_shear, link_cohesion, link_friction,
+           link_tension] = properties;
     archive.value("area", area);
     archive.value("young", young);
     archive.value("density", density);
@@ -140,6 +143,21 @@ template <class Archive> void visit_state(Archive& archive, CableProperties& pro
     archive.value("yield_tension", yield_tension);
     archive.value("yield_compression", yield_compression);
     archive.value("rupture_strain", rupture_strain);
+    const auto member = [&](const char* name, double& value, double before) {
+        archive.since(13, value != before, [&] { archive.value(name, value); });
+    };
+    member("poisson", poisson, fresh.poisson);
+    member("moment_of_area_y", moment_of_area_y, fresh.moment_of_area_y);
+    member("moment_of_area_z", moment_of_area_z, fresh.moment_of_area_z);
+    member("torsion_constant", torsion_constant, fresh.torsion_constant);
+    member("plastic_moment_y", plastic_moment_y, fresh.plastic_moment_y);
+    member("plastic_moment_z", plastic_moment_z, fresh.plastic_moment_z);
+    member("thickness", thickness, fresh.thickness);
+    member("link_normal", link_normal, fresh.link_normal);
+    member("link_shear", link_shear, fresh.link_shear);
+    member("link_cohesion", link_cohesion, fresh.link_cohesion);
+    member("link_friction", link_friction, fresh.link_friction);
+    member("link_tension", link_tension, fresh.link_tension);
 }
 
 template <class Archive> void visit_state(Archive& archive, JointProperties& properties) {
@@ -286,13 +304,16 @@ template <class Archive> void visit_state(Archive& archive, Model& model) {
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
 
     archive.since(11, structures.any(), [&] {
-        model.structure_tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
+        model.cable_tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
         visit_map(archive, "cable_properties", structures.properties,
-                  [&](std::int32_t& number, CableProperties& properties) {
+                  [&](std::int32_t& number, StructureProperties& properties) {
                       archive.value("number", number);
                       visit_state(archive, properties);
                   });
-        archive.value("next_cable_number", structures.next_cable_number);
+        archive.value("next_cable_number", structures.next_number);
+    });
+    archive.since(13, !structures.members.empty(), [&] {
+        model.member_tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
     });
 
     visit_map(archive, "materials", materials, [&](std::int32_t& number, Material& material) {

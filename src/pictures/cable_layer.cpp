@@ -10,7 +10,7 @@ namespace kaya {
 
 void add_cables(Scene& scene, const Model& model, const Shown& shown, const std::string& word) {
     const Field& field = *find_field(ObjectKind::cable_node, word);
-    const auto& nodes = model.structures.nodes;
+    const auto& nodes = model.structures.cable_nodes;
     Layer layer;
     layer.kind = Layer::Kind::lines;
     layer.width = 5;

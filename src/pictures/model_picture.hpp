@@ -43,6 +43,8 @@ void add_blocks(Scene& scene, const Model& model, const Shown& shown, const std:
 void add_joints(Scene& scene, const Model& model, const Shown& shown, const ColourField& field);
 /// Cables as lines, by the colours of a quantity of fields() of their nodes. They are seen through the blocks.
 void add_cables(Scene& scene, const Model& model, const Shown& shown, const std::string& field);
+/// Elements of beams (lines) or of liners (triangles), by the colours of a number among their fields.
+void add_members(Scene& scene, const Model& model, const Shown& shown, ObjectKind kind, const std::string& field);
 /// Vectors of gridpoints (of rigid blocks: of blocks). `scale` 0: the longest is a twelfth of the model.
 void add_arrows(Scene& scene, const Model& model, const Shown& shown, bool velocity, double scale);
 

@@ -40,14 +40,14 @@ TEST_F(DeckReportTest, ADeckThatRunsHasNoLines) {
 }
 
 TEST_F(DeckReportTest, EachKindOfLineIsNamed) {
-    write("a.3dd", "poly brick 0 1\nlabel hist 1 &\n  hold\nset pagination off dyn on\nstruct beam 1 2\n"
+    write("a.3dd", "poly brick 0 1\nlabel hist 1 &\n  hold\nset pagination off dyn on\nstruct pile 1 2\n"
                    "bound ff range x 0\ngen egde 1\ncycle 1.5\nhide range sregion 1\ncycle 1\n");
     const DeckReport found = report("a.3dd");
     EXPECT_EQ(found.text("a.3dd"),
               "a.3dd:2:1: ignored: label hist 1 hold\n"
               "a.3dd:4:1: ignored: set pagination\n"
-              "a.3dd:5:8: not supported yet: 'structure beam' is known, but kaya does not support it yet; it is about "
-              "beams: of structures there are cables\n"
+              "a.3dd:5:8: not supported yet: 'structure pile' is known, but kaya does not support it yet; it is about "
+              "piles: of structures there are cables, beams and liners\n"
               "a.3dd:6:7: not supported yet: 'boundary ff' is known, but kaya does not support it yet; it is about "
               "free fields at the sides of a model\n"
               "a.3dd:7:5: unknown: 'egde' is not a kind of generate; did you mean 'edge'?\n"

@@ -25,7 +25,11 @@ constexpr Section sections[] = {{ObjectKind::global, "The whole model"},
                                 {ObjectKind::face, "Faces"},
                                 {ObjectKind::contact, "Contacts"},
                                 {ObjectKind::sub_contact, "Sub-contacts"},
-                                {ObjectKind::corner, "Corners of faces"}};
+                                {ObjectKind::corner, "Corners of faces"},
+                                {ObjectKind::cable_node, "Nodes of cables"},
+                                {ObjectKind::structure_node, "Nodes of beams and liners"},
+                                {ObjectKind::beam_element, "Elements of beams"},
+                                {ObjectKind::liner_element, "Elements of liners"}};
 
 constexpr const char* head =
     "# Fields of objects\n\n"
@@ -40,11 +44,13 @@ const char* kind_of(const FieldValue& value) {
 
 class FieldsPage : public Running {
 protected:
-    /// Two blocks, one with zones, that touch.
+    /// Two blocks, one with zones, that touch, with a structure of each kind.
     void make_model() {
         session().joints.set_path({KAYA_TEST_JOINTS});
         run("poly brick 0 1 0 1 0 1\npoly brick 0 1 0 1 1 2\ngen edge 2 range z 1 2\nprop mat 1 dens 2000 k 1e9 g 1e9\n"
-            "prop jmat 1 jkn 1e9 jks 1e9\ncycle 1\n");
+            "prop jmat 1 jkn 1e9 jks 1e9\nstructure property 1 area 1e-4 young 2e11\nstructure cable 0.2 0.5 0.5 0.8 0.5 0.5\n"
+            "structure property 2 area 1e-4 young 2e11 density 7800 moi-y 1e-9 moi-z 1e-9\nstructure beam 0.2 0.5 0 0.8 0.5 0 property 2\n"
+            "structure property 3 thickness 0.01 young 2e10 density 2400\nstructure liner property 3 range x 1\ncycle 1\n");
     }
 
     std::string row(const Field& field, const std::map<std::string, std::string>& newer) {

@@ -48,8 +48,8 @@ protected:
 TEST_F(ModelWorldTest, TablesAreNamedInTheOrderOfTheirNumbers) {
     std::vector<std::string_view> names;
     for (const auto& table : world().tables()) names.push_back(table.name);
-    EXPECT_THAT(names,
-                ElementsAre("block", "gridpoint", "zone", "face", "contact", "sub_contact", "corner", "cable_node"));
+    EXPECT_THAT(names, ElementsAre("block", "gridpoint", "zone", "face", "contact", "sub_contact", "corner",
+                                   "cable_node", "structure_node", "beam_element", "liner_element"));
     for (const auto& table : world().tables()) EXPECT_FALSE(table.fields.empty()) << table.name;
 }
 

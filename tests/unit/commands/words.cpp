@@ -29,7 +29,7 @@ TEST(Words, HistoryRecordsFieldsOfTheModel) {
 
 TEST(Words, PropertiesOfStructuresAreThoseOfTheModel) {
     Words of_model;
-    for (const auto& property : cable_properties()) of_model.insert(property.name);
+    for (const auto& property : structure_properties()) of_model.insert(property.name);
     EXPECT_EQ(words_of(lang::structure_property_words()), of_model);
 }
 

@@ -1,4 +1,5 @@
 #include "model/field.hpp"
+#include "model/members.hpp"
 
 #include "base/diagnostic.hpp"
 #include "model/measure.hpp"
@@ -79,6 +80,7 @@ TEST(Fields, EveryFieldOfEveryRowCanBeReadAndLinksStayInsideTheModel) {
 
 TEST(Fields, WhatIsWrittenIsReadBack) {
     Model model = hand_made_model();
+    make_beam(model, {.places = {Vec3(0, 0, 0), Vec3(1, 0, 0)}});
     std::size_t written = 0;
     for (const auto& field : fields()) {
         if (!field.set) continue;

@@ -112,6 +112,10 @@ table 1 0 0 1 1
 bound xload 1 hist table 1 range z 2.9 3.1
 structure property 1 area 1e-4 young 2e11 kbond 1e7 sbond 1e4
 structure cable 0.5 0.5 1.8 0.5 0.5 0.2 segments 6
+structure property 2 area 1e-3 young 2e11 density 7800 moi-y 1e-7 moi-z 1e-7 plastic-moment 1e3
+structure beam 0.2 0.5 1.8 0.5 0.5 0.2 3 0.5 0.2 segments 4 property 2 anchor all
+structure property 3 thickness 0.05 young 2e10 density 2400 kn 1e9 ks 1e8 tension 1e3
+structure liner property 3 edge 0.6 range y -0.01 0.01
 hist unbal
 hist zdis 0 0 2
 hist cforce 0.5 0.5 1

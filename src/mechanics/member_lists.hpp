@@ -1,0 +1,60 @@
+// What is derived from beams and liners and never saved: shapes of elements, and who acts on whom.
+#pragma once
+
+#include "mechanics/beam_element.hpp"
+#include "mechanics/row_lists.hpp"
+#include "mechanics/shell_element.hpp"
+#include "model/model.hpp"
+
+#include <limits>
+#include <vector>
+
+namespace kaya {
+
+struct MemberLists {
+    struct Beam {
+        BeamSection section;
+        Mat3 axes; ///< when it was made
+        double length;
+    };
+    std::vector<Beam> beams;
+    std::vector<ShellShape> shells;
+    Lists<Row> ends_of_node;    ///< by node of a member: rows of `ends`
+    std::vector<EndForce> ends; ///< two for each beam element, and then three for each of liners
+    std::vector<NodePose> poses;
+    std::vector<Hold> holds;
+
+    MemberLists() = default;
+    /// Properties must be there.
+    explicit MemberLists(const Model& model);
+
+    bool any() const { return !holds.empty(); }
+};
+
+BeamSection section_of_beam(const StructureProperties& properties);
+ShellSection section_of_liner(const StructureProperties& properties);
+
+/// Masses of nodes by the densities of their members, and bounds of their stiffnesses. Properties must be there.
+void compute_member_masses(Model& model);
+
+/// Of the springs that hold a node to the rock.
+struct LinkStiffness {
+    double normal = 0, shear = 0;
+};
+LinkStiffness link_stiffness(const Model& model, Row node, Hold hold);
+
+/// Bound of the stiffness of a node that moves by itself, by equation (14) of docs/theory/beams-and-liners.md. Its link counts twice, since
+/// the rock moves too.
+double node_resistance(const Model& model, Row node, Hold hold);
+
+/// The largest step that is stable for nodes with their own masses, and the node that sets it.
+struct MemberLimit {
+    double stable = std::numeric_limits<double>::infinity();
+    Row node = no_row;
+};
+MemberLimit member_limit(const Model& model);
+
+/// Whether inertial masses of nodes follow the step, as on the way to rest, and not the step them.
+bool member_masses_follow(const Settings& settings);
+
+} // namespace kaya

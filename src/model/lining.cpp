@@ -1,0 +1,102 @@
+#include "model/lining.hpp"
+
+#include "model/measure.hpp"
+#include "model/model.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace kaya {
+
+namespace {
+
+using Corners = std::array<Vec3, 3>;
+
+double area_of(const Corners& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm(); }
+
+Vec3 middle_of(const Corners& c) { return (c[0] + c[1] + c[2]) / 3; }
+
+/// Whether other blocks lie on a triangle of a block: at its middle, and near its corners.
+class Cover {
+public:
+    Cover(const Model& model, double tolerance) : finder_(model), tolerance_(tolerance) {}
+    bool at(const Vec3& place, Row own) const { return finder_.other_at(place, own, tolerance_); }
+    /// Of the middle and three points near the corners.
+    int count(const Corners& corners, Row own) const {
+        const Vec3 middle = middle_of(corners);
+        int covered = at(middle, own);
+        for (const Vec3& corner : corners) covered += at(corner + 0.15 * (middle - corner), own);
+        return covered;
+    }
+    static constexpr int all = 4;
+
+private:
+    BlockFinder finder_;
+    double tolerance_;
+};
+
+double extent_of(const std::vector<Corners>& triangles) {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const auto& corners : triangles)
+        for (const Vec3& corner : corners) {
+            low = low.cwiseMin(corner);
+            high = high.cwiseMax(corner);
+        }
+    return triangles.empty() ? 0 : (high - low).norm();
+}
+
+} // namespace
+
+double expected_triangles(const Model& model, const std::vector<Row>& faces, double edge) {
+    double area = 0, rows = 0;
+    for (const Row face : faces) {
+        area += face_area_vector(model, face).norm();
+        rows += model.faces.triangles[face].count;
+    }
+    return std::max(rows, edge > 0 ? 4 * area / (edge * edge) : 0);
+}
+
+Lining line_faces(const Model& model, const std::vector<Row>& faces, double edge, double& tolerance) {
+    Lining lining;
+    std::vector<Corners> triangles;
+    std::vector<Row> blocks;
+    for (const Row face : faces) {
+        const Span span = model.faces.triangles[face];
+        for (Row t = span.first; t < span.end(); ++t) {
+            const auto& rows = model.triangles.gridpoints[t];
+            const auto& position = model.gridpoints.position;
+            triangles.push_back({position[rows[0]], position[rows[1]], position[rows[2]]});
+            blocks.push_back(model.faces.block[face]);
+        }
+    }
+    if (!(tolerance > 0)) tolerance = 1e-4 * extent_of(triangles);
+    const Cover cover(model, tolerance);
+    std::vector<Corners> open;
+    for (std::size_t k = 0; k < triangles.size(); ++k)
+        if (cover.count(triangles[k], blocks[k]) == Cover::all) ++lining.covered;
+        else open.push_back(triangles[k]);
+    lining.mesh = joined_surface(open, tolerance);
+    cut_at_corners(lining.mesh, tolerance);
+    if (edge > 0) refine(lining.mesh, edge);
+
+    const BlockFinder finder(model);
+    std::vector<char> kept;
+    for (const auto& t : lining.mesh.triangles) {
+        const auto at = [&](std::size_t k) { return lining.mesh.points[static_cast<std::size_t>(t[k])]; };
+        const Corners corners{at(0), at(1), at(2)};
+        const Row own = finder.at(
+            middle_of(corners) - 2 * tolerance * (at(1) - at(0)).cross(at(2) - at(0)).normalized(), tolerance);
+        const int covered = cover.count(corners, own);
+        const bool out = cover.at(middle_of(corners), own);
+        kept.push_back(!out);
+        lining.partly += covered != 0 && covered != Cover::all;
+        if (out) ++lining.covered;
+        else lining.area += area_of(corners);
+    }
+    keep_triangles(lining.mesh, kept);
+    return lining;
+}
+
+} // namespace kaya

@@ -1,0 +1,206 @@
+// Beams and liners: bars and plates on the faces of blocks, whose nodes have inertia. docs/theory/beams-and-liners.md.
+#pragma once
+
+#include "geometry/surface_mesh.hpp"
+#include "model/blocks.hpp"
+#include "model/column.hpp"
+#include "model/rock_points.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace kaya {
+
+struct Model;
+
+class MemberNodes;
+class BeamElements;
+class LinerElements;
+
+/// One of them for each `structure beam` and `structure liner`.
+class Members : public Table<Members> {
+public:
+    Column<std::int32_t> number;   ///< what users see, one count with cables
+    Column<std::int32_t> property; ///< key of Structures::properties
+    Column<std::uint8_t> kind;     ///< StructureKind
+    Column<Vec3> axis;             ///< of a beam: about where its axis y points; of a liner: its axis x
+    Column<double> tolerance;      ///< how far outside of the rock a node still lies on it
+    Column<Span> nodes;            ///< contiguous and in the order of members, as the elements
+    Column<Span> beams;
+    Column<Span> liners;
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("number", number, Role::identity);
+        visit("property", property, Role::setting);
+        visit("kind", kind, Role::setting);
+        visit("axis", axis, Role::setting);
+        visit("tolerance", tolerance, Role::setting);
+        visit("nodes", nodes, link<MemberNodes>());
+        visit("beams", beams, link<BeamElements>());
+        visit("liners", liners, link<LinerElements>());
+    }
+};
+
+/// How a node may be held besides by its link.
+enum class Grip : std::uint8_t {
+    link,   ///< as its properties say
+    anchor, ///< it goes with the rock
+    clamp   ///< and turns with it
+};
+
+class MemberNodes : public Table<MemberNodes>, public RockPoints {
+public:
+    Column<Row> member;
+    Column<Grip> grip;
+    Column<Vec3> reference;       ///< place when it was made, without force
+    Column<Vec3> normal;          ///< of the face it lies on, out of the rock, when it was made; 0: on no face
+    Column<double> share;         ///< of the area of a liner, of the length of a beam
+    Column<Vec3> rock;            ///< place of the rock at the node
+    Column<Vec3> rock_shift;      ///< that the rock has gone in small strain, where its own place stays
+    Column<Quaternion> rock_turn; ///< of a clamped node in the axes of its block
+    Column<Vec3> position;
+    Column<Quaternion> rotation; ///< from how it was made
+    Column<Vec3> velocity;
+    Column<Vec3> spin;
+    Column<Vec3> displacement;
+    Column<double> mass;
+    Column<double> inertial_mass;      ///< in the equation of motion
+    Column<double> inertia;            ///< the same for rotations, about all axes
+    Column<double> stiffness;          ///< bound of that of its elements and its link: equation (14)
+    Column<double> rotation_stiffness; ///< the same of rotations
+    Column<Vec3> force;                ///< of elements, link and weight
+    Column<Vec3> moment;
+    Column<Vec3> last_force; ///< one step ago, for combined damping
+    Column<Vec3> last_moment;
+    Column<Vec3> rock_force; ///< of the node on the rock
+    Column<Vec3> rock_moment;
+    Column<Vec3> link_slip; ///< past the rock, what does not go back; in the node's own axes
+    Column<std::uint8_t> link_state;
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("member", member, link<Members>());
+        rock_columns(visit);
+        visit("grip", grip, Role::setting);
+        visit("reference", reference, Role::geometry);
+        visit("normal", normal, Role::geometry);
+        visit("share", share, Role::geometry);
+        visit("rock", rock, Role::geometry);
+        visit("rock_shift", rock_shift, Role::geometry);
+        visit("rock_turn", rock_turn, Role::geometry);
+        visit("position", position, Role::geometry);
+        visit("rotation", rotation, Role::geometry);
+        visit("velocity", velocity, Role::motion);
+        visit("spin", spin, Role::motion);
+        visit("displacement", displacement, Role::displacement);
+        visit("mass", mass, Role::geometry);
+        visit("inertial_mass", inertial_mass, Role::geometry);
+        visit("inertia", inertia, Role::geometry);
+        visit("stiffness", stiffness, Role::geometry);
+        visit("rotation_stiffness", rotation_stiffness, Role::geometry);
+        visit("force", force, Role::state);
+        visit("moment", moment, Role::state);
+        visit("last_force", last_force, Role::state);
+        visit("last_moment", last_moment, Role::state);
+        visit("rock_force", rock_force, Role::state);
+        visit("rock_moment", rock_moment, Role::state);
+        visit("link_slip", link_slip, Role::state);
+        visit("link_state", link_state, Role::state);
+    }
+};
+
+/// Parts of beams between two nodes. Forces are those on the side of a section that looks to the last node.
+class BeamElements : public Table<BeamElements> {
+public:
+    Column<Row> member;
+    Column<std::array<Row, 2>> nodes;
+    Column<Vec3> axis_y;                  ///< when it was made
+    Column<double> extension_lost;        ///< what does not go back
+    Column<std::array<double, 4>> hinges; ///< rotations: about y at the first and the last node, about z at both
+    Column<double> axial;                 ///< tension positive
+    Column<double> torsion;
+    Column<std::array<double, 2>> shear;   ///< y, z
+    Column<std::array<double, 4>> moments; ///< as hinges
+    Column<std::uint8_t> state;
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("member", member, link<Members>());
+        visit("nodes", nodes, link<MemberNodes>());
+        visit("axis_y", axis_y, Role::geometry);
+        visit("extension_lost", extension_lost, Role::state);
+        visit("hinges", hinges, Role::state);
+        visit("axial", axial, Role::state);
+        visit("torsion", torsion, Role::state);
+        visit("shear", shear, Role::state);
+        visit("moments", moments, Role::state);
+        visit("state", state, Role::state);
+    }
+};
+
+/// Triangles of liners, anticlockwise seen from outside of the rock. Per length, in the member's axes on the element: xx, yy, xy.
+class LinerElements : public Table<LinerElements> {
+public:
+    Column<Row> member;
+    Column<std::array<Row, 3>> nodes;
+    Column<Vec3> axis;     ///< x, now
+    Column<Vec3> normal;   ///< now
+    Column<Vec3> membrane; ///< tension positive
+    Column<Vec3> moment;   ///< positive with tension on the side that looks out of the rock
+
+    template <class Visit> void columns(Visit&& visit) {
+        visit("member", member, link<Members>());
+        visit("nodes", nodes, link<MemberNodes>());
+        visit("axis", axis, Role::geometry);
+        visit("normal", normal, Role::geometry);
+        visit("membrane", membrane, Role::state);
+        visit("moment", moment, Role::state);
+    }
+};
+
+/// A beam to be made: a line of straight parts.
+struct NewBeam {
+    std::vector<Vec3> places;
+    std::int32_t segments = 10; ///< elements of each straight part
+    std::int32_t property = 1;
+    Vec3 axis = Vec3::Zero(); ///< 0: global y, or x where the beam goes along y
+    double tolerance = 0;
+    Grip grip = Grip::link, first = Grip::link, last = Grip::link; ///< of all nodes; of the ends
+};
+
+/// A liner to be made.
+struct NewLiner {
+    SurfaceMesh mesh;
+    std::int32_t property = 1;
+    Vec3 axis = Vec3::Zero(); ///< 0: global x, or y where that is nearly normal to the element
+    double tolerance = 0;
+    Grip grip = Grip::link;
+};
+
+/// Make them and place their nodes in the blocks. Return the row. Neighbouring places must differ.
+Row make_beam(Model& model, const NewBeam& wanted);
+Row make_liner(Model& model, const NewLiner& wanted);
+
+/// Takes members out, given by ascending rows.
+void delete_members(Model& model, const std::vector<Row>& members);
+
+/// Puts nodes into the blocks where their block is gone or has got another shape. What they had carried to it is gone.
+void place_member_nodes(Model& model, const BlockFinder& finder);
+
+/// How a node hangs on the rock now.
+enum class Hold : std::uint8_t { none, springs, pinned, clamped };
+Hold hold_of(const Model& model, Row node);
+
+/// The row of a member by its number; no_row when there is none.
+Row member_of_number(const Model& model, std::int32_t number);
+
+/// The direction x of a liner on an element: that which is wanted, or global x, without its part along the normal.
+Vec3 liner_axis(const Vec3& wanted, const Vec3& normal);
+
+/// The normal of a node as it lies now.
+Vec3 normal_of_node(const Model& model, Row node);
+
+/// Of the link on the node, per area of a liner and length of a beam: away from the rock, and along the face.
+double link_tension_of(const Model& model, Row node);
+double link_shear_of(const Model& model, Row node);
+
+} // namespace kaya

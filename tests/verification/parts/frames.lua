@@ -1,0 +1,26 @@
+-- Bricks, and places in text, in a turned frame.
+local frames = {}
+
+function frames.text(v) return ("%.17g %.17g %.17g"):format(v.x, v.y, v.z) end
+
+-- Unit vectors x, y, z: x points to the azimuth, and down by the plunge (degrees).
+function frames.axes(azimuth, plunge)
+    local a, p = math.rad(azimuth), math.rad(plunge)
+    local x = vector(math.cos(a) * math.cos(p), math.sin(a) * math.cos(p), -math.sin(p))
+    local y = vector(-math.sin(a), math.cos(a), 0)
+    return x, y, x:cross(y)
+end
+
+-- A brick between two corners given in the frame at o.
+function frames.brick(o, x, y, z, low, high)
+    local function side(at)
+        local line = ""
+        for _, c in ipairs { { low.y, low.z }, { high.y, low.z }, { high.y, high.z }, { low.y, high.z } } do
+            line = line .. " " .. frames.text(o + x * at + y * c[1] + z * c[2])
+        end
+        return line
+    end
+    command(("poly prism a%s b%s"):format(side(low.x), side(high.x)))
+end
+
+return frames
