@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <unordered_map>
 #include <utility>
 
@@ -91,11 +92,28 @@ void cut_polygon(const std::vector<Vec3>& points, std::vector<int> polygon, doub
     triangles.push_back({polygon[0], polygon[1], polygon[2]});
 }
 
+Vec3 area_vector(const SurfaceMesh& mesh, const Triangle& t) {
+    const auto at = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(t[k])]; };
+    return (at(1) - at(0)).cross(at(2) - at(0));
+}
+
+bool in_one_plane(const SurfaceMesh& mesh, std::size_t one, std::size_t other) {
+    constexpr double angle = 1e-3;
+    const Vec3 normal = area_vector(mesh, mesh.triangles[one]).normalized();
+    return area_vector(mesh, mesh.triangles[other]).normalized().dot(normal) >= 1 - 0.5 * angle * angle;
+}
+
 /// Longest-side bisection that keeps neighbours together.
 class Refinement {
 public:
     Refinement(SurfaceMesh& mesh, double edge) : mesh_(mesh), edge_(edge) {
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) link(t);
+    }
+    /// Sides that cannot be turned: those of one triangle, or between two planes.
+    void halve_borders() {
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+            for (std::size_t k = 0; k < 3; ++k)
+                while (length_of(side_of(t, k)) > edge_ * edge_ && is_border(side_of(t, k))) halve(side_of(t, k));
     }
     void run() {
         // Halves stand behind their wholes, so that the loop comes to them too.
@@ -121,6 +139,10 @@ private:
         for (std::size_t k = 1; k < 3; ++k)
             if (longer(side_of(t, k), best)) best = side_of(t, k);
         return best;
+    }
+    bool is_border(const Side& s) const {
+        const auto& on_side = sides_.at(s);
+        return on_side.size() != 2 || !in_one_plane(mesh_, on_side[0], on_side[1]);
     }
     void link(std::size_t t) {
         for (std::size_t k = 0; k < 3; ++k) sides_[side_of(t, k)].push_back(t);
@@ -166,6 +188,69 @@ private:
     double edge_;
     std::map<Side, std::vector<std::size_t>> sides_;
 };
+
+/// Turns sides between triangles of one plane into the other diagonals of their quadrangles, where the angles across from them sum to
+/// more than half a turn (Lawson 1977). The smallest angle does not become smaller.
+class Turning {
+public:
+    explicit Turning(SurfaceMesh& mesh) : mesh_(mesh) {}
+    void run() {
+        for (std::size_t passes = 0; passes < 100 && turn_sides(); ++passes) {}
+    }
+
+private:
+    Vec3 at(int corner) const { return mesh_.points[static_cast<std::size_t>(corner)]; }
+    double angle_at(int corner, int a, int b) const {
+        const Vec3 to_a = at(a) - at(corner), to_b = at(b) - at(corner);
+        return std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b));
+    }
+
+    /// Looks at each side between two triangles once; each triangle changes once at most.
+    bool turn_sides() {
+        std::map<std::pair<int, int>, std::vector<std::size_t>> sides;
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+            for (std::size_t k = 0; k < 3; ++k)
+                sides[std::minmax(mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3])].push_back(t);
+        std::vector<char> changed(mesh_.triangles.size(), 0);
+        bool any = false;
+        for (const auto& [side, on_side] : sides)
+            if (on_side.size() == 2 && !changed[on_side[0]] && !changed[on_side[1]] &&
+                turn(side.first, side.second, on_side[0], on_side[1])) {
+                changed[on_side[0]] = changed[on_side[1]] = 1;
+                any = true;
+            }
+        return any;
+    }
+
+    bool turn(int a, int b, std::size_t one, std::size_t other) {
+        constexpr double enough = 1e-6;
+        const auto across = [&](std::size_t t) {
+            return *std::ranges::find_if(mesh_.triangles[t], [&](int corner) { return corner != a && corner != b; });
+        };
+        const int c = across(one), d = across(other);
+        if (angle_at(c, a, b) + angle_at(d, a, b) <= std::numbers::pi + enough || !in_one_plane(mesh_, one, other))
+            return false;
+        Triangle first{c, a, d}, second{d, b, c};
+        if (area_vector(mesh_, first).dot(area_vector(mesh_, mesh_.triangles[one])) < 0) {
+            std::swap(first[0], first[2]);
+            std::swap(second[0], second[2]);
+        }
+        mesh_.triangles[one] = first;
+        mesh_.triangles[other] = second;
+        return true;
+    }
+
+    SurfaceMesh& mesh_;
+};
+
+double longest_side(const SurfaceMesh& mesh) {
+    double longest = 0;
+    for (const auto& t : mesh.triangles)
+        longest = std::max(longest, longest_side(mesh.points[static_cast<std::size_t>(t[0])],
+                                                 mesh.points[static_cast<std::size_t>(t[1])],
+                                                 mesh.points[static_cast<std::size_t>(t[2])]));
+    return longest;
+}
 
 } // namespace
 
@@ -231,7 +316,20 @@ void cut_at_corners(SurfaceMesh& mesh, double tolerance) {
     mesh.triangles = std::move(cut);
 }
 
-void refine(SurfaceMesh& mesh, double edge) { Refinement(mesh, edge).run(); }
+void refine(SurfaceMesh& mesh, double edge) {
+    // Halves of narrow triangles are narrow. Diagonals are turned on the way, and those that can be are halved late, where they have
+    // to be: a long strip keeps no points that lie near to its border.
+    constexpr double diagonal = 1.5;
+    Turning(mesh).run();
+    for (double most = std::max(edge, 0.5 * longest_side(mesh));; most = std::max(edge, 0.5 * most)) {
+        Refinement(mesh, most).halve_borders();
+        Turning(mesh).run();
+        Refinement(mesh, most > edge ? diagonal * most : edge).run();
+        Turning(mesh).run();
+        if (most <= edge) break;
+    }
+    Refinement(mesh, edge).run();
+}
 
 void keep_triangles(SurfaceMesh& mesh, const std::vector<char>& kept) {
     std::vector<int> renamed(mesh.points.size(), -1);

@@ -20,8 +20,8 @@ SurfaceMesh joined_surface(const std::vector<std::array<Vec3, 3>>& triangles, do
 /// Cuts triangles where corners of others lie on their sides, so that neighbours share whole sides.
 void cut_at_corners(SurfaceMesh& mesh, double tolerance);
 
-/// Halves triangles at their longest sides until no side is longer than `edge`. No angle becomes much smaller than the smallest
-/// of the triangle it comes from (Rivara 1984).
+/// Halves triangles at their longest sides until no side is longer than `edge`, and turns sides between triangles of one plane where that
+/// makes better ones. No angle becomes much smaller than the smallest that there was (Rivara 1984).
 void refine(SurfaceMesh& mesh, double edge);
 
 /// Keeps the triangles whose mark is set, and the points that they have.

@@ -2,6 +2,7 @@
 
 #include "model/measure.hpp"
 #include "model/model.hpp"
+#include "model/selection.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -18,23 +19,32 @@ double area_of(const Corners& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0])
 
 Vec3 middle_of(const Corners& c) { return (c[0] + c[1] + c[2]) / 3; }
 
-/// Whether other blocks lie on a triangle of a block: at its middle, and near its corners.
+Vec3 normal_of(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]).normalized(); }
+
+/// Whether blocks lie on a triangle of a face: just in front of its middle, and of places near its corners. A triangle may lie on several
+/// blocks.
 class Cover {
 public:
-    Cover(const Model& model, double tolerance) : finder_(model), tolerance_(tolerance) {}
-    bool at(const Vec3& place, Row own) const { return finder_.other_at(place, own, tolerance_); }
+    Cover(const Model& model, double tolerance)
+        : finder_(model), tolerance_(tolerance), in_front_(2 * std::max(tolerance, on_surface * model_size(model))) {}
+    bool at(const Vec3& place, const Vec3& normal) const {
+        return finder_.at(place + in_front_ * normal, tolerance_) != no_row;
+    }
+    bool in_the_middle(const Corners& corners) const { return at(middle_of(corners), normal_of(corners)); }
     /// Of the middle and three points near the corners.
-    int count(const Corners& corners, Row own) const {
-        const Vec3 middle = middle_of(corners);
-        int covered = at(middle, own);
-        for (const Vec3& corner : corners) covered += at(corner + 0.15 * (middle - corner), own);
+    int count(const Corners& corners) const {
+        const Vec3 middle = middle_of(corners), normal = normal_of(corners);
+        int covered = at(middle, normal);
+        for (const Vec3& corner : corners) covered += at(corner + 0.15 * (middle - corner), normal);
         return covered;
     }
     static constexpr int all = 4;
 
 private:
+    static constexpr double on_surface = 1e-6; ///< as in rock_points.cpp: nearer places count as in the block
+
     BlockFinder finder_;
-    double tolerance_;
+    double tolerance_, in_front_;
 };
 
 double extent_of(const std::vector<Corners>& triangles) {
@@ -61,35 +71,30 @@ double expected_triangles(const Model& model, const std::vector<Row>& faces, dou
 Lining line_faces(const Model& model, const std::vector<Row>& faces, double edge, double& tolerance) {
     Lining lining;
     std::vector<Corners> triangles;
-    std::vector<Row> blocks;
     for (const Row face : faces) {
         const Span span = model.faces.triangles[face];
         for (Row t = span.first; t < span.end(); ++t) {
             const auto& rows = model.triangles.gridpoints[t];
             const auto& position = model.gridpoints.position;
             triangles.push_back({position[rows[0]], position[rows[1]], position[rows[2]]});
-            blocks.push_back(model.faces.block[face]);
         }
     }
     if (!(tolerance > 0)) tolerance = 1e-4 * extent_of(triangles);
     const Cover cover(model, tolerance);
     std::vector<Corners> open;
-    for (std::size_t k = 0; k < triangles.size(); ++k)
-        if (cover.count(triangles[k], blocks[k]) == Cover::all) ++lining.covered;
-        else open.push_back(triangles[k]);
+    for (const Corners& triangle : triangles)
+        if (cover.count(triangle) == Cover::all) ++lining.covered;
+        else open.push_back(triangle);
     lining.mesh = joined_surface(open, tolerance);
     cut_at_corners(lining.mesh, tolerance);
     if (edge > 0) refine(lining.mesh, edge);
 
-    const BlockFinder finder(model);
     std::vector<char> kept;
     for (const auto& t : lining.mesh.triangles) {
         const auto at = [&](std::size_t k) { return lining.mesh.points[static_cast<std::size_t>(t[k])]; };
         const Corners corners{at(0), at(1), at(2)};
-        const Row own = finder.at(
-            middle_of(corners) - 2 * tolerance * (at(1) - at(0)).cross(at(2) - at(0)).normalized(), tolerance);
-        const int covered = cover.count(corners, own);
-        const bool out = cover.at(middle_of(corners), own);
+        const int covered = cover.count(corners);
+        const bool out = cover.in_the_middle(corners);
         kept.push_back(!out);
         lining.partly += covered != 0 && covered != Cover::all;
         if (out) ++lining.covered;

@@ -145,6 +145,33 @@ TEST(SurfaceMesh, RefinesToSidesOfTheWantedLengthAndKeepsItsAngles) {
     }
 }
 
+TEST(SurfaceMesh, MakesGoodTrianglesOfLongFaces) {
+    for (const double width : {0.02, 0.1, 0.3, 1.0})
+        for (unsigned seed = 1; seed <= 5; ++seed) {
+            std::vector<Corners> long_face;
+            add_rectangle(long_face, 0, 5, 0, width);
+            SurfaceMesh mesh = joined_surface(turned(long_face, seed), 1e-5);
+            const double edge = 1.5 * width;
+            refine(mesh, edge);
+            EXPECT_LE(longest_side(mesh), edge * (1 + 1e-12));
+            EXPECT_NEAR(area_vector(mesh).norm(), 5 * width, 1e-5);
+            EXPECT_NEAR(border(mesh), 2 * (5 + width), 1e-4);
+            EXPECT_GT(least_angle(mesh), 15) << width;
+        }
+}
+
+TEST(SurfaceMesh, KeepsTheShapeOfWhatIsNotPlane) {
+    // Two sides of a roof: the ridge stays, though its diagonal would be the better side.
+    std::vector<Corners> roof;
+    roof.push_back({Vec3(0, 0, 1), Vec3(4, 0, 1), Vec3(2, -0.3, 0)});
+    roof.push_back({Vec3(4, 0, 1), Vec3(0, 0, 1), Vec3(2, 0.3, 0)});
+    SurfaceMesh mesh = joined_surface(roof, 1e-5);
+    refine(mesh, 0.25);
+    double area = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += area_vector(corners_of(mesh, t)).norm();
+    EXPECT_NEAR(area, 4 * std::hypot(1, 0.3), 1e-9);
+}
+
 TEST(SurfaceMesh, KeepsOnlyPointsThatATriangleHas) {
     SurfaceMesh mesh = joined_surface(wall(), 1e-5);
     std::vector<char> kept(mesh.triangles.size(), 0);
