@@ -1,10 +1,12 @@
 // structure cable, structure beam, structure liner, structure property, structure delete.
 #include "commands/handlers.hpp"
 #include "model/lining.hpp"
+#include "model/selection.hpp"
 #include "model/structures.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 namespace kaya {
 
@@ -18,6 +20,19 @@ std::int32_t nodes_in_rock(const Model& model, const RockPoints& points, const S
 }
 
 Grip grip_of(lang::StructureBeam::Grip grip) { return static_cast<Grip>(grip); }
+
+/// Refuses elements that are so short that places of the model cannot tell their ends apart.
+void check_lengths(const Model& model, const NewBeam& wanted, const Place& place) {
+    double extent = model_size(model), shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < wanted.places.size(); ++k) {
+        extent = std::max(extent, wanted.places[k].cwiseAbs().maxCoeff());
+        if (k > 0) shortest = std::min(shortest, (wanted.places[k] - wanted.places[k - 1]).norm() / wanted.segments);
+    }
+    if (shortest > 1e-9 * extent) return;
+    throw Diagnostic(fmt::format("elements of the beam would be {:.3g} long, in a model of {:.3g}", shortest, extent),
+                     "give places that are farther from each other, or fewer segments")
+        .at(place);
+}
 
 /// Something is wrong with a beam, none of whose nodes lies in the rock; its middle may be free.
 void warn_of_free_beam(Session& session, const NewBeam& wanted, const Span& nodes, std::int32_t number,
@@ -74,6 +89,7 @@ void run(Session& session, const lang::StructureBeam& command) {
                    .first = grip_of(command.first),
                    .last = grip_of(command.last)};
     auto& model = session.model;
+    check_lengths(model, wanted, command.place);
     const Row member = make_beam(model, wanted);
     const Span nodes = model.structures.members.nodes[member];
     const std::int32_t number = model.structures.members.number[member];
