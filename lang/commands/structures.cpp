@@ -148,7 +148,7 @@ CommandSpec liner() {
     entry.right("structure liner property 2 edge 0.5 axis 0 1 0 range cylinder end1 0 0 0 end2 0 10 0 radius 3.1")
         .right("struct liner prop 1 range z 0 1")
         .right("structure liner clamp tolerance 0.001");
-    entry.wrong("structure liner edge 0", "edge must be above 0, not 0");
+    entry.wrong("structure liner edge 0", "edge must be greater than 0, not 0");
     entry.wrong("structure liner property", "a number is missing after 'property'");
     entry.wrong("structure liner axis 0 0 0", "axis has no direction");
     entry.wrong("structure liner proprety 1", "'proprety' is not a keyword of structure liner");
