@@ -68,7 +68,8 @@ inline void advance_velocity(Vec3& velocity, const Vec3& force, const Vec3& load
         store(sum, whole);
         support = lanes(support_against(sum, *roller, held_bits));
     }
-    Lanes after = damping.advance(before, whole + support, step / mass, last_force);
+    // What is held needs no mass.
+    Lanes after = damping.advance(before, whole + support, mass > 0 ? step / mass : 0, last_force);
     support *= step;
     const Lanes held = prescribed(held_bits);
     if (held_bits != 0)
