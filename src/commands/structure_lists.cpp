@@ -13,13 +13,6 @@ namespace kaya {
 
 namespace {
 
-/// How many nodes of a structure lie in the rock.
-std::int32_t nodes_in_rock(const Model& model, const RockPoints& points, const Span& nodes) {
-    std::int32_t count = 0;
-    for (Row node = nodes.first; node < nodes.end(); ++node) count += rock_block(model, points, node) != no_row;
-    return count;
-}
-
 std::string state_text(std::uint8_t state, const char* now, const char* before) {
     if (state & broken) return "broken";
     return state & yields ? now : state & has_yielded ? before : "-";

@@ -12,13 +12,6 @@ namespace kaya {
 
 namespace {
 
-/// How many nodes of a structure lie in the rock.
-std::int32_t nodes_in_rock(const Model& model, const RockPoints& points, const Span& nodes) {
-    std::int32_t count = 0;
-    for (Row node = nodes.first; node < nodes.end(); ++node) count += rock_block(model, points, node) != no_row;
-    return count;
-}
-
 Grip grip_of(lang::StructureBeam::Grip grip) { return static_cast<Grip>(grip); }
 
 /// Refuses elements that are so short that places of the model cannot tell their ends apart.

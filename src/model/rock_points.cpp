@@ -142,4 +142,10 @@ Vec3 rock_place(const Model& model, const RockPoints& points, Row row) {
     return place;
 }
 
+std::int32_t nodes_in_rock(const Model& model, const RockPoints& points, const Span& nodes) {
+    std::int32_t count = 0;
+    for (Row node = nodes.first; node < nodes.end(); ++node) count += rock_block(model, points, node) != no_row;
+    return count;
+}
+
 } // namespace kaya

@@ -59,6 +59,9 @@ void place_in_rock(const Model& model, const BlockFinder& finder, RockPoints& po
 /// The row of the block that it lies in; no_row when it is outside of the rock.
 Row rock_block(const Model& model, const RockPoints& points, Row row);
 
+/// How many of those rows lie in the rock.
+std::int32_t nodes_in_rock(const Model& model, const RockPoints& points, const Span& nodes);
+
 /// Whether the block that it was placed in is still there, with the shape that it had then.
 bool is_placed(const Model& model, const RockPoints& points, Row row);
 

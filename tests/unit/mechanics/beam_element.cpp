@@ -1,12 +1,14 @@
 // One beam element: closed forms of Euler and Bernoulli, motions as a rigid body, balance, limits.
 #include "mechanics/beam_element.hpp"
 
+#include "random_motions.hpp"
+
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <random>
 
 using namespace kaya;
+using namespace kaya::test;
 
 namespace {
 
@@ -22,24 +24,6 @@ BeamSection section() {
             .plastic_y = infinite,
             .plastic_z = infinite};
 }
-
-Mat3 turn_of(const Vec3& rotation) {
-    const double angle = rotation.norm();
-    return angle > 0 ? Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix() : Mat3::Identity();
-}
-
-class Random {
-public:
-    explicit Random(unsigned seed) : engine_(seed) {}
-    double operator()(double most) { return std::uniform_real_distribution<double>(-most, most)(engine_); }
-    Vec3 vector(double most) { return {(*this)(most), (*this)(most), (*this)(most)}; }
-    Mat3 turn() {
-        return Eigen::Quaterniond((*this)(1), (*this)(1), (*this)(1), (*this)(1)).normalized().toRotationMatrix();
-    }
-
-private:
-    std::mt19937 engine_;
-};
 
 struct Bent {
     BeamMotion motion;

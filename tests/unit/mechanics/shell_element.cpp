@@ -1,32 +1,16 @@
 // Triangles of a plate: patches of constant strain and curvature on distorted meshes, motions as a rigid body, balance.
 #include "mechanics/shell_element.hpp"
 
+#include "random_motions.hpp"
+
 #include <gtest/gtest.h>
 
-#include <random>
 #include <vector>
 
 using namespace kaya;
+using namespace kaya::test;
 
 namespace {
-
-class Random {
-public:
-    explicit Random(unsigned seed) : engine_(seed) {}
-    double operator()(double most) { return std::uniform_real_distribution<double>(-most, most)(engine_); }
-    Vec3 vector(double most) { return {(*this)(most), (*this)(most), (*this)(most)}; }
-    Mat3 turn() {
-        return Eigen::Quaterniond((*this)(1), (*this)(1), (*this)(1), (*this)(1)).normalized().toRotationMatrix();
-    }
-
-private:
-    std::mt19937 engine_;
-};
-
-Mat3 turn_of(const Vec3& rotation) {
-    const double angle = rotation.norm();
-    return angle > 0 ? Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix() : Mat3::Identity();
-}
 
 const ShellSection section{.thickness = 0.2, .young = 3e4, .poisson = 0.3};
 
