@@ -1,5 +1,6 @@
 #include "lang/interp/deck.hpp"
 
+#include "lang/interp/named_word.hpp"
 #include "lang/interp/newer_dialect.hpp"
 
 #include <algorithm>
@@ -85,7 +86,10 @@ private:
     void run_check(const BoundCommand& command) {
         try {
             checks_->command(command.command);
-        } catch (Diagnostic& problem) { throw problem.at(command.place); }
+        } catch (Diagnostic& problem) {
+            place_problem(problem, language_, command.place);
+            throw;
+        }
     }
 
     SharedFile called(const BoundCommand& command) {
@@ -97,7 +101,8 @@ private:
         } catch (Diagnostic& problem) {
             // A script may write the file before the call is reached; it is looked for again there.
             if (problem.code == "no-file" && script_seen_) return {};
-            throw problem.at(command.place);
+            place_problem(problem, language_, command.place);
+            throw;
         }
     }
 

@@ -1,5 +1,7 @@
 #include "lang/interp/interpreter.hpp"
 
+#include "lang/interp/named_word.hpp"
+
 #include <fmt/format.h>
 
 namespace kaya::lang {
@@ -36,8 +38,8 @@ Ended Interpreter::run(const BoundFile& file) {
         try {
             if (run_step(step) == Ended::quit) return Ended::quit;
         } catch (Diagnostic& problem) {
-            if (!problem.place) problem.at(place);
-            else if (problem.place.source != place.source)
+            place_problem(problem, language_, place);
+            if (problem.place.source != place.source)
                 problem.add(fmt::format("called from {}:{}", place.source->name, place.line));
             throw;
         }

@@ -1,6 +1,7 @@
 #include "commands/deck_review.hpp"
 
 #include "lang/commands/language.hpp"
+#include "lang/interp/named_word.hpp"
 #include "lang/fish/doubts.hpp"
 #include "lang/fish/inner_commands.hpp"
 #include "lang/interp/script_files.hpp"
@@ -158,7 +159,8 @@ void DeckReview::find_file(const lang::BoundCommand& command) {
     Diagnostic d(fmt::format("there is no {} file '{}'", read.kind, read.name),
                  "it is looked for next to the deck and in the current folder");
     d.code = "no-file";
-    other_.push_back(d.at(read.place));
+    lang::place_problem(d, lang::classic(), read.place);
+    other_.push_back(std::move(d));
 }
 
 void DeckReview::check_lua_file(const fs::path& path, const std::string& name, const Place& place) {
