@@ -18,7 +18,7 @@ const std::vector<PropertyWord>& block_property_words() {
         {{"bulk", "k"}, "bulk", "stress", "bulk modulus of blocks", above_zero, "above 0"},
         {{"shear", "g"}, "shear", "stress", "shear modulus of blocks", above_zero, "above 0"},
         {{"ymod", "ymodulus", "young"}, "ymodulus", "stress", "Young's modulus, with prat in place of bulk and shear", above_zero, "above 0"},
-        {{"prat", "pratio", "poisson"}, "pratio", "", "Poisson's ratio", {-1, 0.5, true, true}, "between -1 and 0.5"},
+        {{"prat", "pratio", "poisson"}, "pratio", "", "Poisson's ratio", {-1, 0.5, true, true}, "above -1 and below 0.5"},
         {{"bcoh", "bcohesion"}, "bcohesion", "stress", "cohesion of Mohr-Coulomb blocks", from_zero, "0 or more"},
         {{"bfric", "bfriction"}, "bfriction", "degrees", "friction angle of Mohr-Coulomb blocks", {0, 90, false, true}, "from 0 to below 90 degrees"},
         {{"bten", "btension"}, "btension", "stress", "tensile strength of Mohr-Coulomb blocks", from_zero, "0 or more"},

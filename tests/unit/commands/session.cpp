@@ -102,7 +102,7 @@ TEST_F(MaterialsTest, HalfOfAPairIsAMistakeWhenItIsUsed) {
 
 TEST_F(MaterialsTest, ValuesOutsideTheirLimitsArePointedAt) {
     const Diagnostic problem = mistake("prop mat 1 dens 2000 prat 0.5\n");
-    EXPECT_EQ(problem.message, "'prat' is 0.5, but must be between -1 and 0.5");
+    EXPECT_EQ(problem.message, "'prat' is 0.5, but must be above -1 and below 0.5");
     EXPECT_EQ(problem.place.column, 22);
     EXPECT_TRUE(model().materials.empty()) << "half a line has taken effect";
     EXPECT_FALSE(mistake("prop mat 1 dens 0\n").message.empty());
