@@ -466,6 +466,10 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
             const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance, scratch);
             if (found && geometry.area >= least_joint * geometry.least_area) return true;
             if (!found && !overlaps) return false;
+            // What arrives at less than that meets an edge or a corner: a block that slides across the lip which the closure of its
+            // joint has made meets no face there.
+            if (old == no_row && geometry.area < geometry.least_area)
+                (geometry.reference == 1 ? geometry.face2 : geometry.face1) = no_row;
             geometry.points.clear();
         }
         geometry.kind = ContactKind::overlap;
