@@ -6,12 +6,14 @@
 
 #include "geometry/kept_part.hpp"
 #include "mechanics/contact_properties.hpp"
+#include "mechanics/rotation.hpp"
 #include "mechanics/run_cables.hpp"
 #include "model/joined.hpp"
 #include "model/joint_polygons.hpp"
 #include "model/measure.hpp"
 #include "model/water.hpp"
 #include "slopes/sliding.hpp"
+#include "slopes/turning.hpp"
 
 #include <Eigen/Geometry>
 
@@ -26,8 +28,8 @@ namespace kaya {
 
 namespace {
 
-constexpr std::array<const char*, 5> mode_names{"held", "at rest", "falls", "slides on one plane",
-                                                "slides on two planes"};
+constexpr std::array<const char*, 6> mode_names{
+    "held", "at rest", "falls", "slides on one plane", "slides on two planes", "turns"};
 
 /// Trend and plunge of a direction in degrees: "150/37".
 std::string line_text(const Vec3& direction, const Vec3& up) {
@@ -41,12 +43,20 @@ std::string line_text(const Vec3& direction, const Vec3& up) {
 /// A body, and what holds it.
 struct Held {
     BodyStability body;
-    Vec3 force = Vec3::Zero();
+    double mass = 0;
+    Vec3 centre = Vec3::Zero();                       ///< of its mass
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero(); ///< the moment about the centre
     struct Side {
         std::size_t other;
         HeldFace face;
+        Row contact;
     };
     std::vector<Side> sides;
+
+    void push(const Vec3& more, const Vec3& place) {
+        force += more;
+        moment += (place - centre).cross(more);
+    }
 };
 
 class Bodies {
@@ -81,14 +91,35 @@ private:
             at.blocks.push_back(block);
             at.fixed = at.fixed || is_held(block);
             at.volume += model_.blocks.volume[block];
-            const auto material = model_.materials.find(model_.blocks.material[block]);
-            if (material == model_.materials.end() || std::isnan(material->second.density))
-                throw Diagnostic(fmt::format("block {} has no density", model_.blocks.number[block]),
-                                 "give it with `prop mat`; block theory needs weights");
-            held.force += material->second.density * model_.blocks.volume[block] * model_.settings.gravity +
-                          block_load(model_, block);
+            held.centre += mass_of(block) * model_.blocks.centroid[block];
+            held.mass += mass_of(block);
+        }
+        for (Held& held : bodies_) {
+            held.centre /= held.mass;
+            for (const Row block : held.body.blocks) add_loads(block, held);
         }
         add_structures();
+    }
+
+    double mass_of(Row block) const {
+        const auto material = model_.materials.find(model_.blocks.material[block]);
+        if (material == model_.materials.end() || std::isnan(material->second.density))
+            throw Diagnostic(fmt::format("block {} has no density", model_.blocks.number[block]),
+                             "give it with `prop mat`; block theory needs weights");
+        return material->second.density * model_.blocks.volume[block];
+    }
+
+    void add_loads(Row block, Held& held) const {
+        const Vec3& centroid = model_.blocks.centroid[block];
+        held.push(mass_of(block) * model_.settings.gravity, centroid);
+        if (!model_.blocks.deformable[block]) {
+            held.push(model_.blocks.load[block], centroid);
+            held.moment += load_moment(model_, block);
+            return;
+        }
+        const Span points = model_.blocks.gridpoints[block];
+        for (Row g = points.first; g < points.end(); ++g)
+            held.push(model_.gridpoints.load[g], model_.gridpoints.position[g]);
     }
 
     /// Cables pull with the tension that they have, beams and liners with the forces of the last cycle.
@@ -96,7 +127,8 @@ private:
         const auto& members = model_.structures.member_nodes;
         for (Row node = 0; node < static_cast<Row>(members.size()); ++node)
             if (const Row block = rock_block(model_, members, node); block != no_row)
-                bodies_[body_of_[static_cast<std::size_t>(block)]].force += members.rock_force[node];
+                bodies_[body_of_[static_cast<std::size_t>(block)]].push(members.rock_force[node],
+                                                                        members.position[node]);
         if (model_.structures.cables.empty()) return;
         take_structure_properties(model_);
         std::vector<CableChain> chains;
@@ -104,7 +136,8 @@ private:
         const auto& nodes = model_.structures.cable_nodes;
         for (Row node = 0; node < static_cast<Row>(nodes.size()); ++node) {
             const Row block = block_of_node(model_, node);
-            if (block != no_row) bodies_[body_of_[static_cast<std::size_t>(block)]].force += nodes.force[node];
+            if (block != no_row)
+                bodies_[body_of_[static_cast<std::size_t>(block)]].push(nodes.force[node], nodes.position[node]);
         }
     }
 
@@ -131,27 +164,50 @@ private:
             strengths_.try_emplace(contacts.properties[contact], joint_strength(model_, laws, contact)).first->second;
         const double area = contacts.area[contact];
         const Vec3 normal = contacts.normal[contact];
-        const Vec3 push = water_force(contact, water) * normal;
-        bodies_[a].sides.push_back({b, {normal, area, strength ? &*strength : nullptr}});
-        bodies_[b].sides.push_back({a, {-normal, area, strength ? &*strength : nullptr}});
-        bodies_[a].force -= push;
-        bodies_[b].force += push;
+        bodies_[a].sides.push_back({b, {normal, area, strength ? &*strength : nullptr}, contact});
+        bodies_[b].sides.push_back({a, {-normal, area, strength ? &*strength : nullptr}, contact});
+        add_water(contact, water, [&](double force, const Vec3& place) {
+            bodies_[a].push(-force * normal, place);
+            bodies_[b].push(force * normal, place);
+        });
     }
 
     /// Of water on a joint: exactly, also where a part of it lies above the table.
-    double water_force(Row contact, const WaterPressure& water) const {
-        double force = 0;
-        if (model_.settings.water == Water::none) return force;
+    template <class Push> void add_water(Row contact, const WaterPressure& water, const Push& push) const {
+        if (model_.settings.water == Water::none) return;
         for (const auto& polygon : joint_polygons(model_, contact)) {
             const auto wet = kept_part(
                 polygon, [&](const Vec3& corner) { return -water.unlimited_at(corner); },
                 [](const Vec3& a, const Vec3& b, double part) -> Vec3 { return a + part * (b - a); });
             for (std::size_t i = 1; i + 1 < wet.size(); ++i) {
                 const double area = 0.5 * (wet[i] - wet[0]).cross(wet[i + 1] - wet[0]).norm();
-                force += area * water.unlimited_at((wet[0] + wet[i] + wet[i + 1]) / 3);
+                // A linear pressure acts at the middles of the sides, on a third of the area each.
+                const std::array<Vec3, 3> corners{wet[0], wet[i], wet[i + 1]};
+                for (std::size_t k = 0; k < corners.size(); ++k) {
+                    const Vec3 middle = 0.5 * (corners[k] + corners[(k + 1) % corners.size()]);
+                    push(area / 3 * water.unlimited_at(middle), middle);
+                }
             }
         }
-        return force;
+    }
+
+    /// One that rests without friction where it cannot slide may still roll out.
+    void check_turning(const Held& held, const std::vector<char>& gone, SlidingAnswer& answer) const {
+        std::vector<RestingCorner> corners;
+        for (const Held::Side& side : held.sides) {
+            if (gone[side.other]) continue;
+            const HeldFace& face = side.face;
+            const double stress = std::max(0.0, face.outward.dot(held.force)) / face.area;
+            const Coulomb strength = face.strength != nullptr ? face.strength->tangent(stress) : Coulomb{};
+            const auto polygons = joint_polygons(model_, side.contact);
+            double count = 0;
+            for (const auto& polygon : polygons) count += static_cast<double>(polygon.size());
+            for (const auto& polygon : polygons)
+                for (const Vec3& corner : polygon)
+                    corners.push_back({face.outward, corner - held.centre, face.area / count, strength});
+        }
+        answer.factor = turning_factor(held.force, held.moment, corners);
+        if (answer.factor) answer.mode = SlidingMode::turning;
     }
 
     /// Body by body against those that stay; when some have left, those after them again.
@@ -167,6 +223,7 @@ private:
                     if (!gone[side.other]) faces.push_back(side.face);
                 const bool was_held = body.answer.mode == SlidingMode::held;
                 body.answer = slide(bodies_[i].force, faces);
+                if (body.answer.mode == SlidingMode::at_rest) check_turning(bodies_[i], gone, body.answer);
                 if (was_held && body.answer.mode != SlidingMode::held) body.stage = stage;
                 if (body.answer.factor && *body.answer.factor < 1) leave.push_back(i);
             }

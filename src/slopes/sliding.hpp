@@ -24,6 +24,7 @@ enum class SlidingMode {
     falling, ///< away from all faces
     one_plane,
     two_planes, ///< along their line of intersection
+    turning,    ///< out of its place, since its faces cannot balance the moment; slides nowhere (see turning.hpp)
 };
 
 struct SlidingAnswer {
