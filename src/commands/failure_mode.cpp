@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace kaya {
 
@@ -24,12 +23,11 @@ double lost_in_zones(const Model& model, const Cycle& cycle) {
     return model.energy.zone_work - cycle.energy_in_zones();
 }
 
-Eigen::Quaterniond as_rotation(const Quaternion& q) { return {q[0], q[1], q[2], q[3]}; }
-
-const char* name_of(const FailureMode::Shares& shares) {
+std::string name_of(const FailureMode::Shares& shares) {
     if (!shares.joints_move || shares.zones > nearly_all) return "yield of zones";
-    if (shares.zones > some) return shares.topples() ? "toppling with yield of zones" : "sliding with yield of zones";
-    return shares.topples() ? "toppling" : "sliding";
+    std::string name = !shares.topples() ? "sliding" : shares.backward ? "backward toppling" : "toppling";
+    if (shares.zones > some) name += " with yield of zones";
+    return name;
 }
 
 } // namespace
@@ -44,45 +42,39 @@ FailureMode::FailureMode(const Model& model, const Cycle& cycle)
     const auto& points = model.gridpoints;
     for (std::size_t g = 0; g < points.size(); ++g)
         positions_.push_back(points.position[g]), displacements_.push_back(points.displacement[g]);
-    for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) {
-        centroids_.push_back(model.blocks.centroid[b]);
-        block_displacements_.push_back(block_displacement(model, b));
-        orientations_.push_back(model.blocks.orientation[b]);
-    }
 }
 
 FailureMode::Motion FailureMode::motion(const Model& model, Row block) const {
-    const auto b = static_cast<std::size_t>(block);
-    Motion found;
-    if (!model.blocks.deformable[block]) {
-        found.centre = centroids_[b];
-        found.shift = block_displacement(model, block) - block_displacements_[b];
-        const Eigen::AngleAxisd turn(as_rotation(model.blocks.orientation[block]) *
-                                     as_rotation(orientations_[b]).conjugate());
-        const double angle = turn.angle() > std::numbers::pi ? turn.angle() - 2 * std::numbers::pi : turn.angle();
-        found.turn = angle * turn.axis();
-        return found;
-    }
-    // The rigid motion with the momentum and the angular momentum of its gridpoints.
+    // Corners of a rigid block move also in small strain, where its orientation stays; each counts alike.
     const Span span = model.blocks.gridpoints[block];
-    double mass = 0;
+    const auto first = static_cast<std::size_t>(span.first), end = static_cast<std::size_t>(span.end());
+    const auto mass = [&](std::size_t g) { return model.blocks.deformable[block] ? model.gridpoints.mass[g] : 1.0; };
     const auto shift = [&](std::size_t g) -> Vec3 { return model.gridpoints.displacement[g] - displacements_[g]; };
-    for (auto g = static_cast<std::size_t>(span.first); g < static_cast<std::size_t>(span.end()); ++g) {
-        const double m = model.gridpoints.mass[g];
-        mass += m, found.centre += m * positions_[g], found.shift += m * shift(g);
+    Motion found;
+    double all = 0;
+    for (std::size_t g = first; g < end; ++g) {
+        all += mass(g);
+        found.centre += mass(g) * (positions_[g] - positions_[first]), found.shift += mass(g) * shift(g);
     }
-    if (!(mass > 0)) return found;
-    found.centre /= mass, found.shift /= mass;
+    if (!(all > 0)) return {};
+    found.centre = positions_[first] + found.centre / all, found.shift /= all;
     Mat3 inertia = Mat3::Zero();
     Vec3 momentum = Vec3::Zero();
-    for (auto g = static_cast<std::size_t>(span.first); g < static_cast<std::size_t>(span.end()); ++g) {
-        const double m = model.gridpoints.mass[g];
+    for (std::size_t g = first; g < end; ++g) {
         const Vec3 arm = positions_[g] - found.centre;
-        inertia += m * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
-        momentum += m * arm.cross(shift(g) - found.shift);
+        inertia += mass(g) * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+        momentum += mass(g) * arm.cross(shift(g) - found.shift);
     }
     found.turn = inertia.ldlt().solve(momentum);
     return found;
+}
+
+/// Whether blocks turn the other way round than those that tip over in the direction of the mean shift; false without gravity, or where all go straight down.
+bool FailureMode::turns_backward(const Model& model, const std::vector<Motion>& motions) {
+    Vec3 shift = Vec3::Zero(), turn = Vec3::Zero();
+    for (std::size_t b = 0; b < motions.size(); ++b)
+        shift += model.blocks.mass[b] * motions[b].shift, turn += model.blocks.mass[b] * motions[b].turn;
+    return model.settings.gravity.cross(shift).dot(turn) > 0;
 }
 
 FailureMode::Shares FailureMode::shares(const Model& model, const Cycle& cycle) const {
@@ -103,6 +95,7 @@ FailureMode::Shares FailureMode::shares(const Model& model, const Cycle& cycle) 
     Shares shares;
     shares.joints_move = all > 0;
     shares.turning = all > 0 ? turning / all : 0;
+    shares.backward = turns_backward(model, motions);
     const double in_joints = std::max(0.0, lost_in_joints(model) - joint_loss_),
                  zones = std::max(0.0, lost_in_zones(model, cycle) - zone_loss_);
     shares.zones = in_joints + zones > 0 ? zones / (in_joints + zones) : 0;

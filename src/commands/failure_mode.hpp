@@ -19,17 +19,19 @@ public:
         double turning = 0; ///< of the motion across joints: by blocks that turn, not by blocks that shift
         double zones = 0;   ///< of the work that was lost: in zones, not in joints
         bool joints_move = false;
+        bool backward = false; ///< blocks turn against their shift: feet of columns go first
         bool topples() const;
     };
     /// Since it was made. Blocks must be the same.
     Shares shares(const Model& model, const Cycle& cycle) const;
 
 private:
-    /// A block's mean motion as that of a rigid body.
+    /// A block's motion as that of a rigid body, by least squares over its gridpoints.
     struct Motion {
         Vec3 centre = Vec3::Zero(), shift = Vec3::Zero(), turn = Vec3::Zero();
     };
     Motion motion(const Model& model, Row block) const;
+    static bool turns_backward(const Model& model, const std::vector<Motion>& motions);
 
     struct Joint {
         Row block1, block2;
@@ -38,8 +40,6 @@ private:
     };
     std::vector<Joint> joints_;
     std::vector<Vec3> positions_, displacements_; ///< of gridpoints
-    std::vector<Vec3> centroids_, block_displacements_;
-    std::vector<Quaternion> orientations_;
     double joint_loss_, zone_loss_;
 };
 
