@@ -3,8 +3,8 @@ local jointed_slope = {}
 
 local height, face, thick = 260, 55, 10
 
--- Sets are { dip, dip direction, spacing }; rock reaches `front` before the toe, `back` behind the crest and `deep` below the toe, `edge` is that of zones. Weight has come on, and
--- strengths are those of the case.
+-- Sets are { dip, dip direction, spacing, a place on a joint }; rock reaches `front` before the toe, `back` behind the crest and `deep` below the toe, `edge` is that of zones; without it
+-- blocks are rigid, and those around the edge of the model are fixed. Weight has come on, and strengths are those of the case.
 function jointed_slope.build(front, back, deep, edge, sets)
     local crest = height / math.tan(math.rad(face))
     local line = "poly prism"
@@ -15,12 +15,17 @@ function jointed_slope.build(front, back, deep, edge, sets)
         end
     end
     command("delete\nreset time\n" .. line)
-    for _, set in ipairs(sets) do command(("jset dip %g dd %g spacing %g number 100 origin 0.5 0 0.5 tolerance 1"):format(table.unpack(set))) end
-    command(("gen edge %g"):format(edge))
-    command "prop mat 1 density 2660 k 6.3e9 g 3.6e9 bcoh 1e9 bfric 43 bten 1e9\nchange cons 2\ngravity 0 0 -9.81\nset small on\ndamp local\nmscale on"
+    for _, set in ipairs(sets) do command(("jset dip %g dd %g spacing %g number 100 origin %s tolerance 1"):format(table.unpack(set))) end
+    command "prop mat 1 density 2660\ngravity 0 0 -9.81\nset small on\ndamp local\nmscale on"
+    if edge then
+        command(("gen edge %g\nprop mat 1 k 6.3e9 g 3.6e9 bcoh 1e9 bfric 43 bten 1e9\nchange cons 2"):format(edge))
+        command(("bound xvel 0 range x %g\nbound xvel 0 range x %.17g\nbound xvel 0 yvel 0 zvel 0 range z %g\nbound yvel 0"):format(-front, crest + back, -deep))
+    else
+        command(("fix range x %g %g\nfix range x %g %g\nfix range z %g %g"):format(-front, 30 - front, crest + back - 40, crest + back, -deep, 40 - deep))
+    end
     command "jmodel model mohr\njmodel jkn 1e10 jks 1e10 jfric 80 jcoh 1e9 jrcoh 1e9 jten 1e9 jrten 1e9"
-    command(("bound xvel 0 range x %g\nbound xvel 0 range x %.17g\nbound xvel 0 yvel 0 zvel 0 range z %g\nbound yvel 0\nsolve ratio 1e-5"):format(-front, crest + back, -deep))
-    command "jmodel jfric 40 jcoh 1e5 jrcoh 1e5 jten 0 jrten 0\nprop mat 1 bcoh 675e3 bten 0"
+    command "solve ratio 1e-5\njmodel jfric 40 jcoh 1e5 jrcoh 1e5 jten 0 jrten 0"
+    if edge then command "prop mat 1 bcoh 675e3 bten 0" end
 end
 
 -- Factor of safety between the two of a bracket, and the name of the mode of failure, as `solve fos` prints it.
