@@ -3,6 +3,7 @@
 #include "commands/bodies.hpp"
 #include "commands/handlers.hpp"
 
+#include "mechanics/cell_motion.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/insitu.hpp"
 
@@ -33,6 +34,7 @@ void put_stress(Session& session, const lang::InSitu& command) {
                          .at(command.range.place ? command.range.place : command.place));
         return;
     }
+    forget_cell_motion(model, session.joints.zones, zones);
     if (command.stress) return set_insitu_stress(model, session.joints, zones, points, stress_field(command));
     try {
         set_topography_stress(model, session.joints, zones, points, command.topography->kx, command.topography->ky);
@@ -62,6 +64,7 @@ void run(Session& session, const lang::Initialize& command) {
         if (zones.empty())
             session.warn(Diagnostic("no zone is in range", "rigid blocks have no stress; the stresses have no effect")
                              .at(command.range.place ? command.range.place : command.place));
+        forget_cell_motion(model, session.joints.zones, zones);
         for (int k = 0; k < 6; ++k)
             if (const auto& stress = command.stress[k])
                 set_stress_component(model, zones, k, stress->at_origin, stress->gradient);

@@ -7,6 +7,7 @@
 #include "commands/save_session.hpp"
 #include "commands/slip.hpp"
 
+#include "mechanics/cell_motion.hpp"
 #include "mechanics/contact_table.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/zone_laws.hpp"
@@ -279,7 +280,7 @@ std::int64_t StrengthTrials::characteristic_span(const Place& place) {
     for (double& force : model.sub_contacts.normal_force) force *= 0.5;
     for (auto& column : model.sub_contacts.shear_force.component)
         for (double& force : column) force *= 0.5;
-    for (Stress& stress : model.zones.stress) stress *= 0.5;
+    scale_zone_stresses(model, ZoneLaws(model, session_.joints.zones), 0.5);
     initialise_sub_contacts(model, session_.joints, std::vector<char>(model.sub_contacts.size(), 1));
     ModelEdit(model, Change::properties);
     progress_.expect("how long the model takes to come to rest", std::nullopt);

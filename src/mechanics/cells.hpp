@@ -48,14 +48,6 @@ inline CellField from_first(const PointRow* rows, const CellCorners& corners, st
     return field;
 }
 
-/// The configuration in which a step strains: its middle, in small strain the only one.
-inline CellField strained(const CellField& end, const CellField& shift, bool large) {
-    if (!large) return end;
-    CellField middle;
-    for (std::size_t c = 0; c < 7; ++c) middle[c] = end[c] - shift[c] * eights(0.5);
-    return middle;
-}
-
 /// Products of the components of stresses and strains.
 inline Eight product(const SixEights& stress, const SixEights& strain) {
     return stress[0] * strain[0] + stress[1] * strain[1] + stress[2] * strain[2] +
@@ -63,6 +55,10 @@ inline Eight product(const SixEights& stress, const SixEights& strain) {
 }
 inline SixEights sum(const SixEights& a, const SixEights& b) {
     return {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3], a[4] + b[4], a[5] + b[5]};
+}
+
+inline SixEights difference(const SixEights& a, const SixEights& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3], a[4] - b[4], a[5] - b[5]};
 }
 
 /// What of a field is no linear field: under the number of each axis that of the product of the two others, then that of all three.
@@ -84,34 +80,122 @@ struct CornerSums {
     }
 };
 
-/// Shape of cells in one configuration.
+/// The faces of cells that are ruled surfaces and not two triangles each: those at corner 0 by the number of the axis across them, then
+/// those at corner 7.
+struct RuledFaces {
+    std::array<Eight, 6> part; ///< a twelfth for a face that is ruled, else 0
+    bool any = false;
+
+    /// `faces` has a bit for each face of a cell; from one cell to the next it is zones_of_cell.
+    [[gnu::always_inline]] RuledFaces(const std::uint8_t* faces, Row cells) {
+        MaskOfEight bits{};
+        for (Row l = 0; l < cells; ++l) any |= (bits[l] = faces[zones_of_cell * l]) != 0;
+        for (std::size_t f = 0; f < 6; ++f) part[f] = (bits & (1 << f)) != 0 ? eights(1.0 / 12) : Eight{};
+    }
+};
+
+/// Shape of cells in one configuration. Volume and gradient are those between the faces of the cell.
 struct CellShape {
     std::array<Eight3, 3> axis; ///< halves of the mean edges
-    CellField gradient;         ///< of the mean of a field over the zones of the cell, times the volume
-    Warps warp;                 ///< of the places of the corners
-    Eight volume, least;        ///< least: six times the volume of the smallest zone
+    CellField
+        gradient; ///< of the mean of a field over the cell, times the volume: how the volume changes with a corner
+    Warps warp;   ///< of the places of the corners
+    Eight volume, least; ///< least: six times the volume of the smallest zone
 
-    [[gnu::always_inline]] explicit CellShape(const CellField& x) {
+    CellShape() = default;
+    [[gnu::always_inline]] CellShape(const CellField& x, const RuledFaces& ruled) {
         const CornerSums sums(x);
         for (std::size_t a = 0; a < 3; ++a) axis[a] = sums.axis[a] * eights(0.125);
         warp = sums.warp;
-        // The change of the volume with the place of a corner. All zones have the edge from corner 0 to corner 7, and each
-        // two of the others that follow each other around it.
-        static constexpr std::array<std::size_t, 6> around{1, 3, 2, 6, 4, 5};
-        const auto corner = [](std::size_t k) { return around[k % 6] - 1; };
-        const Eight3 diagonal = x[6];
-        const Eight sixth = eights(1.0 / 6);
+        // All zones have the edge from corner 0 to corner 7, and each two of the others that follow each other around it.
+        std::array<Eight3, 6> side, spoke; // spokes by corner, from 1 on
         Eight3 last{Eight{}, Eight{}, Eight{}};
         for (std::size_t k = 0; k < 6; ++k) {
-            const Eight3 side = x[corner(k)].cross(x[corner(k + 1)]);
-            const Eight six_volumes = side.dot(diagonal);
+            side[k] = x[around(k)].cross(x[around(k + 1)]);
+            spoke[around(k)] = x[around(k)].cross(x[6]);
+            const Eight six_volumes = side[k].dot(x[6]);
             least = k == 0 || six_volumes < least ? six_volumes : least;
-            last = last + side;
-            gradient[corner(k)] = (x[corner(k + 1)] - x[corner(k + 5)]).cross(diagonal) * sixth;
+            last = last + side[k];
         }
+        const Eight sixth = eights(1.0 / 6);
+        for (std::size_t k = 0; k < 6; ++k) gradient[around(k)] = (spoke[around(k + 1)] - spoke[around(k + 5)]) * sixth;
         gradient[6] = last * sixth;
-        volume = gradient[6].dot(diagonal);
+        if (ruled.any) add_ruled(x, side, spoke, ruled, gradient);
+        volume = gradient[0].x * x[0].x;
+        for (std::size_t c = 1; c < 7; ++c) volume += gradient[c].x * x[c].x;
     }
+
+    /// What ruled faces add to the gradient by themselves.
+    [[gnu::always_inline]] static CellField of_ruled(const CellField& x, const RuledFaces& ruled) {
+        std::array<Eight3, 6> side, spoke;
+        for (std::size_t k = 0; k < 6; ++k) {
+            side[k] = x[around(k)].cross(x[around(k + 1)]);
+            spoke[around(k)] = x[around(k)].cross(x[6]);
+        }
+        CellField gradient;
+        gradient.fill({Eight{}, Eight{}, Eight{}});
+        add_ruled(x, side, spoke, ruled, gradient);
+        return gradient;
+    }
+
+private:
+    /// Places in fields of the corners around the edge from corner 0 to corner 7.
+    static constexpr std::size_t around(std::size_t k) { return std::array<std::size_t, 6>{0, 2, 1, 5, 3, 4}[k % 6]; }
+
+    /// The ruled surface of four corners is half way from the two triangles with one diagonal to those with the other; between them is
+    /// the tetrahedron of the corners. A face has corner 0 or 7; `near` are its corners beside that one, `far` is the opposite one.
+    [[gnu::always_inline]] static void add_ruled(const CellField& x, const std::array<Eight3, 6>& side,
+                                                 const std::array<Eight3, 6>& spoke, const RuledFaces& ruled,
+                                                 CellField& gradient) {
+        const auto add = [&](std::size_t corner, const Eight3& area) { gradient[corner] = gradient[corner] + area; };
+        for (std::size_t a = 0; a < 3; ++a) {
+            const std::size_t b = (std::size_t{1} << (a + 1) % 3) - 1, c = (std::size_t{1} << (a + 2) % 3) - 1;
+            const Eight& part = ruled.part[a];
+            add(b + c + 1, x[b].cross(x[c]) * part);
+            add(c, side[(2 * a + 2) % 6] * -part);
+            add(b, side[(2 * a + 3) % 6] * -part);
+        }
+        for (std::size_t a = 0; a < 3; ++a) {
+            const std::size_t far = (std::size_t{1} << a) - 1, b = 6 - (std::size_t{1} << (a + 2) % 3),
+                              c = 6 - (std::size_t{1} << (a + 1) % 3);
+            const Eight& part = ruled.part[3 + a];
+            const Eight3 &next = side[(2 * a + 5) % 6], &before = side[2 * a], across = x[b].cross(x[c]);
+            add(b, (next - spoke[c] + spoke[far]) * part);
+            add(c, (before - spoke[far] + spoke[b]) * part);
+            add(far, (across - spoke[b] + spoke[c]) * part);
+            add(6, (next + before + across) * -part);
+        }
+    }
+};
+
+/// A mean gradient of a motion, by component of it.
+struct MeanGradient {
+    Eight3 x, y, z;
+
+    /// `gradient` as in CellShape.
+    [[gnu::always_inline]] MeanGradient(const CellField& gradient, const CellField& shift, const Eight& over_volume) {
+        const auto row = [&](auto component) {
+            Eight3 sum = gradient[0] * component(shift[0]);
+            for (std::size_t c = 1; c < 7; ++c) sum = sum + gradient[c] * component(shift[c]);
+            return sum * over_volume;
+        };
+        x = row([](const Eight3& v) { return v.x; });
+        y = row([](const Eight3& v) { return v.y; });
+        z = row([](const Eight3& v) { return v.z; });
+    }
+
+    /// That with respect to the configuration half a step before, G (1 - G/2)^-1. Returns what the volume is there over the one here.
+    [[gnu::always_inline]] Eight go_to_middle() {
+        const Eight half = eights(-0.5), one = eights(1);
+        const Eight3 r0{one + half * x.x, half * x.y, half * x.z}, r1{half * y.x, one + half * y.y, half * y.z},
+            r2{half * z.x, half * z.y, one + half * z.z};
+        const Eight3 c0 = r1.cross(r2), c1 = r2.cross(r0), c2 = r0.cross(r1);
+        const Eight whole = r0.dot(c0), over = 1.0 / whole;
+        for (Eight3* row : {&x, &y, &z}) *row = Eight3{row->dot(c0), row->dot(c1), row->dot(c2)} * over;
+        return whole;
+    }
+
+    SixEights strain() const { return {x.x, y.y, z.z, 0.5 * (x.y + y.x), 0.5 * (x.z + z.x), 0.5 * (y.z + z.y)}; }
 };
 
 /// What a step does to cells: mean strain and spin, and how they bend and twist.
@@ -119,23 +203,25 @@ struct CellMotion {
     SixEights strain;
     Eight3 half_spin;
     Warps warp; ///< eq. (10) of docs/theory/zones.md
+    std::array<Eight3, 3>
+        axis;     ///< as in CellShape, and the volume, of the configuration in which the step strains: with `large` its
+    Eight volume; ///< middle, else the one that stays
 
-    [[gnu::always_inline]] CellMotion(const CellShape& shape, const CellField& shift) {
-        const Eight over = 1.0 / shape.volume;
-        const auto row = [&](auto component) { // of the mean gradient: of one component of the motion
-            Eight3 sum = shape.gradient[0] * component(shift[0]);
-            for (std::size_t c = 1; c < 7; ++c) sum = sum + shape.gradient[c] * component(shift[c]);
-            return sum * over;
-        };
-        const Eight3 x = row([](const Eight3&v) { return v.x; }), y = row([](const Eight3&v) { return v.y; }),
-                     z = row([](const Eight3&v) { return v.z; });
-        strain = {x.x, y.y, z.z, 0.5 * (x.y + y.x), 0.5 * (x.z + z.x), 0.5 * (y.z + z.y)};
-        half_spin = {0.25 * (z.y - y.z), 0.25 * (x.z - z.x), 0.25 * (y.x - x.y)};
-        const Warps whole = CornerSums(shift).warp;
+    /// `shape` at the end of the step.
+    [[gnu::always_inline]] CellMotion(const CellShape& shape, const CellField& shift, bool large)
+        : axis(shape.axis), volume(shape.volume) {
+        MeanGradient mean(shape.gradient, shift, 1.0 / shape.volume);
+        const CornerSums sums(shift);
         for (std::size_t h = 0; h < 4; ++h) {
             const Eight3& place = shape.warp[h];
-            warp[h] = (whole[h] - Eight3{x.dot(place), y.dot(place), z.dot(place)}) * eights(0.125);
+            warp[h] = (sums.warp[h] - Eight3{mean.x.dot(place), mean.y.dot(place), mean.z.dot(place)}) * eights(0.125);
         }
+        if (large) {
+            volume *= mean.go_to_middle();
+            for (std::size_t a = 0; a < 3; ++a) axis[a] = axis[a] - sums.axis[a] * eights(0.0625);
+        }
+        strain = mean.strain();
+        half_spin = {0.25 * (mean.z.y - mean.y.z), 0.25 * (mean.x.z - mean.z.x), 0.25 * (mean.y.x - mean.x.y)};
     }
 };
 
@@ -170,19 +256,20 @@ struct LayerModuli {
     }
 };
 
-/// What the warps `g` of a step add to the stress. Returns the work of the step, by cell.
-[[gnu::always_inline]] inline Eight add_warp_stress(const CellShape& shape, const Warps& g, const LayerModuli& moduli,
+/// What the warps of a step add to the stress. Returns the work of the step, by cell.
+[[gnu::always_inline]] inline Eight add_warp_stress(const CellMotion& step, const LayerModuli& moduli,
                                                     WarpStress& stress) {
+    const Warps& g = step.warp;
     const Eight lambda = eights(moduli.lambda), two_shear = eights(moduli.two_shear);
     std::array<Eight, 3> square, product; // of the axes: of one with itself, and of the two others
     for (std::size_t a = 0; a < 3; ++a) {
-        square[a] = shape.axis[a].dot(shape.axis[a]);
-        product[a] = shape.axis[(a + 1) % 3].dot(shape.axis[(a + 2) % 3]);
+        square[a] = step.axis[a].dot(step.axis[a]);
+        product[a] = step.axis[(a + 1) % 3].dot(step.axis[(a + 2) % 3]);
     }
     Eight layers{}, fibres{};
     for (std::size_t a = 0; a < 3; ++a) {
         const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
-        const Eight3 &jb = shape.axis[b], &jc = shape.axis[c];
+        const Eight3 &jb = step.axis[b], &jc = step.axis[c];
         const Eight bb = jb.dot(g[c]), cc = jc.dot(g[b]), bc = 0.5 * (jb.dot(g[b]) + jc.dot(g[c]));
         const Eight &mb = square[b], &mc = square[c], &m = product[a], r = 1.0 / (mb * mc - m * m);
         const Eight ib = mc * r, ic = mb * r, i = -m * r; // inverse of the metric
@@ -193,12 +280,12 @@ struct LayerModuli {
         Eight* const s = &stress[3 * a];
         layers += (s[0] + 0.5 * change[0]) * bb + (s[1] + 0.5 * change[1]) * cc + (2.0 * s[2] + change[2]) * bc;
         for (std::size_t k = 0; k < 3; ++k) s[k] += change[k];
-        const Eight along = shape.axis[a].dot(g[3]) / square[a], more = moduli.young * along;
+        const Eight along = step.axis[a].dot(g[3]) / square[a], more = moduli.young * along;
         fibres += (stress[9 + a] + 0.5 * more) * along;
         stress[9 + a] += more;
     }
     // Means over the cell of the squares of one axis, and of a product of two.
-    return shape.volume * (layers * (1.0 / 3) + fibres * (1.0 / 9));
+    return step.volume * (layers * (1.0 / 3) + fibres * (1.0 / 9));
 }
 
 /// Forces on the corners 0 to 7 of cells whose zones all have the same stress, and which are warped.
@@ -235,6 +322,18 @@ struct LayerModuli {
         f[0] = f[0] - f[c];
     }
     return f;
+}
+
+/// Forces of a stress with a gradient, as in CellShape, of its own.
+[[gnu::always_inline]] inline void add_forces(const CellField& gradient, const SixEights& stress, CellForces& forces) {
+    const Eight3 s0{stress[0], stress[3], stress[4]}, s1{stress[3], stress[1], stress[5]},
+        s2{stress[4], stress[5], stress[2]};
+    for (std::size_t c = 1; c < 8; ++c) {
+        const Eight3& g = gradient[c - 1];
+        const Eight3 force{s0.dot(g), s1.dot(g), s2.dot(g)};
+        forces[c] = forces[c] - force;
+        forces[0] = forces[0] + force;
+    }
 }
 
 } // namespace kaya

@@ -6,6 +6,7 @@
 #include "mechanics/advance_joints.hpp"
 #include "mechanics/apply_histories.hpp"
 #include "mechanics/batches.hpp"
+#include "mechanics/cell_motion.hpp"
 #include "mechanics/check_properties.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/contact_search.hpp"
@@ -17,6 +18,7 @@
 #include "mechanics/masses.hpp"
 #include "mechanics/move_bodies.hpp"
 #include "mechanics/quiet_boundary.hpp"
+#include "mechanics/ruled_faces.hpp"
 #include "mechanics/run_cables.hpp"
 #include "mechanics/run_members.hpp"
 #include "mechanics/run_zone_models.hpp"
@@ -82,7 +84,7 @@ void Cycle::prepare() {
         check_properties(model_, joints_);
         compute_masses(model_);
         take_zone_laws();
-        s.ties = TieLists(model_, s.elastic);
+        part_cell_motion(model_, s.laws);
         zone_frequencies(model_, s.elastic);
         add_tie_frequencies(model_, s.ties);
     }
@@ -120,6 +122,8 @@ void Cycle::take_zone_laws() {
     Lists& s = *lists_;
     s.laws = ZoneLaws(model_, joints_.zones);
     s.elastic = s.laws.elastic_constants();
+    s.ties = TieLists(model_, s.elastic);
+    find_ruled_faces(model_, s.ties, s.laws);
     s.step.take(s.elastic);
 }
 
@@ -129,7 +133,6 @@ void Cycle::make_lists() {
     s.adjacency = make_adjacency(model_);
     s.batches = make_batches(model_, joints_);
     s.step.take(model_, s.batches);
-    s.ties = TieLists(model_, s.elastic);
     s.boundary_histories = list_boundary_histories(model_);
     put_water(model_);
     joint_forces(model_, s.joints);

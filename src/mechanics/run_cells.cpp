@@ -1,5 +1,6 @@
 #include "mechanics/run_cells.hpp"
 
+#include "mechanics/cell_motion.hpp"
 #include "mechanics/cells.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/staged_zones.hpp"
@@ -32,12 +33,21 @@ bool are_alike(const Column<Stress>& stresses, Row zone, Row cells) {
     return alike;
 }
 
+/// The stress of the zones of each cell, in the mean.
+SixEights mean_stress(const Zones& zones, Row zone, Row cells) {
+    const auto stress = [&](Row z) { return load_six(zones.stress[zone + z].data(), to_next_cell, cells); };
+    SixEights mean = stress(0);
+    for (Row z = 1; z < zones_of_cell; ++z) mean = sum(mean, stress(z));
+    for (Eight& s : mean) s *= 1.0 / zones_of_cell;
+    return mean;
+}
+
 /// What is wanted of eight cells after the zone model has run.
 struct CellGroup {
     CellCorners corners;
-    CellField place;
-    bool alike;
-    SixEights before; ///< the stress that the zones have, or where they are not alike its mean, turned with the cell
+    CellShape shape;  ///< at the end of the step
+    bool apart;       ///< the zones have stresses of their own, or the motion of the cell has made another one
+    SixEights before; ///< the stress that the zones have, or where they are apart its mean, turned with the cell
     Eight3 half_spin;
     Eight volume, work; ///< in the middle of the step; of warping
     WarpStress warp;
@@ -83,14 +93,6 @@ private:
 
     double* stresses(Row zone) { return model_.zones.stress[zone].data(); }
 
-    /// The stress of the zones before the step, in the mean.
-    SixEights mean_stress(Row zone, Row cells) {
-        SixEights mean = load_six(stresses(zone), to_next_cell, cells);
-        for (Row z = 1; z < zones_of_cell; ++z) mean = sum(mean, load_six(stresses(zone + z), to_next_cell, cells));
-        for (Eight& s : mean) s *= 1.0 / zones_of_cell;
-        return mean;
-    }
-
     /// Strains of the step, the stresses turned with the material, and how the cells resist warping.
     void strain(Row zone, Row in_batch, Row cells) {
         CellGroup& g = group_at(in_batch);
@@ -98,28 +100,29 @@ private:
         for (Row l = 0; l < cells; ++l) batch_.number[i + l] = zone + zones_of_cell * l + 1;
         g.corners = rows_.cells_at(zone, cells);
         std::array<Eight, 8> pressures;
-        g.place = from_first(rows_.places(), g.corners, wet_ ? &pressures : nullptr);
+        const CellField place = from_first(rows_.places(), g.corners, wet_ ? &pressures : nullptr);
         Eight pressure{};
         if (wet_)
             for (const Eight& p : pressures) pressure += 0.125 * p;
         const CellField shift = from_first(rows_.shifts(), g.corners);
-        const CellShape shape(strained(g.place, shift, large_));
-        const CellMotion motion(shape, shift);
+        g.shape = CellShape(place, RuledFaces(rows_.ruled(zone), cells));
+        check_cells(model_, zone, cells, place, g.shape.least);
+        const CellMotion motion(g.shape, shift, large_);
         g.half_spin = motion.half_spin;
-        g.volume = shape.volume;
+        g.volume = motion.volume;
         g.warp = load_warps(model_.zones, law_.cell_history, zone, cells);
-        g.work = add_warp_stress(shape, motion.warp, moduli_, g.warp);
+        g.work = add_warp_stress(motion, moduli_, g.warp);
         store_warps(model_.zones, law_.cell_history, zone, cells, g.warp);
 
-        g.alike = are_alike(model_.zones.stress, zone, cells);
-        g.before = g.alike ? load_six(stresses(zone), to_next_cell, cells) : mean_stress(zone, cells);
+        g.apart = keeps_cell_motion(model_.zones, law_) || !are_alike(model_.zones.stress, zone, cells);
+        g.before = g.apart ? mean_stress(model_.zones, zone, cells) : load_six(stresses(zone), to_next_cell, cells);
         if (large_) g.before = turned(g.before, g.half_spin);
         for (std::size_t k = 0; k < 6; ++k) {
             store(batch_.strain[k] + i, motion.strain[k]);
             store(batch_.stress[k] + i, k < 3 ? g.before[k] + pressure : g.before[k]);
         }
         store(batch_.pressure + i, pressure);
-        store(batch_.volume + i, shape.volume * (1.0 / zones_of_cell));
+        store(batch_.volume + i, motion.volume * (1.0 / zones_of_cell));
     }
 
     /// Stresses into the zones, and their forces. Returns the work of the step, by cell.
@@ -127,39 +130,51 @@ private:
         CellGroup& g = group_at(in_batch);
         const Row i = in_batch / zones_of_cell;
         const auto column = [&](const double* rows) { return load_as<Eight>(rows + i); };
-        const CellShape shape(g.place);
-        check_cells(model_, zone, cells, g.place, shape.least);
         SixEights change, strain;
         for (std::size_t k = 0; k < 6; ++k) {
             const Eight before = k < 3 ? g.before[k] + column(batch_.pressure) : g.before[k];
             change[k] = column(batch_.stress[k]) - before;
             strain[k] = column(batch_.strain[k]);
         }
-        if (g.alike) {
-            const SixEights after = sum(g.before, change);
-            g.work += 0.5 * g.volume * product(sum(g.before, after), strain);
-            store_six(stresses(zone), to_next_cell, cells, after, zones_of_cell);
-            forces_.add(g.corners, cells, forces_of(shape, after, g.warp));
+        const SixEights after = sum(g.before, change);
+        g.work += 0.5 * g.volume * product(sum(g.before, after), strain);
+        if (g.apart) {
+            finish_apart(g, zone, cells, change);
         } else {
-            CellForces forces = forces_of(shape, SixEights{}, g.warp);
-            const CellField shift = from_first(rows_.shifts(), g.corners);
-            for (Row z = 0; z < zones_of_cell; ++z) finish_zone(g, shift, z, zone + z, cells, change, forces);
-            forces_.add(g.corners, cells, forces);
+            store_six(stresses(zone), to_next_cell, cells, after, zones_of_cell);
+            forces_.add(g.corners, cells, forces_of(g.shape, after, g.warp));
         }
         for (Row l = cells; l < eight; ++l) g.work[l] = 0;
         return g.work;
     }
 
-    /// The same for zone `z` of each cell, which has a stress of its own.
-    void finish_zone(CellGroup& g, const CellField& shift, Row z, Row zone, Row cells, const SixEights& change,
-                     CellForces& forces) {
-        const Edges edges = edges_of_zone(g.place, z);
+    /// The same where each zone acts with the stress of its own, and ruled faces with the one that the motion of the cell has made.
+    void finish_apart(CellGroup& g, Row zone, Row cells, const SixEights& change) {
+        const CellField place = from_first(rows_.places(), g.corners), shift = from_first(rows_.shifts(), g.corners);
+        const CellField ruled = CellShape::of_ruled(place, RuledFaces(rows_.ruled(zone), cells));
+        SixEights made = g.before;
+        if (double* const rows = cell_motion(model_.zones, law_, zone)) {
+            made = load_six(rows, zones_of_cell, cells);
+            if (large_) made = turned(made, g.half_spin);
+            store_six(rows, zones_of_cell, cells, sum(made, change));
+            g.work -= product(difference(g.before, made), MeanGradient(ruled, shift, eights(1)).strain());
+        }
+        CellForces forces = forces_of(g.shape, SixEights{}, g.warp);
+        add_forces(ruled, sum(made, change), forces);
+        for (Row z = 0; z < zones_of_cell; ++z) finish_zone(g, place, shift, z, zone + z, cells, change, forces);
+        forces_.add(g.corners, cells, forces);
+    }
+
+    void finish_zone(CellGroup& g, const CellField& place, const CellField& shift, Row z, Row zone, Row cells,
+                     const SixEights& change, CellForces& forces) {
+        const Edges edges = edges_of_zone(place, z);
         SixEights before = load_six(stresses(zone), to_next_cell, cells);
         if (large_) before = turned(before, g.half_spin);
         const SixEights after = sum(before, change);
         store_six(stresses(zone), to_next_cell, cells, after);
-        const Deformation d(edges, edges_of_zone(shift, z), large_); // the forces act on what the zone itself does
-        g.work += 0.5 * d.volume * product(sum(before, after), d.strain);
+        const Deformation d(edges, edges_of_zone(shift, z),
+                            large_); // what a zone has besides acts on what it does itself
+        g.work += d.volume * product(difference(before, g.before), d.strain);
         add_forces_of_zone(edges, z, after, forces);
     }
 
@@ -173,6 +188,21 @@ private:
     StagedZones<cells_in_batch> batch_;
     std::array<CellGroup, groups_in_batch> groups_;
 };
+
+/// Forces of cells without those of the stresses of single zones: of the stress given, of how they resist warping and, where their zones are
+/// apart, of their ruled faces.
+CellForces forces_of(const Model& model, const TileRows& rows, const ZoneLaw& law, const CellCorners& corners, Row zone,
+                     Row cells, const SixEights& stress, bool apart) {
+    const CellField place = from_first(rows.places(), corners);
+    const RuledFaces faces(rows.ruled(zone), cells);
+    CellForces forces =
+        forces_of(CellShape(place, faces), stress, load_warps(model.zones, law.cell_history, zone, cells));
+    if (!apart) return forces;
+    const double* const made = cell_motion(model.zones, law, zone);
+    add_forces(CellShape::of_ruled(place, faces),
+               made ? load_six(made, zones_of_cell, cells) : mean_stress(model.zones, zone, cells), forces);
+    return forces;
+}
 
 } // namespace
 
@@ -191,41 +221,56 @@ void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& til
                  std::vector<PointRow>& forces) {
     const TileRows rows(model, tiles, tile);
     TileForces sums(tile, forces);
-    const bool warps = law.together == Together::cells, damped = zones_are_damped(model);
+    const bool together = law.together == Together::cells, damped = zones_are_damped(model);
     for (Row zone = tile.first; zone < tile.last; zone += zones_of_group) {
         const Row cells = cells_from(zone, tile.last);
         const CellCorners corners = rows.cells_at(zone, cells);
-        const CellField place = from_first(rows.places(), corners);
         const auto stress = [&](Row z) {
             const SixEights own = load_six(model.zones.stress[zone + z].data(), to_next_cell, cells);
             return damped ? sum(own, load_six(model.zones.dashpot[zone + z].data(), to_next_cell, cells)) : own;
         };
-        const bool alike = warps && are_alike(model.zones.stress, zone, cells);
+        const bool apart =
+            !together || keeps_cell_motion(model.zones, law) || !are_alike(model.zones.stress, zone, cells);
         CellForces whole{};
-        if (warps)
-            whole = forces_of(CellShape(place), alike ? stress(0) : SixEights{},
-                              load_warps(model.zones, law.cell_history, zone, cells));
-        if (!alike)
+        if (together) whole = forces_of(model, rows, law, corners, zone, cells, apart ? SixEights{} : stress(0), apart);
+        const CellField place = from_first(rows.places(), corners);
+        if (apart)
             for (Row z = 0; z < zones_of_cell; ++z) add_forces_of_zone(edges_of_zone(place, z), z, stress(z), whole);
         sums.add(corners, cells, whole);
     }
 }
 
-double hold_warps(const Model& model, const TileRows& rows, const ZoneTile& tile, const ZoneLaw& law,
-                  TileForces& forces) {
+double hold_cells(Model& model, const TileRows& rows, const ZoneTile& tile, const ZoneLaw& law, TileForces& forces) {
+    const bool large = model.settings.large_strain;
     Lanes whole = Lanes::Zero();
     for (Row z = tile.first; z < tile.last; z += zones_of_group) {
         const Row cells = cells_from(z, tile.last);
         const CellCorners corners = rows.cells_at(z, cells);
         const CellField place = from_first(rows.places(), corners), shift = from_first(rows.shifts(), corners);
         WarpStress stress = load_warps(model.zones, law.cell_history, z, cells);
-        const CellShape shape(strained(place, shift, model.settings.large_strain));
-        Eight work = add_warp_stress(shape, CellMotion(shape, shift).warp, LayerModuli(), stress);
+        const RuledFaces faces(rows.ruled(z), cells);
+        const CellMotion motion(CellShape(place, faces), shift, large);
+        Eight work = add_warp_stress(motion, LayerModuli(), stress);
+        double* const made = cell_motion(model.zones, law, z);
+        const SixEights before = load_six(made, zones_of_cell, cells),
+                        after = large ? turned(before, motion.half_spin) : before;
+        store_six(made, zones_of_cell, cells, after);
+        const MeanGradient of_ruled(CellShape::of_ruled(place, faces), shift, eights(1));
+        work += 0.5 * product(sum(before, after), of_ruled.strain());
         for (Row l = cells; l < eight; ++l) work[l] = 0;
         add_to(whole, work);
-        forces.add(corners, cells, forces_of(CellShape(place), SixEights{}, stress));
     }
+    held_forces(model, rows, tile, law, forces);
     return sum(whole);
+}
+
+void held_forces(const Model& model, const TileRows& rows, const ZoneTile& tile, const ZoneLaw& law,
+                 TileForces& forces) {
+    for (Row z = tile.first; z < tile.last; z += zones_of_group) {
+        const Row cells = cells_from(z, tile.last);
+        const CellCorners corners = rows.cells_at(z, cells);
+        forces.add(corners, cells, forces_of(model, rows, law, corners, z, cells, SixEights{}, true));
+    }
 }
 
 } // namespace kaya

@@ -21,9 +21,12 @@ ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, c
 void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
                  std::vector<PointRow>& forces);
 
-/// Where the zones of cells go on their own: what cells resist warping with stays as it is. Adds its forces, and returns the work that the
-/// motion does against it.
-double hold_warps(const Model& model, const TileRows& rows, const ZoneTile& tile, const ZoneLaw& law,
-                  TileForces& forces);
+/// Where the zones of cells go on their own: what cells resist warping with and the stress that their motion has made stay as they are.
+/// Adds their forces, and returns the work that the motion does against them.
+double hold_cells(Model& model, const TileRows& rows, const ZoneTile& tile, const ZoneLaw& law, TileForces& forces);
+
+/// The same forces without a step.
+void held_forces(const Model& model, const TileRows& rows, const ZoneTile& tile, const ZoneLaw& law,
+                 TileForces& forces);
 
 } // namespace kaya

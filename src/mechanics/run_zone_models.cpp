@@ -1,4 +1,5 @@
 #include "base/reduce.hpp"
+#include "mechanics/cell_motion.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/run_cells.hpp"
 #include "mechanics/run_flowing_cells.hpp"
@@ -29,7 +30,7 @@ public:
         const Row whole = static_cast<Row>(most_zones_in_batch);
         for (Row first = tile_.first; first < tile_.last; first += whole)
             sums.add(run_batch(first, std::min(whole, tile_.last - first)));
-        if (law_.together == Together::cells) sums.work += hold_warps(model_, rows_, tile_, law_, forces_);
+        if (law_.together == Together::cells) sums.work += hold_cells(model_, rows_, tile_, law_, forces_);
         return sums;
     }
 
@@ -239,7 +240,7 @@ void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std
         const ZoneGroup zones = rows.group_at(z);
         sums.add(zones, std::min<Row>(tile.last - z, eight), rows.edges(zones), stress);
     }
-    if (law.together == Together::cells) hold_warps(model, rows, tile, law, sums);
+    if (law.together == Together::cells) held_forces(model, rows, tile, law, sums);
 }
 
 /// The plastic change of the mean stress likewise; then the forces. Returns the work that goes with it.
@@ -270,6 +271,7 @@ ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratc
     const bool averages = laws.any_averages_at_points();
     if (averages) average_strain(model, laws, scratch);
     const bool cells_strain = cells_go_together(model.settings);
+    if (!cells_strain) keep_cell_motion(model, laws);
     const auto& tiles = laws.tiles.tiles;
     ZoneSums sums = reduce_chunks(
         tiles.size(), 1, ZoneSums{},

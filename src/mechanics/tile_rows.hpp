@@ -61,6 +61,7 @@ public:
             corners[l] = corners_of_cell(&tiles_.corners[zone + zones_of_cell * std::min(l, cells - 1)]);
         return corners;
     }
+    const std::uint8_t* ruled(Row zone) const { return &tiles_.ruled[zone]; }
     const PointRow* places() const { return place_; } ///< and the pore pressure
     const PointRow* shifts() const { return shift_; } ///< of the step
 

@@ -25,7 +25,8 @@ struct ZoneLaw {
     std::vector<double> values; ///< in the order of the model's property table
     ElasticConstants elastic;
     Together together;
-    std::size_t cell_history; ///< the first of the two columns of Zones::history that keep how cells resist warping
+    std::size_t
+        cell_history; ///< the first of the two columns of Zones::history that keep how cells resist warping; another: cell_motion.hpp
 };
 
 class ZoneLaws {
@@ -45,6 +46,10 @@ public:
 private:
     std::vector<Row> law_of_; ///< by block, no_row for rigid ones
 };
+
+/// The column of Zones::history where what cells keep begins: after those of the model, and after the first two, which fields of plastic
+/// strain read whatever the model.
+std::size_t first_cell_history(const ZoneModel& zone_model);
 
 /// The zone model of a block: that of `zone model`, else that of its constitutive number. Throws Diagnostic for a number
 /// that means none.

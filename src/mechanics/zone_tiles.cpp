@@ -44,7 +44,7 @@ private:
 
 ZoneTiles::ZoneTiles(const Model& model, const std::function<std::size_t(Row zone)>& law_of,
                      const std::function<Row(std::size_t law)>& together)
-    : corners(model.zones.size()) {
+    : corners(model.zones.size()), ruled(model.zones.size(), 0) {
     const Row zones = static_cast<Row>(model.zones.size());
     TilePoints points(model.gridpoints.size(), gridpoints);
     for (Row z = 0; z < zones;) {

@@ -38,6 +38,7 @@ public:
     std::vector<ZoneTile> tiles;
     std::vector<Row> gridpoints;             ///< of each point, tile after tile
     std::vector<std::array<Row, 4>> corners; ///< of each zone: points, counted from the first of its tile
+    std::vector<std::uint8_t> ruled;         ///< by zone; the first of a cell has bits of its faces, see RuledFaces
     Lists<Row> points_of;                    ///< of each gridpoint, in the order of the tiles
 };
 

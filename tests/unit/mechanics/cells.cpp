@@ -1,8 +1,10 @@
 #include "mechanics/cells.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <random>
 
@@ -13,8 +15,8 @@ using Field = std::function<Vec3(const Vec3&)>;
 
 /// Eight cells: corners of boxes of 2 by 1 by 0.5, moved by up to so much.
 struct EightCells {
-    explicit EightCells(double distortion) {
-        std::mt19937 random(11);
+    explicit EightCells(double distortion, unsigned seed = 11) {
+        std::mt19937 random(seed);
         std::uniform_real_distribution<double> small(-distortion, distortion);
         for (unsigned c = 0; c < 8; ++c)
             for (std::size_t l = 0; l < 8; ++l) {
@@ -46,13 +48,22 @@ struct EightCells {
 
 Vec3 of_lane(const Eight3& v, int l) { return {v.x[l], v.y[l], v.z[l]}; }
 
-const LayerModuli moduli(1.2e9, 1.6e9); // lambda and 2 G
+constexpr double lambda = 1.2e9, two_shear = 1.6e9;
+const LayerModuli moduli(lambda, two_shear);
+
+/// So many cells whose faces with a bit are ruled surfaces.
+RuledFaces faces(std::uint8_t bits) {
+    std::array<std::uint8_t, 8 * zones_of_cell> of_cells;
+    of_cells.fill(bits);
+    return {of_cells.data(), eight};
+}
+constexpr std::uint8_t no_face = 0, every_face = 63;
 
 /// What a motion adds to how cells resist warping, from nothing on. Returns its work.
 Eight warp(const EightCells& cells, const Field& motion, WarpStress& stress) {
-    const CellShape shape(cells.corners());
+    const CellShape shape(cells.corners(), faces(every_face));
     stress = {};
-    return add_warp_stress(shape, CellMotion(shape, cells.values(motion)).warp, moduli, stress);
+    return add_warp_stress(CellMotion(shape, cells.values(motion), false), moduli, stress);
 }
 
 TEST(Cells, AnEvenStrainAndARigidTurnDoNotWarp) {
@@ -70,21 +81,145 @@ TEST(Cells, AnEvenStrainAndARigidTurnDoNotWarp) {
 
 TEST(Cells, AnEvenStrainIsFound) {
     const EightCells cells(0.15);
-    const CellShape shape(cells.corners());
     Mat3 gradient;
     gradient << 1, 2, 3, -4, 5, 6, 7, -8, 9;
-    const CellMotion motion(shape, cells.values([&](const Vec3& x) { return Vec3(gradient * x); }));
     const double strain[6] = {1, 5, 9, -1, 5, -1}, spin[3] = {-14, -4, -6};
-    for (int l = 0; l < 8; ++l) {
-        for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(motion.strain[k][l], strain[k], 1e-12);
-        for (int k = 0; k < 3; ++k) EXPECT_NEAR(4 * of_lane(motion.half_spin, l)[k], spin[k], 1e-12);
+    for (const std::uint8_t ruled : {no_face, std::uint8_t{9}, std::uint8_t{22}, every_face}) {
+        const CellShape shape(cells.corners(), faces(ruled));
+        const CellMotion motion(shape, cells.values([&](const Vec3& x) { return Vec3(gradient * x); }), false);
+        for (int l = 0; l < 8; ++l) {
+            for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(motion.strain[k][l], strain[k], 1e-12);
+            for (int k = 0; k < 3; ++k) EXPECT_NEAR(4 * of_lane(motion.half_spin, l)[k], spin[k], 1e-12);
+        }
     }
+}
+
+TEST(Cells, ARigidTurnByALargeAngleIsNoStrain) {
+    const EightCells before(0.15);
+    EightCells after = before;
+    const Mat3 turn = Eigen::AngleAxisd(0.8, Vec3(1, -2, 3).normalized()).toRotationMatrix();
+    for (auto& corner : after.place)
+        for (Vec3& x : corner) x = turn * x;
+    const CellShape shape(after.corners(), faces(every_face));
+    const CellMotion motion(shape, after.values([&](const Vec3& x) { return Vec3(x - turn.transpose() * x); }), true);
+    const Vec3 half_spin = std::tan(0.4) * Vec3(1, -2, 3).normalized();
+    for (int l = 0; l < 8; ++l) {
+        for (const Eight& strain : motion.strain) EXPECT_NEAR(strain[l], 0, 1e-14);
+        for (const Eight3& g : motion.warp) EXPECT_LT(of_lane(g, l).norm(), 1e-14);
+        EXPECT_LT((of_lane(motion.half_spin, l) - half_spin).norm(), 1e-14);
+    }
+}
+
+// Of a box each corner has a quarter of the faces at it when they are ruled; of two triangles a third or a sixth.
+TEST(Cells, CornersHaveAQuarterOfARuledFace) {
+    const EightCells boxes(0);
+    const Vec3 quarter(0.5 * 0.25, 1.0 * 0.25, 2.0 * 0.25); // faces 1 by 0.5, 0.5 by 2, 2 by 1
+    const CellShape shape(boxes.corners(), faces(every_face)), triangles(boxes.corners(), faces(no_face));
+    for (unsigned c = 1; c < 8; ++c)
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_NEAR(of_lane(shape.gradient[c - 1], 0)[k], c >> k & 1 ? quarter[k] : -quarter[k], 1e-15);
+        }
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(of_lane(triangles.gradient[6], 0)[k], quarter[k] * 4 / 3, 1e-15);
+}
+
+/// Forces of an even stress on the corners of cells.
+CellForces even_forces(const EightCells& cells, std::uint8_t ruled) {
+    const SixEights stress{eights(-1), eights(-2), eights(-4), eights(0.5), eights(0.25), eights(-0.75)};
+    CellForces forces{};
+    add_forces(CellShape(cells.corners(), faces(ruled)).gradient, stress, forces);
+    return forces;
+}
+
+// The face at the end of an axis of one cell is the one at its beginning of the other.
+TEST(Cells, AnEvenStressGoesThroughARuledFace) {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const EightCells first(0.15);
+        EightCells second(0.15, 12);
+        const unsigned bit = 1U << axis;
+        for (unsigned c = 0; c < 8; ++c) {
+            for (std::size_t l = 0; l < 8; ++l)
+                second.place[c][l] += Vec3(4.0 * (bit == 1), 2.0 * (bit == 2), 1.0 * (bit == 4));
+            if ((c & bit) == 0) second.place[c] = first.place[c | bit];
+        }
+        const std::uint8_t high = static_cast<std::uint8_t>(8U << axis), low = static_cast<std::uint8_t>(1U << axis);
+        const CellForces two[2] = {even_forces(first, high), even_forces(second, low)},
+                         triangles[2] = {even_forces(first, no_face), even_forces(second, no_face)};
+        for (unsigned c = 0; c < 8; ++c)
+            for (int l = 0; l < 8; ++l) {
+                if (c & bit) {
+                    const Vec3 change = of_lane(two[0][c] - triangles[0][c], l);
+                    EXPECT_GT(change.norm(), 1e-3);
+                    EXPECT_LT((change + of_lane(two[1][c - bit] - triangles[1][c - bit], l)).norm(), 1e-13);
+                } else {
+                    EXPECT_LT(of_lane(two[0][c] - triangles[0][c], l).norm(), 1e-14);
+                }
+            }
+    }
+}
+
+/// The stiffness matrix of an elastic cell, corner by corner.
+Eigen::MatrixXd stiffness_of(const EightCells& cells, const RuledFaces& ruled, int lane) {
+    const CellShape shape(cells.corners(), ruled);
+    Eigen::MatrixXd stiffness(24, 24);
+    for (int i = 0; i < 24; ++i) {
+        std::array<std::array<Vec3, 8>, 8> motion;
+        for (auto& corner : motion) corner.fill(Vec3::Zero());
+        for (Vec3& v : motion[static_cast<std::size_t>(i / 3)]) v[i % 3] = 1;
+        const CellMotion step(shape, EightCells::loaded(motion), false);
+        WarpStress warped{};
+        add_warp_stress(step, moduli, warped);
+        const Eight mean = lambda * (step.strain[0] + step.strain[1] + step.strain[2]);
+        SixEights stress;
+        for (std::size_t k = 0; k < 6; ++k) stress[k] = two_shear * step.strain[k] + (k < 3 ? mean : Eight{});
+        const CellForces forces = forces_of(shape, stress, warped);
+        for (int c = 0; c < 8; ++c)
+            for (int k = 0; k < 3; ++k)
+                stiffness(3 * c + k, i) = -of_lane(forces[static_cast<std::size_t>(c)], lane)[k];
+    }
+    return stiffness;
+}
+
+/// What the time step takes for the six zones, by corner: equation (7) of docs/theory/time-step.md.
+std::array<double, 8> bounds_of(const EightCells& cells, std::size_t lane) {
+    std::array<double, 8> bound{};
+    for (const auto& zone : corners_of_zone) {
+        Mat3 edges;
+        for (int k = 0; k < 3; ++k)
+            edges.row(k) = cells.place[zone[static_cast<std::size_t>(k) + 1]][lane] - cells.place[zone[0]][lane];
+        const Mat3 gradients = edges.inverse();
+        const Vec3 first = -gradients.rowwise().sum();
+        const Mat3 squares = gradients * gradients.transpose() + first * first.transpose();
+        const double largest = Eigen::SelfAdjointEigenSolver<Mat3>(squares).eigenvalues()[2];
+        for (const std::size_t c : zone)
+            bound[c] += (lambda * squares.trace() + two_shear * largest) * edges.determinant() / 6;
+    }
+    return bound;
+}
+
+TEST(Cells, AreNotStifferThanTheBoundOfTheirZones) {
+    for (const double distortion : {0.0, 0.05, 0.1})
+        for (unsigned seed = 1; seed <= 3; ++seed)
+            for (const std::uint8_t ruled : {no_face, std::uint8_t{7}, std::uint8_t{18}, every_face})
+                for (int l = 0; l < 8; ++l) {
+                    const EightCells cells(distortion, seed);
+                    const auto bound = bounds_of(cells, static_cast<std::size_t>(l));
+                    Eigen::MatrixXd scaled = stiffness_of(cells, faces(ruled), l);
+                    for (int i = 0; i < 24; ++i)
+                        for (int j = 0; j < 24; ++j)
+                            scaled(i, j) /= std::sqrt(bound[static_cast<std::size_t>(i / 3)] *
+                                                      bound[static_cast<std::size_t>(j / 3)]);
+                    EXPECT_LT((scaled - scaled.transpose()).norm(), 1e-12);
+                    const Eigen::VectorXd values =
+                        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues();
+                    EXPECT_LT(values[23], 1);
+                    EXPECT_GT(values[6], 1e-4); // rigid motion alone costs nothing
+                }
 }
 
 TEST(Cells, WhatAllCornersHaveInCommonLeavesNothing) {
     const EightCells cells(0.15);
-    const CellMotion motion(CellShape(cells.corners()),
-                            cells.values([](const Vec3&) { return Vec3(1e6, 0.1, 1.0 / 3); }));
+    const CellMotion motion(CellShape(cells.corners(), faces(every_face)),
+                            cells.values([](const Vec3&) { return Vec3(1e6, 0.1, 1.0 / 3); }), true);
     for (const Eight& strain : motion.strain) EXPECT_TRUE(all_zero(strain));
     for (const Eight3& g : motion.warp) EXPECT_TRUE(all_zero(g));
 }
@@ -93,7 +228,7 @@ TEST(Cells, VolumeAndTheSmallestZoneAreThoseOfTheSixZones) {
     constexpr std::size_t zones[6][4] = {{0, 1, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7},
                                          {0, 1, 7, 5}, {0, 4, 7, 6}, {0, 2, 7, 3}};
     const EightCells cells(0.15);
-    const CellShape shape(cells.corners());
+    const CellShape shape(cells.corners(), faces(no_face));
     for (std::size_t l = 0; l < 8; ++l) {
         double whole = 0, least = 1e9;
         for (const auto& zone : zones) {
@@ -109,13 +244,13 @@ TEST(Cells, VolumeAndTheSmallestZoneAreThoseOfTheSixZones) {
 
 TEST(Cells, ForcesAreInBalanceAndDoTheWork) {
     const EightCells cells(0.15);
-    const CellShape shape(cells.corners());
+    const CellShape shape(cells.corners(), faces(22));
     const Field motion = [](const Vec3& x) {
         return Vec3(x.y() * x.z(), x.x() * x.y() * x.z(), x.x() * x.z() - x.x());
     };
-    const CellMotion step(shape, cells.values(motion));
+    const CellMotion step(shape, cells.values(motion), false);
     WarpStress warped{};
-    const Eight of_warping = add_warp_stress(shape, step.warp, moduli, warped);
+    const Eight of_warping = add_warp_stress(step, moduli, warped);
     SixEights stress;
     for (std::size_t k = 0; k < 6; ++k) stress[k] = moduli.young * step.strain[k]; // of some law
     const CellForces forces = forces_of(shape, stress, warped);

@@ -1,4 +1,6 @@
 #include "mechanics/tetrahedra.hpp"
+#include "mechanics/cell_motion.hpp"
+#include "mechanics/ruled_faces.hpp"
 #include "mechanics/run_zone_models.hpp"
 #include "mechanics/zone_laws.hpp"
 #include "two_bricks.hpp"
@@ -7,6 +9,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <map>
 #include <random>
 #include <set>
@@ -110,12 +113,24 @@ TEST(ZoneTiles, CellsAreWholeInTheirTile) {
     EXPECT_EQ(tiles.tiles.back().last, static_cast<Row>(bench.model.zones.size()));
 }
 
-/// Distorted cells, which have warped before: two steps in small strain.
-void expect_work_of_cells(TwoBlocks& bench) {
+TEST(ZoneTiles, FacesThatTwoCellsOfABlockShareAreRuled) {
+    TwoBlocks bench;
+    ZoneLaws laws(bench.model, bench.joints.zones);
+    find_ruled_faces(bench.model, TieLists(), laws);
+    int ruled = 0;
+    for (const std::uint8_t bits : laws.tiles.ruled) ruled += std::popcount(bits);
+    EXPECT_EQ(ruled, 6 * (343 - 49) + 6 * (27 - 9));
+    EXPECT_EQ(laws.tiles.ruled[0], 8 + 16 + 32); // those at the far ends of the axes
+}
+
+/// Distorted cells, which have warped before: two steps in small strain. With `parted` motion makes a stress besides.
+void expect_work_of_cells(TwoBlocks& bench, bool parted) {
     Model& model = bench.model;
     model.clock.time_step = 0.01;
     model.settings.large_strain = false; // places stay, and forces are linear in the step
     ZoneLaws laws(model, bench.joints.zones);
+    find_ruled_faces(model, TieLists(), laws);
+    if (parted) part_cell_motion(model, laws);
     ZoneScratch scratch;
     std::vector<PointRow> before, between, after;
     before.resize(laws.tiles.gridpoints.size());
@@ -141,10 +156,12 @@ void expect_work_of_cells(TwoBlocks& bench) {
 }
 
 TEST(ZoneTiles, CellsTakeTheWorkThatTheirForcesDoAndTheirZonesStrainAlike) {
-    TwoBlocks alike, unlike;
+    TwoBlocks alike, unlike, parted;
     alike.make_alike();
-    expect_work_of_cells(alike);
-    expect_work_of_cells(unlike);
+    expect_work_of_cells(alike, false);
+    expect_work_of_cells(unlike, false);
+    expect_work_of_cells(parted, true);
+    EXPECT_EQ(parted.model.zones.history_columns, 5);
 }
 
 // A difference between the zones of one cell that is next to nothing changes next to nothing in all others.
