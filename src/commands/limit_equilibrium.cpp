@@ -166,7 +166,26 @@ private:
         }
         SlipSurface surface;
         for (const auto& [distance, height] : command_.surface) surface.points.emplace_back(distance, height);
+        check_end(columns, surface.points.front(), surface.points.back());
+        check_end(columns, surface.points.back(), surface.points.front());
         return surface;
+    }
+
+    /// An end below the ground would be an upright side of the body that nothing holds. It may lie so where it meets a tension crack, or
+    /// an upright side of the section.
+    void check_end(const SlopeColumns& columns, const SectionPoint& end, const SectionPoint& other) const {
+        using Side = SlopeColumns::Side;
+        constexpr double rounded = 2e-3, near = 1e-9; // of the chord: coordinates as they are written; of the section
+        const double width = columns.right() - columns.left();
+        if (!(end.x() > columns.left() + near * width && end.x() < columns.right() - near * width)) return;
+        const double ground = std::min(columns.ground_at(end.x(), Side::left).value_or(INFINITY),
+                                       columns.ground_at(end.x(), Side::right).value_or(INFINITY));
+        const double crack = end.y() > other.y() ? section_.crack_depth : 0;
+        const double below = ground - crack - end.y();
+        if (below > rounded * (end - other).norm())
+            throw Diagnostic(fmt::format("the surface ends below the ground at {}", number_text(end.x())),
+                             fmt::format("both ends lie on the ground, which is {} high there, or in a tension crack",
+                                         number_text(ground)));
     }
 
     std::optional<FoundSurface> assess(const SlopeColumns& columns, const SlipSurface& surface,

@@ -44,18 +44,15 @@ public:
         };
         return {{sorted(entry), sorted(exit)}, {sorted(exit), sorted(entry)}};
     }
+    /// A circle through two places of the ground may cut off more beyond them.
     bool slides(const SlipSurface& surface, bool right) const {
-        return search_.entry || search_.exit ? (surface.points.front().y() > surface.points.back().y()) == right : true;
+        if (!search_.entry && !search_.exit) return true;
+        return (surface.points.front().y() > surface.points.back().y()) == right && ends_as_asked(surface, right);
     }
 
     /// Whether its ends and its depth are as asked for.
     bool allows(const SlipSurface& surface, bool right) const {
-        const Ends ends = both_ends()[right ? 0 : 1];
-        const auto within = [](double x, const std::array<double, 2>& limits) {
-            return x >= limits[0] && x <= limits[1];
-        };
-        return within(surface.points.front().x(), ends.left) && within(surface.points.back().x(), ends.right) &&
-               depth_of(surface) >= least_depth_;
+        return ends_as_asked(surface, right) && depth_of(surface) >= least_depth_;
     }
 
     double factor(const SlipSurface& surface, SliceMethod method) const {
@@ -122,6 +119,16 @@ private:
     const SlopeColumns& columns_;
     const SurfaceSearch& search_;
     double size_ = 1, least_depth_ = 0;
+
+    bool ends_as_asked(const SlipSurface& surface, bool right) const {
+        constexpr double rounding = 1e-9; // of the section
+        const Ends ends = both_ends()[right ? 0 : 1];
+        const double near = rounding * (columns_.right() - columns_.left());
+        const auto within = [&](double x, const std::array<double, 2>& limits) {
+            return x >= limits[0] - near && x <= limits[1] + near;
+        };
+        return within(surface.points.front().x(), ends.left) && within(surface.points.back().x(), ends.right);
+    }
 };
 
 struct Candidate {
@@ -130,19 +137,53 @@ struct Candidate {
     bool right;
 };
 
+constexpr int net_steps = 28, net_sags = 14;       ///< of the net of circles
+constexpr double least_sag = 0.02, sag_range = 25; ///< parts of the chord, up to half of it
+
+/// Finer nets around a circle, which follow the weakest: downhill in single directions ends where a circle touches a weak layer or the
+/// bottom of the section, though a valley goes on along it.
+Candidate with_finer_nets(const Search& search, Candidate best, SliceMethod method) {
+    constexpr int side = 3, rounds = 12;
+    const Ends ends = search.both_ends()[best.right ? 0 : 1];
+    std::array<double, 3> reach{(ends.left[1] - ends.left[0]) / net_steps, (ends.right[1] - ends.right[0]) / net_steps,
+                                std::pow(sag_range, 1.0 / (net_sags - 1))};
+    for (int round = 0; round < rounds; ++round) {
+        const std::vector<double> centre = best.x;
+        bool inside = true;
+        for (int i = -side; i <= side; ++i) {
+            stop_point();
+            for (int j = -side; j <= side; ++j)
+                for (int k = -side; k <= side; ++k) {
+                    const std::vector<double> x{
+                        std::clamp(centre[0] + reach[0] * i / side, ends.left[0], ends.left[1]),
+                        std::clamp(centre[1] + reach[1] * j / side, ends.right[0], ends.right[1]),
+                        std::min(0.5, centre[2] * std::pow(reach[2], static_cast<double>(k) / side))};
+                    const auto surface = search.circle(x[0], x[1], x[2]);
+                    if (!surface || !search.slides(*surface, best.right)) continue;
+                    const double factor = search.factor(*surface, method);
+                    if (!(factor < best.factor)) continue;
+                    best.factor = factor, best.x = x;
+                    inside = std::max({std::abs(i), std::abs(j), std::abs(k)}) < side;
+                }
+        }
+        if (inside) reach = {0.4 * reach[0], 0.4 * reach[1], std::pow(reach[2], 0.4)};
+    }
+    return best;
+}
+
 /// The weakest circles of a net, none too near to a better one.
 std::vector<Candidate> circle_net(const Search& search, SliceMethod method) {
-    constexpr int steps = 28, sags = 14, kept = 6;
+    constexpr int kept = 6;
     std::vector<Candidate> all;
     bool right = true;
     for (const Ends& ends : search.both_ends()) {
-        for (int i = 0; i <= steps; ++i) {
+        for (int i = 0; i <= net_steps; ++i) {
             stop_point();
-            for (int j = 0; j <= steps; ++j)
-                for (int k = 0; k < sags; ++k) {
-                    std::vector<double> x{ends.left[0] + (ends.left[1] - ends.left[0]) * i / steps,
-                                          ends.right[0] + (ends.right[1] - ends.right[0]) * j / steps,
-                                          0.02 * std::pow(25.0, static_cast<double>(k) / (sags - 1))};
+            for (int j = 0; j <= net_steps; ++j)
+                for (int k = 0; k < net_sags; ++k) {
+                    std::vector<double> x{ends.left[0] + (ends.left[1] - ends.left[0]) * i / net_steps,
+                                          ends.right[0] + (ends.right[1] - ends.right[0]) * j / net_steps,
+                                          least_sag * std::pow(sag_range, static_cast<double>(k) / (net_sags - 1))};
                     const auto surface = search.circle(x[0], x[1], x[2]);
                     if (!surface || !search.slides(*surface, right)) continue;
                     const double factor = search.factor(*surface, method);
@@ -204,9 +245,34 @@ std::optional<FoundSurface> found(const Search& search, const std::optional<Slip
     return FoundSurface{*surface, *answer};
 }
 
+/// Where a controlled random search ends: it goes past places from which every small step leads up.
+Candidate drawn(Candidate start, const std::vector<double>& low, const std::vector<double>& high,
+                const Objective& objective) {
+    stop_point();
+    nlopt::opt optimiser(nlopt::GN_CRS2_LM, static_cast<unsigned>(start.x.size()));
+    optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
+                                   void* data) { return (*static_cast<const Objective*>(data))(x); },
+                                const_cast<Objective*>(&objective));
+    optimiser.set_lower_bounds(low);
+    optimiser.set_upper_bounds(high);
+    optimiser.set_population(static_cast<unsigned>(20 * start.x.size()));
+    optimiser.set_maxeval(6000);
+    optimiser.set_ftol_rel(1e-4);
+    for (std::size_t i = 0; i < start.x.size(); ++i) start.x[i] = std::clamp(start.x[i], low[i], high[i]);
+    try {
+        optimiser.optimize(start.x, start.factor);
+    } catch (const nlopt::roundoff_limited&) {}
+    start.factor = objective(start.x);
+    return start;
+}
+
 std::optional<Candidate> best_circle(const Search& search, std::vector<Candidate>* all = nullptr) {
     std::optional<Candidate> best;
-    const auto starts = circle_net(search, SliceMethod::bishop);
+    constexpr std::size_t refined = 3;
+    auto starts = circle_net(search, SliceMethod::bishop);
+    const std::size_t of_net = starts.size();
+    for (std::size_t i = 0; i < std::min(refined, of_net); ++i)
+        starts.push_back(with_finer_nets(search, starts[i], SliceMethod::bishop));
     for (const Candidate& start : starts) {
         stop_point();
         const auto both_ends = search.both_ends();
@@ -249,27 +315,6 @@ Candidate on_circle(const Search& search, const SlipSurface& surface, std::size_
     return start;
 }
 
-/// Where a controlled random search ends: it finds weak layers, which no circle follows.
-Candidate drawn(Candidate start, const std::vector<double>& low, std::vector<double> high, const Objective& objective) {
-    stop_point();
-    std::fill(high.begin() + 2, high.end(), 0.6);
-    nlopt::opt optimiser(nlopt::GN_CRS2_LM, static_cast<unsigned>(start.x.size()));
-    optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
-                                   void* data) { return (*static_cast<const Objective*>(data))(x); },
-                                const_cast<Objective*>(&objective));
-    optimiser.set_lower_bounds(low);
-    optimiser.set_upper_bounds(high);
-    optimiser.set_population(static_cast<unsigned>(20 * start.x.size()));
-    optimiser.set_maxeval(6000);
-    optimiser.set_ftol_rel(1e-4);
-    for (std::size_t i = 0; i < start.x.size(); ++i) start.x[i] = std::clamp(start.x[i], low[i], high[i]);
-    try {
-        optimiser.optimize(start.x, start.factor);
-    } catch (const nlopt::roundoff_limited&) {}
-    start.factor = objective(start.x);
-    return start;
-}
-
 /// The ends of searches for polylines whose inner corners lie at even distances.
 std::vector<RatedSurface> even_polylines(const Search& search) {
     std::vector<Candidate> circles;
@@ -291,9 +336,11 @@ std::vector<RatedSurface> even_polylines(const Search& search) {
             const auto surface = search.circle(circle.x[0], circle.x[1], circle.x[2]);
             if (surface && circle.right == right) starts.push_back(on_circle(search, *surface, inner, right));
         }
+        std::vector<double> drawn_high = high;
+        std::fill(drawn_high.begin() + 2, drawn_high.end(), 0.6);
         nlopt::srand(20261123);
         for (int run = 0; run < 2 && !starts.empty(); ++run)
-            starts.push_back(drawn(starts.front(), low, high, objective));
+            starts.push_back(drawn(starts.front(), low, drawn_high, objective));
         for (const Candidate& start : starts) {
             stop_point();
             if (start.factor >= no_answer) continue;
