@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/memory.hpp"
+#include "base/parallel.hpp"
 #include "mechanics/adjacency.hpp"
 #include "mechanics/advance_joints.hpp"
 #include "mechanics/apply_histories.hpp"
@@ -14,6 +15,7 @@
 #include "mechanics/damping_policy.hpp"
 #include "mechanics/energy.hpp"
 #include "mechanics/gather_forces.hpp"
+#include "mechanics/grid_pass.hpp"
 #include "mechanics/growth.hpp"
 #include "mechanics/masses.hpp"
 #include "mechanics/move_bodies.hpp"
@@ -68,6 +70,9 @@ struct Cycle::Lists {
     std::vector<CableChain> cables;
     MemberLists members;
     std::vector<PointRow> zone_forces;
+    PointForces point_forces{adjacency, ties, joints, laws.tiles, zone_forces};
+    GridPass pass;
+    bool passed = false; ///< zones have run with the motion of their gridpoints
 };
 
 Cycle::Cycle(Model& model, JointRegistry& joints) : model_(model), joints_(joints), lists_(std::make_unique<Lists>()) {}
@@ -110,7 +115,7 @@ void Cycle::prepare() {
         apply_load_histories(model_, s.boundary_histories, hooks);
         if (model_.structures.stand()) model_.energy.structure_work += run_structures(0);
         // Forces of what is there already, so that the first step starts from them.
-        gather_forces(model_, s.adjacency, s.ties, s.joints, s.laws.tiles, s.zone_forces, s.members);
+        gather_forces(model_, s.point_forces, s.members);
         model_.clock.time_step = 0;
         model_.clock.last_step = 0; // what a command has changed acts from now on
         s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, TimeStep::Bodies::all_and_grow);
@@ -137,6 +142,7 @@ void Cycle::make_lists() {
     put_water(model_);
     joint_forces(model_, s.joints);
     zone_forces(model_, s.laws, s.zone_forces);
+    s.pass = {};
 }
 
 // The order of one step, and the only place where it stands.
@@ -163,16 +169,26 @@ void Cycle::begin() {
     start_viscosity(model_);
 }
 
-/// Velocities and places.
+/// Velocities and places; zones with them, where they ask for nothing else.
 void Cycle::move(StepSums& sums) {
     Lists& s = *lists_;
+    s.passed = GridPass::possible(model_, s.laws, s.ties);
     times_.timed(Phase::move, [&] {
         sums.prescribed = apply_velocity_histories(model_, s.boundary_histories, hooks);
         if (!s.boundary_histories.velocities.empty()) sums.prescribed.add(follow_prescribed(model_, s.ties));
         sums.motion = move_blocks(model_, s.adjacency.bodies);
-        sums.motion.add(move_gridpoints(model_, s.quiet, s.ties));
-        if (s.members.any()) sums.motion.add(move_members(model_, s.members));
+        if (!s.passed) sums.motion.add(move_gridpoints(model_, s.quiet, s.ties));
     });
+    s.pass.forget_gathered();
+    if (s.passed)
+        times_.timed(Phase::zones, [&] {
+            if (s.pass.threads() != threads()) s.pass = GridPass(model_, s.laws.tiles, threads());
+            const bool loads_stay = s.boundary_histories.loads.empty();
+            s.pass.run(model_, s.quiet, s.laws, s.zones, s.point_forces, loads_stay, s.zone_forces);
+            sums.motion.add(s.pass.motion());
+            sums.zones = s.pass.zones();
+        });
+    if (s.members.any()) times_.timed(Phase::structures, [&] { sums.motion.add(move_members(model_, s.members)); });
 }
 
 double Cycle::run_structures(double step) {
@@ -188,7 +204,7 @@ void Cycle::strain(StepSums& sums) {
         sums.joints = advance_joints(model_, s.batches, s.joints, s.joint_scratch);
     });
     times_.timed(Phase::zones, [&] {
-        sums.zones = run_zone_models(model_, s.laws, s.zones, s.zone_forces);
+        if (!s.passed) sums.zones = run_zone_models(model_, s.laws, s.zones, s.zone_forces);
         sums.zones.add(run_ties(model_, s.ties));
     });
     if (model_.structures.stand())
@@ -206,6 +222,7 @@ ContactChange Cycle::refresh_contacts() {
         if (change == ContactChange::replaced) check_properties(model_, joints_);
         if (model_.stale.lists()) make_lists();
         else joint_forces_of_new(model_, s.joints);
+        s.pass.forget_gathered();
         model_.stale.lists_made();
         return change;
     });
@@ -215,7 +232,7 @@ void Cycle::gather(StepSums& sums) {
     Lists& s = *lists_;
     times_.timed(Phase::gather, [&] {
         apply_load_histories(model_, s.boundary_histories, hooks);
-        sums.inner_power = gather_forces(model_, s.adjacency, s.ties, s.joints, s.laws.tiles, s.zone_forces, s.members);
+        sums.inner_power = gather_forces(model_, s.point_forces, s.members, s.pass.gathered());
     });
     run_hooks(hooks.after_forces);
 }

@@ -1,4 +1,5 @@
 #include "base/reduce.hpp"
+#include "mechanics/block_chunks.hpp"
 #include "mechanics/eight.hpp"
 #include "mechanics/held_directions.hpp"
 #include "mechanics/gather_forces.hpp"
@@ -12,26 +13,7 @@ namespace kaya {
 
 namespace {
 
-constexpr std::size_t grain = 512;
-
-/// Unbalanced forces of free bodies against the forces that act on them.
-struct Balance {
-    double largest = 0;     ///< unbalanced force of one body
-    double unbalanced = 0;  ///< sum over bodies
-    double applied = 0;     ///< sum over bodies of the sizes of all forces on them
-    double local_ratio = 0; ///< largest unbalanced over applied of one body
-    std::size_t bodies = 0;
-    double inner_power = 0; ///< of the forces of joints and zones
-
-    void add(const Vec3& force, double acting) { add(force.norm(), acting); }
-    void add(double size, double acting) {
-        largest = std::max(largest, size);
-        unbalanced += size;
-        applied += acting;
-        if (acting > 0) local_ratio = std::max(local_ratio, size / acting);
-        ++bodies;
-    }
-};
+constexpr std::size_t grain = ForceGathering::grain;
 
 void combine(Balance& sum, const Balance& part) {
     sum.largest = std::max(sum.largest, part.largest);
@@ -72,16 +54,13 @@ void add_body(const Model& model, const Adjacency& adjacency, const JointForces&
 }
 
 /// Forces on gridpoints, and the sum of the sizes of all that act on one.
-struct PointForces {
-    const Model& model;
-    const Adjacency& adjacency;
-    const TieLists& ties;
-    const JointForces& joints;
-    const ZoneTiles& tiles;
-    const std::vector<PointRow>& zone_forces; ///< by point of the tiles
+class PointSums {
+public:
+    PointSums(const Model& model, const PointForces& forces) : model_(model), forces_(forces) {}
 
     /// In the first three the sum of all forces but load and weight; the last is `acting` and the sizes of them all.
     Four sum_of(Row row, double acting) const {
+        const auto& [adjacency, ties, joints, tiles, zone_forces] = forces_;
         Four sum{0, 0, 0, acting};
         for (auto p = tiles.points_of.begin(row); p != tiles.points_of.end(row); ++p)
             sum += load_as<Four>(zone_forces[*p].value.data());
@@ -92,25 +71,31 @@ struct PointForces {
         for (auto e = adjacency.of_gridpoint.begin(row); e != adjacency.of_gridpoint.end(row); ++e)
             add(e->side == 0 ? -e->weight : e->weight, joints.of_sub_contact[e->sub_contact]);
         for (const auto& share : ties.shares(row))
-            add(share.weight, model.ties.force[share.tie] + model.ties.dashpot[share.tie]);
+            add(share.weight, model_.ties.force[share.tie] + model_.ties.dashpot[share.tie]);
         if (adjacency.has_structures())
             for (auto e = adjacency.nodes_of_gridpoint.begin(row); e != adjacency.nodes_of_gridpoint.end(row); ++e)
-                add(e->weight, force_of_node(model, e->node).force);
+                add(e->weight, force_of_node(model_, e->node).force);
         return sum;
     }
     /// Whether each of rows [row, row + 8) is one point of one tile, and nothing else acts there.
     bool have_one_point_each(Row row) const {
-        const Row *const points = &tiles.points_of.start[row], *const joined = &adjacency.of_gridpoint.start[row];
-        bool each = joined[0] == joined[8] && !ties.any_shares() && !adjacency.has_structures();
+        const Row *const points = &forces_.tiles.points_of.start[row], *const joined =
+                                                                           &forces_.adjacency.of_gridpoint.start[row];
+        bool each = joined[0] == joined[8] && !forces_.ties.any_shares() && !forces_.adjacency.has_structures();
         for (Row l = 0; l < eight; ++l) each &= points[l + 1] - points[l] == 1;
         return each;
     }
     Vec3 sum(Row row, double& acting) const {
         const Four sum = sum_of(row, acting);
-        acting = sum[3] + (model.gridpoints.load[row].norm() + weight(row).norm());
+        acting = sum[3] + (model_.gridpoints.load[row].norm() + weight(row).norm());
         return {sum[0], sum[1], sum[2]};
     }
-    Vec3 weight(Row row) const { return model.gridpoints.mass[row] * model.settings.gravity; }
+    Vec3 weight(Row row) const { return model_.gridpoints.mass[row] * model_.settings.gravity; }
+    const PointForces& forces() const { return forces_; }
+
+private:
+    const Model& model_;
+    const PointForces& forces_;
 };
 
 /// What is out of balance on a point; `force` is the sum of all forces.
@@ -119,35 +104,54 @@ void add_point(const Vec3& force, std::uint8_t fixed, const Roller& roller, doub
     balance.add(free_part(force, fixed, roller), acting);
 }
 
+/// The greatest of what Balance asks, lane by lane.
+struct Extremes {
+    Eight largest{}, local_ratio{};
+
+    void add(const Eight& size, const Eight& acting) {
+        const Eight ratio = acting > 0 ? size / acting : Eight{};
+        largest = size > largest ? size : largest;
+        local_ratio = ratio > local_ratio ? ratio : local_ratio;
+    }
+    void add_to(Balance& balance) const {
+        balance.largest = std::max(balance.largest, kaya::largest(largest));
+        balance.local_ratio = std::max(balance.local_ratio, kaya::largest(local_ratio));
+    }
+};
+
+Eight size_of(const Eight3& vector) { return square_root(vector.dot(vector)); }
+
 /// Eight gridpoints that follow each other, none of them held.
-void gather_eight(Model& model, const PointForces& forces, Row row, Balance& balance) {
+void gather_eight(Model& model, const PointSums& sums, Row row, Balance& balance, Extremes& extremes) {
     auto& g = model.gridpoints;
     std::array<Four, 8> rows;
-    if (forces.have_one_point_each(row)) {
+    if (sums.have_one_point_each(row)) {
+        const PointForces& forces = sums.forces();
         const Row* const points = forces.tiles.points_of.begin(row);
         for (Row l = 0; l < eight; ++l)
             rows[static_cast<std::size_t>(l)] = Four{} + load_as<Four>(forces.zone_forces[points[l]].value.data());
     } else {
-        for (Row l = 0; l < eight; ++l) rows[static_cast<std::size_t>(l)] = forces.sum_of(row + l, 0);
-    }
-    for (Row l = 0; l < eight; ++l) {
-        const Four& force = rows[static_cast<std::size_t>(l)];
-        g.force[row + l] = Vec3(force[0], force[1], force[2]);
+        for (Row l = 0; l < eight; ++l) rows[static_cast<std::size_t>(l)] = sums.sum_of(row + l, 0);
     }
     const std::array<Eight, 4> columns = columns_of_rows(rows);
     const Eight3 force{columns[0], columns[1], columns[2]};
-    const Eight3 load = columns_of(load_three(g.load[row].data())),
-                 velocity = columns_of(load_three(g.velocity[row].data()));
+    store(g.force[row].data(), three_of(force));
+    const ThreeEights loads = load_three(g.load[row].data());
+    const Eight3 load = columns_of(loads), velocity = columns_of(load_three(g.velocity[row].data()));
     const Vec3& gravity = model.settings.gravity;
     const Eight mass = load_as<Eight>(&g.mass[row]);
     const Eight3 weight{mass * gravity.x(), mass * gravity.y(), mass * gravity.z()};
-    const Eight acting = columns[3] + (square_root(load.dot(load)) + square_root(weight.dot(weight)));
-    const Eight3 whole = force + load + weight;
-    const Eight size = square_root(whole.dot(whole)), power = force.dot(velocity);
-    for (Row l = 0; l < eight; ++l) { // row after row: the sums are the same as one by one
-        balance.inner_power += power[l];
-        balance.add(size[l], acting[l]);
-    }
+    const bool loaded = !(all_zero(loads[0]) && all_zero(loads[1]) && all_zero(loads[2]));
+    const Eight acting = columns[3] + ((loaded ? size_of(load) : Eight{}) + size_of(weight));
+    const Eight size = size_of(force + load + weight);
+    extremes.add(size, acting);
+    // Row after row: the sums are the same as one by one.
+    Four whole{balance.unbalanced, balance.applied, balance.inner_power, 0};
+    for (const Four& one : rows_of_columns({size, acting, force.dot(velocity), Eight{}})) whole += one;
+    balance.unbalanced = whole[0];
+    balance.applied = whole[1];
+    balance.inner_power = whole[2];
+    balance.bodies += eight;
 }
 
 /// Whether rows [row, row + 8) are free gridpoints of zones.
@@ -163,6 +167,7 @@ bool are_plain(const Model& model, const TieLists& ties, std::size_t row) {
 Balance gather_groups(Model& model, const PointForces& forces) {
     auto& g = model.gridpoints;
     const auto& ties = forces.ties;
+    const PointSums sums(model, forces);
     return reduce_chunks(
         ties.groups(), grain, Balance{},
         [&](std::size_t first, std::size_t last) {
@@ -172,8 +177,8 @@ Balance gather_groups(Model& model, const PointForces& forces) {
                 double acting = 0;
                 std::uint8_t fixed = 0;
                 for (const Row row : ties.members(i)) {
-                    g.force[row] = forces.sum(row, acting);
-                    sum += g.force[row] + g.load[row] + forces.weight(row);
+                    g.force[row] = sums.sum(row, acting);
+                    sum += g.force[row] + g.load[row] + sums.weight(row);
                     fixed |= g.fixed[row];
                 }
                 add_point(sum, fixed, ties.roller(i), acting, part);
@@ -209,82 +214,112 @@ Balance balance_of_members(const Model& model, const MemberLists& members) {
         combine);
 }
 
-} // namespace
+/// The force on a block with zones.
+void sum_gridpoints(Model& model, Row block) {
+    Vec3 sum = Vec3::Zero();
+    const Span points = model.blocks.gridpoints[block];
+    for (Row p = points.first; p < points.end(); ++p) sum += model.gridpoints.force[p];
+    model.blocks.force[block] = sum;
+}
 
-double gather_forces(Model& model, const Adjacency& adjacency, const TieLists& ties, const JointForces& joints,
-                     const ZoneTiles& tiles, const std::vector<PointRow>& zone_forces, const MemberLists& members) {
-    auto& g = model.gridpoints;
+/// Force and moment on a rigid block.
+void gather_rigid(Model& model, const Adjacency& adjacency, const JointForces& joints, Row row, Balance& balance) {
     auto& blocks = model.blocks;
-    const Vec3 gravity = model.settings.gravity;
-    const PointForces forces{model, adjacency, ties, joints, tiles, zone_forces};
+    Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
+    double acting = 0;
+    for (auto e = adjacency.of_block.begin(row); e != adjacency.of_block.end(row); ++e) {
+        const double sign = e->side == 0 ? -1.0 : 1.0;
+        const Vec3 force = sign * joints.of_contact[e->contact];
+        const Vec3 arm = model.contacts.position[e->contact] - blocks.centroid[row];
+        sum += force;
+        moment += arm.cross(force) + sign * joints.moment[e->contact];
+        acting += force.norm();
+    }
+    if (adjacency.has_structures())
+        for (auto e = adjacency.nodes_of_block.begin(row); e != adjacency.nodes_of_block.end(row); ++e) {
+            const NodeForce node = force_of_node(model, e->node);
+            sum += node.force;
+            moment += (node.place - blocks.centroid[row]).cross(node.force) + node.moment;
+            acting += node.force.norm();
+        }
+    blocks.force[row] = sum;
+    blocks.moment[row] = moment;
+    balance.inner_power += sum.dot(blocks.velocity[row]) + moment.dot(blocks.rotational_velocity[row]);
+    const Vec3 weight = blocks.mass[row] * model.settings.gravity;
+    if ((blocks.fixed[row] & 7) != 7 && blocks.body[row] == 0)
+        balance.add(free_part(sum + blocks.load[row] + weight, blocks.fixed[row], roller_of(model, row)),
+                    acting + blocks.load[row].norm() + weight.norm());
+}
 
-    Balance balance = reduce_chunks(
-        g.size(), grain, Balance{},
-        [&](std::size_t first, std::size_t last) {
-            Balance part;
-            for (std::size_t i = first; i < last; ++i) {
-                const Row row = static_cast<Row>(i);
-                if (const Row b = g.block[row]; !blocks.deformable[b]) {
-                    i = static_cast<std::size_t>(blocks.gridpoints[b].end()) - 1;
-                    continue;
-                }
-                if (last - i >= eight && are_plain(model, ties, i)) {
-                    gather_eight(model, forces, row, part);
-                    i += eight - 1;
-                    continue;
-                }
-                if (ties.in_group(row)) continue;
-                double acting = 0;
-                g.force[row] = forces.sum(row, acting);
-                part.inner_power += g.force[row].dot(g.velocity[row]);
-                add_point(g.force[row] + g.load[row] + forces.weight(row), g.fixed[row],
-                          model.rollers[static_cast<std::size_t>(g.roller[row])], acting, part);
-            }
-            return part;
-        },
-        combine);
-    combine(balance, gather_groups(model, forces));
-
-    const Balance of_blocks = reduce_chunks(
+/// Forces and moments on blocks. Those on the gridpoints are there; of blocks that are whole in a chunk of them the sums as well.
+Balance gather_blocks(Model& model, const PointForces& forces) {
+    const auto& [adjacency, ties, joints, tiles, zone_forces] = forces;
+    auto& blocks = model.blocks;
+    return reduce_chunks(
         blocks.size(), grain, Balance{},
         [&](std::size_t first, std::size_t last) {
             Balance part;
             for (std::size_t i = first; i < last; ++i) {
                 const Row row = static_cast<Row>(i);
-                Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
-                double acting = 0;
-                if (blocks.deformable[row]) {
-                    for (Row p = blocks.gridpoints[row].first; p < blocks.gridpoints[row].end(); ++p) sum += g.force[p];
-                    blocks.force[row] = sum;
-                    continue;
-                }
-                for (auto e = adjacency.of_block.begin(row); e != adjacency.of_block.end(row); ++e) {
-                    const double sign = e->side == 0 ? -1.0 : 1.0;
-                    const Vec3 force = sign * joints.of_contact[e->contact];
-                    const Vec3 arm = model.contacts.position[e->contact] - blocks.centroid[row];
-                    sum += force;
-                    moment += arm.cross(force) + sign * joints.moment[e->contact];
-                    acting += force.norm();
-                }
-                if (adjacency.has_structures())
-                    for (auto e = adjacency.nodes_of_block.begin(row); e != adjacency.nodes_of_block.end(row); ++e) {
-                        const NodeForce node = force_of_node(model, e->node);
-                        sum += node.force;
-                        moment += (node.place - blocks.centroid[row]).cross(node.force) + node.moment;
-                        acting += node.force.norm();
-                    }
-                blocks.force[row] = sum;
-                blocks.moment[row] = moment;
-                part.inner_power += sum.dot(blocks.velocity[row]) + moment.dot(blocks.rotational_velocity[row]);
-                const Vec3 weight = blocks.mass[row] * gravity;
-                if ((blocks.fixed[row] & 7) != 7 && blocks.body[row] == 0)
-                    part.add(free_part(sum + blocks.load[row] + weight, blocks.fixed[row], roller_of(model, row)),
-                             acting + blocks.load[row].norm() + weight.norm());
+                if (!blocks.deformable[row]) gather_rigid(model, adjacency, joints, row, part);
+                else if (ties.groups() != 0 || !in_one_chunk(blocks.gridpoints[row], grain)) sum_gridpoints(model, row);
             }
             return part;
         },
         combine);
-    combine(balance, of_blocks);
+}
+
+} // namespace
+
+bool ForceGathering::only_zones_act(std::size_t first, std::size_t last) const {
+    const auto& joined = forces_.adjacency.of_gridpoint.start;
+    return joined[first] == joined[last] && forces_.ties.groups() == 0 && !forces_.ties.any_shares() &&
+           !forces_.adjacency.has_structures();
+}
+
+Balance ForceGathering::gather(std::size_t first, std::size_t last) {
+    auto& g = model_.gridpoints;
+    const TieLists& ties = forces_.ties;
+    const PointSums sums(model_, forces_);
+    Balance part;
+    Extremes extremes;
+    for (std::size_t i = first; i < last; ++i) {
+        const Row row = static_cast<Row>(i);
+        if (const Row b = g.block[row]; !model_.blocks.deformable[b]) {
+            i = static_cast<std::size_t>(model_.blocks.gridpoints[b].end()) - 1;
+            continue;
+        }
+        if (last - i >= eight && are_plain(model_, ties, i)) {
+            gather_eight(model_, sums, row, part, extremes);
+            i += eight - 1;
+            continue;
+        }
+        if (ties.in_group(row)) continue;
+        double acting = 0;
+        g.force[row] = sums.sum(row, acting);
+        part.inner_power += g.force[row].dot(g.velocity[row]);
+        add_point(g.force[row] + g.load[row] + sums.weight(row), g.fixed[row],
+                  model_.rollers[static_cast<std::size_t>(g.roller[row])], acting, part);
+    }
+    extremes.add_to(part);
+    if (ties.groups() == 0) for_deformable_in(model_, first, last, [&](Row block) { sum_gridpoints(model_, block); });
+    return part;
+}
+
+double gather_forces(Model& model, const PointForces& forces, const MemberLists& members,
+                     const GatheredChunks& gathered) {
+    const auto& [adjacency, ties, joints, tiles, zone_forces] = forces;
+    ForceGathering points(model, forces);
+    Balance balance = reduce_chunks(
+        model.gridpoints.size(), grain, Balance{},
+        [&](std::size_t first, std::size_t last) {
+            const std::size_t chunk = first / grain;
+            return !gathered.done.empty() && gathered.done[chunk] ? gathered.balance[chunk]
+                                                                  : points.gather(first, last);
+        },
+        combine);
+    combine(balance, gather_groups(model, forces));
+    combine(balance, gather_blocks(model, forces));
     for (std::size_t i = 0; i < adjacency.bodies.size(); ++i)
         add_body(model, adjacency, joints, adjacency.bodies.members(i), balance);
 

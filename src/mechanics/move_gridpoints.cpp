@@ -1,5 +1,7 @@
-#include "mechanics/move_bodies.hpp"
+#include "mechanics/move_gridpoints.hpp"
+
 #include "base/reduce.hpp"
+#include "mechanics/block_chunks.hpp"
 #include "mechanics/motion.hpp"
 #include "mechanics/move_plain.hpp"
 #include "mechanics/ties.hpp"
@@ -11,23 +13,13 @@ namespace kaya {
 
 namespace {
 
-constexpr std::size_t grain = 1024;
-
-void combine(MotionSums& sum, const MotionSums& part) { sum.add(part); }
-
-/// How far the fastest gridpoint of each deformable block has gone.
-void add_travel(Model& model) {
-    auto& blocks = model.blocks;
-    const double step = model.clock.time_step;
-    for_chunks(blocks.size(), 16, [&](std::size_t first, std::size_t last) {
-        for (std::size_t b = first; b < last; ++b) {
-            if (!blocks.deformable[b]) continue;
-            double fastest = 0;
-            for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g)
-                fastest = std::max(fastest, model.gridpoints.velocity[g].squaredNorm());
-            blocks.travelled[b] += std::sqrt(fastest) * step;
-        }
-    });
+/// How far the fastest gridpoint of a deformable block has gone.
+void add_travel(Model& model, Row block) {
+    const Span points = model.blocks.gridpoints[block];
+    double fastest = 0;
+    for (Row g = points.first; g < points.end(); ++g)
+        fastest = std::max(fastest, model.gridpoints.velocity[g].squaredNorm());
+    model.blocks.travelled[block] += std::sqrt(fastest) * model.clock.time_step;
 }
 
 /// A point that moves: a gridpoint, or several that are tied to each other.
@@ -136,58 +128,76 @@ void move_group(Model& model, std::span<const Row> members, const Roller& roller
 
 } // namespace
 
-MotionSums move_gridpoints(Model& model, const QuietPoints& quiet, const TieLists& ties) {
-    auto& g = model.gridpoints;
-    const Settings& settings = model.settings;
-    const DampingFactors damping(settings, model.clock);
-    const double kick = model.clock.kick();
-    const Lanes gravity = lanes(settings.gravity);
-    MotionSums whole = reduce_chunks(
-        g.size(), grain, MotionSums{},
-        [&](std::size_t first, std::size_t last) {
-            MotionLanes sums;
-            PlainGridpoints plain(model);
-            for (std::size_t row = first; row < last; ++row) {
-                if (const Row b = g.block[row]; !model.blocks.deformable[b]) {
-                    row = static_cast<std::size_t>(model.blocks.gridpoints[b].end()) - 1;
-                    continue;
-                }
-                if (plain.possible() && last - row >= 8 && are_plain(model, quiet, ties, row)) {
-                    plain.move(row);
-                    row += 7;
-                    continue;
-                }
-                if (ties.in_group(static_cast<Row>(row))) continue;
-                Vec3& v = g.velocity[row];
-                if (quiet.at(row) || g.roller[row] != 0) {
-                    MovingPoint point{g.mass[row],  g.inertial_mass[row],
-                                      g.force[row], g.load[row],
-                                      g.fixed[row], model.rollers[static_cast<std::size_t>(g.roller[row])]};
-                    point.quiet = quiet.at(row);
-                    if (point.quiet) point.dashpot = quiet.dashpot[quiet.index[row]];
-                    advance_on_boundary(model, point, damping, v, g.last_force[row], sums);
-                } else {
-                    advance_velocity(v, g.force[row], g.load[row], g.mass[row] * gravity, g.inertial_mass[row], kick,
-                                     g.fixed[row], damping, g.last_force[row], sums);
-                }
-                place(model, static_cast<Row>(row));
-            }
-            MotionSums both = sums.sums();
-            both.add(plain.sums());
-            return both;
-        },
-        combine);
+GridpointMotion::GridpointMotion(Model& model, const QuietPoints& quiet, const TieLists& ties)
+    : model_(model), quiet_(quiet), ties_(ties), damping_(model.settings, model.clock),
+      gravity_(lanes(model.settings.gravity)), travels_(model.settings.large_strain) {}
+
+void GridpointMotion::move_point(Row row, MotionLanes& sums) {
+    auto& g = model_.gridpoints;
+    Vec3& v = g.velocity[row];
+    if (quiet_.at(row) || g.roller[row] != 0) {
+        MovingPoint point{g.mass[row], g.inertial_mass[row], g.force[row],
+                          g.load[row], g.fixed[row],         model_.rollers[static_cast<std::size_t>(g.roller[row])]};
+        point.quiet = quiet_.at(row);
+        if (point.quiet) point.dashpot = quiet_.dashpot[quiet_.index[row]];
+        advance_on_boundary(model_, point, damping_, v, g.last_force[row], sums);
+    } else {
+        advance_velocity(v, g.force[row], g.load[row], g.mass[row] * gravity_, g.inertial_mass[row],
+                         model_.clock.kick(), g.fixed[row], damping_, g.last_force[row], sums);
+    }
+    place(model_, row);
+}
+
+MotionSums GridpointMotion::move(std::size_t first, std::size_t last) {
+    auto& g = model_.gridpoints;
+    MotionLanes sums;
+    PlainGridpoints plain(model_);
+    for (std::size_t row = first; row < last; ++row) {
+        if (const Row b = g.block[row]; !model_.blocks.deformable[b]) {
+            row = static_cast<std::size_t>(model_.blocks.gridpoints[b].end()) - 1;
+            continue;
+        }
+        if (plain.possible() && last - row >= 8 && are_plain(model_, quiet_, ties_, row)) {
+            plain.move(row);
+            row += 7;
+            continue;
+        }
+        if (!ties_.in_group(static_cast<Row>(row))) move_point(static_cast<Row>(row), sums);
+    }
+    if (travels_ && ties_.groups() == 0)
+        for_deformable_in(model_, first, last, [&](Row block) { add_travel(model_, block); });
+    MotionSums both = sums.sums();
+    both.add(plain.sums());
+    return both;
+}
+
+MotionSums GridpointMotion::finish(MotionSums whole) {
+    const auto combine = [](MotionSums& sum, const MotionSums& part) { sum.add(part); };
     whole = reduce_chunks(
-        ties.groups(), grain, whole,
+        ties_.groups(), grain, whole,
         [&](std::size_t first, std::size_t last) {
             MotionLanes sums;
             for (std::size_t i = first; i < last; ++i)
-                move_group(model, ties.members(i), ties.roller(i), quiet, damping, sums);
+                move_group(model_, ties_.members(i), ties_.roller(i), quiet_, damping_, sums);
             return sums.sums();
         },
         combine);
-    if (settings.large_strain) add_travel(model);
+    if (travels_)
+        for_chunks(model_.blocks.size(), 16, [&](std::size_t first, std::size_t last) {
+            for (std::size_t b = first; b < last; ++b)
+                if (model_.blocks.deformable[b] &&
+                    (ties_.groups() != 0 || !in_one_chunk(model_.blocks.gridpoints[b], grain)))
+                    add_travel(model_, static_cast<Row>(b));
+        });
     return whole;
+}
+
+MotionSums move_gridpoints(Model& model, const QuietPoints& quiet, const TieLists& ties) {
+    GridpointMotion motion(model, quiet, ties);
+    return motion.finish(reduce_chunks(
+        model.gridpoints.size(), GridpointMotion::grain, MotionSums{},
+        [&](std::size_t first, std::size_t last) { return motion.move(first, last); },
+        [](MotionSums& sum, const MotionSums& part) { sum.add(part); }));
 }
 
 } // namespace kaya

@@ -265,27 +265,35 @@ ZoneSums average_flow(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, 
 
 } // namespace
 
-ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces) {
+void begin_zones(Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
     if (stiffness_damping(model.settings) > 0) model.zones.keep_dashpots();
     find_pressure(model, scratch.pressure);
-    const bool averages = laws.any_averages_at_points();
-    if (averages) average_strain(model, laws, scratch);
-    const bool cells_strain = cells_go_together(model.settings);
-    if (!cells_strain) keep_cell_motion(model, laws);
+    if (laws.any_averages_at_points()) average_strain(model, laws, scratch);
+    if (!cells_go_together(model.settings)) keep_cell_motion(model, laws);
+}
+
+bool tiles_go_alone(const Model& model, const ZoneLaws& laws) {
+    return model.settings.water == Water::none && !laws.any_averages_at_points();
+}
+
+ZoneSums run_tile(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
+                  std::vector<PointRow>& forces) {
+    const ZoneLaw& law = laws.laws[tile.law];
+    if (law.together == Together::flow_in_cells)
+        return run_flowing_cells(model, laws.tiles, tile, law, scratch.pressure, forces);
+    if (law.together == Together::cells && cells_go_together(model.settings))
+        return run_cells(model, laws.tiles, tile, law, scratch.pressure, forces);
+    return TileRun(model, laws, tile, scratch, forces).run();
+}
+
+ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces) {
+    begin_zones(model, laws, scratch);
     const auto& tiles = laws.tiles.tiles;
     ZoneSums sums = reduce_chunks(
         tiles.size(), 1, ZoneSums{},
-        [&](std::size_t first, std::size_t) {
-            const ZoneTile& tile = tiles[first];
-            const ZoneLaw& law = laws.laws[tile.law];
-            if (law.together == Together::flow_in_cells)
-                return run_flowing_cells(model, laws.tiles, tile, law, scratch.pressure, forces);
-            if (law.together == Together::cells && cells_strain)
-                return run_cells(model, laws.tiles, tile, law, scratch.pressure, forces);
-            return TileRun(model, laws, tile, scratch, forces).run();
-        },
+        [&](std::size_t first, std::size_t) { return run_tile(model, laws, tiles[first], scratch, forces); },
         [](ZoneSums& sum, const ZoneSums& part) { sum.add(part); });
-    if (averages) sums.add(average_flow(model, laws, scratch, forces));
+    if (laws.any_averages_at_points()) sums.add(average_flow(model, laws, scratch, forces));
     return sums;
 }
 

@@ -24,6 +24,16 @@ struct ZoneScratch {
     std::vector<double> pressure; ///< of the pores, by gridpoint; empty where there is no water
 };
 
+/// What comes before the zones of a step.
+void begin_zones(Model& model, const ZoneLaws& laws, ZoneScratch& scratch);
+
+/// Whether the zones of a tile ask for no gridpoint but their own.
+bool tiles_go_alone(const Model& model, const ZoneLaws& laws);
+
+/// The zones of one tile, where tiles go alone, after begin_zones.
+ZoneSums run_tile(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
+                  std::vector<PointRow>& forces);
+
 /// Writes `forces` as well: by point of the tiles, with the sum of the sizes of the forces of single zones. Throws Diagnostic when
 /// a zone model fails.
 ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces);

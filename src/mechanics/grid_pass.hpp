@@ -1,0 +1,64 @@
+// Gridpoints and their zones, one step on, in one pass: what move_bodies.hpp, run_zone_models.hpp and gather_forces.hpp do with
+// them, chunk by chunk and tile by tile, so that their rows are still near the processor.
+// reads: gridpoints.force, gridpoints.load, gridpoints.inertial_mass, gridpoints.mass, zone_properties, settings, clock.time_step
+// writes: gridpoints.velocity, gridpoints.position, gridpoints.displacement, gridpoints.last_force, blocks.travelled, zones.stress, zones.state, zones.history, zones.dashpot, gridpoints.force, blocks.force
+#pragma once
+
+#include "mechanics/gather_forces.hpp"
+#include "mechanics/phase_sums.hpp"
+#include "mechanics/quiet_boundary.hpp"
+#include "mechanics/run_zone_models.hpp"
+#include "mechanics/zone_laws.hpp"
+
+#include <exception>
+#include <vector>
+
+namespace kaya {
+
+/// The sums are those of the phases one by one, to the last bit: each is added up over the same chunks and tiles, in their order.
+class GridPass {
+public:
+    GridPass() = default;
+    /// For so many threads.
+    GridPass(const Model& model, const ZoneTiles& tiles, int threads);
+
+    int threads() const { return threads_; }
+
+    /// Whether nothing has to wait for all gridpoints, or for all zones.
+    static bool possible(const Model& model, const ZoneLaws& laws, const TieLists& ties);
+
+    /// Where loads stay as they are, chunks on which nothing but zones acts are gathered as well. Writes `zone_forces` as run_zone_models
+    /// does. Throws Diagnostic when a zone model fails.
+    void run(Model& model, const QuietPoints& quiet, const ZoneLaws& laws, ZoneScratch& scratch,
+             const PointForces& forces, bool loads_stay, std::vector<PointRow>& zone_forces);
+
+    const MotionSums& motion() const { return motion_; }
+    const ZoneSums& zones() const { return zones_; }
+    /// What is gathered of the step that is made; nothing once it is forgotten, since contacts are others, say.
+    const GatheredChunks& gathered() const { return gathered_; }
+    void forget_gathered() { gathered_.forget(); }
+
+private:
+    enum class Work { move, zones, gather };
+    struct Step {
+        Work work;
+        Row index; ///< of a chunk of gridpoints that move, of a tile, of a chunk whose forces are gathered
+    };
+    struct TilePart {
+        ZoneSums sums;
+        std::exception_ptr failure;
+    };
+
+    void add_up();
+
+    int threads_ = 0;
+    Lists<Step> steps_;           ///< by thread
+    std::vector<Row> late_tiles_; ///< with gridpoints that several threads move
+    std::vector<MotionSums> chunks_;
+    std::vector<TilePart> tiles_;
+    MotionSums motion_;
+    ZoneSums zones_;
+    GatheredChunks gathered_;
+};
+
+} // namespace kaya
