@@ -18,38 +18,42 @@ constexpr std::size_t grain = 1024;
 constexpr double least_volume = 0.2; ///< of what it was
 const double least_sine = std::sin(2 * std::numbers::pi / 180);
 
-struct Shape {
-    double volume;
-    double sine; ///< of the angle between two of its faces that is nearest to 0 or 180 degrees
-};
+using Corners = std::array<Vec3, 4>;
 
-Shape shape_of(const std::array<Vec3, 4>& x) {
+double volume_of(const Corners& x) { return (x[1] - x[0]).dot((x[2] - x[0]).cross(x[3] - x[0])) / 6; }
+
+/// Of the angle between two faces that is nearest to 0 or 180 degrees.
+double sine_of(const Corners& x) {
     const Vec3 a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
     const std::array<Vec3, 4> faces{b.cross(a), a.cross(c), c.cross(b), (b - a).cross(c - a)};
-    Shape shape{a.dot(b.cross(c)) / 6, 1};
+    double sine = 1;
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < i; ++j) {
             const double sizes = faces[i].norm() * faces[j].norm();
-            shape.sine = std::min(shape.sine, sizes > 0 ? faces[i].cross(faces[j]).norm() / sizes : 0);
+            sine = std::min(sine, sizes > 0 ? faces[i].cross(faces[j]).norm() / sizes : 0);
         }
-    return shape;
+    return sine;
 }
 
-/// As it is and as it was when displacements were zero.
-std::array<Shape, 2> shapes_of(const Model& model, Row zone) {
-    std::array<Vec3, 4> now, then;
-    for (int k = 0; k < 4; ++k) {
+struct Places {
+    Corners now, then; ///< then: when displacements were zero
+};
+
+Places places_of(const Model& model, Row zone) {
+    Places places;
+    for (std::size_t k = 0; k < 4; ++k) {
         const Row g = model.zones.gridpoints[zone][k];
-        now[k] = model.gridpoints.position[g];
-        then[k] = now[k] - model.gridpoints.displacement[g];
+        places.now[k] = model.gridpoints.position[g];
+        places.then[k] = places.now[k] - model.gridpoints.displacement[g];
     }
-    return {shape_of(now), shape_of(then)};
+    return places;
 }
 
 bool is_crushed(const Model& model, Row zone) {
-    const auto [now, then] = shapes_of(model, zone);
-    if (!(then.volume > 0)) return false; // displacements were set
-    return !(now.volume >= least_volume * then.volume) || (now.sine < least_sine && then.sine >= least_sine);
+    const auto [now, then] = places_of(model, zone);
+    const double volume = volume_of(then);
+    if (!(volume > 0)) return false; // displacements were set
+    return !(volume_of(now) >= least_volume * volume) || (sine_of(now) < least_sine && sine_of(then) >= least_sine);
 }
 
 Diagnostic of_zone(const Model& model, Row zone, const std::string& what) {
@@ -80,12 +84,12 @@ void check_crushed_zones(const Model& model) {
         },
         [](Row& least, const Row& part) { least = std::min(least, part); });
     if (first == none) return;
-    const auto [now, then] = shapes_of(model, first);
+    const auto [now, then] = places_of(model, first);
+    const double left = volume_of(now) / volume_of(then);
     throw of_zone(model, first,
-                  now.volume < least_volume * then.volume
-                      ? fmt::format("is crushed: {:.3g} of its volume is left", now.volume / then.volume)
-                      : fmt::format("is crushed: two of its faces are {:.2g} degrees from each other",
-                                    std::asin(now.sine) * 180 / std::numbers::pi));
+                  left < least_volume ? fmt::format("is crushed: {:.3g} of its volume is left", left)
+                                      : fmt::format("is crushed: two of its faces are {:.2g} degrees from each other",
+                                                    std::asin(sine_of(now)) * 180 / std::numbers::pi));
 }
 
 Diagnostic turned_over(const Model& model, Row zone) {
