@@ -10,8 +10,9 @@
 
 namespace kaya {
 
-/// What a tile has at most: its gridpoints and what a law sees of it stay near the processor.
-constexpr Row most_zones_in_tile = 1024, most_points_in_tile = 1024;
+/// What a tile has at most: its gridpoints and what a law sees of it stay near the processor. The zones are whole groups of eight, and of
+/// eight cells.
+constexpr Row most_zones_in_tile = 1008, most_points_in_tile = 1024;
 
 /// A vector at a point of a tile, and what goes with it.
 struct alignas(32) PointRow {
