@@ -28,10 +28,10 @@ function jointed_slope.build(front, back, deep, edge, sets)
     if edge then command "prop mat 1 bcoh 675e3 bten 0" end
 end
 
--- Factor of safety between the two of a bracket, and the name of the mode of failure, as `solve fos` prints it.
-function jointed_slope.factor(name, from, to)
+-- Factor of safety between the two of a bracket, to a `resolution` of 0.02 or as it says, and the name of the mode of failure, as `solve fos` prints it.
+function jointed_slope.factor(name, from, to, resolution)
     local file = name .. ".log"
-    command(("set log on logfile '%s'\nsolve ratio 1e-5 cycles 20000\nsolve fos resolution 0.02 bracket %g %g\nset log off"):format(file, from, to))
+    command(("set log on logfile '%s'\nsolve ratio 1e-5 cycles 20000\nsolve fos resolution %g bracket %g %g\nset log off"):format(file, resolution or 0.02, from, to))
     local text = io.open(file):read "a"
     return model.factor_of_safety, text:match "mode of failure: ([^;]*)"
 end
