@@ -47,6 +47,48 @@ SixEights mean_stress(const Zones& zones, Row zone, Row cells) {
     for (Row i = 0; i < count; i += eight) __builtin_prefetch(first + i, 1);
 }
 
+CellForces both(const CellForces& a, const CellForces& b) {
+    CellForces forces;
+    for (std::size_t c = 0; c < 8; ++c) forces[c] = a[c] + b[c];
+    return forces;
+}
+
+/// Forces of the ruled faces of cells whose zones are apart.
+CellForces ruled_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, const CellField& place, Row zone,
+                        Row cells) {
+    CellForces forces{};
+    const RuledFaces faces(rows.ruled(zone), cells);
+    if (!faces.any) return forces;
+    const double* const made = cell_motion(model.zones, law, zone);
+    const SixEights stress = made ? load_six(made, zones_of_cell, cells) : mean_stress(model.zones, zone, cells);
+    if (!std::ranges::all_of(stress, [](const Eight& s) { return all_zero(s); }))
+        add_forces(CellShape::of_ruled(place, faces), stress, forces);
+    return forces;
+}
+
+/// And those of their zones.
+CellForces own_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, const CellCorners& corners,
+                      Row zone, Row cells) {
+    const CellField place = from_first(rows.places(), corners);
+    CellForces forces = ruled_forces(model, rows, law, place, zone, cells);
+    for (Row z = 0; z < zones_of_cell; ++z)
+        add_forces_of_zone(edges_of_zone(place, z), z,
+                           load_six(model.zones.stress[zone + z].data(), to_next_cell, cells), forces);
+    return forces;
+}
+
+/// Forces of the zones of flowing cells.
+CellForces zones_alone(const Model& model, const CellField& place, Row zone, Row cells) {
+    const bool damped = zones_are_damped(model);
+    CellForces forces{};
+    for (Row z = 0; z < zones_of_cell; ++z) {
+        SixEights stress = load_six(model.zones.stress[zone + z].data(), to_next_cell, cells);
+        if (damped) stress = sum(stress, load_six(model.zones.dashpot[zone + z].data(), to_next_cell, cells));
+        add_forces_of_zone(edges_of_zone(place, z), z, stress, forces);
+    }
+    return forces;
+}
+
 /// What is wanted of eight cells after the zone model has run.
 struct CellGroup {
     CellCorners corners;
@@ -164,32 +206,25 @@ private:
 
     /// The same where each zone acts with the stress of its own, and ruled faces with the one that the motion of the cell has made.
     void finish_apart(CellGroup& g, Row zone, Row cells, const SixEights& change) {
-        const CellField place = from_first(rows_.places(), g.corners), shift = from_first(rows_.shifts(), g.corners);
-        const CellField ruled = CellShape::of_ruled(place, RuledFaces(rows_.ruled(zone), cells));
-        SixEights made = g.before;
-        if (double* const rows = cell_motion(model_.zones, law_, zone)) {
-            made = load_six(rows, zones_of_cell, cells);
-            if (large_) made = turned(made, g.half_spin);
-            store_six(rows, zones_of_cell, cells, sum(made, change));
-            g.work -= product(difference(g.before, made), MeanGradient(ruled, shift, eights(1)).strain());
+        for (Row z = 0; z < zones_of_cell; ++z) {
+            SixEights stress = load_six(stresses(zone + z), to_next_cell, cells);
+            if (large_) stress = turned(stress, g.half_spin);
+            store_six(stresses(zone + z), to_next_cell, cells, sum(stress, change));
         }
-        CellForces forces = forces_of(g.shape, SixEights{}, g.warp);
-        add_forces(ruled, sum(made, change), forces);
-        for (Row z = 0; z < zones_of_cell; ++z) finish_zone(g, place, shift, z, zone + z, cells, change, forces);
-        forces_.add(g.corners, cells, forces);
-    }
-
-    void finish_zone(CellGroup& g, const CellField& place, const CellField& shift, Row z, Row zone, Row cells,
-                     const SixEights& change, CellForces& forces) {
-        const Edges edges = edges_of_zone(place, z);
-        SixEights before = load_six(stresses(zone), to_next_cell, cells);
-        if (large_) before = turned(before, g.half_spin);
-        const SixEights after = sum(before, change);
-        store_six(stresses(zone), to_next_cell, cells, after);
-        const Deformation d(edges, edges_of_zone(shift, z),
-                            large_); // what a zone has besides acts on what it does itself
-        g.work += d.volume * product(difference(before, g.before), d.strain);
-        add_forces_of_zone(edges, z, after, forces);
+        if (double* const made = cell_motion(model_.zones, law_, zone)) {
+            SixEights stress = load_six(made, zones_of_cell, cells);
+            if (large_) stress = turned(stress, g.half_spin);
+            store_six(made, zones_of_cell, cells, sum(stress, change));
+        }
+        const CellForces own = own_forces(model_, rows_, law_, g.corners, zone, cells);
+        // What comes to the mean stress does not change in the step: its forces are the same before and after.
+        CellForces beyond = own;
+        SixEights mean = sum(g.before, change);
+        for (Eight& s : mean) s *= -1;
+        add_forces(g.shape.gradient, mean, beyond);
+        const CellField shift = from_first(rows_.shifts(), g.corners);
+        for (std::size_t c = 1; c < 8; ++c) g.work -= beyond[c].dot(shift[c - 1]);
+        forces_.add(g.corners, cells, both(forces_of(g.shape, SixEights{}, g.warp), own));
     }
 
     Model& model_;
@@ -202,21 +237,6 @@ private:
     StagedZones<cells_in_batch> batch_;
     std::array<CellGroup, groups_in_batch> groups_;
 };
-
-/// Forces of cells without those of the stresses of single zones: of the stress given, of how they resist warping and, where their zones are
-/// apart, of their ruled faces.
-CellForces forces_of(const Model& model, const TileRows& rows, const ZoneLaw& law, const CellCorners& corners, Row zone,
-                     Row cells, const SixEights& stress, bool apart) {
-    const CellField place = from_first(rows.places(), corners);
-    const RuledFaces faces(rows.ruled(zone), cells);
-    CellForces forces =
-        forces_of(CellShape(place, faces), stress, load_warps(model.zones, law.cell_history, zone, cells));
-    if (!apart) return forces;
-    const double* const made = cell_motion(model.zones, law, zone);
-    add_forces(CellShape::of_ruled(place, faces),
-               made ? load_six(made, zones_of_cell, cells) : mean_stress(model.zones, zone, cells), forces);
-    return forces;
-}
 
 } // namespace
 
@@ -235,22 +255,23 @@ void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& til
                  std::vector<PointRow>& forces) {
     const TileRows rows(model, tiles, tile);
     TileForces sums(tile, forces);
-    const bool together = law.together == Together::cells, damped = zones_are_damped(model);
+    const bool together = law.together == Together::cells, kept = keeps_cell_motion(model.zones, law);
     for (Row zone = tile.first; zone < tile.last; zone += zones_of_group) {
         const Row cells = cells_from(zone, tile.last);
         const CellCorners corners = rows.cells_at(zone, cells);
-        const auto stress = [&](Row z) {
-            const SixEights own = load_six(model.zones.stress[zone + z].data(), to_next_cell, cells);
-            return damped ? sum(own, load_six(model.zones.dashpot[zone + z].data(), to_next_cell, cells)) : own;
-        };
-        const bool apart =
-            !together || keeps_cell_motion(model.zones, law) || !are_alike(model.zones.stress, zone, cells);
-        CellForces whole{};
-        if (together) whole = forces_of(model, rows, law, corners, zone, cells, apart ? SixEights{} : stress(0), apart);
         const CellField place = from_first(rows.places(), corners);
-        if (apart)
-            for (Row z = 0; z < zones_of_cell; ++z) add_forces_of_zone(edges_of_zone(place, z), z, stress(z), whole);
-        sums.add(corners, cells, whole);
+        if (!together) {
+            sums.add(corners, cells, zones_alone(model, place, zone, cells));
+            continue;
+        }
+        const CellShape shape(place, RuledFaces(rows.ruled(zone), cells));
+        const WarpStress warp = load_warps(model.zones, law.cell_history, zone, cells);
+        if (kept || !are_alike(model.zones.stress, zone, cells))
+            sums.add(corners, cells,
+                     both(forces_of(shape, SixEights{}, warp), own_forces(model, rows, law, corners, zone, cells)));
+        else
+            sums.add(corners, cells,
+                     forces_of(shape, load_six(model.zones.stress[zone].data(), to_next_cell, cells), warp));
     }
 }
 
@@ -262,19 +283,18 @@ double hold_cells(Model& model, const TileRows& rows, const ZoneTile& tile, cons
         const CellCorners corners = rows.cells_at(z, cells);
         const CellField place = from_first(rows.places(), corners), shift = from_first(rows.shifts(), corners);
         WarpStress stress = load_warps(model.zones, law.cell_history, z, cells);
-        const RuledFaces faces(rows.ruled(z), cells);
-        const CellMotion motion(CellShape(place, faces), shift, large);
+        const CellShape shape(place, RuledFaces(rows.ruled(z), cells));
+        const CellMotion motion(shape, shift, large);
         Eight work = add_warp_stress(motion, LayerModuli(), stress);
         double* const made = cell_motion(model.zones, law, z);
-        const SixEights before = load_six(made, zones_of_cell, cells),
-                        after = large ? turned(before, motion.half_spin) : before;
-        store_six(made, zones_of_cell, cells, after);
-        const MeanGradient of_ruled(CellShape::of_ruled(place, faces), shift, eights(1));
-        work += 0.5 * product(sum(before, after), of_ruled.strain());
+        if (large)
+            store_six(made, zones_of_cell, cells, turned(load_six(made, zones_of_cell, cells), motion.half_spin));
+        const CellForces ruled = ruled_forces(model, rows, law, place, z, cells);
+        for (std::size_t c = 1; c < 8; ++c) work -= ruled[c].dot(shift[c - 1]);
         for (Row l = cells; l < eight; ++l) work[l] = 0;
         add_to(whole, work);
+        forces.add(corners, cells, both(forces_of(shape, SixEights{}, stress), ruled));
     }
-    held_forces(model, rows, tile, law, forces);
     return sum(whole);
 }
 
@@ -283,7 +303,11 @@ void held_forces(const Model& model, const TileRows& rows, const ZoneTile& tile,
     for (Row z = tile.first; z < tile.last; z += zones_of_group) {
         const Row cells = cells_from(z, tile.last);
         const CellCorners corners = rows.cells_at(z, cells);
-        forces.add(corners, cells, forces_of(model, rows, law, corners, z, cells, SixEights{}, true));
+        const CellField place = from_first(rows.places(), corners);
+        const CellShape shape(place, RuledFaces(rows.ruled(z), cells));
+        const WarpStress stress = load_warps(model.zones, law.cell_history, z, cells);
+        forces.add(corners, cells,
+                   both(forces_of(shape, SixEights{}, stress), ruled_forces(model, rows, law, place, z, cells)));
     }
 }
 
