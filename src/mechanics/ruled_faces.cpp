@@ -1,5 +1,6 @@
 #include "mechanics/ruled_faces.hpp"
 
+#include "mechanics/row_lists.hpp"
 #include "mechanics/tile_rows.hpp"
 
 #include <algorithm>
@@ -13,10 +14,9 @@ namespace {
 constexpr std::size_t corners_of_face[zones_of_cell][4] = {{0, 2, 4, 6}, {0, 1, 4, 5}, {0, 1, 2, 3},
                                                            {1, 3, 5, 7}, {2, 3, 6, 7}, {4, 5, 6, 7}};
 
-struct Face {
-    std::array<Row, 4> corners; ///< ascending; of a group of tied gridpoints the first
-    Row cell;                   ///< its first zone
-    std::uint8_t bit;           ///< in ZoneTiles::ruled
+struct CellFace {
+    Row cell; ///< its first zone
+    Row face;
 };
 
 /// For each gridpoint the first of its group, else itself.
@@ -28,29 +28,39 @@ std::vector<Row> leaders(const Model& model, const TieLists& ties) {
     return leader;
 }
 
+/// Ascending; of a group of tied gridpoints the first.
+std::array<Row, 4> corners_of(const Model& model, const std::vector<Row>& leader, const CellFace& f) {
+    const std::array<Row, 8> cell = corners_of_cell(&model.zones.gridpoints[f.cell]);
+    std::array<Row, 4> corners;
+    for (std::size_t k = 0; k < 4; ++k) corners[k] = leader[cell[corners_of_face[f.face][k]]];
+    std::ranges::sort(corners);
+    return corners;
+}
+
 } // namespace
 
 void find_ruled_faces(const Model& model, const TieLists& ties, ZoneLaws& laws) {
     auto& ruled = laws.tiles.ruled;
     const std::vector<Row> leader = leaders(model, ties);
-    std::vector<Face> faces;
-    for (const ZoneTile& tile : laws.tiles.tiles) {
-        if (laws.laws[tile.law].together != Together::cells) continue;
-        for (Row zone = tile.first; zone < tile.last; zone += zones_of_cell) {
-            const std::array<Row, 8> cell = corners_of_cell(&model.zones.gridpoints[zone]);
-            for (Row f = 0; f < zones_of_cell; ++f) {
-                Face& face = faces.emplace_back();
-                face.cell = zone;
-                face.bit = static_cast<std::uint8_t>(1 << f);
-                for (std::size_t k = 0; k < 4; ++k) face.corners[k] = leader[cell[corners_of_face[f][k]]];
-                std::ranges::sort(face.corners);
-            }
+    // By their first corner: few share one.
+    const auto faces = sorted_lists<CellFace>(model.gridpoints.size(), [&](auto add) {
+        for (const ZoneTile& tile : laws.tiles.tiles) {
+            if (laws.laws[tile.law].together != Together::cells) continue;
+            for (Row zone = tile.first; zone < tile.last; zone += zones_of_cell)
+                for (Row f = 0; f < zones_of_cell; ++f) {
+                    const CellFace face{zone, f};
+                    add(corners_of(model, leader, face).front(), face);
+                }
         }
-    }
-    std::ranges::sort(faces, {}, &Face::corners);
-    for (std::size_t i = 1; i < faces.size(); ++i)
-        if (faces[i].corners == faces[i - 1].corners)
-            for (const Face& face : {faces[i - 1], faces[i]}) ruled[face.cell] |= face.bit;
+    });
+    const auto rule = [&](const CellFace& f) { ruled[f.cell] |= static_cast<std::uint8_t>(1 << f.face); };
+    for (Row g = 0; g < static_cast<Row>(model.gridpoints.size()); ++g)
+        for (auto face = faces.begin(g); face != faces.end(g); ++face)
+            for (auto other = face + 1; other != faces.end(g); ++other)
+                if (corners_of(model, leader, *face) == corners_of(model, leader, *other)) {
+                    rule(*face);
+                    rule(*other);
+                }
 }
 
 } // namespace kaya

@@ -136,7 +136,7 @@ TEST_F(DeckReportTest, LuaIsReadBeforeItRuns) {
 
 TEST_F(DeckReportTest, FilesOfTablesAreLookedFor) {
     write("a.3dd", "table 1 read wave.tab\n");
-    EXPECT_THAT(report("a.3dd").text("a.3dd"), HasSubstr("a.3dd:1:1: wrong: there is no table file 'wave.tab'"));
+    EXPECT_THAT(report("a.3dd").text("a.3dd"), HasSubstr("a.3dd:1:14: wrong: there is no table file 'wave.tab'"));
     write("wave.tab", "wave\n2 0.1\n0\n1\n");
     EXPECT_TRUE(report("a.3dd").can_run());
     write("b.3dd", "hist time\ncycle 1\nhist write 1 file mine.tab\ntable 2 read mine.tab\n");
