@@ -208,29 +208,34 @@ std::vector<Candidate> circle_net(const Search& search, SliceMethod method) {
 
 using Objective = std::function<double(const std::vector<double>&)>;
 
+/// Where a search of NLopt from a place, between limits, ends.
+Candidate searched(nlopt::opt optimiser, Candidate from, const std::vector<double>& low,
+                   const std::vector<double>& high, const Objective& objective) {
+    optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
+                                   void* data) { return (*static_cast<const Objective*>(data))(x); },
+                                const_cast<Objective*>(&objective));
+    optimiser.set_lower_bounds(low);
+    optimiser.set_upper_bounds(high);
+    for (std::size_t i = 0; i < from.x.size(); ++i) from.x[i] = std::clamp(from.x[i], low[i], high[i]);
+    try {
+        optimiser.optimize(from.x, from.factor);
+    } catch (const nlopt::roundoff_limited&) { // as near as numbers go
+    }
+    from.factor = objective(from.x);
+    return from;
+}
+
 /// Downhill without derivatives, anew from its end until that gives nothing more.
 Candidate downhill(Candidate from, const std::vector<double>& steps, const std::vector<double>& low,
                    const std::vector<double>& high, const Objective& objective) {
     for (int round = 0; round < 4; ++round) {
         const double before = from.factor;
         nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(from.x.size()));
-        optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
-                                       void* data) { return (*static_cast<const Objective*>(data))(x); },
-                                    const_cast<Objective*>(&objective));
-        optimiser.set_lower_bounds(low);
-        optimiser.set_upper_bounds(high);
         optimiser.set_initial_step(steps);
         optimiser.set_ftol_rel(1e-7);
         optimiser.set_maxeval(static_cast<int>(200 * from.x.size()));
-        std::vector<double> x = from.x;
-        for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::clamp(x[i], low[i], high[i]);
-        double factor = from.factor;
-        try {
-            optimiser.optimize(x, factor);
-        } catch (const nlopt::roundoff_limited&) { // as near as numbers go
-        }
-        factor = objective(x);
-        if (factor < from.factor) from.factor = factor, from.x = x;
+        const Candidate end = searched(optimiser, from, low, high, objective);
+        if (end.factor < from.factor) from = end;
         if (from.factor > before * (1 - 1e-5)) break;
     }
     return from;
@@ -243,27 +248,6 @@ std::optional<FoundSurface> found(const Search& search, const std::optional<Slip
     const auto answer = factor_of_safety(*body, method);
     if (!answer) return std::nullopt;
     return FoundSurface{*surface, *answer};
-}
-
-/// Where a controlled random search ends: it goes past places from which every small step leads up.
-Candidate drawn(Candidate start, const std::vector<double>& low, const std::vector<double>& high,
-                const Objective& objective) {
-    stop_point();
-    nlopt::opt optimiser(nlopt::GN_CRS2_LM, static_cast<unsigned>(start.x.size()));
-    optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
-                                   void* data) { return (*static_cast<const Objective*>(data))(x); },
-                                const_cast<Objective*>(&objective));
-    optimiser.set_lower_bounds(low);
-    optimiser.set_upper_bounds(high);
-    optimiser.set_population(static_cast<unsigned>(20 * start.x.size()));
-    optimiser.set_maxeval(6000);
-    optimiser.set_ftol_rel(1e-4);
-    for (std::size_t i = 0; i < start.x.size(); ++i) start.x[i] = std::clamp(start.x[i], low[i], high[i]);
-    try {
-        optimiser.optimize(start.x, start.factor);
-    } catch (const nlopt::roundoff_limited&) {}
-    start.factor = objective(start.x);
-    return start;
 }
 
 std::optional<Candidate> best_circle(const Search& search, std::vector<Candidate>* all = nullptr) {
@@ -315,6 +299,18 @@ Candidate on_circle(const Search& search, const SlipSurface& surface, std::size_
     return start;
 }
 
+/// Where a controlled random search ends: it finds weak layers, which no circle follows.
+Candidate drawn(const Candidate& start, const std::vector<double>& low, std::vector<double> high,
+                const Objective& objective) {
+    stop_point();
+    std::fill(high.begin() + 2, high.end(), 0.6);
+    nlopt::opt optimiser(nlopt::GN_CRS2_LM, static_cast<unsigned>(start.x.size()));
+    optimiser.set_population(static_cast<unsigned>(20 * start.x.size()));
+    optimiser.set_maxeval(6000);
+    optimiser.set_ftol_rel(1e-4);
+    return searched(optimiser, start, low, high, objective);
+}
+
 /// The ends of searches for polylines whose inner corners lie at even distances.
 std::vector<RatedSurface> even_polylines(const Search& search) {
     std::vector<Candidate> circles;
@@ -336,11 +332,9 @@ std::vector<RatedSurface> even_polylines(const Search& search) {
             const auto surface = search.circle(circle.x[0], circle.x[1], circle.x[2]);
             if (surface && circle.right == right) starts.push_back(on_circle(search, *surface, inner, right));
         }
-        std::vector<double> drawn_high = high;
-        std::fill(drawn_high.begin() + 2, drawn_high.end(), 0.6);
         nlopt::srand(20261123);
         for (int run = 0; run < 2 && !starts.empty(); ++run)
-            starts.push_back(drawn(starts.front(), low, drawn_high, objective));
+            starts.push_back(drawn(starts.front(), low, high, objective));
         for (const Candidate& start : starts) {
             stop_point();
             if (start.factor >= no_answer) continue;
