@@ -94,6 +94,22 @@ struct RuledFaces {
     }
 };
 
+/// Products of places. All zones have the edge from corner 0 to corner 7, and each two of the others that follow each other around it.
+struct AroundDiagonal {
+    std::array<Eight3, 6> side;  ///< of those two, in their order around the edge
+    std::array<Eight3, 6> spoke; ///< of each corner and corner 7; by corner, from 1 on
+
+    [[gnu::always_inline]] explicit AroundDiagonal(const CellField& x) {
+        for (std::size_t k = 0; k < 6; ++k) {
+            side[k] = x[corner(k)].cross(x[corner(k + 1)]);
+            spoke[corner(k)] = x[corner(k)].cross(x[6]);
+        }
+    }
+
+    /// Places in fields of the corners around the edge.
+    static constexpr std::size_t corner(std::size_t k) { return std::array<std::size_t, 6>{0, 2, 1, 5, 3, 4}[k % 6]; }
+};
+
 /// Shape of cells in one configuration. Volume and gradient are those between the faces of the cell.
 struct CellShape {
     std::array<Eight3, 3> axis; ///< halves of the mean edges
@@ -107,46 +123,37 @@ struct CellShape {
         const CornerSums sums(x);
         for (std::size_t a = 0; a < 3; ++a) axis[a] = sums.axis[a] * eights(0.125);
         warp = sums.warp;
-        // All zones have the edge from corner 0 to corner 7, and each two of the others that follow each other around it.
-        std::array<Eight3, 6> side, spoke; // spokes by corner, from 1 on
+        const AroundDiagonal around(x);
         Eight3 last{Eight{}, Eight{}, Eight{}};
         for (std::size_t k = 0; k < 6; ++k) {
-            side[k] = x[around(k)].cross(x[around(k + 1)]);
-            spoke[around(k)] = x[around(k)].cross(x[6]);
-            const Eight six_volumes = side[k].dot(x[6]);
+            const Eight six_volumes = around.side[k].dot(x[6]);
             least = k == 0 || six_volumes < least ? six_volumes : least;
-            last = last + side[k];
+            last = last + around.side[k];
         }
         const Eight sixth = eights(1.0 / 6);
-        for (std::size_t k = 0; k < 6; ++k) gradient[around(k)] = (spoke[around(k + 1)] - spoke[around(k + 5)]) * sixth;
+        for (std::size_t k = 0; k < 6; ++k)
+            gradient[around.corner(k)] =
+                (around.spoke[around.corner(k + 1)] - around.spoke[around.corner(k + 5)]) * sixth;
         gradient[6] = last * sixth;
-        if (ruled.any) add_ruled(x, side, spoke, ruled, gradient);
+        if (ruled.any) add_ruled(x, around, ruled, gradient);
         volume = gradient[0].x * x[0].x;
         for (std::size_t c = 1; c < 7; ++c) volume += gradient[c].x * x[c].x;
     }
 
     /// What ruled faces add to the gradient by themselves.
     [[gnu::always_inline]] static CellField of_ruled(const CellField& x, const RuledFaces& ruled) {
-        std::array<Eight3, 6> side, spoke;
-        for (std::size_t k = 0; k < 6; ++k) {
-            side[k] = x[around(k)].cross(x[around(k + 1)]);
-            spoke[around(k)] = x[around(k)].cross(x[6]);
-        }
         CellField gradient;
         gradient.fill({Eight{}, Eight{}, Eight{}});
-        add_ruled(x, side, spoke, ruled, gradient);
+        add_ruled(x, AroundDiagonal(x), ruled, gradient);
         return gradient;
     }
 
 private:
-    /// Places in fields of the corners around the edge from corner 0 to corner 7.
-    static constexpr std::size_t around(std::size_t k) { return std::array<std::size_t, 6>{0, 2, 1, 5, 3, 4}[k % 6]; }
-
     /// The ruled surface of four corners is half way from the two triangles with one diagonal to those with the other; between them is
-    /// the tetrahedron of the corners. A face has corner 0 or 7; `near` are its corners beside that one, `far` is the opposite one.
-    [[gnu::always_inline]] static void add_ruled(const CellField& x, const std::array<Eight3, 6>& side,
-                                                 const std::array<Eight3, 6>& spoke, const RuledFaces& ruled,
-                                                 CellField& gradient) {
+    /// the tetrahedron of the corners. A face has corner 0 or 7; b and c are its corners beside that one, `far` is the opposite one.
+    [[gnu::always_inline]] static void add_ruled(const CellField& x, const AroundDiagonal& around,
+                                                 const RuledFaces& ruled, CellField& gradient) {
+        const auto& [side, spoke] = around;
         const auto add = [&](std::size_t corner, const Eight3& area) { gradient[corner] = gradient[corner] + area; };
         for (std::size_t a = 0; a < 3; ++a) {
             const std::size_t b = (std::size_t{1} << (a + 1) % 3) - 1, c = (std::size_t{1} << (a + 2) % 3) - 1;
