@@ -145,6 +145,7 @@ std::uint64_t script_hash(Session& session) {
 }
 
 void save_session(Session& session, const std::string& file) {
+    session.cycle->bring_up_to_date();
     save_state(session.model, session.output_file(file), session_extras(session));
 }
 

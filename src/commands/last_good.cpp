@@ -23,18 +23,6 @@ std::size_t bytes_of(Model& model) {
     return bytes;
 }
 
-/// Whether scripts of the deck act inside of cycles: they may print, write files or keep what no copy knows.
-bool scripts_act(const Session& session) {
-    using enum script::Moment;
-    for (const auto moment : {before_cycle, after_forces, after_cycle})
-        if (session.scripts->has_hooks(moment)) return true;
-    const Model& model = session.model;
-    return std::ranges::any_of(model.time_functions,
-                               [](const TimeFunction& f) { return f.kind == TimeFunction::Kind::script; }) ||
-           std::ranges::any_of(model.histories.all,
-                               [](const History& h) { return h.source.kind == HistorySource::Kind::function; });
-}
-
 } // namespace
 
 void LastGood::offer(Session& session) {
@@ -48,6 +36,7 @@ void LastGood::take(Session& session) {
         // A copy that there is not room for besides the model would make the machine slow, or end the run.
         if (!taken_ && memory_available() < 2 * bytes_of(session.model)) throw std::bad_alloc();
         taken_ = false; // half a copy is none
+        session.cycle->bring_up_to_date();
         model_ = session.model;
         extras_ = session_extras(session);
     } catch (const std::bad_alloc&) {
@@ -68,7 +57,7 @@ void LastGood::drop() {
 }
 
 void LastGood::run_on(Session& session, std::int64_t cycle) {
-    if (!leads_here_ || scripts_act(session)) return;
+    if (!leads_here_ || session.scripts_act_in_cycles()) return;
     ModelEdit(model_, Change::lists); // what a cycle derives from the tables is not in the copy
     Cycle cycles(model_, session.joints);
     cycles.hooks.table_value = session.cycle->hooks.table_value;

@@ -50,6 +50,8 @@ public:
     virtual void executed(const lang::BoundCommand&, const Completion&) {}
     /// Called after each cycle.
     virtual void cycled() {}
+    /// Whether cycled() reads the model beyond its clock.
+    virtual bool looks() const { return false; }
 };
 
 class Program {
@@ -60,6 +62,7 @@ public:
     void listen(Listener& listener) { listeners_.push_back(&listener); }
     void forget(Listener& listener) { std::erase(listeners_, &listener); }
     void tell_cycled() const;
+    bool any_listener_looks() const;
 
     /// Shows a warning that has its place; under `--strict` throws it as an error.
     void show_warning(Diagnostic warning);

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace kaya {
@@ -61,6 +62,18 @@ void advance(Session& session) {
         throw;
     }
 }
+
+/// Cycles that nobody looks into may keep stresses where they are at hand.
+class CycleRun {
+public:
+    explicit CycleRun(Session& session) {
+        if (!session.scripts_act_in_cycles() && session.plots.movies.empty() && !session.any_listener_looks())
+            unwatched_.emplace(*session.cycle);
+    }
+
+private:
+    std::optional<Cycle::Unwatched> unwatched_;
+};
 
 /// Joined blocks have zones together or not at all; while a model is made they may get them one after the other.
 void refuse_half_zoned(const Model& model) {
@@ -181,6 +194,7 @@ RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, Failu
                       Progress* progress) {
     make_ready(session);
     session.autosave.begins();
+    const CycleRun run(session);
     RestSpan span;
     const Clock& now = session.model.clock;
     double sum = 0;
@@ -232,6 +246,7 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
         if (!at_rest.empty()) return {at_rest, true};
         return {reached(limits, start, session.model, seconds)};
     };
+    const CycleRun run(session);
     RunEnd end = stops(0);
     while (end.why.empty()) {
         try {

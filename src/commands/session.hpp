@@ -69,6 +69,8 @@ public:
     void stop_if_interrupted();
     /// The same after a cycle, which a journal can tell and a replay do again.
     void stop_after_cycle();
+    /// Whether scripts of the deck act inside of cycles: they may read and write fields, print, or keep what no copy of the model knows.
+    bool scripts_act_in_cycles() const;
 
     VtkSeries vtk;                    ///< the picture series of this run
     PlotViews plots;                  ///< the pictures that `plot` has described

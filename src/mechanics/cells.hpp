@@ -7,7 +7,6 @@
 
 namespace kaya {
 
-constexpr Row zones_of_group = zones_of_cell * static_cast<Row>(eight); ///< of eight cells
 constexpr std::size_t to_next_cell =
     6 * zones_of_cell; ///< from the stresses of a cell to those of the next, in numbers
 
@@ -15,7 +14,7 @@ constexpr std::size_t to_next_cell =
 inline Row cells_from(Row zone, Row last) { return std::min<Row>((last - zone) / zones_of_cell, eight); }
 
 /// A field at the corners 1 to 7 of eight cells, from its value at corner 0 on: what all corners have in common leaves nothing, not even
-/// rounding. Corner i + 2 j + 4 k stands at the ends i, j, k of the three axes of its cell.
+/// rounding.
 using CellField = std::array<Eight3, 7>;
 
 /// The corners of the six zones of a cell, in the order of hexahedron_mesh.
@@ -36,7 +35,7 @@ inline void add_forces_of_zone(const Edges& edges, Row zone, const SixEights& st
 }
 
 /// Corners 1 to 7 from corner 0 on. What goes with the points goes to `fourths`, where it is wanted, by corner.
-inline CellField from_first(const PointRow* rows, const CellCorners& corners, std::array<Eight, 8>* fourths = nullptr) {
+inline CellField from_first(const PointRow* rows, CellGroupCorners corners, std::array<Eight, 8>* fourths = nullptr) {
     const EightRow first = load_corner(rows, corners, 0);
     if (fourths) (*fourths)[0] = first.fourth;
     CellField field;
@@ -86,10 +85,10 @@ struct RuledFaces {
     std::array<Eight, 6> part; ///< a twelfth for a face that is ruled, else 0
     bool any = false;
 
-    /// `faces` has a bit for each face of a cell; from one cell to the next it is zones_of_cell.
-    [[gnu::always_inline]] RuledFaces(const std::uint8_t* faces, Row cells) {
+    /// `faces` has a bit for each face of a cell.
+    [[gnu::always_inline]] explicit RuledFaces(const std::uint8_t* faces) {
         MaskOfEight bits{};
-        for (Row l = 0; l < cells; ++l) any |= (bits[l] = faces[zones_of_cell * l]) != 0;
+        for (std::size_t l = 0; l < eight; ++l) any |= (bits[l] = faces[l]) != 0;
         for (std::size_t f = 0; f < 6; ++f) part[f] = (bits & (1 << f)) != 0 ? eights(1.0 / 12) : Eight{};
     }
 };

@@ -79,10 +79,16 @@ Cycle::Cycle(Model& model, JointRegistry& joints) : model_(model), joints_(joint
 
 Cycle::~Cycle() = default;
 
-double Cycle::energy_in_zones() const { return kaya::energy_in_zones(model_, lists_->elastic); }
+double Cycle::energy_in_zones() const {
+    bring_up_to_date();
+    return kaya::energy_in_zones(model_, lists_->elastic);
+}
+
+void Cycle::bring_up_to_date() const { lists_->zones.cells.give_back(model_, lists_->laws.tiles); }
 
 void Cycle::prepare() {
     Lists& s = *lists_;
+    if (model_.stale.any()) bring_up_to_date();
     if (model_.stale.contacts()) place_structures(model_);
     find_contacts(model_, joints_);
     if (model_.stale.properties()) {
@@ -126,6 +132,7 @@ void Cycle::prepare() {
 void Cycle::take_zone_laws() {
     Lists& s = *lists_;
     s.laws = ZoneLaws(model_, joints_.zones);
+    s.zones.cells.make_room(s.laws.tiles);
     s.elastic = s.laws.elastic_constants();
     s.ties = TieLists(model_, s.elastic);
     find_ruled_faces(model_, s.ties, s.laws);
@@ -134,6 +141,7 @@ void Cycle::take_zone_laws() {
 
 void Cycle::make_lists() {
     Lists& s = *lists_;
+    bring_up_to_date();
     order_sub_contacts(model_);
     s.adjacency = make_adjacency(model_);
     s.batches = make_batches(model_, joints_);
@@ -148,6 +156,7 @@ void Cycle::make_lists() {
 // The order of one step, and the only place where it stands.
 void Cycle::advance() {
     StepSums sums;
+    lists_->zones.cells.wanted = unwatched_ > 0;
     begin();
     move(sums);
     strain(sums);
@@ -263,7 +272,10 @@ void Cycle::limit_step(const StepSums& sums, ContactChange change, bool may_grow
 }
 
 void Cycle::record() {
-    times_.timed(Phase::scripts, [&] { sample_histories(model_, hooks.script_value); });
+    times_.timed(Phase::scripts, [&] {
+        if (samples_zones(model_)) bring_up_to_date();
+        sample_histories(model_, hooks.script_value);
+    });
     run_hooks(hooks.after_cycle);
 }
 

@@ -33,6 +33,23 @@ public:
 
     const std::vector<PhaseTime>& timing() const { return times_.all(); }
 
+    /// While one stands, nobody reads or writes stresses of zones between cycles, and no hook or script does inside: cycles may keep
+    /// them where they are quickest at hand. The zones have them again when the last one goes, or after bring_up_to_date().
+    class Unwatched {
+    public:
+        explicit Unwatched(Cycle& cycle) : cycle_(cycle) { ++cycle_.unwatched_; }
+        ~Unwatched() {
+            --cycle_.unwatched_;
+            cycle_.bring_up_to_date();
+        }
+        Unwatched(const Unwatched&) = delete;
+        Unwatched& operator=(const Unwatched&) = delete;
+
+    private:
+        Cycle& cycle_;
+    };
+    void bring_up_to_date() const;
+
     /// Elastic energy of all zones by their stress, as of the last prepare().
     double energy_in_zones() const;
 
@@ -58,6 +75,7 @@ private:
     Model& model_;
     JointRegistry& joints_;
     std::unique_ptr<Lists> lists_;
+    int unwatched_ = 0;
     PhaseTimes times_;
 };
 

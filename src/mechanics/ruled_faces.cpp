@@ -11,12 +11,13 @@ namespace kaya {
 namespace {
 
 /// Corners of the faces of a cell, in the order of RuledFaces.
-constexpr std::size_t corners_of_face[zones_of_cell][4] = {{0, 2, 4, 6}, {0, 1, 4, 5}, {0, 1, 2, 3},
+constexpr std::size_t corners_of_face[6][4] = {{0, 2, 4, 6}, {0, 1, 4, 5}, {0, 1, 2, 3},
                                                            {1, 3, 5, 7}, {2, 3, 6, 7}, {4, 5, 6, 7}};
 
 struct CellFace {
-    Row cell; ///< its first zone
-    Row face;
+    Row zone;                ///< the first of the cell
+    std::uint32_t cell : 29; ///< as ZoneTile counts
+    std::uint32_t face : 3;
 };
 
 /// For each gridpoint the first of its group, else itself.
@@ -30,7 +31,7 @@ std::vector<Row> leaders(const Model& model, const TieLists& ties) {
 
 /// Ascending; of a group of tied gridpoints the first.
 std::array<Row, 4> corners_of(const Model& model, const std::vector<Row>& leader, const CellFace& f) {
-    const std::array<Row, 8> cell = corners_of_cell(&model.zones.gridpoints[f.cell]);
+    const std::array<Row, 8> cell = corners_of_cell(&model.zones.gridpoints[f.zone]);
     std::array<Row, 4> corners;
     for (std::size_t k = 0; k < 4; ++k) corners[k] = leader[cell[corners_of_face[f.face][k]]];
     std::ranges::sort(corners);
@@ -47,8 +48,8 @@ void find_ruled_faces(const Model& model, const TieLists& ties, ZoneLaws& laws) 
         for (const ZoneTile& tile : laws.tiles.tiles) {
             if (laws.laws[tile.law].together != Together::cells) continue;
             for (Row zone = tile.first; zone < tile.last; zone += zones_of_cell)
-                for (Row f = 0; f < zones_of_cell; ++f) {
-                    const CellFace face{zone, f};
+                for (std::uint32_t f = 0; f < 6; ++f) {
+                    const CellFace face{zone, static_cast<std::uint32_t>(tile.cell(zone)), f};
                     add(corners_of(model, leader, face).front(), face);
                 }
         }

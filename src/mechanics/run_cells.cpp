@@ -57,7 +57,7 @@ CellForces both(const CellForces& a, const CellForces& b) {
 CellForces ruled_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, const CellField& place, Row zone,
                         Row cells) {
     CellForces forces{};
-    const RuledFaces faces(rows.ruled(zone), cells);
+    const RuledFaces faces(rows.ruled(zone));
     if (!faces.any) return forces;
     const double* const made = cell_motion(model.zones, law, zone);
     const SixEights stress = made ? load_six(made, zones_of_cell, cells) : mean_stress(model.zones, zone, cells);
@@ -67,7 +67,7 @@ CellForces ruled_forces(const Model& model, const TileRows& rows, const ZoneLaw&
 }
 
 /// And those of their zones.
-CellForces own_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, const CellCorners& corners,
+CellForces own_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, CellGroupCorners corners,
                       Row zone, Row cells) {
     const CellField place = from_first(rows.places(), corners);
     CellForces forces = ruled_forces(model, rows, law, place, zone, cells);
@@ -91,7 +91,7 @@ CellForces zones_alone(const Model& model, const CellField& place, Row zone, Row
 
 /// What is wanted of eight cells after the zone model has run.
 struct CellGroup {
-    CellCorners corners;
+    CellGroupCorners corners;
     CellShape shape;  ///< at the end of the step
     bool apart;       ///< the zones have stresses of their own, or the motion of the cell has made another one
     SixEights before; ///< the stress that the zones have, or where they are apart its mean, turned with the cell
@@ -103,11 +103,12 @@ struct CellGroup {
 /// Each cell is a row for the zone model. What it keeps is that of the first zone, and afterwards of all.
 class CellRun {
 public:
-    CellRun(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
-            const std::vector<double>& pressure, std::vector<PointRow>& forces)
-        : model_(model), tile_(tile), law_(law), moduli_(law.elastic.lambda, law.elastic.two_shear),
-          large_(model.settings.large_strain), wet_(!pressure.empty()), rows_(model, tiles, tile, pressure),
-          forces_(tile, forces), batch_(model, law) {}
+    CellRun(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law, ZoneScratch& scratch,
+            std::vector<PointRow>& forces)
+        : model_(model), tile_(tile), law_(law), kept_(scratch.cells),
+          moduli_(law.elastic.lambda, law.elastic.two_shear), large_(model.settings.large_strain),
+          wet_(!scratch.pressure.empty()), rows_(model, tiles, tile, scratch.pressure), forces_(tile, forces),
+          batch_(model, law) {}
 
     double run() {
         Lanes work = Lanes::Zero();
@@ -143,7 +144,7 @@ private:
     /// Has eight cells brought from memory while those before them are worked on.
     [[gnu::always_inline]] void bring_group(Row zone) {
         if (zone + zones_of_group > tile_.last) return;
-        bring(stresses(zone), 6 * zones_of_group);
+        if (!kept_.has(tile_.group(zone))) bring(stresses(zone), 6 * zones_of_group);
         for (const std::size_t column : {law_.cell_history, law_.cell_history + 1})
             bring(&model_.zones.history[column][zone], zones_of_group);
     }
@@ -154,14 +155,14 @@ private:
         const Row i = in_batch / zones_of_cell;
         bring_group(zone + zones_of_group);
         for (Row l = 0; l < cells; ++l) batch_.number[i + l] = zone + zones_of_cell * l + 1;
-        g.corners = rows_.cells_at(zone, cells);
+        g.corners = rows_.cells_at(zone);
         std::array<Eight, 8> pressures;
         const CellField place = from_first(rows_.places(), g.corners, wet_ ? &pressures : nullptr);
         Eight pressure{};
         if (wet_)
             for (const Eight& p : pressures) pressure += 0.125 * p;
         const CellField shift = from_first(rows_.shifts(), g.corners);
-        g.shape = CellShape(place, RuledFaces(rows_.ruled(zone), cells));
+        g.shape = CellShape(place, RuledFaces(rows_.ruled(zone)));
         check_cells(model_, zone, cells, place, g.shape.least);
         const CellMotion motion(g.shape, shift, large_);
         g.half_spin = motion.half_spin;
@@ -170,8 +171,12 @@ private:
         g.work = add_warp_stress(motion, moduli_, g.warp);
         store_warps(model_.zones, law_.cell_history, zone, cells, g.warp);
 
-        g.apart = keeps_cell_motion(model_.zones, law_) || !are_alike(model_.zones.stress, zone, cells);
-        g.before = g.apart ? mean_stress(model_.zones, zone, cells) : load_six(stresses(zone), to_next_cell, cells);
+        const Row group = tile_.group(zone);
+        const bool kept = kept_.has(group);
+        g.apart = !kept && (keeps_cell_motion(model_.zones, law_) || !are_alike(model_.zones.stress, zone, cells));
+        g.before = kept      ? kept_.of(group)
+                   : g.apart ? mean_stress(model_.zones, zone, cells)
+                             : load_six(stresses(zone), to_next_cell, cells);
         if (large_) g.before = turned(g.before, g.half_spin);
         for (std::size_t k = 0; k < 6; ++k) {
             store(batch_.strain[k] + i, motion.strain[k]);
@@ -197,7 +202,8 @@ private:
         if (g.apart) {
             finish_apart(g, zone, cells, change);
         } else {
-            store_six(stresses(zone), to_next_cell, cells, after, zones_of_cell);
+            if (kept_.wanted) kept_.keep(tile_.group(zone), after);
+            else store_six(stresses(zone), to_next_cell, cells, after, zones_of_cell);
             forces_.add(g.corners, cells, forces_of(g.shape, after, g.warp));
         }
         for (Row l = cells; l < eight; ++l) g.work[l] = 0;
@@ -230,6 +236,7 @@ private:
     Model& model_;
     const ZoneTile& tile_;
     const ZoneLaw& law_;
+    CellStresses& kept_;
     const LayerModuli moduli_;
     const bool large_, wet_;
     TileRows rows_;
@@ -245,9 +252,9 @@ bool cells_go_together(const Settings& settings) {
 }
 
 ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
-                   const std::vector<double>& pressure, std::vector<PointRow>& forces) {
+                   ZoneScratch& scratch, std::vector<PointRow>& forces) {
     ZoneSums sums;
-    sums.work = CellRun(model, tiles, tile, law, pressure, forces).run();
+    sums.work = CellRun(model, tiles, tile, law, scratch, forces).run();
     return sums;
 }
 
@@ -258,13 +265,13 @@ void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& til
     const bool together = law.together == Together::cells, kept = keeps_cell_motion(model.zones, law);
     for (Row zone = tile.first; zone < tile.last; zone += zones_of_group) {
         const Row cells = cells_from(zone, tile.last);
-        const CellCorners corners = rows.cells_at(zone, cells);
+        const CellGroupCorners corners = rows.cells_at(zone);
         const CellField place = from_first(rows.places(), corners);
         if (!together) {
             sums.add(corners, cells, zones_alone(model, place, zone, cells));
             continue;
         }
-        const CellShape shape(place, RuledFaces(rows.ruled(zone), cells));
+        const CellShape shape(place, RuledFaces(rows.ruled(zone)));
         const WarpStress warp = load_warps(model.zones, law.cell_history, zone, cells);
         if (kept || !are_alike(model.zones.stress, zone, cells))
             sums.add(corners, cells,
@@ -280,10 +287,10 @@ double hold_cells(Model& model, const TileRows& rows, const ZoneTile& tile, cons
     Lanes whole = Lanes::Zero();
     for (Row z = tile.first; z < tile.last; z += zones_of_group) {
         const Row cells = cells_from(z, tile.last);
-        const CellCorners corners = rows.cells_at(z, cells);
+        const CellGroupCorners corners = rows.cells_at(z);
         const CellField place = from_first(rows.places(), corners), shift = from_first(rows.shifts(), corners);
         WarpStress stress = load_warps(model.zones, law.cell_history, z, cells);
-        const CellShape shape(place, RuledFaces(rows.ruled(z), cells));
+        const CellShape shape(place, RuledFaces(rows.ruled(z)));
         const CellMotion motion(shape, shift, large);
         Eight work = add_warp_stress(motion, LayerModuli(), stress);
         double* const made = cell_motion(model.zones, law, z);
@@ -302,9 +309,9 @@ void held_forces(const Model& model, const TileRows& rows, const ZoneTile& tile,
                  TileForces& forces) {
     for (Row z = tile.first; z < tile.last; z += zones_of_group) {
         const Row cells = cells_from(z, tile.last);
-        const CellCorners corners = rows.cells_at(z, cells);
+        const CellGroupCorners corners = rows.cells_at(z);
         const CellField place = from_first(rows.places(), corners);
-        const CellShape shape(place, RuledFaces(rows.ruled(z), cells));
+        const CellShape shape(place, RuledFaces(rows.ruled(z)));
         const WarpStress stress = load_warps(model.zones, law.cell_history, z, cells);
         forces.add(corners, cells,
                    both(forces_of(shape, SixEights{}, stress), ruled_forces(model, rows, law, place, z, cells)));

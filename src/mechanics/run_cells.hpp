@@ -1,7 +1,7 @@
 // Cells whose six zones go together, one step on: docs/theory/zones.md, "Cells".
 #pragma once
 
-#include "mechanics/phase_sums.hpp"
+#include "mechanics/run_zone_models.hpp"
 #include "mechanics/tile_rows.hpp"
 #include "mechanics/zone_laws.hpp"
 
@@ -12,10 +12,10 @@ namespace kaya {
 /// Whether the zones of a cell strain together: where damping takes the motion away, so that only where it ends counts.
 bool cells_go_together(const Settings& settings);
 
-/// The zones of a tile, all in cells that go together. Writes zones.stress, zones.state, zones.history and the forces on the points of the
-/// tile. Throws Diagnostic when the zone model fails, or when a zone has no volume left.
+/// The zones of a tile, all in cells that go together. Writes zones.stress or where it is wanted scratch.cells, zones.state, zones.history
+/// and the forces on the points of the tile. Throws Diagnostic when the zone model fails, or when a zone has no volume left.
 ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
-                   const std::vector<double>& pressure, std::vector<PointRow>& forces);
+                   ZoneScratch& scratch, std::vector<PointRow>& forces);
 
 /// Forces of cells, flowing ones as well, with the stresses that are there, without a step.
 void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,

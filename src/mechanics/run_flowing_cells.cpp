@@ -15,7 +15,7 @@ constexpr Row groups_in_batch = 2;
 
 /// What is wanted of eight cells after the zone model has run.
 struct FlowGroup {
-    CellCorners corners;
+    CellGroupCorners corners;
     CellField place;
     Eight mean_strain;                                      ///< of volume
     std::array<Eight, zones_of_cell> volume, volume_strain; ///< of each zone
@@ -60,7 +60,7 @@ private:
     /// Strains of the step, and the stresses turned with the material.
     void strain(const Place& at) {
         FlowGroup& g = group_at(at);
-        g.corners = rows_.cells_at(at.zone, at.cells);
+        g.corners = rows_.cells_at(at.zone);
         std::array<Eight, 8> pressures;
         g.place = from_first(rows_.places(), g.corners, &pressures);
         const CellField shift = from_first(rows_.shifts(), g.corners);

@@ -266,6 +266,7 @@ ZoneSums average_flow(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, 
 } // namespace
 
 void begin_zones(Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
+    if (!scratch.cells.wanted) scratch.cells.give_back(model, laws.tiles);
     if (stiffness_damping(model.settings) > 0) model.zones.keep_dashpots();
     find_pressure(model, scratch.pressure);
     if (laws.any_averages_at_points()) average_strain(model, laws, scratch);
@@ -282,7 +283,7 @@ ZoneSums run_tile(Model& model, const ZoneLaws& laws, const ZoneTile& tile, Zone
     if (law.together == Together::flow_in_cells)
         return run_flowing_cells(model, laws.tiles, tile, law, scratch.pressure, forces);
     if (law.together == Together::cells && cells_go_together(model.settings))
-        return run_cells(model, laws.tiles, tile, law, scratch.pressure, forces);
+        return run_cells(model, laws.tiles, tile, law, scratch, forces);
     return TileRun(model, laws, tile, scratch, forces).run();
 }
 

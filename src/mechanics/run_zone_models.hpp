@@ -3,6 +3,7 @@
 // writes: zones.stress, zones.state, zones.history, zones.dashpot
 #pragma once
 
+#include "mechanics/cell_stresses.hpp"
 #include "mechanics/phase_sums.hpp"
 #include "mechanics/zone_tiles.hpp"
 #include "model/model.hpp"
@@ -13,7 +14,7 @@ namespace kaya {
 
 class ZoneLaws;
 
-/// Room for what zones that average have to keep within a step; its memory stays.
+/// Room for what zones keep within a step, and cells between steps; its memory stays.
 struct ZoneScratch {
     struct Mean {
         double sum = 0, volume = 0; ///< of a quantity times volume
@@ -22,6 +23,7 @@ struct ZoneScratch {
         flow;                     ///< by zone: volume strain, its mean, plastic change of the mean stress
     std::vector<Mean> at_point;   ///< by point of the tiles
     std::vector<double> pressure; ///< of the pores, by gridpoint; empty where there is no water
+    CellStresses cells;
 };
 
 /// What comes before the zones of a step.

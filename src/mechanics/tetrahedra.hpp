@@ -10,7 +10,7 @@
 namespace kaya {
 
 /// Zones go eight at a time, one in each lane.
-using ZoneGroup = const std::array<Row, 4>*; ///< the corners of eight zones that follow each other, as points of a tile
+using ZoneGroup = const ZoneCorners*; ///< the corners of eight zones that follow each other
 
 struct EightRow {
     Eight3 vector;

@@ -12,18 +12,11 @@
 
 namespace kaya {
 
-constexpr Row zones_of_cell = 6;
-
-/// The corners of eight cells, as points of a tile.
-using CellCorners = std::array<std::array<Row, 8>, 8>; ///< by lane and corner
+static_assert(cells_of_group == eight);
+using CellGroupCorners = const CellCorners*; ///< of eight cells
 
 /// Forces on the corners of eight cells.
 using CellForces = std::array<Eight3, 8>;
-
-/// The corners of the cell whose six zones begin at `zones`, in the order of the walks of hexahedron_mesh.
-inline std::array<Row, 8> corners_of_cell(const std::array<Row, 4>* zones) {
-    return {zones[0][0], zones[0][1], zones[1][1], zones[0][2], zones[2][1], zones[2][2], zones[1][2], zones[0][3]};
-}
 
 /// The points of a tile in rows, which stay near the processor while its zones are worked on.
 class TileRows {
@@ -54,14 +47,9 @@ public:
     }
     Eight pressure(ZoneGroup zones) const { return mean_of_fourth(place_, zones); }
 
-    /// The corners of so many cells from one on; after the last that again.
-    CellCorners cells_at(Row zone, Row cells) const {
-        CellCorners corners;
-        for (Row l = 0; l < eight; ++l)
-            corners[l] = corners_of_cell(&tiles_.corners[zone + zones_of_cell * std::min(l, cells - 1)]);
-        return corners;
-    }
-    const std::uint8_t* ruled(Row zone) const { return &tiles_.ruled[zone]; }
+    /// The cells of the group that begins with a zone, and the bits of their ruled faces.
+    CellGroupCorners cells_at(Row zone) const { return &tiles_.cells[tile_.cell(zone)]; }
+    const std::uint8_t* ruled(Row zone) const { return &tiles_.ruled[tile_.cell(zone)]; }
     const PointRow* places() const { return place_; } ///< and the pore pressure
     const PointRow* shifts() const { return shift_; } ///< of the step
 
@@ -69,11 +57,11 @@ private:
     const ZoneTiles& tiles_;
     const ZoneTile& tile_;
     PointRow place_[most_points_in_tile], shift_[most_points_in_tile];
-    std::array<std::array<Row, 4>, 2 * eight> tail_; ///< the last zones of the tile, and then the last again
+    std::array<ZoneCorners, 2 * eight> tail_; ///< the last zones of the tile, and then the last again
 };
 
 /// Rows of corner `c` of eight cells.
-[[gnu::always_inline]] inline EightRow load_corner(const PointRow* rows, const CellCorners& cells, std::size_t c) {
+[[gnu::always_inline]] inline EightRow load_corner(const PointRow* rows, CellGroupCorners cells, std::size_t c) {
     std::array<Four, 8> r;
     for (std::size_t l = 0; l < 8; ++l) r[l] = load_as<Four>(rows[cells[l][c]].value.data());
     const std::array<Eight, 4> columns = columns_of_rows(r);
@@ -99,7 +87,7 @@ public:
         for (std::size_t a = 0; a < 4; ++a) size[a] = square_root(force[a].dot(force[a]));
         add_to_corners(rows_, zones, count, force, size);
     }
-    [[gnu::always_inline]] void add(const CellCorners& corners, Row cells, const CellForces& forces) {
+    [[gnu::always_inline]] void add(CellGroupCorners corners, Row cells, const CellForces& forces) {
         for (std::size_t c = 0; c < 8; ++c) {
             const Eight3& f = forces[c];
             const std::array<Four, 8> r = rows_of_columns({f.x, f.y, f.z, square_root(f.dot(f))});

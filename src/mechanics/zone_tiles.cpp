@@ -23,14 +23,14 @@ public:
         return points().count + more <= most_points_in_tile;
     }
     /// The corners as points of the tile.
-    void add(const std::array<Row, 4>& gridpoints, std::array<Row, 4>& corners) {
+    void add(const std::array<Row, 4>& gridpoints, ZoneCorners& corners) {
         for (std::size_t a = 0; a < 4; ++a) {
             Row& place = place_[gridpoints[a]];
             if (place < first_) {
                 place = static_cast<Row>(points_.size());
                 points_.push_back(gridpoints[a]);
             }
-            corners[a] = place - first_;
+            corners[a] = static_cast<TilePoint>(place - first_);
         }
     }
 
@@ -44,7 +44,7 @@ private:
 
 ZoneTiles::ZoneTiles(const Model& model, const std::function<std::size_t(Row zone)>& law_of,
                      const std::function<Row(std::size_t law)>& together)
-    : corners(model.zones.size()), ruled(model.zones.size(), 0) {
+    : corners(model.zones.size()) {
     const Row zones = static_cast<Row>(model.zones.size());
     TilePoints points(model.gridpoints.size(), gridpoints);
     for (Row z = 0; z < zones;) {
@@ -57,11 +57,20 @@ ZoneTiles::ZoneTiles(const Model& model, const std::function<std::size_t(Row zon
             for (const Row end = last + unit; last < end; ++last)
                 points.add(model.zones.gridpoints[last], corners[last]);
         tiles.push_back({z, last, law, points.points()});
+        if (unit == zones_of_cell) add_cells(tiles.back());
         z = last;
     }
     points_of = sorted_lists<Row>(model.gridpoints.size(), [&](auto add) {
         for (Row p = 0; p < static_cast<Row>(gridpoints.size()); ++p) add(gridpoints[p], p);
     });
+    ruled.assign(cells.size(), 0);
+}
+
+void ZoneTiles::add_cells(ZoneTile& tile) {
+    tile.has_cells = true;
+    tile.first_group = groups();
+    for (Row zone = tile.first; zone < tile.last; zone += zones_of_cell) cells.push_back(corners_of_cell(&corners[zone]));
+    while (cells.size() % cells_of_group != 0) cells.push_back(cells.back());
 }
 
 } // namespace kaya

@@ -25,6 +25,7 @@ public:
     bool contacts() const { return contacts_; }     ///< are searched anew
     bool properties() const { return properties_; } ///< masses, stiffnesses, the time step: are computed anew
     bool lists() const { return lists_; }           ///< of who acts on whom: are made anew
+    bool any() const { return contacts_ || properties_ || lists_; }
 
     void contacts_found() {
         contacts_ = false;

@@ -50,6 +50,8 @@ bool any_rate(const Histories& histories) {
     return std::ranges::any_of(histories.all, [](const History& history) { return history.source.rate; });
 }
 
+bool is_due(const Model& model) { return model.clock.cycle % model.histories.interval == 0; }
+
 } // namespace
 
 const Field* sampled_field(const HistorySource& source) {
@@ -126,9 +128,15 @@ History& add_history(Model& model, HistorySource source, std::string label) {
     return model.histories.all.emplace_back(std::move(history));
 }
 
+bool samples_zones(const Model& model) {
+    return std::ranges::any_of(model.histories.all, [due = is_due(model)](const History& history) {
+        return history.source.kind == Kind::zone && (due || history.source.rate);
+    });
+}
+
 void sample_histories(Model& model, const std::function<double(const std::string&)>& script_value) {
     auto& histories = model.histories;
-    const bool due = model.clock.cycle % histories.interval == 0;
+    const bool due = is_due(model);
     if (histories.all.empty() || (!due && !any_rate(histories))) return;
     // Values first, then all of them at once: a function of the deck may fail half way.
     std::vector<double> values;

@@ -34,6 +34,9 @@ struct SampledObject {
 };
 std::optional<SampledObject> sampled_object(const Model& model, const HistorySource& source);
 
+/// Whether the next call of sample_histories reads zones.
+bool samples_zones(const Model& model);
+
 /// One sample of every history, and its time and cycle, when the cycle is one of each `interval`; nothing
 /// when there is no history. `script_value` gives the value of a function
 /// or variable of the deck. An object that is gone is looked for anew; NaN when there is none of its kind

@@ -34,7 +34,9 @@ public:
         session_ = std::make_unique<kaya::Session>(options, silence_.get(), stderr);
         session_->run_deck(deck.front() == '/' ? deck : KAYA_BENCH_FOLDER "/" + deck);
     }
+    /// As `cycle` does.
     void cycles(std::int64_t count) {
+        const kaya::Cycle::Unwatched unwatched(*session_->cycle);
         for (std::int64_t i = 0; i < count; ++i) session_->cycle->advance();
     }
     /// Cycles in each of which every contact is looked for and its geometry made anew.

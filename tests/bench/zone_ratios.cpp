@@ -29,8 +29,10 @@ void start(Run& run, double speed) {
 }
 void start(ZoneKernel& kernel, double speed) { kernel.start(speed); }
 
-void advance(Run& run) { run.cycles(1); }
-void advance(ZoneKernel& kernel) { kernel.step(); }
+void advance(Run& run, int steps = 1) { run.cycles(steps); }
+void advance(ZoneKernel& kernel, int steps = 1) {
+    for (int s = 0; s < steps; ++s) kernel.step();
+}
 
 std::size_t zones_of(Run& run) { return run.model().zones.size(); }
 std::size_t zones_of(const ZoneKernel& kernel) { return kernel.zones(); }
@@ -64,10 +66,7 @@ template <class Cycle> double speed_that_yields(Cycle& cycle, double part, int s
 template <class Cycle> double time_of(Cycle& cycle, double speed, int steps) {
     start(cycle, speed);
     advance(cycle);
-    return timed([&] {
-               for (int s = 0; s < steps; ++s) advance(cycle);
-           }) /
-           steps / count(zones_of(cycle));
+    return timed([&] { advance(cycle, steps); }) / steps / count(zones_of(cycle));
 }
 
 /// Zone-steps per second over the kernel's.
@@ -82,11 +81,14 @@ double zones_against(ZoneKernel& kernel, double kernel_speed, Run& run, double s
 
 double gain_of_second_thread(Run& run) {
     std::vector<double> gains;
+    const auto time_with = [&](int threads) {
+        kaya::set_threads(threads);
+        run.cycles(1); // who does what is laid down anew
+        return timed([&] { run.cycles(20); }, seconds);
+    };
     for (int i = 0; i < 7; ++i) {
-        kaya::set_threads(1);
-        const double one = timed([&] { run.cycles(10); }, seconds);
-        kaya::set_threads(2);
-        gains.push_back(one / timed([&] { run.cycles(10); }, seconds));
+        const double one = time_with(1);
+        gains.push_back(one / time_with(2));
     }
     kaya::set_threads(1);
     return median(gains);
