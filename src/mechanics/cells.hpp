@@ -236,13 +236,12 @@ struct CellMotion {
 using WarpStress = std::array<Eight, 12>;
 
 /// The warp stresses of cells whose zones follow each other from one on.
-inline WarpStress load_warps(const Zones& zones, std::size_t column, Row first, Row cells) {
-    const SixEights low = load_six(&zones.history[column][first], 6, cells),
-                    high = load_six(&zones.history[column + 1][first], 6, cells);
-    WarpStress stress;
-    std::copy(low.begin(), low.end(), stress.begin());
-    std::copy(high.begin(), high.end(), stress.begin() + 6);
-    return stress;
+[[gnu::always_inline]] inline void load_warps(const Zones& zones, std::size_t column, Row first, Row cells,
+                                              WarpStress& stress) {
+    for (std::size_t half = 0; half < 2; ++half) {
+        const SixEights six = load_six(&zones.history[column + half][first], 6, cells);
+        for (std::size_t k = 0; k < 6; ++k) stress[6 * half + k] = six[k];
+    }
 }
 inline void store_warps(Zones& zones, std::size_t column, Row first, Row cells, const WarpStress& s) {
     store_six(&zones.history[column][first], 6, cells, {s[0], s[1], s[2], s[3], s[4], s[5]});
@@ -320,13 +319,21 @@ struct LayerModuli {
     }
     const Eight3 plus = force[0] + force[1], minus = force[0] - force[1], high = force[2] + force[3],
                  low = force[2] - force[3], none{Eight{}, Eight{}, Eight{}};
-    CellForces f{none,        minus - low,           none - (minus + low), low - plus,
-                 high - plus, none - (minus + high), minus - high,         plus + high};
+    CellForces f;
+    f[1] = minus - low;
+    f[2] = none - (minus + low);
+    f[3] = low - plus;
+    f[4] = high - plus;
+    f[5] = none - (minus + high);
+    f[6] = minus - high;
+    f[7] = plus + high;
+    Eight3 first = none;
     for (std::size_t c = 1; c < 8; ++c) {
         const Eight3& g = shape.gradient[c - 1];
         f[c] = f[c] - Eight3{tensor[0].dot(g), tensor[1].dot(g), tensor[2].dot(g)};
-        f[0] = f[0] - f[c];
+        first = first - f[c];
     }
+    f[0] = first;
     return f;
 }
 

@@ -22,15 +22,20 @@ using Corners = std::array<Vec3, 4>;
 
 double volume_of(const Corners& x) { return (x[1] - x[0]).dot((x[2] - x[0]).cross(x[3] - x[0])) / 6; }
 
-/// Of the angle between two faces that is nearest to 0 or 180 degrees.
+/// Of the angle between two faces that is nearest to 0 or 180 degrees. The product of the area vectors of two faces is the edge that they
+/// share times the volume.
 double sine_of(const Corners& x) {
     const Vec3 a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
-    const std::array<Vec3, 4> faces{b.cross(a), a.cross(c), c.cross(b), (b - a).cross(c - a)};
+    const double six_volumes = std::abs(a.dot(b.cross(c)));
+    const std::array<double, 4> sizes{(b - a).cross(c - a).norm(), b.cross(c).norm(), a.cross(c).norm(),
+                                      b.cross(a).norm()}; // of the face opposite to each corner
     double sine = 1;
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < i; ++j) {
-            const double sizes = faces[i].norm() * faces[j].norm();
-            sine = std::min(sine, sizes > 0 ? faces[i].cross(faces[j]).norm() / sizes : 0);
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            // The edge of two faces joins the other two corners.
+            const std::size_t k = i != 0 && j != 0 ? 0 : i != 1 && j != 1 ? 1 : 2, l = 6 - i - j - k;
+            const double both = sizes[i] * sizes[j];
+            sine = std::min(sine, both > 0 ? six_volumes * (x[l] - x[k]).norm() / both : 0);
         }
     return sine;
 }

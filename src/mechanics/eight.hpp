@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 #if defined(__AVX512F__)
@@ -196,6 +197,14 @@ inline bool all_zero(const Eight& e) {
     for (int l = 0; l < eight; ++l) all &= e[l] == 0;
     return all;
 #endif
+}
+/// Whether eight rows of whole numbers are all 0.
+template <class Whole> bool all_zero_rows(const Whole* rows) {
+    std::array<std::uint64_t, sizeof(Whole)> words;
+    std::memcpy(words.data(), rows, sizeof words);
+    std::uint64_t any = 0;
+    for (const std::uint64_t word : words) any |= word;
+    return any == 0;
 }
 inline bool all_equal(const Eight& a, const Eight& b) {
 #if defined(__AVX512F__)

@@ -157,8 +157,8 @@ void gather_eight(Model& model, const PointSums& sums, Row row, Balance& balance
 /// Whether rows [row, row + 8) are free gridpoints of zones.
 bool are_plain(const Model& model, const TieLists& ties, std::size_t row) {
     const auto& g = model.gridpoints;
-    bool free = all_in_zones(model, row);
-    for (std::size_t l = row; l < row + 8; ++l) free &= g.fixed[l] == 0 && g.roller[l] == 0;
+    bool free = all_in_zones(model, row) && all_zero_rows(&g.fixed[row]) && all_zero_rows(&g.roller[row]);
+    if (ties.groups() == 0) return free;
     for (std::size_t l = row; free && l < row + 8; ++l) free = !ties.in_group(static_cast<Row>(l));
     return free;
 }

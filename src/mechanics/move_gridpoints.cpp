@@ -16,9 +16,15 @@ namespace {
 /// How far the fastest gridpoint of a deformable block has gone.
 void add_travel(Model& model, Row block) {
     const Span points = model.blocks.gridpoints[block];
-    double fastest = 0;
-    for (Row g = points.first; g < points.end(); ++g)
-        fastest = std::max(fastest, model.gridpoints.velocity[g].squaredNorm());
+    const auto& velocity = model.gridpoints.velocity;
+    Eight squares{};
+    Row g = points.first;
+    for (; g + eight <= points.end(); g += eight) {
+        const Eight3 v = columns_of(load_three(velocity[g].data()));
+        squares = larger_of(v.x * v.x + (v.y * v.y + v.z * v.z), squares); // as squaredNorm
+    }
+    double fastest = largest(squares);
+    for (; g < points.end(); ++g) fastest = std::max(fastest, velocity[g].squaredNorm());
     model.blocks.travelled[block] += std::sqrt(fastest) * model.clock.time_step;
 }
 
@@ -66,8 +72,8 @@ void advance_on_boundary(const Model& model, const MovingPoint& point, const Dam
 /// Whether rows [row, row + 8) belong to zones, and nothing holds them but fixities.
 bool are_plain(const Model& model, const QuietPoints& quiet, const TieLists& ties, std::size_t row) {
     const auto& g = model.gridpoints;
-    bool plain = all_in_zones(model, row);
-    for (std::size_t l = row; l < row + 8; ++l) plain &= g.roller[l] == 0;
+    bool plain = all_in_zones(model, row) && all_zero_rows(&g.roller[row]);
+    if (quiet.index.empty() && ties.groups() == 0) return plain;
     for (std::size_t l = row; plain && l < row + 8; ++l) plain = !quiet.at(l) && !ties.in_group(static_cast<Row>(l));
     return plain;
 }

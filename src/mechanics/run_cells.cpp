@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 namespace kaya {
 
@@ -67,8 +68,8 @@ CellForces ruled_forces(const Model& model, const TileRows& rows, const ZoneLaw&
 }
 
 /// And those of their zones.
-CellForces own_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, CellGroupCorners corners,
-                      Row zone, Row cells) {
+CellForces own_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, CellGroupCorners corners, Row zone,
+                      Row cells) {
     const CellField place = from_first(rows.places(), corners);
     CellForces forces = ruled_forces(model, rows, law, place, zone, cells);
     for (Row z = 0; z < zones_of_cell; ++z)
@@ -162,21 +163,21 @@ private:
         if (wet_)
             for (const Eight& p : pressures) pressure += 0.125 * p;
         const CellField shift = from_first(rows_.shifts(), g.corners);
-        g.shape = CellShape(place, RuledFaces(rows_.ruled(zone)));
+        std::construct_at(&g.shape, place, RuledFaces(rows_.ruled(zone))); // in its place: it is large
         check_cells(model_, zone, cells, place, g.shape.least);
         const CellMotion motion(g.shape, shift, large_);
         g.half_spin = motion.half_spin;
         g.volume = motion.volume;
-        g.warp = load_warps(model_.zones, law_.cell_history, zone, cells);
+        load_warps(model_.zones, law_.cell_history, zone, cells, g.warp);
         g.work = add_warp_stress(motion, moduli_, g.warp);
         store_warps(model_.zones, law_.cell_history, zone, cells, g.warp);
 
         const Row group = tile_.group(zone);
         const bool kept = kept_.has(group);
         g.apart = !kept && (keeps_cell_motion(model_.zones, law_) || !are_alike(model_.zones.stress, zone, cells));
-        g.before = kept      ? kept_.of(group)
-                   : g.apart ? mean_stress(model_.zones, zone, cells)
-                             : load_six(stresses(zone), to_next_cell, cells);
+        if (kept) g.before = kept_.of(group);
+        else if (g.apart) g.before = mean_stress(model_.zones, zone, cells);
+        else g.before = load_six(stresses(zone), to_next_cell, cells);
         if (large_) g.before = turned(g.before, g.half_spin);
         for (std::size_t k = 0; k < 6; ++k) {
             store(batch_.strain[k] + i, motion.strain[k]);
@@ -251,8 +252,8 @@ bool cells_go_together(const Settings& settings) {
     return !settings.dynamic && settings.damping != Damping::none && settings.damping != Damping::rayleigh;
 }
 
-ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
-                   ZoneScratch& scratch, std::vector<PointRow>& forces) {
+ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law, ZoneScratch& scratch,
+                   std::vector<PointRow>& forces) {
     ZoneSums sums;
     sums.work = CellRun(model, tiles, tile, law, scratch, forces).run();
     return sums;
@@ -272,7 +273,8 @@ void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& til
             continue;
         }
         const CellShape shape(place, RuledFaces(rows.ruled(zone)));
-        const WarpStress warp = load_warps(model.zones, law.cell_history, zone, cells);
+        WarpStress warp;
+        load_warps(model.zones, law.cell_history, zone, cells, warp);
         if (kept || !are_alike(model.zones.stress, zone, cells))
             sums.add(corners, cells,
                      both(forces_of(shape, SixEights{}, warp), own_forces(model, rows, law, corners, zone, cells)));
@@ -289,7 +291,8 @@ double hold_cells(Model& model, const TileRows& rows, const ZoneTile& tile, cons
         const Row cells = cells_from(z, tile.last);
         const CellGroupCorners corners = rows.cells_at(z);
         const CellField place = from_first(rows.places(), corners), shift = from_first(rows.shifts(), corners);
-        WarpStress stress = load_warps(model.zones, law.cell_history, z, cells);
+        WarpStress stress;
+        load_warps(model.zones, law.cell_history, z, cells, stress);
         const CellShape shape(place, RuledFaces(rows.ruled(z)));
         const CellMotion motion(shape, shift, large);
         Eight work = add_warp_stress(motion, LayerModuli(), stress);
@@ -312,7 +315,8 @@ void held_forces(const Model& model, const TileRows& rows, const ZoneTile& tile,
         const CellGroupCorners corners = rows.cells_at(z);
         const CellField place = from_first(rows.places(), corners);
         const CellShape shape(place, RuledFaces(rows.ruled(z)));
-        const WarpStress stress = load_warps(model.zones, law.cell_history, z, cells);
+        WarpStress stress;
+        load_warps(model.zones, law.cell_history, z, cells, stress);
         forces.add(corners, cells,
                    both(forces_of(shape, SixEights{}, stress), ruled_forces(model, rows, law, place, z, cells)));
     }

@@ -14,8 +14,8 @@ bool cells_go_together(const Settings& settings);
 
 /// The zones of a tile, all in cells that go together. Writes zones.stress or where it is wanted scratch.cells, zones.state, zones.history
 /// and the forces on the points of the tile. Throws Diagnostic when the zone model fails, or when a zone has no volume left.
-ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
-                   ZoneScratch& scratch, std::vector<PointRow>& forces);
+ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law, ZoneScratch& scratch,
+                   std::vector<PointRow>& forces);
 
 /// Forces of cells, flowing ones as well, with the stresses that are there, without a step.
 void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,

@@ -26,11 +26,12 @@ public:
         : tiles_(tiles), tile_(tile) {
         const bool wet = !pressure.empty();
         const double step = model.clock.time_step;
+        const LaneGroup three(3);
         for (Row i = 0; i < tile.points.count; ++i) {
             const Row g = tiles.gridpoints[tile.points.first + i];
-            const Vec3 &x = model.gridpoints.position[g], shift = step * model.gridpoints.velocity[g];
-            place_[i].value = {x.x(), x.y(), x.z(), wet ? pressure[g] : 0};
-            shift_[i].value = {shift.x(), shift.y(), shift.z(), 0};
+            as_lanes(place_[i]) = three.load(model.gridpoints.position[g].data());
+            as_lanes(shift_[i]) = step * three.load(model.gridpoints.velocity[g].data());
+            if (wet) place_[i].value[3] = pressure[g];
         }
         tail_.fill(tiles.corners[tile.last - 1]);
         const Row whole = std::min<Row>(tile.last - tile.first, eight);
@@ -54,6 +55,10 @@ public:
     const PointRow* shifts() const { return shift_; } ///< of the step
 
 private:
+    static Eigen::Map<Lanes, Eigen::Aligned32> as_lanes(PointRow& row) {
+        return Eigen::Map<Lanes, Eigen::Aligned32>(row.value.data());
+    }
+
     const ZoneTiles& tiles_;
     const ZoneTile& tile_;
     PointRow place_[most_points_in_tile], shift_[most_points_in_tile];

@@ -1,6 +1,8 @@
 // The stiffness of zones against the masses of their gridpoints, which bounds the time step.
 #include "mechanics/zone_frequencies.hpp"
 
+#include "base/parallel.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -28,7 +30,7 @@ struct Corners {
     }
 };
 
-std::array<Vec3, 4> places(const Model& model, std::size_t z) {
+std::array<Vec3, 4> places(const Model& model, Row z) {
     std::array<Vec3, 4> x;
     for (int a = 0; a < 4; ++a) x[a] = model.gridpoints.position[model.zones.gridpoints[z][a]];
     return x;
@@ -39,18 +41,25 @@ std::array<Vec3, 4> places(const Model& model, std::size_t z) {
 void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic) {
     auto& g = model.gridpoints;
     std::fill(g.zone_frequency.begin(), g.zone_frequency.end(), 0.0);
-    for (std::size_t z = 0; z < model.zones.size(); ++z) {
-        const Corners now(places(model, z));
-        Mat3 squares = Mat3::Zero();
-        for (const auto& gradient : now.gradient) squares += gradient * gradient.transpose();
-        // The largest eigenvalue of a zone's stiffness matrix: equation (7) of docs/theory/time-step.md.
-        const auto& [lambda, two_shear] = elastic[model.zones.block[z]];
-        Eigen::SelfAdjointEigenSolver<Mat3> solver;
-        solver.computeDirect(squares, Eigen::EigenvaluesOnly);
-        const double largest = (1 + rounding) * solver.eigenvalues()[2];
-        const double stiffness = (std::max(lambda, 0.0) * squares.trace() + two_shear * largest) * now.volume;
-        for (const Row row : model.zones.gridpoints[z]) g.zone_frequency[row] += stiffness / g.mass[row];
-    }
+    constexpr std::size_t blocks_in_chunk = 4;
+    // The zones of a block have its gridpoints alone.
+    for_chunks(model.blocks.size(), blocks_in_chunk, [&](std::size_t first, std::size_t last) {
+        for (std::size_t b = first; b < last; ++b) {
+            const Span zones = model.blocks.zones[b];
+            // The largest eigenvalue of a zone's stiffness matrix: equation (7) of docs/theory/time-step.md.
+            const auto& [lambda, two_shear] = elastic[b];
+            for (Row z = zones.first; z < zones.end(); ++z) {
+                const Corners now(places(model, z));
+                Mat3 squares = Mat3::Zero();
+                for (const auto& gradient : now.gradient) squares += gradient * gradient.transpose();
+                Eigen::SelfAdjointEigenSolver<Mat3> solver;
+                solver.computeDirect(squares, Eigen::EigenvaluesOnly);
+                const double largest = (1 + rounding) * solver.eigenvalues()[2];
+                const double stiffness = (std::max(lambda, 0.0) * squares.trace() + two_shear * largest) * now.volume;
+                for (const Row row : model.zones.gridpoints[z]) g.zone_frequency[row] += stiffness / g.mass[row];
+            }
+        }
+    });
 }
 
 } // namespace kaya

@@ -69,7 +69,8 @@ ZoneTiles::ZoneTiles(const Model& model, const std::function<std::size_t(Row zon
 void ZoneTiles::add_cells(ZoneTile& tile) {
     tile.has_cells = true;
     tile.first_group = groups();
-    for (Row zone = tile.first; zone < tile.last; zone += zones_of_cell) cells.push_back(corners_of_cell(&corners[zone]));
+    for (Row zone = tile.first; zone < tile.last; zone += zones_of_cell)
+        cells.push_back(corners_of_cell(&corners[zone]));
     while (cells.size() % cells_of_group != 0) cells.push_back(cells.back());
 }
 

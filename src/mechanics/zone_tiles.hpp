@@ -37,7 +37,7 @@ constexpr Row zones_of_group = zones_of_cell * cells_of_group;
 struct ZoneTile {
     Row first, last;
     std::size_t law;
-    Span points;         ///< in ZoneTiles::gridpoints
+    Span points; ///< in ZoneTiles::gridpoints
     bool has_cells = false;
     Row first_group = 0; ///< of its cells
 
