@@ -8,6 +8,7 @@
 namespace kaya {
 
 void CellStresses::make_room(const ZoneTiles& tiles) {
+    if (stress_.size() == static_cast<std::size_t>(tiles.groups())) return;
     stress_.resize(static_cast<std::size_t>(tiles.groups()));
     here_.assign(stress_.size(), 0);
 }

@@ -13,7 +13,7 @@ public:
     /// As long as nobody looks at the stresses of zones between two cycles.
     bool wanted = false;
 
-    /// Room for the groups of the tiles, none of which is here.
+    /// Room for the groups of the tiles; where it is not there yet none of them is here.
     void make_room(const ZoneTiles& tiles);
 
     bool has(Row group) const { return here_[static_cast<std::size_t>(group)] != 0; }

@@ -132,7 +132,6 @@ void Cycle::prepare() {
 void Cycle::take_zone_laws() {
     Lists& s = *lists_;
     s.laws = ZoneLaws(model_, joints_.zones);
-    s.zones.cells.make_room(s.laws.tiles);
     s.elastic = s.laws.elastic_constants();
     s.ties = TieLists(model_, s.elastic);
     find_ruled_faces(model_, s.ties, s.laws);

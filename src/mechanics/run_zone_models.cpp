@@ -266,6 +266,7 @@ ZoneSums average_flow(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, 
 } // namespace
 
 void begin_zones(Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
+    scratch.cells.make_room(laws.tiles);
     if (!scratch.cells.wanted) scratch.cells.give_back(model, laws.tiles);
     if (stiffness_damping(model.settings) > 0) model.zones.keep_dashpots();
     find_pressure(model, scratch.pressure);

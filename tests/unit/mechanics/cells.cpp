@@ -53,9 +53,9 @@ const LayerModuli moduli(lambda, two_shear);
 
 /// So many cells whose faces with a bit are ruled surfaces.
 RuledFaces faces(std::uint8_t bits) {
-    std::array<std::uint8_t, 8 * zones_of_cell> of_cells;
+    std::array<std::uint8_t, eight> of_cells;
     of_cells.fill(bits);
-    return {of_cells.data(), eight};
+    return RuledFaces(of_cells.data());
 }
 constexpr std::uint8_t no_face = 0, every_face = 63;
 

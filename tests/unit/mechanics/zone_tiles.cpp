@@ -113,6 +113,21 @@ TEST(ZoneTiles, CellsAreWholeInTheirTile) {
     EXPECT_EQ(tiles.tiles.back().last, static_cast<Row>(bench.model.zones.size()));
 }
 
+TEST(ZoneTiles, CellsStandInWholeGroupsOfTheirTile) {
+    TwoBlocks bench;
+    const ZoneTiles tiles(
+        bench.model, [](Row) { return std::size_t{0}; }, [](std::size_t) { return Row{6}; });
+    Row next = 0;
+    for (const ZoneTile& tile : tiles.tiles) {
+        EXPECT_EQ(tile.group(tile.first), next);
+        for (Row zone = tile.first; zone < tile.last; zone += 6)
+            EXPECT_EQ(tiles.cells[tile.cell(zone)], corners_of_cell(&tiles.corners[zone]));
+        next += ((tile.last - tile.first) / 6 + 7) / 8;
+        EXPECT_EQ(tiles.cells[8 * next - 1], corners_of_cell(&tiles.corners[tile.last - 6])); // filled up with the last
+    }
+    EXPECT_EQ(tiles.groups(), next);
+}
+
 TEST(ZoneTiles, FacesThatTwoCellsOfABlockShareAreRuled) {
     TwoBlocks bench;
     ZoneLaws laws(bench.model, bench.joints.zones);
