@@ -21,7 +21,7 @@ void add_travel(Model& model, Row block) {
     Row g = points.first;
     for (; g + eight <= points.end(); g += eight) {
         const Eight3 v = columns_of(load_three(velocity[g].data()));
-        squares = larger_of(v.x * v.x + (v.y * v.y + v.z * v.z), squares); // as squaredNorm
+        squares = larger_of(v.x * v.x + v.y * v.y + v.z * v.z, squares);
     }
     double fastest = largest(squares);
     for (; g < points.end(); ++g) fastest = std::max(fastest, velocity[g].squaredNorm());

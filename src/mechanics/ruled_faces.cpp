@@ -12,7 +12,7 @@ namespace {
 
 /// Corners of the faces of a cell, in the order of RuledFaces.
 constexpr std::size_t corners_of_face[6][4] = {{0, 2, 4, 6}, {0, 1, 4, 5}, {0, 1, 2, 3},
-                                                           {1, 3, 5, 7}, {2, 3, 6, 7}, {4, 5, 6, 7}};
+                                               {1, 3, 5, 7}, {2, 3, 6, 7}, {4, 5, 6, 7}};
 
 struct CellFace {
     Row zone;                ///< the first of the cell
