@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 namespace kaya::zones {
 
@@ -92,44 +93,65 @@ inline bool solve(int n, double (&m)[3][3], double (&x)[3]) {
     return true;
 }
 
+/// The way back to the surface (3) of principal stresses, the greatest first.
+class Return {
+public:
+    Return(const Strength& strength, const Moduli& moduli, const Vector3& tried)
+        : moduli_(moduli), planes_(planes_of(strength)), tried_(tried),
+          size_(std::max({std::abs(tried[0]), std::abs(tried[2]), strength.uniaxial})),
+          outside_(1e-10 * size_ * (1 + strength.slope)) {}
+
+    /// Whether these planes flow at once; then the stress and what has flowed. Inlined: with numbers that are known no loop is left.
+    [[gnu::always_inline]] bool flows(const ActiveSet& active, Vector3& s, Flow& flow) const {
+        const int count = active.count;
+        double matrix[3][3] = {}, amount[3] = {};
+        for (int i = 0; i < count; ++i) {
+            const Plane& plane = planes_[active.plane[i]];
+            for (int j = 0; j < count; ++j) matrix[i][j] = dot(plane.a, stress_of(planes_[active.plane[j]].b));
+            amount[i] = dot(plane.a, tried_) - plane.r;
+        }
+        if (!solve(count, matrix, amount)) return false;
+        const double least = -1e-10 * size_ / moduli_.shear;
+        if (std::any_of(amount, amount + count, [&](double x) { return x < least; })) return false;
+        Vector3 strain{};
+        for (int i = 0; i < count; ++i)
+            for (int k = 0; k < 3; ++k) strain[k] += std::max(amount[i], 0.0) * planes_[active.plane[i]].b[k];
+        const Vector3 lost = stress_of(strain), back{tried_[0] - lost[0], tried_[1] - lost[1], tried_[2] - lost[2]};
+        if (std::any_of(planes_.begin(), planes_.end(),
+                        [&](const Plane& p) { return dot(p.a, back) - p.r > outside_; }))
+            return false;
+        s = back;
+        flow.strain = strain;
+        for (int i = 0; i < count; ++i) {
+            const bool of_tension = planes_[active.plane[i]].of_tension;
+            (of_tension ? flow.tension : flow.shear) = true;
+            if (of_tension) flow.along_tension += std::max(amount[i], 0.0);
+        }
+        return true;
+    }
+
+private:
+    Vector3 stress_of(const Vector3& strain) const {
+        const double volume = moduli_.lame() * (strain[0] + strain[1] + strain[2]);
+        return {volume + 2 * moduli_.shear * strain[0], volume + 2 * moduli_.shear * strain[1],
+                volume + 2 * moduli_.shear * strain[2]};
+    }
+
+    const Moduli& moduli_;
+    const std::array<Plane, 6> planes_;
+    const Vector3& tried_;
+    const double size_, outside_; ///< outside: room for rounding
+};
+
 /// Brings principal stresses (the greatest first) back to the surface (3).
 inline Flow return_to(const Strength& strength, const Moduli& moduli, Vector3& s) {
     Flow flow;
     if (strength.holds(s[0], s[2])) return flow;
-    const auto planes = planes_of(strength);
-    const auto stress_of = [&](const Vector3& strain) {
-        const double volume = moduli.lame() * (strain[0] + strain[1] + strain[2]);
-        return Vector3{volume + 2 * moduli.shear * strain[0], volume + 2 * moduli.shear * strain[1],
-                       volume + 2 * moduli.shear * strain[2]};
-    };
-    const double size = std::max({std::abs(s[0]), std::abs(s[2]), strength.uniaxial});
-    const double outside = 1e-10 * size; // room for rounding
-    for (const auto& [count, active] : active_sets) {
-        double matrix[3][3] = {}, amount[3] = {};
-        for (int i = 0; i < count; ++i) {
-            const Plane& plane = planes[active[i]];
-            for (int j = 0; j < count; ++j) matrix[i][j] = dot(plane.a, stress_of(planes[active[j]].b));
-            amount[i] = dot(plane.a, s) - plane.r;
-        }
-        if (!solve(count, matrix, amount)) continue;
-        const double least = -1e-10 * size / moduli.shear;
-        if (std::any_of(amount, amount + count, [&](double x) { return x < least; })) continue;
-        Vector3 strain{};
-        for (int i = 0; i < count; ++i)
-            for (int k = 0; k < 3; ++k) strain[k] += std::max(amount[i], 0.0) * planes[active[i]].b[k];
-        const Vector3 back = stress_of(strain), tried{s[0] - back[0], s[1] - back[1], s[2] - back[2]};
-        if (std::any_of(planes.begin(), planes.end(),
-                        [&](const Plane& p) { return dot(p.a, tried) - p.r > outside * (1 + strength.slope); }))
-            continue;
-        s = tried;
-        flow.strain = strain;
-        for (int i = 0; i < count; ++i) {
-            const bool of_tension = planes[active[i]].of_tension;
-            (of_tension ? flow.tension : flow.shear) = true;
-            if (of_tension) flow.along_tension += std::max(amount[i], 0.0);
-        }
-        return flow;
-    }
+    const Vector3 tried = s;
+    const Return back(strength, moduli, tried);
+    if (back.flows({1, {0}}, s, flow)) return flow; // by far the most
+    for (std::size_t i = 1; i < std::size(active_sets); ++i)
+        if (back.flows(active_sets[i], s, flow)) return flow;
     // Beyond every corner: the tip.
     const double tip = std::isfinite(strength.tension) ? strength.tension : 0;
     const double young = 9 * moduli.bulk * moduli.shear / (3 * moduli.bulk + moduli.shear),
