@@ -32,7 +32,7 @@ public:
 
 private:
     void cycled() override;
-    bool looks() const override { return is_wanted(); }
+    bool reads_model() const override { return is_wanted(); }
     bool is_wanted() const { return session_.report || server_; }
     void show();
     std::string page();

@@ -18,8 +18,8 @@ void Program::tell_cycled() const {
     for (Listener* listener : listeners_) listener->cycled();
 }
 
-bool Program::any_listener_looks() const {
-    return std::ranges::any_of(listeners_, [](const Listener* listener) { return listener->looks(); });
+bool Program::any_listener_reads() const {
+    return std::ranges::any_of(listeners_, [](const Listener* listener) { return listener->reads_model(); });
 }
 
 void Program::tell_executed(const lang::BoundCommand& command, const Completion& completion) const {

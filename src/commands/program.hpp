@@ -51,7 +51,7 @@ public:
     /// Called after each cycle.
     virtual void cycled() {}
     /// Whether cycled() reads the model beyond its clock.
-    virtual bool looks() const { return false; }
+    virtual bool reads_model() const { return false; }
 };
 
 class Program {
@@ -62,7 +62,7 @@ public:
     void listen(Listener& listener) { listeners_.push_back(&listener); }
     void forget(Listener& listener) { std::erase(listeners_, &listener); }
     void tell_cycled() const;
-    bool any_listener_looks() const;
+    bool any_listener_reads() const;
 
     /// Shows a warning that has its place; under `--strict` throws it as an error.
     void show_warning(Diagnostic warning);

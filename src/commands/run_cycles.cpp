@@ -67,7 +67,7 @@ void advance(Session& session) {
 class CycleRun {
 public:
     explicit CycleRun(Session& session) {
-        if (!session.scripts_act_in_cycles() && session.plots.movies.empty() && !session.any_listener_looks())
+        if (!session.scripts_act_in_cycles() && session.plots.movies.empty() && !session.any_listener_reads())
             unwatched_.emplace(*session.cycle);
     }
 
