@@ -75,10 +75,10 @@ void check_arguments(const std::string& name, int given, const Meaning& meaning,
 }
 
 std::string member(std::string_view name) {
-    return is_plain_name(name) ? fmt::format(".{}", name) : fmt::format("[{}]", quoted(name));
+    return is_plain_name(name) ? fmt::format(".{}", name) : fmt::format("[{}]", lua_string(name));
 }
 
-std::string quoted(std::string_view text) {
+std::string lua_string(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') result += '\\';
@@ -119,7 +119,7 @@ std::string ExpressionGenerator::generated(const Node& node, int strength) const
     switch (node.kind) {
     case NodeKind::integer: return fmt::format("{}", node.integer);
     case NodeKind::real: return real_text(node.real);
-    case NodeKind::text: return quoted(node.text);
+    case NodeKind::text: return lua_string(node.text);
     case NodeKind::name: return name(node);
     case NodeKind::minus:
         // The blank keeps two signs from becoming a Lua comment.
@@ -196,10 +196,10 @@ std::string ExpressionGenerator::name(const Node& node) const {
 
 std::string ExpressionGenerator::indexed(const Node& node) const {
     const std::string array = variable(node);
-    if (node.children.empty()) return fmt::format("R.not_function({}, {})", array, quoted(node.text));
+    if (node.children.empty()) return fmt::format("R.not_function({}, {})", array, lua_string(node.text));
     if (node.children.size() == 1)
-        return fmt::format("R.element({}, {}, {})", array, quoted(node.text), value(node.children[0]));
-    return fmt::format("R.element_of({}, {}, {})", array, quoted(node.text), list(node.children));
+        return fmt::format("R.element({}, {}, {})", array, lua_string(node.text), value(node.children[0]));
+    return fmt::format("R.element_of({}, {}, {})", array, lua_string(node.text), list(node.children));
 }
 
 std::string ExpressionGenerator::assignment(const Node& target, const std::string& value) const {
@@ -232,9 +232,10 @@ std::string ExpressionGenerator::assignment(const Node& target, const std::strin
     if (target.children.empty())
         throw Diagnostic(fmt::format("'{}()' names no element of an array", target.text)).at(target.place);
     if (target.children.size() == 1)
-        return fmt::format("R.set_element({}, {}, {}, {})", array, quoted(target.text), this->value(target.children[0]),
-                           value);
-    return fmt::format("R.set_element_of({}, {}, {}, {})", array, quoted(target.text), value, list(target.children));
+        return fmt::format("R.set_element({}, {}, {}, {})", array, lua_string(target.text),
+                           this->value(target.children[0]), value);
+    return fmt::format("R.set_element_of({}, {}, {}, {})", array, lua_string(target.text), value,
+                       list(target.children));
 }
 
 } // namespace kaya::fish

@@ -58,6 +58,6 @@ private:
 /// `.name`, or `["name"]` where the name is no Lua name.
 std::string member(std::string_view name);
 /// A Lua text literal on one line.
-std::string quoted(std::string_view text);
+std::string lua_string(std::string_view text);
 
 } // namespace kaya::fish

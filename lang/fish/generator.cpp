@@ -26,12 +26,12 @@ public:
         text_ += ") local v_return = 0; ";
         if (!scope_.spilled.empty()) {
             text_ += "local S = {";
-            for (const auto& name : scope_.spilled) text_ += fmt::format("[{}] = 0, ", quoted(name));
+            for (const auto& name : scope_.spilled) text_ += fmt::format("[{}] = 0, ", lua_string(name));
             text_ += "}; ";
         }
         for (std::size_t i = 0; i < tree_.arguments.size(); ++i)
             if (scope_.spilled.contains(tree_.arguments[i]))
-                text_ += fmt::format("S[{}] = {}; ", quoted(tree_.arguments[i]), parameter(tree_.arguments[i]));
+                text_ += fmt::format("S[{}] = {}; ", lua_string(tree_.arguments[i]), parameter(tree_.arguments[i]));
         for (const auto& local : tree_.locals)
             if (scope_.locals.contains(local)) text_ += fmt::format("local v_{} = 0; ", local);
         block(tree_.body);
@@ -105,8 +105,8 @@ private:
         Node whole = s.target;
         whole.children.clear();
         whole.parentheses = false;
-        const std::string made = fmt::format("R.array({}, {}, {})", quoted(s.target.text), expressions_.value(whole),
-                                             expressions_.list(s.target.children));
+        const std::string made = fmt::format("R.array({}, {}, {})", lua_string(s.target.text),
+                                             expressions_.value(whole), expressions_.list(s.target.children));
         text_ += expressions_.assignment(whole, made) + "; ";
     }
 
@@ -224,7 +224,7 @@ private:
                     !piece.expression.empty() && (piece.text.empty() || scope_.is_local(piece.expression.front().text));
                 joined += (joined.empty() ? "" : " .. ") +
                           (put_in ? fmt::format("R.word({})", expressions_.value(piece.expression.front()))
-                                  : quoted(piece.text));
+                                  : lua_string(piece.text));
             }
             text_ += fmt::format("R.command({}, {}); ", joined, line.line);
         }
