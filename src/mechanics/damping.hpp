@@ -51,7 +51,14 @@ struct DampingFactors {
         return next;
     }
 
-    /// The same for eight components, but for combined damping.
+    /// The same for eight components.
+    Eight advance(const Eight& velocity, const Eight& force, const Eight& push, double* last) const {
+        if (combined == 0) return advance(velocity, push);
+        const Eight change = force - load_as<Eight>(last);
+        store(last, force);
+        return advance_combined(velocity, change, push);
+    }
+    /// But for combined damping.
     Eight advance(const Eight& velocity, const Eight& push) const {
         if (local == 0) return (velocity * (1 - half_) + push) / (1 + half_);
         const Eight first = velocity + (velocity * push < 0 ? eights(1 + local) : eights(1 - local)) * push;
@@ -59,6 +66,17 @@ struct DampingFactors {
     }
 
 private:
+    /// What advance_combined does with one.
+    Eight advance_combined(const Eight& velocity, const Eight& change, const Eight& push) const {
+        const Eight none{}, brake = 0.5 * combined * size_of(push), with = velocity < 0 ? -brake : brake;
+        const Eight acting = push + (change == 0 ? none : change < 0 ? -brake : brake);
+        const Eight less = acting - brake, more = acting + brake;
+        const Eight from_rest = acting > 0 ? (less > 0 ? less : none) : (more < 0 ? more : none);
+        const Eight against = acting - with, next = velocity + against;
+        const Eight after = (1 + velocity / against) * (acting + with), turned = after * velocity < 0 ? after : none;
+        return velocity == 0 ? from_rest : next * velocity >= 0 ? next : turned;
+    }
+
     double half_ = 0;       ///< of what viscous damping takes in a step, in parts of the momentum
     double after_turn_ = 1; ///< local damping: the part of a velocity that is left where it turns
 

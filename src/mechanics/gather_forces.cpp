@@ -121,7 +121,20 @@ struct Extremes {
 
 Eight size_of(const Eight3& vector) { return square_root(vector.dot(vector)); }
 
-/// Eight gridpoints that follow each other, none of them held.
+/// Components of eight vectors that may move; 1 for rows where one of them may, else 0.
+struct FreePart {
+    Eight3 vector;
+    Eight some;
+};
+FreePart free_part(const Eight3& force, const std::uint8_t* fixed) {
+    MaskOfEight bits{};
+    for (std::size_t l = 0; l < 8; ++l) bits[l] = fixed[l] & 7;
+    const Eight none{};
+    return {{(bits & 1) != 0 ? none : force.x, (bits & 2) != 0 ? none : force.y, (bits & 4) != 0 ? none : force.z},
+            bits == 7 ? none : eights(1)};
+}
+
+/// Eight gridpoints that follow each other, which nothing holds but fixities.
 void gather_eight(Model& model, const PointSums& sums, Row row, Balance& balance, Extremes& extremes) {
     auto& g = model.gridpoints;
     std::array<Four, 8> rows;
@@ -142,8 +155,16 @@ void gather_eight(Model& model, const PointSums& sums, Row row, Balance& balance
     const Eight mass = load_as<Eight>(&g.mass[row]);
     const Eight3 weight{mass * gravity.x(), mass * gravity.y(), mass * gravity.z()};
     const bool loaded = !(all_zero(loads[0]) && all_zero(loads[1]) && all_zero(loads[2]));
-    const Eight acting = columns[3] + ((loaded ? size_of(load) : Eight{}) + size_of(weight));
-    const Eight size = size_of(force + load + weight);
+    Eight acting = columns[3] + ((loaded ? size_of(load) : Eight{}) + size_of(weight));
+    Eight3 unbalanced = force + load + weight;
+    balance.bodies += eight;
+    if (!all_zero_rows(&g.fixed[row])) {
+        const FreePart free = free_part(unbalanced, &g.fixed[row]);
+        unbalanced = free.vector;
+        acting = free.some != 0 ? acting : Eight{};
+        balance.bodies -= static_cast<std::size_t>(eight - sum(free.some));
+    }
+    const Eight size = size_of(unbalanced);
     extremes.add(size, acting);
     // Row after row: the sums are the same as one by one.
     Four whole{balance.unbalanced, balance.applied, balance.inner_power, 0};
@@ -151,16 +172,15 @@ void gather_eight(Model& model, const PointSums& sums, Row row, Balance& balance
     balance.unbalanced = whole[0];
     balance.applied = whole[1];
     balance.inner_power = whole[2];
-    balance.bodies += eight;
 }
 
-/// Whether rows [row, row + 8) are free gridpoints of zones.
+/// Whether rows [row, row + 8) are gridpoints of zones that nothing holds but fixities.
 bool are_plain(const Model& model, const TieLists& ties, std::size_t row) {
     const auto& g = model.gridpoints;
-    bool free = all_in_zones(model, row) && all_zero_rows(&g.fixed[row]) && all_zero_rows(&g.roller[row]);
-    if (ties.groups() == 0) return free;
-    for (std::size_t l = row; free && l < row + 8; ++l) free = !ties.in_group(static_cast<Row>(l));
-    return free;
+    bool plain = all_in_zones(model, row) && all_zero_rows(&g.roller[row]);
+    if (ties.groups() == 0) return plain;
+    for (std::size_t l = row; plain && l < row + 8; ++l) plain = !ties.in_group(static_cast<Row>(l));
+    return plain;
 }
 
 /// Gridpoints that are tied to each other count as one.

@@ -163,7 +163,7 @@ MotionSums GridpointMotion::move(std::size_t first, std::size_t last) {
             row = static_cast<std::size_t>(model_.blocks.gridpoints[b].end()) - 1;
             continue;
         }
-        if (plain.possible() && last - row >= 8 && are_plain(model_, quiet_, ties_, row)) {
+        if (last - row >= 8 && are_plain(model_, quiet_, ties_, row)) {
             plain.move(row);
             row += 7;
             continue;

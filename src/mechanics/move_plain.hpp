@@ -12,14 +12,13 @@ public:
     explicit PlainGridpoints(Model& model)
         : model_(model), motion_(model), step_(model.clock.time_step), large_(model.settings.large_strain) {}
 
-    bool possible() const { return motion_.possible(); }
-
     /// Moves rows [row, row + 8).
     [[gnu::always_inline]] void move(std::size_t row) {
         auto& g = model_.gridpoints;
         std::uint64_t fixed;
         std::memcpy(&fixed, &g.fixed[row], sizeof fixed);
-        const PlainMotion::Rows rows{g.velocity[row], g.force[row], g.load[row], g.mass[row], g.inertial_mass[row]};
+        const PlainMotion::Rows rows{g.velocity[row], g.force[row],         g.load[row],
+                                     g.mass[row],     g.inertial_mass[row], g.last_force[row]};
         ThreeEights velocity = fixed == 0 ? motion_.advance(rows) : motion_.advance(rows, prescribed(&g.fixed[row]));
         store(g.velocity[row].data(), velocity);
         for (auto& shift : velocity) shift *= step_;

@@ -11,7 +11,8 @@ class PlainBlocks {
 public:
     explicit PlainBlocks(Model& model) : model_(model), motion_(model), step_(model.clock.time_step) {}
 
-    bool possible() const { return motion_.possible() && model_.settings.large_strain; }
+    /// Combined damping asks for moments before as well.
+    bool possible() const { return !motion_.is_combined() && model_.settings.large_strain; }
 
     /// Whether blocks [row, row + 8) are rigid, joined to nothing and free, with loads at their centroids only.
     bool are(std::size_t row) const {
@@ -28,8 +29,8 @@ public:
     /// Moves blocks [row, row + 8), but not their vertices.
     void move(std::size_t row) {
         auto& blocks = model_.blocks;
-        ThreeEights shift = motion_.advance(
-            {blocks.velocity[row], blocks.force[row], blocks.load[row], blocks.mass[row], blocks.inertial_mass[row]});
+        ThreeEights shift = motion_.advance({blocks.velocity[row], blocks.force[row], blocks.load[row],
+                                             blocks.mass[row], blocks.inertial_mass[row], blocks.last_force[row]});
         store(blocks.velocity[row].data(), shift);
         for (auto& of : shift) of *= step_;
         add_shift(blocks.displacement[row], shift);

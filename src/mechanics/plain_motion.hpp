@@ -12,13 +12,13 @@ public:
         : damping_(model.settings, model.clock), gravity_(for_each_row(model.settings.gravity)),
           kick_(model.clock.kick()) {}
 
-    /// Combined damping keeps more of each body.
-    bool possible() const { return damping_.combined == 0; }
+    bool is_combined() const { return damping_.combined != 0; }
 
     /// Eight rows of a table of bodies: what acts on them, and how fast they are before the step.
     struct Rows {
         const Vec3 &velocity, &force, &load;
         const double &mass, &inertial_mass;
+        Vec3& last_force; ///< for combined damping
     };
 
     /// Velocities after the step.
@@ -50,7 +50,8 @@ private:
         ThreeEights after;
         for (std::size_t i = 0; i < 3; ++i) {
             const Eight weight = weight_mass[i] * gravity_[i], whole = inner[i] + load[i] + weight;
-            after[i] = damping_.advance(before[i], whole * step_over_mass[i]);
+            after[i] =
+                damping_.advance(before[i], whole, whole * step_over_mass[i], rows.last_force.data() + eight * i);
             if constexpr (some_held) after[i] = held[i] != 0 ? before[i] : after[i];
             sums.add_power(inner[i], before[i], after[i]);
             const Eight mean = 0.5 * (before[i] + after[i]);
