@@ -43,7 +43,7 @@ function(kaya_read_once name)
   endif()
   # gcc 12 forgets that headers in a precompiled one are the system's: it warns of std::string (its bug 105329) and of intrinsics. The
   # other presets read headers one by one, and warn.
-  if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
     target_compile_options(${name} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread
       -Wno-maybe-uninitialized -Wno-uninitialized)
   endif()
