@@ -54,17 +54,21 @@ CellForces both(const CellForces& a, const CellForces& b) {
     return forces;
 }
 
-/// Forces of the ruled faces of cells whose zones are apart.
-CellForces ruled_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, const CellField& place, Row zone,
-                        Row cells) {
+/// Forces of a stress on the ruled faces of cells.
+CellForces forces_on(const RuledFaces& faces, const CellField& place, const SixEights& stress) {
     CellForces forces{};
-    const RuledFaces faces(rows.ruled(zone));
-    if (!faces.any) return forces;
-    const double* const made = cell_motion(model.zones, law, zone);
-    const SixEights stress = made ? load_six(made, zones_of_cell, cells) : mean_stress(model.zones, zone, cells);
     if (!std::ranges::all_of(stress, [](const Eight& s) { return all_zero(s); }))
         add_forces(CellShape::of_ruled(place, faces), stress, forces);
     return forces;
+}
+
+/// Forces of the ruled faces of cells whose zones are apart.
+CellForces ruled_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, const CellField& place, Row zone,
+                        Row cells) {
+    const RuledFaces faces(rows.ruled(zone));
+    if (!faces.any) return {};
+    const double* const made = cell_motion(model.zones, law, zone);
+    return forces_on(faces, place, made ? load_six(made, zones_of_cell, cells) : mean_stress(model.zones, zone, cells));
 }
 
 /// And those of their zones.
@@ -213,17 +217,23 @@ private:
 
     /// The same where each zone acts with the stress of its own, and ruled faces with the one that the motion of the cell has made.
     void finish_apart(CellGroup& g, Row zone, Row cells, const SixEights& change) {
+        SixEights of_motion = sum(g.before, change);
+        if (double* const made = cell_motion(model_.zones, law_, zone)) {
+            of_motion = load_six(made, zones_of_cell, cells);
+            if (large_) of_motion = turned(of_motion, g.half_spin);
+            of_motion = sum(of_motion, change);
+            store_six(made, zones_of_cell, cells, of_motion);
+        }
+        const CellField place = from_first(rows_.places(), g.corners);
+        const RuledFaces faces(rows_.ruled(zone));
+        CellForces own = faces.any ? forces_on(faces, place, of_motion) : CellForces{};
         for (Row z = 0; z < zones_of_cell; ++z) {
             SixEights stress = load_six(stresses(zone + z), to_next_cell, cells);
             if (large_) stress = turned(stress, g.half_spin);
-            store_six(stresses(zone + z), to_next_cell, cells, sum(stress, change));
+            stress = sum(stress, change);
+            store_six(stresses(zone + z), to_next_cell, cells, stress);
+            add_forces_of_zone(edges_of_zone(place, z), z, stress, own);
         }
-        if (double* const made = cell_motion(model_.zones, law_, zone)) {
-            SixEights stress = load_six(made, zones_of_cell, cells);
-            if (large_) stress = turned(stress, g.half_spin);
-            store_six(made, zones_of_cell, cells, sum(stress, change));
-        }
-        const CellForces own = own_forces(model_, rows_, law_, g.corners, zone, cells);
         // What comes to the mean stress does not change in the step: its forces are the same before and after.
         CellForces beyond = own;
         SixEights mean = sum(g.before, change);
