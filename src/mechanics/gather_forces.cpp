@@ -3,6 +3,7 @@
 #include "mechanics/eight.hpp"
 #include "mechanics/held_directions.hpp"
 #include "mechanics/gather_forces.hpp"
+#include "mechanics/plain_rows.hpp"
 #include "mechanics/ties.hpp"
 
 #include <Eigen/Geometry>
@@ -172,15 +173,6 @@ void gather_eight(Model& model, const PointSums& sums, Row row, Balance& balance
     balance.unbalanced = whole[0];
     balance.applied = whole[1];
     balance.inner_power = whole[2];
-}
-
-/// Whether rows [row, row + 8) are gridpoints of zones that nothing holds but fixities.
-bool are_plain(const Model& model, const TieLists& ties, std::size_t row) {
-    const auto& g = model.gridpoints;
-    bool plain = all_in_zones(model, row) && all_zero_rows(&g.roller[row]);
-    if (ties.groups() == 0) return plain;
-    for (std::size_t l = row; plain && l < row + 8; ++l) plain = !ties.in_group(static_cast<Row>(l));
-    return plain;
 }
 
 /// Gridpoints that are tied to each other count as one.

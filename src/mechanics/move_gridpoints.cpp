@@ -4,6 +4,7 @@
 #include "mechanics/block_chunks.hpp"
 #include "mechanics/motion.hpp"
 #include "mechanics/move_plain.hpp"
+#include "mechanics/plain_rows.hpp"
 #include "mechanics/ties.hpp"
 
 #include <algorithm>
@@ -69,13 +70,10 @@ void advance_on_boundary(const Model& model, const MovingPoint& point, const Dam
     sums.kinetic += 0.5 * mass * after * after;
 }
 
-/// Whether rows [row, row + 8) belong to zones, and nothing holds them but fixities.
-bool are_plain(const Model& model, const QuietPoints& quiet, const TieLists& ties, std::size_t row) {
-    const auto& g = model.gridpoints;
-    bool plain = all_in_zones(model, row) && all_zero_rows(&g.roller[row]);
-    if (quiet.index.empty() && ties.groups() == 0) return plain;
-    for (std::size_t l = row; plain && l < row + 8; ++l) plain = !quiet.at(l) && !ties.in_group(static_cast<Row>(l));
-    return plain;
+bool any_quiet(const QuietPoints& quiet, std::size_t row) {
+    bool any = false;
+    for (std::size_t l = row; l < row + 8; ++l) any |= quiet.at(l);
+    return any;
 }
 
 void place(Model& model, Row row) {
@@ -163,7 +161,7 @@ MotionSums GridpointMotion::move(std::size_t first, std::size_t last) {
             row = static_cast<std::size_t>(model_.blocks.gridpoints[b].end()) - 1;
             continue;
         }
-        if (last - row >= 8 && are_plain(model_, quiet_, ties_, row)) {
+        if (last - row >= 8 && are_plain(model_, ties_, row) && !any_quiet(quiet_, row)) {
             plain.move(row);
             row += 7;
             continue;
