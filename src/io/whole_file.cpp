@@ -11,34 +11,31 @@
 #include <set>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 #include <utility>
 
 namespace kaya {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-/// Closes a descriptor and, unless kept, removes the unfinished file of that name.
 class OpenFile {
 public:
-    OpenFile(int descriptor, std::string unfinished) : descriptor_(descriptor), unfinished_(std::move(unfinished)) {}
-    OpenFile(OpenFile&& other) noexcept
-        : descriptor_(std::exchange(other.descriptor_, -1)), unfinished_(std::exchange(other.unfinished_, {})) {}
+    explicit OpenFile(int descriptor) : descriptor_(descriptor) {}
+    OpenFile(OpenFile&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
     ~OpenFile() {
         if (descriptor_ >= 0) ::close(descriptor_);
-        if (!unfinished_.empty()) ::unlink(unfinished_.c_str());
     }
 
     int descriptor() const { return descriptor_; }
-    const std::string& name() const { return unfinished_; }
     bool close() { return ::close(std::exchange(descriptor_, -1)) == 0; }
-    void keep() { unfinished_.clear(); }
 
 private:
     int descriptor_;
-    std::string unfinished_;
 };
 
 [[noreturn]] void fail_to_write(const std::string& path, int error) {
@@ -62,58 +59,96 @@ bool write_all(int descriptor, std::string_view content) {
 }
 
 void write_directly(const std::string& path, std::string_view content) {
-    OpenFile file(::open(path.c_str(), O_WRONLY | O_CLOEXEC), {});
+    OpenFile file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
     if (file.descriptor() < 0 || !write_all(file.descriptor(), content)) fail_to_write(path, errno);
     if (!file.close()) fail_to_write(path, errno);
 }
 
-// The name of an unfinished file is that of the file with this and six more characters after it.
-constexpr std::string_view unfinished_mark = ".kaya-", unfinished_end = "XXXXXX";
+/// The name of an unfinished file. It is hidden and holds the number of the file itself: neither a user nor a copy has it.
+std::string unfinished_name(ino_t number) { return fmt::format(".kaya-{}.unfinished", number); }
 
-/// What runs that were killed have left in a folder; a run that still writes holds its file by a lock. Once for each folder: a
-/// run that was killed before this one began.
-void sweep(const std::filesystem::path& folder) {
-    static std::set<std::filesystem::path> swept;
-    if (!swept.insert(folder).second) return;
+/// Whether kaya began to write this file and no run still writes it. A run locks its file before the file has a name.
+bool is_left_over(int descriptor, const std::string& name) {
+    struct stat info {};
+    return ::fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode) && info.st_nlink == 1 &&
+           info.st_uid == ::geteuid() && name == unfinished_name(info.st_ino) &&
+           ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+}
+
+/// Removes what killed runs have left in a folder; once for each folder.
+void sweep(int folder, const fs::path& path) {
+    static std::set<fs::path> swept;
+    if (!swept.insert(path).second) return;
     std::error_code problem;
-    for (std::filesystem::directory_iterator entry(folder, problem), end; !problem && entry != end;
-         entry.increment(problem)) {
+    for (fs::directory_iterator entry(path, problem), end; !problem && entry != end; entry.increment(problem)) {
         const std::string name = entry->path().filename().string();
-        const std::size_t tail = unfinished_mark.size() + unfinished_end.size();
-        if (name.size() <= tail || name.compare(name.size() - tail, unfinished_mark.size(), unfinished_mark) != 0)
-            continue;
-        const int descriptor = ::open(entry->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-        if (descriptor < 0) continue;
-        struct stat info {};
-        const bool left =
-            ::fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode) && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
-        if (left) ::unlink(entry->path().c_str());
-        ::close(descriptor);
+        if (!name.starts_with(".kaya-")) continue;
+        const OpenFile file(::openat(folder, name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+        if (file.descriptor() >= 0 && is_left_over(file.descriptor(), name)) ::unlinkat(folder, name.c_str(), 0);
     }
 }
 
-/// A new file next to the target, locked. Between its making and its lock another process may have swept it away: then another.
-OpenFile unfinished_for(const std::string& target, const std::string& path) {
-    for (;;) {
-        std::string name = fmt::format("{}{}{}", target, unfinished_mark, unfinished_end);
-        const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
-        if (descriptor < 0) fail_to_write(path, errno);
-        OpenFile file(descriptor, name);
-        ::flock(descriptor, LOCK_EX); // until it is closed
-        struct stat info {};
-        if (::fstat(descriptor, &info) != 0) fail_to_write(path, errno);
-        if (info.st_nlink > 0) return file;
-        file.keep(); // there is nothing to remove
+/// A new file that is complete before it has the name of its target. Until it is finished it has no name at all, so that a kill
+/// leaves nothing. Where the file system has no files without a name (NFS) it has a hidden one.
+class Draft {
+public:
+    Draft(int folder, const std::string& path) : folder_(folder), path_(path), file_(make()) {}
+    Draft(const Draft&) = delete;
+    Draft& operator=(const Draft&) = delete;
+    ~Draft() {
+        if (!name_.empty()) ::unlinkat(folder_, name_.c_str(), 0);
     }
-}
 
-/// A new name in a folder is on the disk only when the folder is.
-void sync_folder_of(const std::string& path) {
-    const auto parent = std::filesystem::path(path).parent_path();
-    const int folder = ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder < 0) return; // the file itself is complete all the same
-    ::fsync(folder);
-    ::close(folder);
+    int descriptor() const { return file_.descriptor(); }
+
+    /// Gives it the name of the target, whose file before is replaced. It is locked until then: see is_left_over.
+    void take_place_of(const std::string& target) {
+        if (name_.empty()) {
+            const std::string name = unfinished_name(number()), self = fmt::format("/proc/self/fd/{}", descriptor());
+            if (::linkat(AT_FDCWD, self.c_str(), folder_, name.c_str(), AT_SYMLINK_FOLLOW) != 0)
+                fail_to_write(path_, errno);
+            name_ = name;
+        }
+        if (::renameat(folder_, name_.c_str(), folder_, target.c_str()) != 0) fail_to_write(path_, errno);
+        name_.clear();
+        if (!file_.close()) fail_to_write(path_, errno);
+    }
+
+private:
+    OpenFile make() {
+        OpenFile nameless(::openat(folder_, ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
+        if (nameless.descriptor() >= 0) {
+            ::flock(nameless.descriptor(), LOCK_EX);
+            return nameless;
+        }
+        if (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL) fail_to_write(path_, errno);
+        const std::string first = fmt::format(".kaya-{}-{}.unfinished", ::getpid(), ::time(nullptr));
+        OpenFile named(::openat(folder_, first.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+        if (named.descriptor() < 0) fail_to_write(path_, errno);
+        name_ = first; // not the name that is swept, until it is locked
+        ::flock(named.descriptor(), LOCK_EX);
+        const std::string name = unfinished_name(number(named.descriptor()));
+        if (::renameat(folder_, first.c_str(), folder_, name.c_str()) == 0) name_ = name;
+        return named;
+    }
+
+    ino_t number() const { return number(descriptor()); }
+    ino_t number(int descriptor) const {
+        struct stat info {};
+        if (::fstat(descriptor, &info) != 0) fail_to_write(path_, errno);
+        return info.st_ino;
+    }
+
+    int folder_;
+    const std::string& path_; ///< for messages
+    std::string name_;        ///< that it has at the moment
+    OpenFile file_;
+};
+
+/// A new name in a folder is on the disk only when the folder is. The file itself is complete where this fails.
+void sync_folder(int folder) {
+    const OpenFile opened(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (opened.descriptor() >= 0) ::fsync(opened.descriptor());
 }
 
 } // namespace
@@ -122,31 +157,31 @@ void write_whole_file(const std::string& path, std::string_view content) {
     if (path.empty()) throw Diagnostic("cannot write a file without a name", "give it a name", Fault::run);
     // The target of a link is replaced, not the link.
     std::error_code none;
-    std::string target = path;
-    if (std::filesystem::is_symlink(path, none)) {
-        const auto followed = std::filesystem::canonical(path, none);
-        if (!none) target = followed.string();
+    fs::path target = path;
+    if (fs::is_symlink(path, none)) {
+        const auto followed = fs::canonical(path, none);
+        if (!none) target = followed;
     }
+    const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    const std::string name = target.filename().string();
+    const OpenFile folder(::open(parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    if (folder.descriptor() < 0) fail_to_write(path, errno);
+    const int at = folder.descriptor();
     struct stat old {};
-    const bool exists = ::stat(target.c_str(), &old) == 0;
-    if (exists && S_ISDIR(old.st_mode)) fail_to_write(path, EISDIR);
+    const bool exists = ::fstatat(at, name.c_str(), &old, 0) == 0;
+    if (name.empty() || (exists && S_ISDIR(old.st_mode))) fail_to_write(path, EISDIR);
     if (exists && !S_ISREG(old.st_mode)) return write_directly(path, content);
     // Renaming would replace a file that its owner has write-protected.
-    if (exists && ::access(target.c_str(), W_OK) != 0) fail_to_write(path, errno);
+    if (exists && ::faccessat(at, name.c_str(), W_OK, 0) != 0) fail_to_write(path, errno);
 
-    const auto folder = std::filesystem::path(target).parent_path();
-    sweep(folder.empty() ? "." : folder);
-    OpenFile file = unfinished_for(target, path);
+    sweep(at, parent);
+    Draft draft(at, path);
     const mode_t mask = ::umask(0);
     ::umask(mask);
-    const int descriptor = file.descriptor();
-    ::fchmod(descriptor, exists ? old.st_mode & 07777 : 0666 & ~mask);
-    if (!write_all(descriptor, content) || ::fsync(descriptor) != 0) fail_to_write(path, errno);
-    // Renamed while it is locked: a finished file without a lock would be taken for one that was left.
-    if (::rename(file.name().c_str(), target.c_str()) != 0) fail_to_write(path, errno);
-    file.keep();
-    if (!file.close()) fail_to_write(path, errno);
-    sync_folder_of(target);
+    ::fchmod(draft.descriptor(), exists ? old.st_mode & 07777 : 0666 & ~mask);
+    if (!write_all(draft.descriptor(), content) || ::fsync(draft.descriptor()) != 0) fail_to_write(path, errno);
+    draft.take_place_of(name);
+    sync_folder(at);
 }
 
 std::string read_whole_file(const std::string& path) {
@@ -156,7 +191,7 @@ std::string read_whole_file(const std::string& path) {
         if (error == EISDIR) return Diagnostic(fmt::format("'{}' is a folder", path), "give the name of a file");
         return Diagnostic(fmt::format("cannot read '{}': {}", path, std::strerror(error)), {}, Fault::run);
     };
-    OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC), {});
+    OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.descriptor() < 0) throw fail(errno);
     struct stat info {};
     if (::fstat(file.descriptor(), &info) != 0) throw fail(errno);

@@ -1,13 +1,16 @@
 #include "io/whole_file.hpp"
 
 #include "base/diagnostic.hpp"
+#include "tests/unit/refused_calls.hpp"
 #include "tests/unit/scratch_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
+#include <fcntl.h>
 #include <filesystem>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,6 +27,38 @@ Diagnostic caught(const std::function<void()>& action) {
     } catch (const Diagnostic& d) { return d; }
     return Diagnostic("nothing was thrown");
 }
+
+/// Runs it in a process of its own, which lacks files without a name if asked. Gives the process.
+template <class Action> pid_t in_child(bool nameless, const Action& action) {
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    int status = 0;
+    try {
+        if (!nameless) refuse_call(SYS_openat, EOPNOTSUPP, 2, O_TMPFILE & ~O_DIRECTORY);
+        action();
+    } catch (const std::exception&) { status = 1; }
+    std::_Exit(testing::Test::HasFailure() ? 2 : status);
+}
+
+int status_of(pid_t child) {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return status;
+}
+
+/// A file that a killed run has left in the folder.
+std::string left_over(const ScratchFolder& folder) {
+    put(folder / "draft", "half");
+    struct stat info {};
+    ::stat((folder / "draft").c_str(), &info);
+    const std::string name = folder / (".kaya-" + std::to_string(info.st_ino) + ".unfinished");
+    std::filesystem::rename(folder / "draft", name);
+    return name;
+}
+
+/// File systems with and without files that have no name.
+class EachFileSystem : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(WholeFile, EachFileSystem, testing::Bool());
 
 } // namespace
 
@@ -67,6 +102,60 @@ TEST(WholeFile, ProcessesThatWriteIntoANewFolderAtOnceDoNotSweepEachOthersFiles)
         }
         ASSERT_EQ(content_of(folder + "/a.csv"), "text");
     }
+}
+
+TEST_P(EachFileSystem, AFileIsWrittenReplacedAndKeptWhenTheDiskIsFull) {
+    const ScratchFolder folder;
+    const pid_t child = in_child(GetParam(), [&] {
+        write_whole_file(folder / "a.csv", "first");
+        EXPECT_EQ(content_of(folder / "a.csv"), "first");
+        write_whole_file(folder / "a.csv", "second");
+        const SmallDisk disk(1000);
+        EXPECT_THAT(caught([&] { write_whole_file(folder / "a.csv", std::string(5000, 'x')); }).hint,
+                    HasSubstr("as it was"));
+    });
+    EXPECT_EQ(status_of(child), 0);
+    EXPECT_EQ(content_of(folder / "a.csv"), "second");
+    EXPECT_EQ(folder.file_count(), 1u);
+}
+
+TEST_P(EachFileSystem, AKilledWriterLeavesAWholeFileAndNothingElseAfterTheNext) {
+    const ScratchFolder folder;
+    const std::string old_text(100'000, 'o'), new_text(200'000, 'n');
+    for (int kill = 0; kill < 20; ++kill) {
+        put(folder / "a.csv", old_text);
+        const pid_t child = in_child(GetParam(), [&] {
+            for (;;) write_whole_file(folder / "a.csv", new_text);
+        });
+        ::usleep(static_cast<useconds_t>(1000 + 700 * kill));
+        ::kill(child, SIGKILL);
+        EXPECT_TRUE(WIFSIGNALED(status_of(child)));
+        const std::string content = content_of(folder / "a.csv");
+        ASSERT_TRUE(content == old_text || content == new_text) << content.size();
+    }
+    EXPECT_EQ(status_of(in_child(GetParam(), [&] { write_whole_file(folder / "a.csv", "last"); })), 0);
+    EXPECT_EQ(content_of(folder / "a.csv"), "last");
+    EXPECT_EQ(folder.file_count(), 1u);
+}
+
+TEST(WholeFile, OnlyWhatKayaLeftIsSwept) {
+    const ScratchFolder folder;
+    const std::string left = left_over(folder), written = left_over(folder), other = left_over(folder) + ".bak";
+    std::filesystem::copy_file(left, other); // the number in the name of a copy is that of another file
+    std::filesystem::copy_file(left, folder / ".kaya-1.unfinished");
+    for (const auto* name : {"results.kaya-backup", "a.csv.kaya-AbCdEf", ".kaya-notes", ".kaya-.unfinished"})
+        put(folder / name, "precious");
+    const int writer = ::open(written.c_str(), O_RDONLY | O_CLOEXEC);
+    ASSERT_EQ(::flock(writer, LOCK_EX), 0);
+    const auto before = folder.file_count();
+    EXPECT_EQ(status_of(in_child(true, [&] { write_whole_file(folder / "a.csv", "text"); })), 0);
+    ::close(writer);
+    // One came, and two that were left went: that of `other` was not locked.
+    EXPECT_EQ(folder.file_count(), before + 1 - 2);
+    EXPECT_FALSE(std::filesystem::exists(left));
+    EXPECT_TRUE(std::filesystem::exists(written));
+    EXPECT_TRUE(std::filesystem::exists(other));
+    EXPECT_TRUE(std::filesystem::exists(folder / ".kaya-1.unfinished"));
 }
 
 TEST(WholeFile, AFullDiskLeavesTheFileFromBefore) {
