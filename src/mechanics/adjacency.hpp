@@ -1,4 +1,4 @@
-// Who acts on whom: forces are gathered through these lists, in the order of their rows.
+// Which contacts and nodes act on each body: forces are gathered through these lists, in row order.
 #pragma once
 
 #include "mechanics/row_lists.hpp"
@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-/// Whether gridpoints [row, row + 8) are of deformable blocks. Those of a block follow each other.
+/// Whether gridpoints [row, row + 8) all belong to deformable blocks. The gridpoints of a block are consecutive.
 inline bool all_in_zones(const Model& model, std::size_t row) {
     const auto& block = model.gridpoints.block;
     if (block[row] == block[row + 7]) return model.blocks.deformable[block[row]];
@@ -18,7 +18,7 @@ inline bool all_in_zones(const Model& model, std::size_t row) {
     return all;
 }
 
-/// A weight in one side of a sub-contact.
+/// One side of a sub-contact with the weight of a gridpoint in it.
 struct SideEntry {
     Row sub_contact;
     std::int32_t side; ///< 0 or 1
@@ -31,13 +31,13 @@ struct ContactEntry {
     std::int32_t side; ///< 0 or 1
 };
 
-/// A held node in a rigid block, or in a zone with a corner's part in it.
+/// A structure node held in a rigid block, or in a zone with the weight of one of its corners.
 struct NodeEntry {
     Row node;
     double weight;
 };
 
-/// How stiff a node of a structure may hold the rock, whatever slips or yields: along a direction, across it, and against turning.
+/// Upper bound of the stiffness with which a structure node holds the rock: along a direction, across it, and in rotation.
 struct NodeStiffness {
     double along = 0, across = 0, turning = 0;
 };
@@ -46,7 +46,7 @@ struct Adjacency {
     Lists<SideEntry> of_gridpoint; ///< gridpoints of deformable blocks
     Lists<ContactEntry> of_block;  ///< rigid blocks
     JoinedBodies bodies;
-    // Nodes of structures that act on the rock are counted through: those of cables, then those of beams and liners.
+    // Nodes of structures that act on the rock share one numbering: cables first, then beams and liners.
     Lists<NodeEntry> nodes_of_gridpoint;       ///< no rows where there are no structures
     Lists<NodeEntry> nodes_of_block;           ///< the same of rigid blocks; weight 1
     std::vector<NodeStiffness> node_stiffness; ///< by such a node
@@ -56,7 +56,7 @@ struct Adjacency {
 
 Adjacency make_adjacency(const Model& model);
 
-/// What a node of a structure does to the rock, and where.
+/// The force of a structure node on the rock, and its place.
 struct NodeForce {
     Vec3 force, moment, place;
 };

@@ -19,20 +19,22 @@ namespace {
 
 constexpr std::size_t grain = 256; ///< contacts
 
-/// In parts of a block's margin: an overlap beyond what the force says that is not worth looking at.
+/// Overlap without force below this part of a block's margin is ignored.
 constexpr double negligible = 1e-3;
-/// The part of it that comes back in each cycle.
+/// The part of the overlap without force that is recovered in each cycle.
 constexpr double recovery = 5e-3;
 
 /// Energy that has gone into a contact's springs.
 struct Recovered {
-    double of_friction = 0; ///< of what friction takes in the step
-    double of_account = 0;  ///< of what its changes of geometry have taken before
+    double of_friction = 0; ///< paid by the frictional work of the step
+    double of_account = 0;  ///< paid by earlier changes of geometry
 };
 
-/// A contact that overlaps more than its force says pushes the blocks apart, so slowly that it shakes nothing. The
-/// energy for it is what its changes of geometry have taken before, and then what friction takes in this step, `lost`:
-/// surfaces that climb on each other while they slide get it from the force along them.
+/// A contact whose overlap exceeds what its force explains pushes the blocks apart, slowly enough to excite no vibration. The energy comes
+/// from
+/// the account of earlier geometry changes, then from the frictional work of this step, `lost`: surfaces that climb on each other while
+/// they
+/// slide take it from the force along them.
 Recovered recover(Model& model, Row c, double lost) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
@@ -53,7 +55,8 @@ Recovered recover(Model& model, Row c, double lost) {
     double& account = contacts.withdrawn_energy[c];
     double closed = recovery * overlap;
     const double wanted = (force + 0.5 * stiffness * closed) * closed, there = account + std::max(lost, 0.0);
-    if (wanted > there) closed *= there / wanted; // what is then needed is no more, since it grows faster than the way
+    if (wanted > there)
+        closed *= there / wanted; // the energy needed grows faster than the distance, so it stays within the budget
     const double needed = (force + 0.5 * stiffness * closed) * closed, of_account = std::min(needed, account);
     account -= of_account;
     overlap -= closed;
@@ -62,15 +65,16 @@ Recovered recover(Model& model, Row c, double lost) {
     return {needed - of_account, of_account};
 }
 
-/// A joint model sees displacements at the start of the step; now they are those of its end.
+/// Joint models see the displacements at the start of the step; this adds the increments of the step.
 void add_increments(SubContacts& subs, Row row, const RowsOfEight& group, const Eight& opening, const Eight3& slip) {
     double* const opened = subs.normal_displacement.data() + row;
     group.store(opened, group.load(opened) + opening);
     group.store(subs.shear_displacement, row, group.load(subs.shear_displacement, row) + slip);
 }
 
-/// Sums of one contact's sub-contacts; pore pressure acts on both sides besides the effective stress. `each` gets every
-/// group of rows with the forces that the joint model has given.
+/// Sums over the sub-contacts of one contact; pore pressure acts on both sides in addition to the effective stress. `each` receives every
+/// group
+/// of rows with the forces of the joint model.
 template <class Each> void sum_contact(const Model& model, Row c, JointForces& forces, Each each) {
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
@@ -99,7 +103,7 @@ template <class Each> void sum_contact(const Model& model, Row c, JointForces& f
     const Eight whole = sums_of({force.x, force.y, force.z, moment.x, moment.y, moment.z, Eight{}, Eight{}});
     forces.of_contact[c] = Vec3(whole[0], whole[1], whole[2]);
     forces.moment[c] = Vec3(whole[3], whole[4], whole[5]);
-    if (contacts.twist[c] != 0) { // the pressure on a corner or an edge may turn it about the normal
+    if (contacts.twist[c] != 0) { // the pressure on a corner or an edge may exert a moment about the normal
         double normal = 0;
         for (Row s = span.first; s < span.end(); ++s) normal += subs.normal_force[s];
         forces.moment[c] += contacts.twist[c] * normal * contacts.normal[c];
@@ -110,7 +114,7 @@ void sum_contact(const Model& model, Row c, JointForces& forces) {
     sum_contact(model, c, forces, [](Row, const RowsOfEight&, const Eight&, const Eight3&) {});
 }
 
-/// The sums, and besides: work with the forces that the joint model has given, displacements at the end of the step.
+/// Computes the sums, the work of the joint model's forces, and the displacements at the end of the step.
 void finish_contact(Model& model, Row c, JointForces& forces, JointWork& after) {
     auto& subs = model.sub_contacts;
     JointWork own; // stays in registers
@@ -124,29 +128,29 @@ void finish_contact(Model& model, Row c, JointForces& forces, JointWork& after) 
     after.add(own);
 }
 
-/// A stiffness that grows by no more than this part in a cycle waits for the next look at all bodies.
+/// Stiffness growth below this part per cycle waits for the next check of all bodies.
 constexpr double slow_growth = 0.02;
 
-/// Marks a contact that is much stiffer than it was, or whose places have moved away from the centres of its blocks.
+/// Marks a contact whose stiffness has grown much, or whose places have moved relative to the centres of its blocks.
 void note_stiffness(const Model& model, Row c, JointForces& forces) {
     const StiffnessOfSides now =
         follows_overlap(model, c) ? stiffness_over_mass(model, c) : StiffnessOfSides{sum_of_stiffness(model, c), 0};
     const StiffnessOfSides& before = forces.stiffness[c];
     const auto grows = [&](int side) { return now[side] > (1 + slow_growth) * before[side]; };
-    // What becomes an overlap, or a joint, turns its blocks about other places.
+    // A contact that changes its kind acts on its blocks at other places.
     const ContactKind kind = model.contacts.kind[c];
     if (grows(0) || grows(1) || kind != forces.kind[c]) forces.stiffness_changed[c] = 1;
     forces.stiffness[c] = now;
     forces.kind[c] = kind;
 }
 
-/// Whether a joint between rigid blocks has to go by its overlap from now on.
+/// Whether a joint between rigid blocks becomes an overlap contact.
 bool opens_in_part(const Model& model, Row c) {
     if (!model.settings.large_strain || !between_rigid(model, c)) return false;
     return is_partly_open(model, c) && !stands_on_corners(model, model.contacts.block1[c], model.contacts.block2[c]);
 }
 
-/// Geometry that was made after the last motion has not slid.
+/// Geometry that was updated after the last motion has not slid.
 bool has_new_geometry(const Model& model, Row c) { return model.contacts.slip_since_update[c] == 0; }
 
 void take_contact(const Model& model, Row c, JointForces& forces) {
@@ -172,8 +176,10 @@ bool is_pressed(const Model& model, Row c) {
     return false;
 }
 
-/// A joint model that dilates adds that to the depth of an overlap, and sees a joint as closed whose blocks are apart. It is told to begin again, without force;
-/// otherwise each touch would be as stiff as all dilation so far has made the joint, and blocks would hop on and on.
+/// A dilating joint model adds its dilation to the depth of an overlap, and may report a closed joint between separated blocks.
+/// Re-initialise it
+/// without force; otherwise each new contact would be as stiff as the accumulated dilation makes the joint, and the blocks would keep
+/// bouncing.
 void begin_again(Model& model, const Batch& batch, Row c, BatchColumns& made) {
     Batch rows = batch;
     const Span span = model.contacts.sub_contacts[c];
@@ -183,7 +189,7 @@ void begin_again(Model& model, const Batch& batch, Row c, BatchColumns& made) {
         throw joint_failure(model, rows, *failure);
 }
 
-/// The first eight contacts that are there, if one of them needs it.
+/// Computes the pair motions of the next eight contacts, if one of them needs them.
 void take_pairs(Model& model, std::span<const Row> contacts, PairMotions& pairs) {
     const auto next = contacts.first(std::min<std::size_t>(eight, contacts.size()));
     if (std::ranges::any_of(next, [&](Row c) { return is_rigid_joint(model, c); })) pairs.take(model, next);
@@ -235,7 +241,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces, J
         if (opens_in_part(model, c)) {
             const double work_before = work_of_step(model, c);
             sums.lost += follow_overlap(model, c, scratch.overlap);
-            // The force that it has other than before acts in half of the step, and is not of the energy that the springs hold.
+            // The change of its force acts during half of the step and is not part of the energy stored in the springs.
             const double more = work_of_step(model, c) - work_before;
             after.joint[0] += more;
             sums.lost -= 0.5 * more;
@@ -252,7 +258,7 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces, J
         }
         if (columns.stiffness_changed) note_stiffness(model, c, forces);
     }
-    // A force or work that is no number is in the sums.
+    // A force or work that is NaN or infinite shows in the sums.
     if (!std::isfinite(sum(after.joint)) || !std::isfinite(sum(after.friction)))
         if (const auto failure = unusable_output(*batch.model, columns)) throw joint_failure(model, batch, *failure);
     sums.work = -0.5 * (sum(before.joint) + sum(after.joint));

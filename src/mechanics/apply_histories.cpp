@@ -42,8 +42,9 @@ void fill(const Model& model, const std::vector<std::int32_t>& functions, double
     }
 }
 
-/// What a jump of a velocity does to the account of energy. The phase that moves the body sees the new velocity
-/// on both sides of the step, so it is half a jump off with the work of every force; that is put right here.
+/// The effect of a velocity jump on the energy account. The phase that moves the body uses the new velocity on both sides of the step, so
+/// the
+/// work of every force is off by half a jump; this is corrected here.
 struct Jump {
     double mass;
     double force; ///< of joints and zones, of one component

@@ -12,7 +12,7 @@
 
 namespace kaya {
 
-/// Histories of boundary conditions by what they do, and room for the values of their functions; derived.
+/// Histories of boundary conditions grouped by their target, and scratch memory for the values of their functions; derived data.
 struct HistoryLists {
     std::vector<Row> velocities, loads; ///< rows of Model::boundary_histories
     std::vector<std::int32_t> velocity_functions, load_functions;
@@ -21,11 +21,12 @@ struct HistoryLists {
 
 HistoryLists list_boundary_histories(const Model& model);
 
-/// Sets the prescribed velocities that change with time to those of the middle of the step. Throws Diagnostic
-/// (Fault::run) when a function gives no number.
+/// Sets prescribed time-dependent velocities to their values at the middle of the step. Throws Diagnostic (Fault::run) when a function
+/// returns
+/// a value that is not finite.
 HistorySums apply_velocity_histories(Model& model, HistoryLists& lists, const Hooks& hooks);
 
-/// Brings the loads that change with time to the time of the clock. Throws as apply_velocity_histories does.
+/// Sets time-dependent loads to their values at the time of the clock. Throws as apply_velocity_histories does.
 void apply_load_histories(Model& model, HistoryLists& lists, const Hooks& hooks);
 
 } // namespace kaya

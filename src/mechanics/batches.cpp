@@ -33,7 +33,7 @@ std::vector<Batch> make_batches(Model& model, JointRegistry& joints, Row most) {
 
 namespace {
 
-/// The columns of a field from batch to batch mostly hold one value, and need not be filled again.
+/// A field mostly has the same value in consecutive batches and need not be filled again.
 void fill_field(BatchColumns& made, std::size_t k, std::size_t rows, double value) {
     auto& alike = made.alike[k];
     const bool same = alike && std::memcmp(&*alike, &value, sizeof value) == 0;

@@ -12,7 +12,7 @@
 
 namespace kaya {
 
-/// Sub-contacts one after the other that share a property set.
+/// Consecutive sub-contacts that share a property set.
 struct Batch {
     const JointModel* model;
     Row properties;
@@ -20,26 +20,25 @@ struct Batch {
     std::vector<Row> contacts; ///< in the order of their rows
 };
 
-/// All batches, in row order; what their models keep of each sub-contact gets its columns. One has whole contacts
-/// and, if it has several, at most `most` rows: few
-/// enough that what a cycle reads and writes of them stays near the processor.
+/// All batches, in row order; columns for the history of their models are allocated. A batch holds whole contacts and, if it holds several,
+/// at
+/// most `most` rows, so that its data stays in the cache during a cycle.
 std::vector<Batch> make_batches(Model& model, JointRegistry& joints, Row most = 1024);
 
-/// What the columns of a batch need besides those of the model. It keeps its memory for the next batch.
+/// Columns of a batch beyond those of the model; the memory is reused for the next batch.
 struct BatchColumns {
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history;
     std::array<std::vector<double>, KAYA_JMODEL_MAX_FIELDS> fields;
     std::array<const double*, KAYA_JMODEL_MAX_FIELDS> field;
-    std::array<std::optional<double>, KAYA_JMODEL_MAX_FIELDS> alike; ///< the value of all rows of a field
+    std::array<std::optional<double>, KAYA_JMODEL_MAX_FIELDS> alike; ///< set when all rows of the field have this value
     std::array<std::vector<double>, 3> normal;
     std::array<std::vector<std::int32_t>, 2> block;
 };
 
-/// The columns of rows [first, first + count) as a joint model sees them, until `made` serves another batch or goes.
+/// The columns of rows [first, first + count) as a joint model sees them; valid until `made` is reused or destroyed.
 kaya_jbatch columns_of(Model& model, const Batch& batch, double time_step, BatchColumns& made);
 
-/// What a joint model said about a row, with the contact's number, its blocks, place, cycle and the deck
-/// line of its properties.
+/// Reports a joint model's error at a row, with the contact's number, its blocks, place, cycle and the deck line of its properties.
 Diagnostic joint_failure(const Model& model, const Batch& batch, const BatchFailure& failure);
 
 } // namespace kaya

@@ -10,8 +10,7 @@ struct BendingPair {
     bool flows = false;
 };
 
-/// The moments that are nearest to the elastic ones, in the norm of the compliance, of those below the limit; what is beyond
-/// becomes hinge rotation.
+/// Moments within the limit nearest to the elastic ones in the norm of the compliance; the excess becomes hinge rotation.
 BendingPair bend(double stiffness, double limit, double bend_first, double bend_last, double& hinge_first,
                  double& hinge_last) {
     const double a = bend_first - hinge_first, b = bend_last - hinge_last;
@@ -20,7 +19,7 @@ BendingPair bend(double stiffness, double limit, double bend_first, double bend_
     if (!beyond_first && !beyond_last) return elastic;
     BendingPair m = elastic;
     m.flows = true;
-    // A hinge at one end takes half as much from the moment at the other.
+    // A hinge at one end relieves the other end by half of its moment.
     const double at_first = std::copysign(limit, elastic.first), at_last = std::copysign(limit, elastic.last);
     const double other_last = elastic.last - 0.5 * (elastic.first - at_first);
     const double other_first = elastic.first - 0.5 * (elastic.last - at_last);
@@ -35,7 +34,7 @@ BendingPair bend(double stiffness, double limit, double bend_first, double bend_
         m.first = by_first ? at_first : std::copysign(limit, other_first);
         m.last = by_first ? std::copysign(limit, other_last) : at_last;
     }
-    // The rest of the elastic moments, by the inverse of (4 2; 2 4).
+    // The excess of the elastic moments, by the inverse of (4 2; 2 4).
     const double rest_first = (elastic.first - m.first) / (6 * stiffness),
                  rest_last = (elastic.last - m.last) / (6 * stiffness);
     hinge_first += 2 * rest_first - rest_last;
@@ -51,7 +50,7 @@ BeamMotion beam_motion(const Mat3& rest, double length, const NodePose& first, c
     motion.length = chord.norm();
     motion.extension = motion.length - length;
     const Vec3 x = chord / motion.length;
-    // The axis y between those of the two nodes, across the chord: a twist is seen half by each of them.
+    // The y axis is halfway between those of the two nodes, normal to the chord: each node sees half of a twist.
     const Mat3 at_first = first.turn * rest, at_last = last.turn * rest;
     const Vec3 between = at_first.col(1) + at_last.col(1);
     const Vec3 y = (between - between.dot(x) * x).normalized();
@@ -75,7 +74,7 @@ BeamForces beam_forces(const BeamSection& section, double length, const BeamMoti
     const BendingPair y = bend(section.bending_y / length, section.plastic_y, turn[0], turn[1], hinge[0], hinge[1]);
     const BendingPair z = bend(section.bending_z / length, section.plastic_z, turn[2], turn[3], hinge[2], hinge[3]);
     forces.hinges = y.flows || z.flows;
-    // The element acts on its first node with minus `first`; a section looks at it from the other side.
+    // The element acts on its first node with minus `first`: the section there faces the other way.
     forces.moment = {-y.first, y.last, -z.first, z.last};
     forces.shear_y = -(z.first + z.last) / motion.length;
     forces.shear_z = (y.first + y.last) / motion.length;

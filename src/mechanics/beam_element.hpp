@@ -7,7 +7,7 @@
 
 namespace kaya {
 
-/// Stiffnesses and strengths of a cross section. A strength that is infinite is without limit.
+/// Stiffnesses and strengths of a cross section. An infinite strength means no limit.
 struct BeamSection {
     double axial = 0;                    ///< EA
     double bending_y = 0, bending_z = 0; ///< E times the second moments of area about the axes y and z
@@ -16,14 +16,14 @@ struct BeamSection {
     double plastic_y = 0, plastic_z = 0; ///< moments
 };
 
-/// What does not go back.
+/// Plastic deformation.
 struct BeamLoss {
     double extension = 0;
     std::array<double, 4>
         hinge{}; ///< rotations: about y at the first and the last node, about z at the first and the last
 };
 
-/// How the element is deformed now.
+/// Current deformation of the element.
 struct BeamMotion {
     Mat3 axes = Mat3::Identity(); ///< columns x, y, z
     double length = 0;
@@ -31,7 +31,7 @@ struct BeamMotion {
     std::array<double, 4> bend{}; ///< rotations of the nodes against the chord, as BeamLoss::hinge
 };
 
-/// Inner forces on the side of the section that looks to the last node, in the element's axes.
+/// Inner forces on the section face towards the last node, in the element's axes.
 struct BeamForces {
     double axial = 0, torsion = 0;
     std::array<double, 4> moment{}; ///< about y at the first and the last node, about z at the first and the last
@@ -39,13 +39,13 @@ struct BeamForces {
     bool stretches = false, hinges = false; ///< at a limit
 };
 
-/// `rest` are the axes in which it was made, `length` that without force.
+/// `rest` are the axes at creation, `length` is the length without force.
 BeamMotion beam_motion(const Mat3& rest, double length, const NodePose& first, const NodePose& last);
 
-/// Elastic up to the strengths, perfectly plastic beyond; `loss` takes what flows.
+/// Elastic up to the strengths, perfectly plastic beyond; `loss` accumulates the plastic deformation.
 BeamForces beam_forces(const BeamSection& section, double length, const BeamMotion& motion, BeamLoss& loss);
 
-/// On its nodes. Their sum is zero, and so is that of their moments about any point.
+/// Forces and moments on the nodes. Their sum is zero, and so is the sum of their moments about any point.
 std::array<EndForce, 2> beam_ends(const BeamMotion& motion, const BeamForces& forces);
 
 EndStiffness beam_end_stiffness(const BeamSection& section, double length);

@@ -1,12 +1,12 @@
-// Blocks whose gridpoints stand in one chunk of a loop over gridpoints: what asks for them all is done there, while they are near
-// the processor.
+// Blocks whose gridpoints lie within one chunk of a loop over gridpoints: work that needs all of them is done there, while they are in the
+// cache.
 #pragma once
 
 #include "model/model.hpp"
 
 namespace kaya {
 
-/// Whether a block's gridpoints are in one chunk of so many.
+/// Whether all gridpoints of a block are in one chunk of `grain` rows.
 inline bool in_one_chunk(Span gridpoints, std::size_t grain) {
     const auto chunk = [&](Row g) { return static_cast<std::size_t>(g) / grain; };
     return gridpoints.count > 0 && chunk(gridpoints.first) == chunk(gridpoints.end() - 1);

@@ -25,7 +25,7 @@ std::uint8_t bit_of(int component) { return static_cast<std::uint8_t>(1 << compo
 
 bool is_rotation(int component) { return component >= 3; }
 
-/// Calls of_block(row) for rigid blocks and of_gridpoint(row) for the rest; a rotation has rigid blocks only.
+/// Calls of_block(row) for rigid blocks and of_gridpoint(row) for the others; rotations exist for rigid blocks only.
 template <class OfBlock, class OfGridpoint>
 void each_body(const Model& model, const Bodies& bodies, int component, OfBlock of_block, OfGridpoint of_gridpoint) {
     for (const Row b : bodies.blocks) {
@@ -41,7 +41,7 @@ void each_body(const Model& model, const Bodies& bodies, int component, OfBlock 
     for (const Row g : bodies.gridpoints) of_gridpoint(g);
 }
 
-/// What a row of the drives acts on.
+/// The object on which a boundary history acts.
 struct Target {
     BlockId block;
     Row gridpoint;
@@ -67,8 +67,9 @@ void add_boundary_history(Model& model, What what, const Target& target, double 
     histories.function[row] = function;
 }
 
-/// Velocity drives one by one for each gridpoint where their block has zones by now, so that single ones can be
-/// taken out; drives of blocks that are gone, and loads of whole blocks that have zones by now, are dropped.
+/// Splits velocity histories of blocks that have got zones into one per gridpoint, so that single ones can be removed; drops histories of
+/// deleted
+/// blocks and whole-block loads of blocks that have got zones.
 void tidy_boundary_histories(Model& model) {
     auto& histories = model.boundary_histories;
     std::vector<Row> kept;
@@ -91,7 +92,7 @@ void tidy_boundary_histories(Model& model) {
     if (kept.size() != count || histories.size() != count) histories.gather(kept);
 }
 
-/// Velocities of these targets change with time no more. `targets` is sorted here.
+/// Removes velocity histories of these targets. Sorts `targets`.
 void drop_velocity_histories(Model& model, std::vector<Target>& targets) {
     if (model.boundary_histories.empty()) return;
     tidy_boundary_histories(model);
@@ -106,7 +107,7 @@ void drop_velocity_histories(Model& model, std::vector<Target>& targets) {
     model.boundary_histories.gather(kept);
 }
 
-/// Loads that change with time, summed by what they act on before they become histories.
+/// Time-dependent loads, summed by target before they become histories.
 class LoadSums {
 public:
     LoadSums(Model& model, std::int32_t function) : model_(model), function_(function) {}
@@ -124,7 +125,7 @@ public:
         }
         at_place(b, model_.gridpoints.position[g], axis, value);
     }
-    /// On a rigid block. The place goes with the block, the direction stays.
+    /// On a rigid block. The point moves with the block, the direction stays.
     void at_place(Row b, const Vec3& place, int axis, double value) {
         const auto& blocks = model_.blocks;
         const Vec3 arm = quaternion(blocks.orientation[b]).conjugate() * (place - blocks.centroid[b]);
@@ -150,7 +151,7 @@ private:
 
 std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints) {
     const auto listed = [&](Row g) { return std::binary_search(gridpoints.begin(), gridpoints.end(), g); };
-    // A face on which another block lies is not exterior.
+    // A face covered by another block is not exterior.
     std::vector<char> covered(model.faces.size(), 0);
     for (std::size_t c = 0; c < model.contacts.size(); ++c)
         if (model.contacts.type[c] == ContactType::face_face)
@@ -176,7 +177,7 @@ std::int32_t time_function_row(Model& model, const TimeFunction& function) {
 void prescribe_velocity(Model& model, const Bodies& bodies, int component, double value, std::int32_t function) {
     auto& blocks = model.blocks;
     auto& points = model.gridpoints;
-    // One that changes with time gets its value with the next step.
+    // A time-dependent load gets its value in the next step.
     const bool constant = function == constant_in_time;
     std::vector<Target> targets;
     each_body(
@@ -220,7 +221,7 @@ void replace_by_reaction(Model& model, const Bodies& bodies, int axis) {
     auto& blocks = model.blocks;
     auto& points = model.gridpoints;
     const double gravity = model.settings.gravity[axis];
-    // What is held has a load that balances all other forces from now on.
+    // A held component gets a load that balances all other forces.
     each_body(
         model, bodies, axis,
         [&](Row b) {
@@ -306,8 +307,8 @@ Corners corners_of(const Model& model, Row triangle) {
     return corners;
 }
 
-/// What the stress does to a triangle, at its corners. The traction varies linearly: consistent loads are
-/// (2 t_k + t_l + t_m) / 12 of the area each.
+/// Forces of the stress at the corners of a triangle. The traction varies linearly: consistent loads are (2 t_k + t_l + t_m) / 12 of the
+/// area each.
 std::array<Vec3, 3> corner_loads(const StressField& stress, const Corners& x, const Vec3& area) {
     std::array<Vec3, 3> force, load;
     for (std::size_t k = 0; k < 3; ++k) force[k] = matrix_of(stress.at(x[k])) * area;
@@ -317,8 +318,9 @@ std::array<Vec3, 3> corner_loads(const StressField& stress, const Corners& x, co
 
 Row block_of_triangle(const Model& model, Row triangle) { return model.faces.block[model.triangles.face[triangle]]; }
 
-/// Calls part(triangle, corners of a part of it) for all parts of the triangles given on which another block of the
-/// same rigid body lies: they are inside the body, and there is no contact that would tell.
+/// Calls part(triangle, corners of a part of it) for all parts of the given triangles that another block of the same rigid body covers:
+/// they lie
+/// inside the body, where no contact shows it.
 template <class Part> void inside_bodies(const Model& model, const std::vector<Row>& triangles, Part part) {
     const auto& blocks = model.blocks;
     std::set<std::int32_t> bodies;
@@ -351,7 +353,7 @@ template <class Part> void inside_bodies(const Model& model, const std::vector<R
         for (const Vec3& x : corners[j])
             if (std::abs(normals[i].dot(x - corners[i][0])) > near) return;
         const Corners common = common_part(corners[j], corners[i], normals[i]);
-        // The other side runs the other way round.
+        // The other side has the opposite orientation.
         for (std::size_t k = 1; k + 1 < common.size(); ++k) part(rows[i], Corners{common[0], common[k + 1], common[k]});
     };
     for (const auto& [i, j] : overlapping_boxes(boxes)) {

@@ -9,10 +9,10 @@
 
 namespace kaya {
 
-/// Of what is not multiplied by a function of time.
+/// The function number of a value that does not depend on time.
 inline constexpr std::int32_t constant_in_time = -1;
 
-/// The row of an equal function in Model::time_functions, which is added when there is none.
+/// The row of this function in Model::time_functions; added when absent.
 std::int32_t time_function_row(Model& model, const TimeFunction& function);
 
 /// Components of motion of a body: x, y, z of its translation, and of a rigid block's rotation.
@@ -25,26 +25,27 @@ struct Bodies {
     bool empty() const { return blocks.empty() && gridpoints.empty(); }
 };
 
-/// Prescribes a velocity component, `value` times the function; a whole block that is deformable gets it at all its
-/// gridpoints, and so it has no rotation. Replaces what was prescribed for the same component before.
+/// Prescribes a velocity component, `value` times the function; for a whole deformable block at all its gridpoints, so it has no rotation.
+/// Replaces
+/// an earlier prescription of the same component.
 void prescribe_velocity(Model& model, const Bodies& bodies, int component, double value,
                         std::int32_t function = constant_in_time);
 
-/// Lets a component move again.
+/// Frees a component.
 void release_velocity(Model& model, const Bodies& bodies, int component);
 
-/// Lets held components move again and puts a load on them that balances the forces of the last cycle, so that nothing
-/// starts to move. Forces and masses must be those of the present: Cycle::prepare.
+/// Frees held components and applies loads that balance the forces of the last cycle, so the model stays at rest. Forces and masses must be
+/// current: Cycle::prepare.
 void replace_by_reaction(Model& model, const Bodies& bodies, int axis);
 
-/// Gives a component a velocity to start with; one that is prescribed keeps its own.
-/// Throws Diagnostic for the rotation of a block whose density is not known.
+/// Sets the initial velocity of a component; prescribed components are left unchanged. Throws Diagnostic for the rotation of a block of
+/// unknown density.
 void initialize_velocity(Model& model, const Bodies& bodies, int component, double value);
 
-/// Sets the displacement that is counted from now on; nothing moves.
+/// Sets the displacement from which counting continues; the body does not move.
 void initialize_displacement(Model& model, const Bodies& bodies, int axis, double value);
 
-/// Adds a force to every gridpoint given. On a rigid block's vertex it goes with the vertex and keeps its direction.
+/// Adds a force to each gridpoint. At a vertex of a rigid block it moves with the vertex and keeps its direction.
 void add_load(Model& model, const std::vector<Row>& gridpoints, int axis, double value,
               std::int32_t function = constant_in_time);
 
@@ -52,24 +53,26 @@ void add_load(Model& model, const std::vector<Row>& gridpoints, int axis, double
 void add_block_load(Model& model, const std::vector<Row>& blocks, int component, double value,
                     std::int32_t function = constant_in_time);
 
-/// Adds a force at a place of a rigid block, with which it goes; its direction stays.
+/// Adds a force at a point of a rigid block; the point moves with the block, the direction stays.
 void add_load_at(Model& model, Row block, const Vec3& place, const Vec3& force,
                  std::int32_t function = constant_in_time);
 
-/// Stress that varies linearly from the origin; the six components xx yy zz xy xz yz each.
+/// A stress that is linear in position; the six components are xx yy zz xy xz yz.
 struct StressField {
     Stress at_origin = Stress::Zero();
     std::array<Stress, 3> gradient{Stress::Zero(), Stress::Zero(), Stress::Zero()};
     Stress at(const Vec3& place) const;
 };
 
-/// Triangles whose three gridpoints are all in the list (sorted rows), on faces on which no other block lies. Contacts
-/// must have been found. Ascending rows.
+/// Triangles with all three gridpoints in the list (sorted rows), on faces that no other block covers. Contacts must be up to date.
+/// Ascending rows.
 std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints);
 
-/// Adds the tractions of a stress to the exterior triangles whose three gridpoints are all in the list
-/// (sorted rows); a face on which another block lies is not exterior, nor is the part of a rigid block's face that lies
-/// on another block of the same body. Contacts must have been found. Returns the loaded area.
+/// Adds the tractions of a stress to the exterior triangles with all three gridpoints in the list (sorted rows). A face that another block
+/// covers is
+/// not exterior, nor is the part of a rigid block's face that another block of the same body covers. Contacts must be up to date. Returns
+/// the
+/// loaded area.
 double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress,
                   std::int32_t function = constant_in_time);
 

@@ -10,10 +10,10 @@ namespace {
 
 constexpr double small_force = 1e-12; ///< over the largest force of the chain
 constexpr double bits = 2e-16;
-/// What a node without any stiffness is given, over the stiffnesses of the chain.
+/// Stiffness given to a node that has none, relative to the stiffnesses of the chain.
 constexpr double of_smallest = 1e-9, of_largest = 1e-13;
 constexpr int most_steps = 100;
-constexpr double enough = 1e-3; ///< of the slope at the beginning of a step may be left at its end
+constexpr double enough = 1e-3; ///< the slope at the end of a step may be this part of the slope at its start
 constexpr int most_halvings = 60;
 
 } // namespace
@@ -42,7 +42,7 @@ double CableChain::left_over(std::size_t node) const {
     return force;
 }
 
-/// Newton's step, by elimination in a matrix of three diagonals. Gives the power of the forces left over along it.
+/// Newton's step, by elimination in a tridiagonal matrix. Returns the power of the residual forces along it.
 double CableChain::fill_step() {
     const std::size_t n = grout.size();
     diagonal_.assign(n, 0);
@@ -89,7 +89,7 @@ double CableChain::fill_step() {
     return power;
 }
 
-/// A small part of the largest force, and what differences of slips lose of their bits.
+/// A small part of the largest force, plus the rounding error of slip differences.
 double CableChain::tolerance() const {
     double size = 0, rounding = 0;
     for (std::size_t i = 0; i < bars.size(); ++i) {
@@ -115,7 +115,7 @@ double CableChain::solve() {
         if (left <= tolerance()) break;
         const double power = fill_step();
         before_ = slip;
-        // The slope along the step falls with the way; its zero is the least energy.
+        // The slope of the energy along the step decreases; its zero is the minimum.
         const auto slope_at = [&](double part) {
             for (std::size_t i = 0; i < slip.size(); ++i) slip[i] = before_[i] + part * step_[i];
             double slope = 0;

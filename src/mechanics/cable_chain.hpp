@@ -12,7 +12,7 @@ namespace kaya {
 struct CableChain {
     struct Bar {
         double stiffness = 0;     ///< force/length
-        double gap = 0;           ///< elongation without slip and without what has yielded
+        double gap = 0;           ///< elongation without slip and without plastic elongation
         double first_cosine = 1;  ///< between the bar and the cable's direction at its first node
         double second_cosine = 1; ///< the same at its second node
         double yield_tension = 0, yield_compression = 0;
@@ -34,8 +34,9 @@ struct CableChain {
 
     std::vector<Vec3> places; ///< of the nodes one step ago
 
-    /// Newton's method for the least of an energy that is convex and quadratic in pieces; a step ends where the energy along it is least. Gives the
-    /// largest force that is left over at a node that may slip.
+    /// Newton's method for the minimum of a convex, piecewise quadratic energy, with a line search. Returns the largest residual force at a
+    /// node that
+    /// may slip.
     double solve();
 
 private:

@@ -1,5 +1,5 @@
-// Stresses that the six zones of each cell of a group have in common. Cycles that follow each other keep them here and not six times;
-// the zones get them when somebody looks.
+// Stresses that the six zones of each cell of a group have in common. Consecutive cycles keep them here once instead of six times; they are
+// written back to the zones when someone reads them.
 #pragma once
 
 #include "mechanics/tetrahedra.hpp"
@@ -10,10 +10,10 @@ namespace kaya {
 
 class CellStresses {
 public:
-    /// As long as nobody looks at the stresses of zones between two cycles.
+    /// True while zone stresses are not read between two cycles.
     bool wanted = false;
 
-    /// Room for the groups of the tiles; where it is not there yet none of them is here.
+    /// Allocates memory for the groups of the tiles; newly allocated groups hold no stress.
     void make_room(const ZoneTiles& tiles);
 
     bool has(Row group) const { return here_[static_cast<std::size_t>(group)] != 0; }
@@ -23,7 +23,7 @@ public:
         here_[static_cast<std::size_t>(group)] = 1;
     }
 
-    /// Writes to the zones what is here, and forgets it.
+    /// Writes the stresses back to the zones and clears them.
     void give_back(Model& model, const ZoneTiles& tiles);
 
 private:

@@ -7,14 +7,12 @@
 
 namespace kaya {
 
-constexpr std::size_t to_next_cell =
-    6 * zones_of_cell; ///< from the stresses of a cell to those of the next, in numbers
+constexpr std::size_t to_next_cell = 6 * zones_of_cell; ///< distance of the stresses of consecutive cells, in numbers
 
-/// Up to eight cells from one on.
+/// The number of cells from `zone` on, at most eight.
 inline Row cells_from(Row zone, Row last) { return std::min<Row>((last - zone) / zones_of_cell, eight); }
 
-/// A field at the corners 1 to 7 of eight cells, from its value at corner 0 on: what all corners have in common leaves nothing, not even
-/// rounding.
+/// A field at corners 1 to 7 of eight cells, relative to corner 0: a constant field is exactly zero, without rounding.
 using CellField = std::array<Eight3, 7>;
 
 /// The corners of the six zones of a cell, in the order of hexahedron_mesh.
@@ -34,7 +32,7 @@ inline void add_forces_of_zone(const Edges& edges, Row zone, const SixEights& st
     }
 }
 
-/// Corners 1 to 7 from corner 0 on. What goes with the points goes to `fourths`, where it is wanted, by corner.
+/// Corners 1 to 7 relative to corner 0. The fourth number of each point goes to `fourths`, if given, by corner.
 inline CellField from_first(const PointRow* rows, CellGroupCorners corners, std::array<Eight, 8>* fourths = nullptr) {
     const EightRow first = load_corner(rows, corners, 0);
     if (fourths) (*fourths)[0] = first.fourth;
@@ -60,10 +58,10 @@ inline SixEights difference(const SixEights& a, const SixEights& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3], a[4] - b[4], a[5] - b[5]};
 }
 
-/// What of a field is no linear field: under the number of each axis that of the product of the two others, then that of all three.
+/// The nonlinear part of a field: under each axis number the product of the two other axes, then the product of all three.
 using Warps = std::array<Eight3, 4>;
 
-/// Sums of a field over the corners with the signs that they have along the axes, and with products of those.
+/// Sums of a field over the corners, with the signs of the corners along the axes and the products of these signs.
 struct CornerSums {
     std::array<Eight3, 3> axis;
     Warps warp;
@@ -79,8 +77,9 @@ struct CornerSums {
     }
 };
 
-/// The faces of cells that are ruled surfaces and not two triangles each: those at corner 0 by the number of the axis across them, then
-/// those at corner 7.
+/// The faces of cells that are ruled surfaces instead of two triangles: those at corner 0 by the number of the axis across them, then those
+/// at
+/// corner 7.
 struct RuledFaces {
     std::array<Eight, 6> part; ///< a twelfth for a face that is ruled, else 0
     bool any = false;
@@ -93,7 +92,7 @@ struct RuledFaces {
     }
 };
 
-/// Products of places. All zones have the edge from corner 0 to corner 7, and each two of the others that follow each other around it.
+/// Products of positions. All zones share the edge from corner 0 to corner 7; the other corners follow each other around it.
 struct AroundDiagonal {
     std::array<Eight3, 6> side;  ///< of those two, in their order around the edge
     std::array<Eight3, 6> spoke; ///< of each corner and corner 7; by corner, from 1 on
@@ -105,7 +104,7 @@ struct AroundDiagonal {
         }
     }
 
-    /// Places in fields of the corners around the edge.
+    /// Indices in fields of the corners around the edge.
     static constexpr std::size_t corner(std::size_t k) { return std::array<std::size_t, 6>{0, 2, 1, 5, 3, 4}[k % 6]; }
 };
 
@@ -139,7 +138,7 @@ struct CellShape {
         for (std::size_t c = 1; c < 7; ++c) volume += gradient[c].x * x[c].x;
     }
 
-    /// What ruled faces add to the gradient by themselves.
+    /// The contribution of ruled faces to the gradient.
     [[gnu::always_inline]] static CellField of_ruled(const CellField& x, const RuledFaces& ruled) {
         CellField gradient;
         gradient.fill({Eight{}, Eight{}, Eight{}});
@@ -148,8 +147,9 @@ struct CellShape {
     }
 
 private:
-    /// The ruled surface of four corners is half way from the two triangles with one diagonal to those with the other; between them is
-    /// the tetrahedron of the corners. A face has corner 0 or 7; b and c are its corners beside that one, `far` is the opposite one.
+    /// The ruled surface of four corners is halfway between the pairs of triangles of its two diagonals; the tetrahedron of the corners
+    /// lies between
+    /// them. A face has corner 0 or 7; b and c are the corners next to it, `far` is the opposite one.
     [[gnu::always_inline]] static void add_ruled(const CellField& x, const AroundDiagonal& around,
                                                  const RuledFaces& ruled, CellField& gradient) {
         const auto& [side, spoke] = around;
@@ -174,7 +174,7 @@ private:
     }
 };
 
-/// A mean gradient of a motion, by component of it.
+/// Mean gradient of a motion, by component of the motion.
 struct MeanGradient {
     Eight3 x, y, z;
 
@@ -190,7 +190,7 @@ struct MeanGradient {
         z = row([](const Eight3& v) { return v.z; });
     }
 
-    /// That with respect to the configuration half a step before, G (1 - G/2)^-1. Returns what the volume is there over the one here.
+    /// The gradient with respect to the configuration half a step earlier, G (1 - G/2)^-1. Returns the volume there over the present one.
     [[gnu::always_inline]] Eight go_to_middle() {
         const Eight half = eights(-0.5), one = eights(1);
         const Eight3 r0{one + half * x.x, half * x.y, half * x.z}, r1{half * y.x, one + half * y.y, half * y.z},
@@ -204,7 +204,7 @@ struct MeanGradient {
     SixEights strain() const { return {x.x, y.y, z.z, 0.5 * (x.y + y.x), 0.5 * (x.z + z.x), 0.5 * (y.z + z.y)}; }
 };
 
-/// What a step does to cells: mean strain and spin, and how they bend and twist.
+/// Motion of cells in a step: mean strain and spin, bending and twisting.
 struct CellMotion {
     SixEights strain;
     Eight3 half_spin;
@@ -231,11 +231,12 @@ struct CellMotion {
     }
 };
 
-/// How cells resist warping: numbers that turn with the cell. For each axis the stress of its layers at the end of the axis, as
-/// bb, cc and bc of the other two axes; then the stress along each axis for the product of all three.
+/// Resistance of cells to warping: numbers that turn with the cell. For each axis the stress of its layers at the end of the axis, as bb,
+/// cc and bc
+/// of the other two axes; then the stress along each axis for the product of all three.
 using WarpStress = std::array<Eight, 12>;
 
-/// The warp stresses of cells whose zones follow each other from one on.
+/// The warp stresses of consecutive cells, starting at `first`.
 [[gnu::always_inline]] inline void load_warps(const Zones& zones, std::size_t column, Row first, Row cells,
                                               WarpStress& stress) {
     for (std::size_t half = 0; half < 2; ++half) {
@@ -248,7 +249,7 @@ inline void store_warps(Zones& zones, std::size_t column, Row first, Row cells, 
     store_six(&zones.history[column + 1][first], 6, cells, {s[6], s[7], s[8], s[9], s[10], s[11]});
 }
 
-/// Moduli of layers under no pressure from one to the next, and of fibres.
+/// Moduli of layers without pressure between them, and of fibres.
 struct LayerModuli {
     double lambda = 0, two_shear = 0, young = 0;
 
@@ -261,7 +262,7 @@ struct LayerModuli {
     }
 };
 
-/// What the warps of a step add to the stress. Returns the work of the step, by cell.
+/// Adds the stress of the warps of a step. Returns the work of the step, by cell.
 [[gnu::always_inline]] inline Eight add_warp_stress(const CellMotion& step, const LayerModuli& moduli,
                                                     WarpStress& stress) {
     const Warps& g = step.warp;
@@ -307,7 +308,7 @@ struct LayerModuli {
         force[b] = force[b] + (jc * s[1] + jb * s[2]) * third;
         force[3] = force[3] + ja * (warped[9 + a] * ninth / ja.dot(ja));
     }
-    // A linear field has no warp: the mean gradient takes its part away.
+    // A linear field has no warp: the contribution of the mean gradient is subtracted.
     const Eight over = 1.0 / shape.volume;
     std::array<Eight3, 3> tensor{Eight3{stress[0], stress[3], stress[4]}, Eight3{stress[3], stress[1], stress[5]},
                                  Eight3{stress[4], stress[5], stress[2]}};

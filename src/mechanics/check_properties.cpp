@@ -10,7 +10,7 @@ namespace kaya {
 
 namespace {
 
-/// Where a property set that cannot be used came from.
+/// Adds to a message the origin of an unusable property set.
 void add_user(Diagnostic& mistake, const Model& model, std::size_t contact, const JointProperties& set) {
     mistake.add(fmt::format("first used by contact {} between blocks {} and {}", model.contacts.number[contact],
                             model.blocks.number[model.contacts.block1[contact]],

@@ -8,7 +8,7 @@
 
 namespace kaya {
 
-/// Throws Diagnostic for joint properties that must be given and are not, and for values that do not go together.
+/// Throws Diagnostic for required joint properties that are missing, and for values that contradict each other.
 void check_properties(const Model& model, JointRegistry& joints);
 
 } // namespace kaya

@@ -3,7 +3,9 @@
 
 namespace kaya {
 
-/// `missing` says how much force is missing at a closure and falls as it grows; where it is 0. The search goes out from `start` by `reach`, which doubles.
+/// `missing` returns the force missing at a closure and decreases with it; the search finds its zero, starting at `start` with the step
+/// `reach`, which
+/// doubles.
 template <class Missing> double closure_with_none_missing(const Missing& missing, double start, double reach) {
     constexpr int doublings = 60, halvings = 60;
     double low = start, high = start;

@@ -16,9 +16,11 @@ namespace kaya {
 
 namespace {
 
-/// Faces lie on each other up to this angle (2 degrees): beyond it a block stands on an edge or a corner, which owns
-/// its share of the block's surface and not of a common area. What lies or stands already does so up to half a degree
-/// more: a touch on the limit would go to and fro, and shake what it carries.
+/// Faces are parallel within this angle (2 degrees); beyond it a block rests on an edge or a corner, which owns its share of the block's
+/// surface
+/// instead of a common area. Existing contacts keep their type for another half a degree: without this hysteresis a contact near the limit
+/// would
+/// switch type every step and shake its load.
 constexpr double cos_of_flat = 0.9993908270190958, cos_of_still_flat = 0.9990482215818578,
                  cos_of_flat_again = 0.9996573249755573;
 
@@ -27,16 +29,17 @@ double flat_limit(const Model& model, Row old) {
     return model.contacts.type[old] == ContactType::face_face ? cos_of_still_flat : cos_of_flat_again;
 }
 
-/// In parts of a block's margin: points that are one, and how narrow the common area of two faces may be. The blocks
-/// of a pile overlap a little, and so do their edges and corners: those contacts would carry nothing and cost as much.
+/// In parts of a block's margin: points closer than this coincide, and common areas narrower than this are dropped. Blocks of a pile
+/// overlap a little,
+/// and so do their edges and corners; such contacts would carry nothing at full cost.
 constexpr double coincidence = 2e-5, narrowest = 1e-2;
-/// Two faces whose common area is smaller than this, in least contact areas, are held as corners and edges are.
+/// Two faces with a common area below this many least contact areas are treated as corners and edges.
 constexpr double least_joint = 10;
 constexpr double least_part = 0.01; ///< see ContactPlane::least_area
-/// Also in parts of the margin: how much better another axis must be than that of the contact so far.
+/// In parts of the margin: another axis must be better than the present one by this much.
 constexpr double persistence = 0.25;
 
-/// Length of edges in the overlay; 0: none.
+/// Edge length of sub-contacts in the overlay; 0: none given.
 double edge_between(const Model& model, Row block1, Row block2) {
     const double length = length_between(model, block1, block2);
     return std::isinf(length) ? 0 : length;
@@ -57,20 +60,21 @@ template <class Of> double sum_at_vertex(const Model& model, Row block, Row vert
             if (g[0] == vertex || g[1] == vertex || g[2] == vertex) around += area / 3;
         }
         if (around.isZero(0)) continue;
-        // A polygon that does not bend is shared by its corners; of a mesh a gridpoint has a third of its triangles.
+        // The corners of a flat polygon share its area; a gridpoint of a mesh gets a third of each of its triangles.
         if (!model.blocks.deformable[block]) around = whole / (triangles.count + 2);
         sum += of(around);
     }
     return sum;
 }
 
-/// The part of a block's surface that belongs to a vertex, seen along a direction out of the block. It changes
-/// without a jump as the block turns: of a cube on its face a corner has a quarter of the face.
+/// The share of a vertex in the block's surface, projected along a direction out of the block. It varies continuously as the block turns: a
+/// corner of
+/// a cube lying on its face has a quarter of the face.
 double share_of_vertex(const Model& model, Row block, Row vertex, const Vec3& outward) {
     return sum_at_vertex(model, block, vertex, [&](const Vec3& around) { return std::max(0.0, around.dot(outward)); });
 }
 
-/// All of the surface that belongs to the gridpoints of a side with zones; without end for a rigid block.
+/// The whole surface share of the gridpoints of a zoned side; infinite for a rigid block.
 double surface_of_side(const Model& model, Row block, const Attachment& side) {
     if (!model.blocks.deformable[block]) return std::numeric_limits<double>::infinity();
     double surface = 0;
@@ -81,7 +85,7 @@ double surface_of_side(const Model& model, Row block, const Attachment& side) {
     return surface;
 }
 
-/// Of a place on the surface: that of the vertices about it.
+/// The share of a surface point: that of the vertices around it.
 double share_of_side(const Model& model, Row block, const Attachment& side, const Vec3& outward) {
     double share = 0;
     for (int k = 0; k < 3; ++k)
@@ -89,13 +93,12 @@ double share_of_side(const Model& model, Row block, const Attachment& side, cons
     return share;
 }
 
-/// Of a point of an edge: that of the ends.
+/// The share of a point on an edge: that of the edge's ends.
 double share_of_edge(const Model& model, Row block, const std::array<Row, 2>& ends, const Vec3& outward) {
     return 0.5 * (share_of_vertex(model, block, ends[0], outward) + share_of_vertex(model, block, ends[1], outward));
 }
 
-/// What a side of an overlay point has of its block's surface: at a vertex that of the vertex, on an edge between
-/// faces that of the edge, in the middle of a face nothing.
+/// The surface share of one side of an overlay point: of the vertex at a vertex, of the edge on an edge between faces, zero inside a face.
 double share_of_point(const Model& model, const Surfaces& surfaces, Row block, const Attachment& side,
                       const Vec3& outward) {
     constexpr double none = 1e-9;
@@ -109,8 +112,9 @@ double share_of_point(const Model& model, const Surfaces& surfaces, Row block, c
     return 0;
 }
 
-/// From half a degree to a degree and a half the areas go over from those of faces on each other to those of a block
-/// on its corners and edges, so that nothing jumps where one touch becomes the other.
+/// Between half a degree and a degree and a half, the areas change smoothly from those of parallel faces to those of corners and edges, so
+/// nothing
+/// jumps when the contact type changes.
 void go_over_to_corners(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double cosine,
                         std::vector<double>& shares) {
     constexpr double first = 0.5 * std::numbers::pi / 180, last = 3 * first;
@@ -123,7 +127,7 @@ void go_over_to_corners(const Model& model, const Surfaces& surfaces, ContactGeo
     for (const auto& point : geometry.points) {
         const double one = share_of_point(model, surfaces, block1, point.side1, geometry.normal);
         const double two = share_of_point(model, surfaces, block2, point.side2, -geometry.normal);
-        // A vertex counts for itself; where edges cross, or vertices meet, the smaller of the two.
+        // A vertex counts by itself; where edges cross or vertices coincide, the smaller share counts.
         const bool of_one = point.side1.weights[0] == 1, of_two = point.side2.weights[0] == 1;
         shares.push_back(of_one == of_two ? std::min(one, two) : of_one ? one : two);
         whole += shares.back();
@@ -174,7 +178,7 @@ bool intersect_faces(const Model& model, const Surfaces& surfaces, ContactGeomet
     return true;
 }
 
-/// The outline of a rigid block's face, in order: its triangles are a fan.
+/// The outline of a rigid block's face, in order: its triangles form a fan.
 void take_outline(const FlatFace& face, std::vector<Vec2>& outline) {
     const auto& triangles = face.mesh.triangles;
     outline.clear();
@@ -194,8 +198,7 @@ void add_middles(std::vector<Vec2>& polygon) {
     polygon = finer;
 }
 
-/// Sub-contacts of two faces of rigid blocks: the polygon that they have in common decides, and not the triangles that
-/// the faces are cut in.
+/// Sub-contacts of two faces of rigid blocks: they depend on the common polygon, not on the triangulation of the faces.
 bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double margin,
                            double tolerance, SearchScratch& scratch) {
     const PlaneAxes axes = axes_of(geometry.normal);
@@ -240,7 +243,7 @@ bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, Contact
     return true;
 }
 
-/// What lies opposite the face that gives the normal, or the edges that do.
+/// The contact type by the feature opposite to the face that gives the normal, or by the two edges that do.
 ContactType type_of_rigid(const Model& model, const Surfaces& surfaces, const ContactPlane& geometry, Row block1,
                           Row block2, double tolerance) {
     if (geometry.reference == 0) return ContactType::edge_edge;
@@ -254,7 +257,7 @@ ContactType type_of_rigid(const Model& model, const Surfaces& surfaces, const Co
     return closed == 1 ? ContactType::face_vertex : closed == 2 ? ContactType::face_edge : ContactType::face_face;
 }
 
-/// Whether a point lies inside a face, seen along the normal; gives the triangle's gridpoints and weights.
+/// Whether the projection of a point along the normal lies inside a face; returns the triangle's gridpoints and weights.
 bool inside_face(const Model& model, Row face, const PlaneAxes& axes, const Vec3& place, Attachment& attachment) {
     const Span span = model.faces.triangles[face];
     for (Row t = span.first; t < span.end(); ++t) {
@@ -278,8 +281,9 @@ bool inside_face(const Model& model, Row face, const PlaneAxes& axes, const Vec3
 
 Attachment on_edge(const std::array<Row, 2>& ends, double t) { return {{ends[0], ends[1], ends[1]}, {1 - t, t, 0}}; }
 
-/// The least area of a touch of blocks with zones at corners and edges: a sharp tip has next to none. No more than the gridpoints
-/// there have, which soft ground of large blocks would make too stiff.
+/// The least area of a contact of zoned blocks at corners and edges: a sharp tip has nearly none. At most the area of the gridpoints there,
+/// which on
+/// soft ground of large blocks would be too stiff.
 double least_area_of(const Model& model, const ContactGeometry& geometry, Row block1, Row block2, double least) {
     double area = 0;
     for (const auto& point : geometry.points)
@@ -288,7 +292,7 @@ double least_area_of(const Model& model, const ContactGeometry& geometry, Row bl
     return area;
 }
 
-/// Sums over the points of a touch. Together they own no more than `most` and no less than `least`.
+/// Sums over the points of a contact. Their total area is at most `most` and at least `least`.
 bool complete_geometry(ContactGeometry& geometry, double most, double least) {
     if (geometry.points.size() == 0) return false;
     double whole = 0;
@@ -305,7 +309,7 @@ bool complete_geometry(ContactGeometry& geometry, double most, double least) {
     return geometry.area > 0;
 }
 
-/// The area of a face that the other block covers, seen along the normal of the face.
+/// The area of a face that the other block covers, projected along the face normal.
 double covered_area(const Model& model, const Surfaces& surfaces, Row face, Row other, const PlaneAxes& axes,
                     const Vec3& out, double tolerance, SearchScratch& scratch) {
     auto& [own, above] = scratch.faces;
@@ -322,8 +326,8 @@ double covered_area(const Model& model, const Surfaces& surfaces, Row face, Row 
     return area;
 }
 
-/// One block on a face of the other that is not parallel to any of its own: its vertices over the face, and its edges
-/// where they cross the outline of the face.
+/// A block on a face of the other that is parallel to none of its own: its vertices over the face, and its edges where they cross the face
+/// outline.
 bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, Row block1, Row block2,
                      double margin, double tolerance) {
     const bool face_of_first = geometry.reference == 1;
@@ -455,7 +459,7 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
     const double least = least_part * std::min(surfaces.mean_face_area(block1), surfaces.mean_face_area(block2));
     if (!model.blocks.deformable[block1] && !model.blocks.deformable[block2]) {
         geometry.least_area = least;
-        // What has been an overlap stays one while the blocks are near: it would come back too late, with a blow.
+        // An overlap contact stays one while the blocks are near; re-created it would start late, with an impact.
         const bool overlaps = old != no_row && model.contacts.kind[old] == ContactKind::overlap;
         if (flat_faces && separation.apart_sideways && !overlaps) return false;
         if (flat_faces) {
@@ -466,8 +470,9 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
             const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance, scratch);
             if (found && geometry.area >= least_joint * geometry.least_area) return true;
             if (!found && !overlaps) return false;
-            // What arrives at less than that meets an edge or a corner: a block that slides across the lip which the closure of its
-            // joint has made meets no face there.
+            // An approaching block with less common area meets an edge or a corner: a block that slides across the lip left by the closure
+            // of its joint meets no
+            // face there.
             if (old == no_row && geometry.area < geometry.least_area)
                 (geometry.reference == 1 ? geometry.face2 : geometry.face1) = no_row;
             geometry.points.clear();
@@ -483,7 +488,7 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
         Row& opposite = geometry.reference == 1 ? geometry.face2 : geometry.face1;
         opposite = separation.opposite;
         if (!intersect_faces(model, surfaces, geometry, separation.cosine, margin, tolerance, scratch)) return false;
-        // Joints of rock that was cut keep what they are; bodies that arrive on so little stand on a corner or an edge.
+        // Joints of cut rock keep their kind; approaching bodies with so small a common area rest on a corner or an edge.
         const bool arrives = old == no_row ? std::abs(separation.distance) > tolerance
                                            : model.contacts.type[old] != ContactType::face_face;
         if (!arrives || geometry.area >= least) return true;

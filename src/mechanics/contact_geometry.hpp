@@ -1,4 +1,4 @@
-// How two blocks touch: the common plane and the places where force passes.
+// The contact of two blocks: the common plane and the points where force acts.
 #pragma once
 
 #include "mechanics/surfaces.hpp"
@@ -11,33 +11,34 @@ namespace kaya {
 
 struct SearchScratch;
 
-/// One sub-contact to be.
+/// A future sub-contact.
 struct ContactPoint {
     Vec3 position = Vec3::Zero(); ///< midway between the two surfaces
     Vec3 centre = Vec3::
-        Zero(); ///< of its area, where a linear traction has its mean with the weights of the point; faces with zones only
+        Zero(); ///< centre of its area for the weights of the point, where a linear traction has its mean; zoned faces only
     double gap = 0; ///< along the normal; negative: overlap
     double area = 0;
     SubContactType type = SubContactType::vertex_face;
     Attachment side1, side2;
 };
 
-/// How two blocks touch, but for the places.
+/// The common plane of two blocks, without the points.
 struct ContactPlane {
     ContactKind kind = ContactKind::joint;
     ContactType type = ContactType::face_face;
     Vec3 normal = Vec3::Zero(); ///< unit, from the first block to the second
     Vec3 position = Vec3::Zero();
     double area = 0;
-    /// Of two rigid blocks: a loaded contact is as stiff as a joint of at least this area, a hundredth of the mean area of a face of the
-    /// block with the smaller faces.
+    /// For two rigid blocks: a loaded contact is at least as stiff as a joint of this area, a hundredth of the mean face area of the block
+    /// with the
+    /// smaller faces.
     double least_area = 0;
-    double gap = 0; ///< of an overlap: how far the blocks are apart; negative: how deep they overlap
+    double gap = 0;                     ///< of an overlap: the distance of the blocks; negative: the depth of overlap
     Row face1 = no_row, face2 = no_row; ///< rows of faces that lie on the common plane
     int reference = 0;                  ///< 1 or 2: whose face gives the normal; 0: two edges do
 };
 
-/// The points of one touch, at the end of a list that holds those of others before them.
+/// The points of one contact, at the end of a list that also holds those of earlier contacts.
 class ContactPoints {
 public:
     explicit ContactPoints(std::vector<ContactPoint>& list) : list_(&list), first_(list.size()) {}
@@ -61,18 +62,18 @@ struct ContactGeometry : ContactPlane {
     ContactPoints points;
 };
 
-/// Faces whose common area is no wider than this do not touch.
+/// Faces with a narrower common area do not form a contact.
 double narrowest_contact(const Model& model, Row block1, Row block2);
 
-/// The touch of two blocks whose surfaces are nearer than `margin`; nothing when they are farther apart
-/// or touch in an edge or corner of parallel faces without area. Returns whether there is one; if not, points may be
-/// left over. Two rigid blocks touch along a joint where their faces lie on each other, or in an overlap; of an overlap
-/// the points are not given.
-/// `old` is the contact that they have so far, if any.
+/// The contact of two blocks whose surfaces are nearer than `margin`; none when they are farther apart or share only an edge or corner of
+/// parallel
+/// faces, without area. Returns whether there is one; if not, points may be left in the list. Two rigid blocks share a joint where their
+/// faces are
+/// parallel, or an overlap; the points of an overlap are not filled in. `old` is their present contact, if any.
 bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
                    ContactGeometry& geometry, SearchScratch& scratch);
 
-/// Where a sub-contact's side is now.
+/// Current position of one side of a sub-contact.
 inline Vec3 attached_position(const Model& model, const Attachment& side) {
     const auto& x = model.gridpoints.position;
     if (side.weights[0] == 1) return x[side.gridpoints[0]];

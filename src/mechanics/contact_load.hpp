@@ -1,4 +1,4 @@
-// What passes through a contact and what its springs hold.
+// The force through a contact and the energy in its springs.
 #pragma once
 
 #include "mechanics/eight.hpp"
@@ -37,7 +37,7 @@ struct ContactLoad {
     double stored() const { return energy + shear_energy; }
 
 private:
-    /// Where there is no stiffness there is no spring.
+    /// Without stiffness there is no spring.
     static Eight in_springs(const Eight& force_squared, const Eight& stiffness) {
         return stiffness > 0 ? 0.5 * force_squared / stiffness : Eight{};
     }

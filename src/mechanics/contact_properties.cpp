@@ -25,8 +25,9 @@ std::vector<double> initial_values(const JointModel& joint) {
     return values;
 }
 
-/// Puts the items that the model knows into the values. Throws for a value outside its limits and, when
-/// `strict`, for a name that the model does not know.
+/// Copies the items that the model knows into the values. Throws for a value outside its limits and, when `strict`, for a name that the
+/// model does not
+/// know.
 void put(const JointModel& joint, std::vector<double>& values, const Items& items, bool strict, std::size_t* failed) {
     for (std::size_t i = 0; i < items.size(); ++i) {
         const auto& [name, value] = items[i];
@@ -57,12 +58,12 @@ void check(const JointModel& joint, const std::vector<double>& values) {
     if (!complaint.empty()) throw Diagnostic(fmt::format("joint model '{}': {}", joint.name, complaint));
 }
 
-/// Classic constitutive numbers of contacts. What others mean is not certain; a wrong guess would run unnoticed.
+/// Classic constitutive numbers of contacts whose meaning is certain. A wrong guess for the others would run unnoticed.
 constexpr std::array<std::pair<std::int32_t, const char*>, 2> numbered_models{{{1, "mohr"}, {7, "elastic"}}};
 
 std::vector<char> initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts);
 
-/// Sub-contacts that have one of these properties for themselves take that of their contact again.
+/// Sub-contacts with own values of these properties return to the value of their contact.
 void forget_own_values(Model& model, JointRegistry& joints, const std::vector<Row>& contacts, const Items& items) {
     auto& subs = model.sub_contacts;
     if (subs.field_columns == 0) return;
@@ -101,7 +102,7 @@ std::string default_joint_model(const Model& model) {
 }
 
 Row shared_set(Model& model, JointProperties set) {
-    // Bits are compared: values that nobody has given are NaN.
+    // Bits are compared: values not given are NaN.
     const auto same = [](double a, double b) { return a == b || (a != a && b != b); };
     for (std::size_t row = 0; row < model.joint_properties.size(); ++row) {
         const auto& other = model.joint_properties[row];
@@ -131,7 +132,7 @@ void find_contacts(Model& model, JointRegistry& joints) {
     make_ties(model); // tied blocks have no contact
     model.tables([](const char*, auto& table) { table.trim(); });
     ContactSearch{}.search(model, joints, false);
-    give_back_memory(); // the search takes much for a moment, and the columns made meanwhile follow it on the heap
+    give_back_memory(); // the search needs much temporary memory, and columns allocated meanwhile follow it on the heap
     model.stale.contacts_found();
 }
 
@@ -147,7 +148,7 @@ void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<R
     if (are_all_joints(model, contacts))
         model.settings.default_properties =
             property_set(model, joints, name, model.settings.default_joint_material, place);
-    // What another joint model remembered means nothing to this one.
+    // The history of another joint model means nothing to this one.
     auto& subs = model.sub_contacts;
     for (const Row c : contacts) {
         const Span span = model.contacts.sub_contacts[c];
@@ -156,14 +157,14 @@ void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<R
             subs.state[s] = 0;
         }
     }
-    // Only then: who lowers the strength of a joint wants it to slip.
+    // Only here: a user who lowers the strength of a joint wants it to slip.
     note_taken_over(model, initialise_again(model, joints, contacts));
     ModelEdit(model, Change::contacts);
 }
 
 void set_joint_properties(Model& model, JointRegistry& joints, const std::vector<Row>& contacts, const Items& items,
                           const std::string& place, std::size_t* failed) {
-    // All new sets are made and checked before the first contact changes.
+    // All new sets are created and checked before the first contact changes.
     std::vector<Row> from;
     for (const Row c : contacts) from.push_back(model.contacts.properties[c]);
     const bool all = are_all_joints(model, contacts);
@@ -232,8 +233,7 @@ void change_joint_material(Model& model, JointRegistry& joints, const std::vecto
 
 namespace {
 
-/// A joint model that takes over must make its history agree with the forces that are there. Gives the marks of the
-/// sub-contacts.
+/// A joint model that takes over must make its history consistent with the present forces. Returns the marks of the sub-contacts.
 std::vector<char> initialise_again(Model& model, JointRegistry& joints, const std::vector<Row>& contacts) {
     std::vector<char> marked(model.sub_contacts.size(), 0);
     for (const Row c : contacts) {

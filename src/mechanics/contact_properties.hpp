@@ -10,8 +10,7 @@
 
 namespace kaya {
 
-/// Finds the contacts of a changed model, if it changed; needs no densities. Contacts that are new get
-/// the default joint model and material of the settings.
+/// Updates the contacts of a changed model; needs no densities. New contacts get the default joint model and material of the settings.
 void find_contacts(Model& model, JointRegistry& joints);
 
 /// `jmodel model NAME` on contact rows: a property set per jmat number, filled from `prop jmat`.
@@ -26,7 +25,7 @@ void set_joint_properties(Model& model, JointRegistry& joints, const std::vector
                           const std::vector<std::pair<std::string, double>>& items, const std::string& place,
                           std::size_t* failed = nullptr);
 
-/// `prop jmat n`: keeps the values with the material and hands them to property sets made from it.
+/// `prop jmat n`: stores the values with the material and passes them to the property sets made from it.
 void set_joint_material(Model& model, JointRegistry& joints, std::int32_t material,
                         const std::vector<std::pair<std::string, double>>& items, const std::string& place,
                         std::size_t* failed = nullptr);

@@ -20,21 +20,22 @@ namespace kaya {
 
 namespace {
 
-/// Contacts that have slid farther than this fraction of their size get new geometry together in every so many
-/// cycles: tables that change cost as much for one as for many. One that has slid far for its blocks does at once.
+/// Contacts that have slid farther than this part of their size get new geometry together, once in several cycles: updating the tables
+/// costs as much
+/// for one contact as for many. A contact that has slid far relative to its blocks is updated at once.
 constexpr double slide_tolerance = 1e-3;
 constexpr std::int64_t slide_interval = 8;
 constexpr double far_slide = 2; ///< in parts of the margin
-/// Blocks that have gone this part of their margins are looked at together in every so many cycles. When a block is
-/// looked at depends on itself and the cycle only: an unrelated block far away does not change a bit of its motion.
+/// Blocks that have moved this part of their margins are checked together, once in several cycles. When a block is checked depends on the
+/// block and the
+/// cycle only: an unrelated block far away changes no bit of its motion.
 constexpr double moved_part = 0.35;
 constexpr std::int64_t search_interval = 16;
-/// A fast block is looked at with the others too: its contacts are sought as far ahead as it comes until then, but not
-/// farther than so many margins.
+/// A fast block is checked with the others: its contacts are searched as far ahead as it moves until then, but at most this many margins.
 constexpr double farthest_ahead = 20;
 constexpr std::size_t grain = 32;
 
-/// How far a block can come in the time until the next search at the soonest, which is a step.
+/// The farthest a block can move until the next possible search, one step.
 double travel_of_a_step(const Model& model, Row b) {
     double fastest = 0;
     for (Row g = model.blocks.gridpoints[b].first; g < model.blocks.gridpoints[b].end(); ++g)
@@ -42,32 +43,32 @@ double travel_of_a_step(const Model& model, Row b) {
     return std::sqrt(fastest) * model.clock.time_step;
 }
 
-/// Whether a block goes the rest of its half margin before the next look at all, with its way of a step.
+/// Whether a block, at its present speed, uses up its half margin before the next check.
 bool is_fast(const Model& model, Row b, double shift) {
     return search_interval * shift > (0.5 - moved_part) * model.blocks.margin[b];
 }
 
-/// How far a block may go beyond half its margin before it is looked at again. The faces that lie on each other are those of the
-/// last look, so that a block that rolls does not look ahead.
+/// The distance a block may move beyond half its margin before its next check. The parallel faces are those of the last check, so a rolling
+/// block does
+/// not search ahead.
 double travel_ahead(const Model& model, Row b, double shift) {
     constexpr double rolling = 3e-3; // angle
     if (search_interval * model.clock.time_step * model.blocks.rotational_velocity[b].norm() > rolling) return 0;
     return is_fast(model, b, shift) ? std::min(search_interval * shift, farthest_ahead * model.blocks.margin[b]) : 0;
 }
 
-/// How far a block may come beyond half its margin until it is looked at again: what was allowed for at the last look, and
-/// the step that takes it there.
+/// The farthest a block may be beyond half its margin at its next check: the allowance of the last check plus one step.
 double travel_beyond(const Model& model, Row b) {
     return 2 * travel_of_a_step(model, b) - std::min(0.0, model.blocks.travelled[b]);
 }
 
-/// How far apart two blocks may be and still touch: a contact must be there before either arrives.
+/// The largest distance of two blocks that still get a contact: it must exist before either block arrives.
 double reach(const Model& model, const std::vector<double>& beyond, Row b1, Row b2) {
     const auto& margin = model.blocks.margin;
     return 0.5 * (margin[b1] + margin[b2]) + beyond[b1] + beyond[b2];
 }
 
-/// The widest gap across which a contact carries force, as a joint does that has dilated.
+/// The widest gap across which a contact carries force, as a dilated joint does.
 double widest_gap(const Model& model, Row contact) {
     const auto& s = model.sub_contacts;
     const Span span = model.contacts.sub_contacts[contact];
@@ -82,17 +83,17 @@ double widest_gap(const Model& model, Row contact) {
     return gap;
 }
 
-/// The touch of two blocks with the contact that they have so far, which is kept across a gap that carries force.
+/// The contact of two blocks, given their present one, which is kept across a gap that carries force.
 bool update_geometry(const Model& model, const Surfaces& surfaces, Row b1, Row b2, Row contact, double margin,
                      ContactGeometry& geometry, SearchScratch& scratch) {
-    // Where faces lie on each other as before there is no need to know how far apart they are.
+    // Where faces are still parallel, their distance is not needed.
     const bool found = find_geometry(model, surfaces, b1, b2, contact, margin, geometry, scratch);
     if (contact == no_row || (found && geometry.type == ContactType::face_face)) return found;
     const double gap = widest_gap(model, contact);
     return gap > 0 ? find_geometry(model, surfaces, b1, b2, contact, margin + 2 * gap, geometry, scratch) : found;
 }
 
-/// How far the two sides of a contact have come from each other in its plane since its geometry was made.
+/// The relative slip of the two sides of a contact in its plane since its geometry was updated.
 double slip_at(const Model& model, Row contact) {
     const auto& s = model.sub_contacts;
     const Vec3& n = model.contacts.normal[contact];
@@ -114,7 +115,7 @@ Box box_of(const Model& model, Row b, double margin) {
     return {low - Vec3::Constant(margin), high + Vec3::Constant(margin)};
 }
 
-/// Two blocks that have each gone half the margin may have met.
+/// Two blocks that have each moved half the margin may have met.
 bool is_due(const Model& model, std::size_t b) {
     const double margin = model.blocks.margin[b], travelled = model.blocks.travelled[b];
     if (model.clock.cycle % search_interval != 0) return travelled > 0.5 * margin;
@@ -128,15 +129,16 @@ bool apart(const Box& a, const Box& b) {
     return (a.low.array() > b.high.array()).any() || (b.low.array() > a.high.array()).any();
 }
 
-/// Two blocks that may touch, with the contact that they have so far.
+/// Two blocks that may be in contact, with their present contact.
 struct Pair {
     Row block1, block2;
     Row old = no_row;
     bool is_due = true; ///< otherwise the contact stays as it is
 };
 
-/// Whether two blocks lie cornerwise: what their boxes have in common is no wider than `sliver` along two axes, so that no
-/// common area can be in it. `part` is how far each box reaches beyond its block.
+/// Whether two blocks lie cornerwise: their boxes share no more than `sliver` along two axes, so there is no room for a common area. `part`
+/// is the
+/// distance by which each box exceeds its block.
 bool cornerwise(const Box& a, const Box& b, double part_a, double part_b, double sliver) {
     int narrow = 0;
     for (int k = 0; k < 3; ++k) {
@@ -147,14 +149,14 @@ bool cornerwise(const Box& a, const Box& b, double part_a, double part_b, double
     return narrow >= 2;
 }
 
-/// Pairs that must be looked at and contacts that stay as they are; sorted like the contacts and the near pairs.
+/// Pairs to be checked and contacts that stay unchanged; sorted like the contacts and the near pairs.
 std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int, 2>>& near,
                            const std::vector<Box>& boxes, const std::vector<double>& beyond,
                            const std::vector<char>& moved) {
     const auto& contacts = model.contacts;
     const auto& margin = model.blocks.margin;
     const TiedBlocks tied(model);
-    // What moves may be wider together before the next look.
+    // The common width of moving blocks may grow before the next check.
     const auto adjacent = [&](int a, int b) {
         const double sliver = narrowest_contact(model, a, b) - (beyond[a] + beyond[b]);
         return cornerwise(boxes[a], boxes[b], margin[a] + beyond[a], margin[b] + beyond[b], sliver);
@@ -184,7 +186,7 @@ std::vector<Pair> pairs_of(const Model& model, const std::vector<std::array<int,
     return pairs;
 }
 
-/// Places of an overlap to be: where the blocks will meet when they come as near as this part of the margin.
+/// Points of a future overlap: where the blocks meet when they approach by this part of the margin.
 constexpr double contact_depth = 1e-3;
 
 void add_overlap_points(const Model& model, Row b1, Row b2, ContactGeometry& geometry, OverlapScratch& scratch) {
@@ -214,11 +216,10 @@ bool any_row_pulls(const Model& model, Row contact) {
     return std::any_of(force + span.first, force + span.end(), [](double f) { return f < 0; });
 }
 
-/// An overlap that is closed over most of what it covers may be a joint again, if it does not roll: a joint follows
-/// small rotations only.
+/// An overlap that is closed over most of its area may become a joint, unless it rolls: a joint follows small rotations only.
 bool may_close(const Model& model, Row contact) {
-    constexpr double part = 0.4; // a joint about to open carries on half of its area, which is kept a rung too large
-    constexpr double rolling = 0.25; // of the depth, in the time of two looks
+    constexpr double part = 0.4;     // a joint about to open carries on half of its area, which is rounded up
+    constexpr double rolling = 0.25; // of the depth, during two check intervals
     const auto& contacts = model.contacts;
     if (!(contacts.depth[contact] > 0 && contacts.area[contact] > part * contacts.stiffness_area[contact]))
         return false;
@@ -229,13 +230,13 @@ bool may_close(const Model& model, Row contact) {
            rolling * contacts.depth[contact];
 }
 
-/// Whether every place of a joint to be is well closed by what the overlap has now, and the joint would carry the same
-/// force with the same energy.
+/// Whether every point of the future joint is well closed by the present overlap, and the joint would carry the same force with the same
+/// energy.
 bool closes_everywhere(const Model& model, Row contact, const ContactGeometry& geometry) {
     const auto& contacts = model.contacts;
     const Vec3& origin = model.blocks.centroid[contacts.block1[contact]];
-    constexpr double least = 0.03; // of the depth: a joint that is about to open would go to and fro
-    constexpr double same = 0.02;  // faces that grip each other at their edges would make one of a smaller area
+    constexpr double least = 0.03; // of the depth: hysteresis for a joint that is about to open
+    constexpr double same = 0.02;  // faces that interlock at their edges would form a joint of smaller area
     double volume = 0, square = 0;
     for (const ContactPoint& p : geometry.points) {
         const double closure =
@@ -249,7 +250,7 @@ bool closes_everywhere(const Model& model, Row contact, const ContactGeometry& g
            std::abs(square - 2 * contacts.energy_length[contact] * carried) <= 2 * same * square;
 }
 
-/// Faces that will meet all at once.
+/// Faces that will meet over their whole area.
 bool is_parallel(const ContactGeometry& geometry) {
     constexpr double same = 1e-9; // of the size
     const auto [low, high] =
@@ -258,8 +259,9 @@ bool is_parallel(const ContactGeometry& geometry) {
     return high->gap - low->gap <= same * std::sqrt(geometry.area);
 }
 
-/// What becomes of two rigid blocks that touch. A joint that opens in part becomes an overlap, one that is closed
-/// everywhere a joint; a joint that pulls stays what it is.
+/// The kind of contact of two rigid blocks. A joint that opens in part becomes an overlap, an overlap closed everywhere becomes a joint; a
+/// joint in
+/// tension keeps its kind.
 DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving, ContactGeometry& geometry,
                         OverlapScratch& scratch) {
     const bool in_place = !model.settings.large_strain;
@@ -280,11 +282,11 @@ DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving
                                                                             : DraftKind::as_it_was;
 }
 
-/// The drafts of those pairs that touch; their points are in `found`.
+/// Drafts of the pairs in contact; their points are in `found`.
 std::vector<ContactDraft> find_all(const Model& model, const Surfaces& surfaces, const std::vector<double>& beyond,
                                    const std::vector<Pair>& pairs, bool moving, std::vector<FoundContacts>& found,
                                    PerThread<SearchScratch>& scratch_of) {
-    found.resize(std::max(found.size(), (pairs.size() + grain - 1) / grain)); // those that are there keep their memory
+    found.resize(std::max(found.size(), (pairs.size() + grain - 1) / grain)); // existing entries keep their memory
     for (auto& part : found) part.clear();
     for_chunks(pairs.size(), grain, [&](std::size_t first, std::size_t last) {
         stop_point();
@@ -318,7 +320,7 @@ std::vector<ContactDraft> find_all(const Model& model, const Surfaces& surfaces,
     return drafts;
 }
 
-/// The blocks of the pairs that are looked at, each once and in order.
+/// The blocks of the checked pairs, each once and in order.
 std::vector<Row> blocks_due(const Model& model, const std::vector<Pair>& pairs) {
     std::vector<char> due(model.blocks.size(), 0);
     for (const auto& pair : pairs)
@@ -329,7 +331,7 @@ std::vector<Row> blocks_due(const Model& model, const std::vector<Pair>& pairs) 
     return blocks;
 }
 
-/// The contacts that have not slid join those that have, which are as in `drafts` or have parted.
+/// Merges the contacts that have not slid with those that have, which are in `drafts` or have separated.
 template <class Slipped>
 std::vector<ContactDraft> with_the_others(const Model& model, std::vector<ContactDraft> drafts, Slipped has_slipped) {
     const auto& contacts = model.contacts;
@@ -366,7 +368,7 @@ bool ContactSearch::due(const Model& model) {
 
 ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool moving) {
     std::optional<StopListener> nobody;
-    if (moving) nobody.emplace([] {}); // in a cycle the user waits for its end
+    if (moving) nobody.emplace([] {}); // within a cycle, interruption waits for the end of the cycle
     auto& blocks = model.blocks;
     beyond_.resize(blocks.size());
     boxes_.resize(blocks.size());

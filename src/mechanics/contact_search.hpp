@@ -1,4 +1,4 @@
-// Which blocks touch, and when to look again.
+// Finds the blocks that are in contact and decides when to search again.
 // reads: gridpoints.position, blocks.travelled, blocks.margin, contacts.slip_since_update
 // writes: contacts, sub_contacts, blocks.travelled, energy.joint_lost, stale
 #pragma once
@@ -15,33 +15,32 @@
 
 namespace kaya {
 
-/// Drafts that were found together, and the points that they refer to.
+/// Drafts found together, with the points that they refer to.
 struct FoundContacts {
     std::vector<ContactDraft> drafts;
     std::vector<ContactPoint> points; ///< of one draft after another
 
     void clear();
-    void close(); ///< once all are there: points have moved while there came more
+    void close(); ///< call once all are found: points move while the list grows
 };
 
-/// Keeps between searches what makes the next one faster, and nothing on which its result depends.
+/// Keeps data between searches that speeds up the next one; results do not depend on it.
 class ContactSearch {
 public:
-    /// Looks at all pairs of blocks that are near each other and of which one has moved since it was looked
-    /// at last. `moving`: see replace_contacts.
+    /// Checks all pairs of near blocks of which one has moved since its last check. `moving`: see replace_contacts.
     ContactChange search(Model& model, JointRegistry& joints, bool moving);
 
-    /// Whether a block has gone so far that it may be about to touch another.
+    /// Whether a block has moved so far that it may be about to meet another.
     static bool due(const Model& model);
 
-    /// Makes the geometry of contacts anew that have slid farther than their tolerance.
+    /// Updates the geometry of contacts that have slid farther than their tolerance.
     ContactChange refresh_slipped(Model& model, JointRegistry& joints);
 
 private:
     NearPairs near_;
     Surfaces surfaces_;
     std::vector<Box> boxes_;
-    std::vector<double> beyond_; ///< how far each block may come beyond half its margin, see travel_beyond
+    std::vector<double> beyond_; ///< how far each block may be beyond half its margin, see travel_beyond
     std::vector<char> moved_;
     std::vector<FoundContacts> found_;
     PerThread<SearchScratch> scratch_;

@@ -22,7 +22,7 @@ double over_mass_of(const Model& model, Row c, Row block) {
         const double along = across.dot(inverse * across);
         return springs.normal * (1 / mass + along) + springs.shear * (2 / mass + inverse.of_arm(arm) - along);
     };
-    // What carries nothing stands in one place, and of blocks that are apart all does.
+    // An unloaded contact acts at one place, and so do all contacts of separated blocks.
     const auto& contacts = model.contacts;
     const Row spread = contacts.kind[c] != ContactKind::overlap ? span.end()
                        : contacts.depth[c] > 0                  ? std::min(span.first + carriers, span.end())

@@ -1,4 +1,4 @@
-// What the springs of a contact are to the time step: the one place that says how stiff a sub-contact is.
+// The springs of a contact as the time step sees them: the only place that defines the stiffness of a sub-contact.
 #pragma once
 
 #include "mechanics/overlap_patch.hpp"
@@ -17,11 +17,12 @@ struct Springs {
     double stiffer() const { return std::max(normal, shear); }
 };
 
-/// Times by which the area that counts for the normal stiffness of a contact exceeds that of its sub-contacts. Of an overlap
-/// those that carry count: they may have next to no area, while the others have that of the joint that was there.
+/// Ratio of the area that counts for the normal stiffness of a contact to that of its sub-contacts. Of an overlap, loaded sub-contacts
+/// count: they may
+/// have nearly no area, while the others still have that of the former joint.
 struct NormalAreaFactor {
     double of_carriers = 1;
-    Row others = std::numeric_limits<Row>::max(); ///< the first one that carries nothing
+    Row others = std::numeric_limits<Row>::max(); ///< the first unloaded one
 
     NormalAreaFactor(const Model& model, Row contact) {
         const double area = model.contacts.area[contact], stiff = model.contacts.stiffness_area[contact];
@@ -44,8 +45,9 @@ double sum_of_stiffness(const Model& model, Row contact);
 /// One number for each block of a contact.
 using StiffnessOfSides = std::array<double, 2>;
 
-/// Trace of the contact's stiffness over the mass and the moments of inertia of each of its rigid blocks, 1/time^2: no eigenvalue
-/// of the contact alone is greater. 0 for blocks that are fixed. Masses are the true ones.
+/// Trace of the contact's stiffness over the mass and the moments of inertia of each of its rigid blocks, 1/time^2: an upper bound for the
+/// eigenvalues
+/// of the contact alone. 0 for fixed blocks. Masses are the true ones.
 StiffnessOfSides stiffness_over_mass(const Model& model, Row contact);
 
 } // namespace kaya

@@ -59,7 +59,7 @@ void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>
     }
 }
 
-/// Sub-contacts that the joint models must still be told of.
+/// Sub-contacts that joint models have not been told about yet.
 struct Changes {
     std::vector<char> fresh; ///< that were not there before
     std::vector<char> moved; ///< with a normal displacement increment that they have not seen
@@ -67,14 +67,13 @@ struct Changes {
     explicit Changes(std::size_t rows) : fresh(rows, 0), moved(rows, 0) {}
 };
 
-/// Overlap of blocks that were made that way carries no force; overlap that motion has made since the
-/// last search is closed in one step.
+/// Initial overlap of blocks carries no force; overlap made by motion since the last search is closed in one step.
 void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bool moving) {
     auto& s = model.sub_contacts;
     for (std::size_t row = 0; row < s.size(); ++row) {
         if (!changes.fresh[row] || s.normal_displacement[row] >= 0) continue;
         if (model.contacts.kind[s.contact[row]] == ContactKind::overlap) {
-            s.normal_displacement[row] = 0; // the overlap says how deep
+            s.normal_displacement[row] = 0; // the overlap defines the depth
             continue;
         }
         changes.moved[row] = moving;
@@ -121,14 +120,13 @@ void write_contact(Model& model, Row c, const ContactPlane& g) {
                                                 : 0;
 }
 
-/// A plane that has turned by more than this (25 degrees) is another touch: what pushed one way says nothing about
-/// the other.
+/// A plane that has turned by more than this (25 degrees) is another contact: a force in one direction says nothing about the other.
 constexpr double cos_of_other_type = 0.906;
 
-/// Gaps that differ by less than this part of a sub-contact's size are the same.
+/// Gaps that differ by less than this part of a sub-contact's size are equal.
 constexpr double same_gap = 1e-9;
 
-/// Whether the same corner, or the same two edges, touch as before.
+/// Whether the same corner, or the same two edges, are in contact as before.
 bool same_features(const SubContacts& subs, Row s, const ContactPoint& point) {
     if (subs.type[s] != point.type) return false;
     const bool of_first = point.type == SubContactType::vertex_face || point.type == SubContactType::edge_edge;
@@ -137,7 +135,7 @@ bool same_features(const SubContacts& subs, Row s, const ContactPoint& point) {
            (!of_second || subs.side2[s].gridpoints == point.side2.gridpoints);
 }
 
-/// Writes a point to a row that holds what its old sub-contact had, or nothing.
+/// Writes a point to a row that holds the data of its old sub-contact, or is empty.
 void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec3& n, bool fresh, bool flat,
                        Changes& changes) {
     auto& subs = model.sub_contacts;
@@ -147,16 +145,17 @@ void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec
         subs.normal_displacement[s] = point.gap;
         subs.normal_displacement_increment[s] = 0;
     } else {
-        // Traction is handed on, not force: the new sub-contact owns another area.
-        // A corner or edge keeps the share that it had while it is loaded: if its spring changed as the block
-        // turns, pushing it in and letting it out would not be the same work.
+        // Traction is passed on, not force: the new sub-contact has another area. A loaded corner or edge keeps its share: if its spring
+        // changed as the block
+        // turns, loading and unloading would do different work.
         if (!flat && subs.normal_force[s] > 0 && same_features(subs, s, point)) area = subs.area[s];
         const double scale = subs.area[s] > 0 ? area / subs.area[s] : 0;
         subs.normal_force[s] *= scale;
         const Vec3 shear = subs.shear_force[s];
         subs.shear_force.set(s, scale * (shear - shear.dot(n) * n));
-        // The gap differs from that of the old location: the law gets the difference as a displacement.
-        // Where the old one was is not known when its block got another shape meanwhile.
+        // The gap differs from that of the old place: the law gets the difference as a displacement. The old place is unknown if the shape
+        // of its block
+        // changed meanwhile.
         const Attachment &side1 = subs.side1[s], &side2 = subs.side2[s];
         const bool known = side1.attached() && side2.attached();
         const bool same_places = side1 == point.side1 && side2 == point.side2; // more often than not
@@ -175,7 +174,7 @@ void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec
     subs.area[s] = area;
 }
 
-/// What a sub-contact holds that has seen nothing yet.
+/// State of a sub-contact without history.
 void clear_sub_contact(SubContacts& subs, Row s) {
     subs.normal_force[s] = subs.normal_displacement[s] = subs.frictional_work[s] = 0;
     subs.shear_force.set(s, Vec3::Zero());
@@ -184,8 +183,9 @@ void clear_sub_contact(SubContacts& subs, Row s) {
     subs.forget(s);
 }
 
-/// A contact that is found when its blocks overlap already carries no force for that: nothing has done the work of its springs,
-/// which would throw the blocks apart. Motion brings blocks to contacts that are there before.
+/// A contact detected when its blocks overlap already carries no force for that overlap: no work was done on its springs, and they would
+/// throw the blocks
+/// apart. Moving blocks get their contacts before they meet.
 void begin_found_late(Model& model, Row c) {
     auto& subs = model.sub_contacts;
     const Span span = model.contacts.sub_contacts[c];
@@ -202,7 +202,7 @@ bool closes(const Model& model, const ContactDraft& draft) {
            model.contacts.kind[draft.old] == ContactKind::overlap;
 }
 
-/// Which contacts will still be there.
+/// Which contacts remain.
 std::vector<char> kept_contacts(const Model& model, const std::vector<ContactDraft>& drafts) {
     std::vector<char> kept(model.contacts.size(), 0);
     for (const auto& draft : drafts)
@@ -210,7 +210,7 @@ std::vector<char> kept_contacts(const Model& model, const std::vector<ContactDra
     return kept;
 }
 
-/// Whether the contact keeps as many points and every point is nearest to the sub-contact of its own row.
+/// Whether the contact keeps its number of points and each point is nearest to the sub-contact of its own row.
 bool keeps_places(const Model& model, const ContactDraft& draft) {
     if (draft.kind == DraftKind::as_it_was) return true;
     if (draft.kind == DraftKind::overlap) return draft.old != no_row;
@@ -241,7 +241,7 @@ bool same_rows(const Model& model, const std::vector<ContactDraft>& drafts) {
     return true;
 }
 
-/// Returns what is lost of the energy in springs where joints become overlaps.
+/// Returns the energy in springs that is lost where joints become overlaps.
 double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Changes& changes,
                         OverlapScratch& scratch) {
     const auto& blocks = model.blocks;
@@ -271,7 +271,7 @@ double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, C
     return lost;
 }
 
-/// Where each row of the new tables comes from. A blank row at the end of the old ones serves those that come from nowhere.
+/// The source row of each row of the new tables. A blank row at the end of the old ones is the source of rows without one.
 struct RowSources {
     Row blank_contact, blank_sub;
     std::vector<Row> contacts, subs;
@@ -290,7 +290,7 @@ RowSources sources_of(const Model& model, const std::vector<ContactDraft>& draft
             for (Row row = old.first; row < old.end(); ++row) from.subs.push_back(row);
         } else {
             for (const auto& point : draft.points) {
-                // Of an overlap only those that carry say anything.
+                // Of an overlap, only loaded sub-contacts are a source.
                 const bool overlap = draft.old != no_row && contacts.kind[draft.old] == ContactKind::overlap;
                 const Row row = overlap ? old.first : nearest(subs, old, point.position);
                 from.subs.push_back(row == no_row ? from.blank_sub : row);
@@ -331,7 +331,7 @@ public:
         const bool other_type =
             is_new && !closing && was_there && draft.plane.normal.dot(contacts.normal[c]) < cos_of_other_type;
         if (is_new) write_contact(model_, c, draft.plane);
-        // What was made to overlap does so without force, and what is found too late begins without.
+        // Initial overlaps and contacts detected late start with zero force.
         if (draft.kind == DraftKind::overlap && !was_there) begin_without_force(model_, c, scratch_);
         for (Row i = 0; i < from_.spans[c].count; ++i) {
             const Row s = from_.spans[c].first + i;
@@ -347,11 +347,11 @@ public:
         const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.row == c; });
         close_joint(model_, draft, c, from_.spans[c].first, load->load, offset, changes_.moved);
     }
-    /// Which of the old sub-contacts are still there.
+    /// Which of the old sub-contacts remain.
     const std::vector<char>& sub_kept() const { return sub_kept_; }
 
 private:
-    /// A sub-contact goes on as the first that comes from it; others are new.
+    /// The first sub-contact with a given source keeps its number; the others are new.
     void name(Row s, Row c) {
         auto& subs = model_.sub_contacts;
         const Row source = from_.subs[s];
@@ -405,7 +405,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     auto& subs = model.sub_contacts;
     const RowSources from = sources_of(model, drafts);
 
-    // A joint model that is not there is found out before any table changes.
+    // A missing joint model is reported before any table changes.
     const bool any_new = std::any_of(drafts.begin(), drafts.end(), [](const auto& d) { return d.old == no_row; });
     const std::int32_t material = model.settings.default_joint_material;
     const Row properties = any_new ? property_set(model, joints, default_joint_model(model), material, "") : no_row;
@@ -426,7 +426,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     for (std::size_t s = 0; s < old_sub_ids.size(); ++s)
         if (!writer.sub_kept()[s]) subs.ids.destroy(old_sub_ids[s]);
 
-    ModelEdit(model, Change::lists);                // even if a joint model gives up below
+    ModelEdit(model, Change::lists);                // even if a joint model throws below
     for (std::size_t c = 0; c < drafts.size(); ++c) // joints that become overlaps
         if (drafts[c].kind == DraftKind::overlap && drafts[c].old != no_row)
             lost += follow_overlap(model, static_cast<Row>(c), scratch);

@@ -13,11 +13,11 @@ namespace kaya {
 
 namespace {
 
-/// How far blocks that are apart are pushed into each other for it, in margins.
+/// Separated blocks are pushed into each other by this many margins for the search.
 constexpr double depth = 1e-3;
 constexpr int most_projections = 50;
 
-/// Clips what is there by the faces of a block that is moved.
+/// Clips the present polyhedron by the faces of a shifted block.
 void clip_by_faces(const Model& model, const Surfaces& surfaces, Row block, const Vec3& shift, const Vec3& origin,
                    ConvexClip& clip) {
     const Span faces = model.blocks.faces[block];
@@ -28,7 +28,7 @@ void clip_by_faces(const Model& model, const Surfaces& surfaces, Row block, cons
     }
 }
 
-/// A box that holds all of a block that is moved, and more.
+/// A box that encloses a shifted block.
 void begin_with_box(const Model& model, Row block, const Vec3& shift, const Vec3& origin, ConvexClip& clip) {
     constexpr double room = 1.1;
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -48,7 +48,7 @@ void begin_with_box(const Model& model, Row block, const Vec3& shift, const Vec3
     }
 }
 
-/// Weights of the place in a triangle that is nearest to another (Ericson 2005, Real-Time Collision Detection, 5.1.5).
+/// Barycentric weights of the point of a triangle nearest to another point (Ericson 2005, Real-Time Collision Detection, 5.1.5).
 std::array<double, 3> nearest_in_triangle(const std::array<Vec3, 3>& x, const Vec3& place) {
     const Vec3 ab = x[1] - x[0], ac = x[2] - x[0], ap = place - x[0];
     const double d1 = ab.dot(ap), d2 = ac.dot(ap);
@@ -72,7 +72,7 @@ std::array<double, 3> nearest_in_triangle(const std::array<Vec3, 3>& x, const Ve
     return {va / sum, vb / sum, vc / sum};
 }
 
-/// The place of a block's surface nearest to another, on those faces that look along a direction.
+/// The point of a block's surface nearest to another point, on faces that look along a direction.
 Attachment nearest_on_surface(const Model& model, const Surfaces& surfaces, Row block, const Vec3& place,
                               const Vec3& direction) {
     const auto& x = model.gridpoints.position;
@@ -89,13 +89,13 @@ Attachment nearest_on_surface(const Model& model, const Surfaces& surfaces, Row 
             if (square < least) least = square, best = {g, w};
         }
     }
-    // A vertex is known by its first weight.
+    // A vertex is stored by its first weight.
     for (std::size_t k = 1; k < 3; ++k)
         if (best.weights[k] == 1) best = {{best.gridpoints[k], best.gridpoints[k], best.gridpoints[k]}, {1, 0, 0}};
     return best;
 }
 
-/// The centroid of what both blocks share when the first has been moved.
+/// The centroid of the common volume of both blocks after the first has been shifted.
 std::optional<Vec3> middle_of_common(const Model& model, const Surfaces& surfaces, Row block1, Row block2,
                                      const Vec3& shift, ConvexClip& clip) {
     const Vec3 origin = surfaces.middle(block2); // numbers stay small
@@ -108,7 +108,7 @@ std::optional<Vec3> middle_of_common(const Model& model, const Surfaces& surface
     return origin + moments.centroid;
 }
 
-/// The places of two blocks that are nearest to each other, by projecting from one on the other and back.
+/// The nearest points of two blocks, by alternating projection.
 void find_nearest_places(const Model& model, const Surfaces& surfaces, Row block1, Row block2, const Vec3& normal,
                          double near, ContactPoint& point) {
     Vec3 place = surfaces.middle(block1);

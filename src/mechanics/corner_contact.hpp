@@ -7,9 +7,9 @@ namespace kaya {
 
 struct OverlapScratch;
 
-/// The place where two convex blocks are deepest in each other, or are first if they come nearer along the normal of
-/// `geometry` by `distance`; of blocks that would miss each other that way, the places that are nearest: one point, without its
-/// area. False where there is none.
+/// The point where two convex blocks overlap most, or meet first when they approach along the normal of `geometry` by `distance`; for
+/// blocks that would
+/// miss each other, the nearest points: one point, without its area. False where there is none.
 bool find_corner_contact(const Model& model, const Surfaces& surfaces, Row block1, Row block2, double distance,
                          ContactGeometry& geometry, OverlapScratch& scratch);
 

@@ -22,8 +22,8 @@ using Corners = std::array<Vec3, 4>;
 
 double volume_of(const Corners& x) { return (x[1] - x[0]).dot((x[2] - x[0]).cross(x[3] - x[0])) / 6; }
 
-/// Of the angle between two faces that is nearest to 0 or 180 degrees. The product of the area vectors of two faces is the edge that they
-/// share times the volume.
+/// Sine of the dihedral angle nearest to 0 or 180 degrees. The cross product of the area vectors of two faces is their common edge times
+/// the volume.
 double sine_of(const Corners& x) {
     const Vec3 a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
     const double six_volumes = std::abs(a.dot(b.cross(c)));

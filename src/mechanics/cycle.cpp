@@ -40,7 +40,7 @@ namespace kaya {
 
 namespace {
 
-/// Cycles between two looks at all bodies while stiffnesses change little by little.
+/// Cycles between two checks of all bodies while stiffnesses change slowly.
 constexpr std::int64_t follow_interval = 10;
 
 Diagnostic motion_lost() {
@@ -53,7 +53,7 @@ Diagnostic motion_lost() {
 
 } // namespace
 
-/// What is derived from the model and never saved.
+/// Derived data, never saved.
 struct Cycle::Lists {
     ContactSearch search;
     Adjacency adjacency;
@@ -72,7 +72,7 @@ struct Cycle::Lists {
     std::vector<PointRow> zone_forces;
     PointForces point_forces{adjacency, ties, joints, laws.tiles, zone_forces};
     GridPass pass;
-    bool passed = false; ///< zones have run with the motion of their gridpoints
+    bool passed = false; ///< zones have been advanced together with their gridpoints
 };
 
 Cycle::Cycle(Model& model, JointRegistry& joints) : model_(model), joints_(joints), lists_(std::make_unique<Lists>()) {}
@@ -104,12 +104,12 @@ void Cycle::prepare() {
         if (model_.stale.properties()) compute_member_masses(model_);
         s.members = MemberLists(model_);
         if (!model_.stale.properties()) take_zone_laws();
-        s.step.forget(); // properties may be others now
+        s.step.forget(); // properties may have changed
         make_lists();
         if (!model_.stale.properties())
             s.joints.stiffness_changed.assign(model_.contacts.size(), 0); // restored: all is known
         s.quiet = quiet_points(model_, s.elastic);
-        s.search = ContactSearch{}; // blocks may be others now
+        s.search = ContactSearch{}; // blocks may have changed
         model_.stale.lists_made();
         model_.tables([](const char*, auto& table) {
             table.columns([](const std::string&, const auto& column, Role) {
@@ -120,10 +120,10 @@ void Cycle::prepare() {
     if (model_.stale.properties()) {
         apply_load_histories(model_, s.boundary_histories, hooks);
         if (model_.structures.stand()) model_.energy.structure_work += run_structures(0);
-        // Forces of what is there already, so that the first step starts from them.
+        // Computes the present forces, from which the first step starts.
         gather_forces(model_, s.point_forces, s.members);
         model_.clock.time_step = 0;
-        model_.clock.last_step = 0; // what a command has changed acts from now on
+        model_.clock.last_step = 0; // changes made by a command act from here on
         s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, TimeStep::Bodies::all_and_grow);
         model_.stale.properties_computed();
     }
@@ -152,7 +152,7 @@ void Cycle::make_lists() {
     s.pass = {};
 }
 
-// The order of one step, and the only place where it stands.
+// The order of one step, defined here only.
 void Cycle::advance() {
     StepSums sums;
     lists_->zones.cells.wanted = unwatched_ > 0;
@@ -177,7 +177,7 @@ void Cycle::begin() {
     start_viscosity(model_);
 }
 
-/// Velocities and places; zones with them, where they ask for nothing else.
+/// Velocities and positions; zones as well where they depend on nothing else.
 void Cycle::move(StepSums& sums) {
     Lists& s = *lists_;
     s.passed = GridPass::possible(model_, s.laws, s.ties);
@@ -204,7 +204,7 @@ double Cycle::run_structures(double step) {
     return run_cables(model_, s.cables) + run_members(model_, s.members, step);
 }
 
-/// What answers to it: joints, zones, ties, structures.
+/// The responses: joints, zones, ties, structures.
 void Cycle::strain(StepSums& sums) {
     Lists& s = *lists_;
     times_.timed(Phase::joints, [&] {
@@ -226,7 +226,7 @@ ContactChange Cycle::refresh_contacts() {
         ContactChange change = s.search.refresh_slipped(model_, joints_);
         if (ContactSearch::due(model_)) change = std::max(change, s.search.search(model_, joints_, true));
         if (change == ContactChange::none) return change;
-        // A contact that is new may have a joint material of its own.
+        // A new contact may have its own joint material.
         if (change == ContactChange::replaced) check_properties(model_, joints_);
         if (model_.stale.lists()) make_lists();
         else joint_forces_of_new(model_, s.joints);

@@ -1,4 +1,4 @@
-// One cycle of the explicit scheme: the only place where the order of the phases stands.
+// One cycle of the explicit scheme; the order of the phases is defined here only.
 #pragma once
 
 #include "laws/joint_model.hpp"
@@ -20,21 +20,23 @@ public:
     Cycle(Model& model, JointRegistry& joints);
     ~Cycle();
 
-    /// Contacts found, joint models given to contacts that have none, masses and time step computed.
-    /// Called by advance() when something changed; safe to call at any time. Throws Diagnostic
-    /// (density not given, zero stiffness, a required joint property missing, ...), model unchanged.
+    /// Finds contacts, gives joint models to contacts without one, computes masses and the time step. advance() calls it when something
+    /// changed; it is
+    /// safe to call at any time. Throws Diagnostic (missing density, zero stiffness, a missing joint property, ...) and leaves the model
+    /// unchanged.
     void prepare();
 
-    /// One cycle. Throws Diagnostic with Fault::run when a joint model fails or a number is not finite.
+    /// Runs one cycle. Throws Diagnostic with Fault::run when a joint model fails or a value is not finite.
     void advance();
 
-    /// The body that limits the time step and why, in words.
+    /// Describes the body that limits the time step and the reason.
     std::string time_step_report();
 
     const std::vector<PhaseTime>& timing() const { return times_.all(); }
 
-    /// While one stands, nobody reads or writes stresses of zones between cycles, and no hook or script does inside: cycles may keep
-    /// them where they are quickest at hand. The zones have them again when the last one goes, or after bring_up_to_date().
+    /// While an Unwatched exists, zone stresses are not read or written between cycles, nor by hooks and scripts inside them, and may be
+    /// cached; they are
+    /// written back when the last one is destroyed or by bring_up_to_date().
     class Unwatched {
     public:
         explicit Unwatched(Cycle& cycle) : cycle_(cycle) { ++cycle_.unwatched_; }
@@ -50,7 +52,7 @@ public:
     };
     void bring_up_to_date() const;
 
-    /// Elastic energy of all zones by their stress, as of the last prepare().
+    /// Elastic energy of all zones from their stress, as of the last prepare().
     double energy_in_zones() const;
 
     Hooks hooks;

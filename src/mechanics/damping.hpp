@@ -10,7 +10,7 @@
 
 namespace kaya {
 
-/// What the settings mean for a step: factors that loops use.
+/// Damping factors of a step, derived from the settings.
 struct DampingFactors {
     double local = 0;    ///< alpha of F_d = -alpha |F| sgn(v)
     double combined = 0; ///< alpha of F_d = alpha |F| (sgn(dF/dt) - sgn(v))/2
@@ -27,11 +27,12 @@ struct DampingFactors {
         after_turn_ = (1 - local) / (1 + local);
     }
 
-    /// Velocities one step later, from the sums of forces and step over mass (or moments, and step over moment of
-    /// inertia). `last` is the sum of forces one step ago; combined damping reads it and sets it.
-    /// Viscous damping is centred, so it is stable for any viscosity. Local damping turns round with the
-    /// velocity: where that happens inside a step, the rest of the step sees the other sign; without this
-    /// strongly damped motion would turn several steps too early.
+    /// Velocities one step later, from the sums of forces and step over mass (or moments, and step over moment of inertia). `last` is the
+    /// sum of forces of
+    /// the previous step; combined damping reads and updates it. Viscous damping is centred and stable for any viscosity. Local damping
+    /// changes sign with the
+    /// velocity: where that happens within a step, the rest of the step uses the other sign; otherwise strongly damped motion would turn
+    /// several steps early.
     Lanes advance(const Lanes& velocity, const Lanes& force, double step_over_mass, Vec3& last) const {
         const Lanes push = force * step_over_mass;
         if (combined != 0) {
@@ -40,7 +41,7 @@ struct DampingFactors {
             return next;
         }
         if (local == 0) return (velocity * (1 - half_) + push) / (1 + half_);
-        // Selections without a branch: of a body at rest the signs are those of noise.
+        // Branch-free selections: the signs of a body at rest are noise.
         Lanes next;
         const double more = 1 + local, less = 1 - local, turned = after_turn_;
         for (int k = 0; k < lane_count; ++k) {
@@ -58,7 +59,7 @@ struct DampingFactors {
         store(last, force);
         return advance_combined(velocity, change, push);
     }
-    /// But for combined damping.
+    /// Without combined damping.
     Eight advance(const Eight& velocity, const Eight& push) const {
         if (local == 0) return (velocity * (1 - half_) + push) / (1 + half_);
         const Eight first = velocity + (velocity * push < 0 ? eights(1 + local) : eights(1 - local)) * push;
@@ -66,7 +67,7 @@ struct DampingFactors {
     }
 
 private:
-    /// What advance_combined does with one.
+    /// advance_combined for one component.
     Eight advance_combined(const Eight& velocity, const Eight& change, const Eight& push) const {
         const Eight none{}, brake = 0.5 * combined * size_of(push), with = velocity < 0 ? -brake : brake;
         const Eight acting = push + (change == 0 ? none : change < 0 ? -brake : brake);
@@ -77,8 +78,8 @@ private:
         return velocity == 0 ? from_rest : next * velocity >= 0 ? next : turned;
     }
 
-    double half_ = 0;       ///< of what viscous damping takes in a step, in parts of the momentum
-    double after_turn_ = 1; ///< local damping: the part of a velocity that is left where it turns
+    double half_ = 0;       ///< part of the momentum that viscous damping removes in a step
+    double after_turn_ = 1; ///< local damping: the part of a velocity that remains when it changes sign
 
     double advance_combined(double velocity, double force, double push, double& last) const {
         const double change = force - last;
@@ -89,7 +90,7 @@ private:
         const double against = acting - std::copysign(brake, velocity);
         const double next = velocity + against;
         if (next * velocity >= 0) return next;
-        // It turns inside the step: the brake pulls the other way for the rest of it.
+        // The velocity changes sign within the step: damping reverses for the rest of it.
         const double rest = 1 + velocity / against;
         const double after = rest * (acting + std::copysign(brake, velocity));
         return after * velocity < 0 ? after : 0;

@@ -7,10 +7,9 @@ namespace kaya {
 
 namespace {
 
-/// Power of adaptive global damping over the rate at which kinetic energy changes, of a ratio of 1: calibrated on
-/// logs of 3DEC, docs/theory/damping.md.
+/// Power of adaptive global damping over the rate of kinetic energy for a ratio of 1; calibrated on logs of 3DEC, docs/theory/damping.md.
 constexpr double global_damping_scale = 4.6;
-/// How much its viscosity changes in the largest stable step, from the same logs.
+/// Rate of change of the viscosity at the largest stable step, from the same logs.
 constexpr double viscosity_rate = 0.0033;
 
 } // namespace

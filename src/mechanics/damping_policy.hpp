@@ -1,4 +1,4 @@
-// How adaptive global damping follows the motion: docs/theory/damping.md.
+// Adaptive global damping: docs/theory/damping.md.
 // reads: settings.damping, settings.global_ratio, clock.time_step
 // writes: clock.global_viscosity
 #pragma once
@@ -8,10 +8,10 @@
 
 namespace kaya {
 
-/// What begins to move does so overdamped, so that no joint slips in an overshoot before the viscosity has come down.
+/// Motion starts overdamped, so that no joint slips in an overshoot before the viscosity has decreased.
 void start_viscosity(Model& model);
 
-/// More viscosity where damping takes less than its part of the change of kinetic energy, less where it takes more.
+/// Raises the viscosity where damping takes less than its part of the change of kinetic energy, and lowers it where it takes more.
 void adapt_viscosity(Model& model, const MotionSums& motion);
 
 } // namespace kaya

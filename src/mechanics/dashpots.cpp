@@ -10,7 +10,7 @@ namespace kaya {
 
 namespace {
 
-/// 1 over the mass of a body on one side of a contact; what is held everywhere has none.
+/// 1 over the mass of the body on one side of a contact; 0 if it is held in all directions.
 double inverse_mass(const Model& model, Row block) {
     const auto& blocks = model.blocks;
     const bool held = !blocks.deformable[block] && (blocks.fixed[block] & 7) == 7;
@@ -39,7 +39,7 @@ Beta beta_of(const Model& model, Row c) {
     if (fraction == 0) return beta;
     const double inverse = inverse_mass(model, contacts.block1[c]) + inverse_mass(model, contacts.block2[c]);
     if (inverse == 0) return beta;
-    // A dashpot of that part of the critical one, 2 sqrt(k m), is as many times k.
+    // A dashpot of this part of the critical one, 2 sqrt(k m), is this multiple of k.
     double normal = 0, shear = 0;
     const NormalAreaFactor factor(model, c);
     for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
@@ -70,7 +70,7 @@ double BatchDashpots::work() const {
     const auto& s = model_.sub_contacts;
     double sum = 0;
     for (const Row c : batch_.contacts) {
-        if (follows_overlap(model_, c)) continue; // its rows do not stay in their places
+        if (follows_overlap(model_, c)) continue; // its rows do not keep their places
         const Span span = model_.contacts.sub_contacts[c];
         for (Row row = span.first; row < span.end(); ++row)
             sum += s.dashpot_normal[row] * s.normal_displacement_increment[row] +
@@ -87,7 +87,7 @@ double BatchDashpots::finish() {
         const Span span = model_.contacts.sub_contacts[c];
         for (Row row = span.first; row < span.end(); ++row) {
             const bool open = s.normal_force[row] == 0 && s.shear_force[row].isZero(0);
-            // What has slipped or broken in this step is not elastic: friction alone takes energy up there.
+            // A part that has slipped or broken in this step is not elastic: only friction dissipates there.
             const bool slips = s.frictional_work[row] != friction_[row - batch_.first];
             const double normal = open ? 0 : beta.normal / step, shear = open || slips ? 0 : beta.shear / step;
             s.dashpot_normal[row] = normal * (s.dashpot_normal[row] + s.normal_force[row]);

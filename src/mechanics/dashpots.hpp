@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-/// True when joints carry viscous forces besides those of their law.
+/// True when joints carry viscous forces in addition to those of their law.
 bool joints_are_damped(const Settings& settings);
 
 /// True when zones do.
@@ -17,30 +17,28 @@ inline bool zones_are_damped(const Model& model) {
     return stiffness_damping(model.settings) > 0 && model.zones.keeps_dashpots;
 }
 
-/// Where nothing is damped so any more, the viscous forces of the last step are gone.
+/// Clears the viscous forces of the last step where damping has ended.
 void drop_idle_dashpots(Model& model);
 
-/// Times by which the rates of normal and shear force are multiplied in one contact: its dashpots are these times its
-/// springs.
+/// Factors of the rates of normal and shear force in one contact: its dashpots are these multiples of its springs.
 struct Beta {
     double normal = 0, shear = 0;
 };
 
-/// Of the settings and of the contact's own dashpots; the stiffness is the one of now, masses are inertial.
+/// From the settings and the contact's own dashpots; with present stiffness and inertial masses.
 Beta beta_of(const Model& model, Row contact);
 
-/// Dashpots of one batch in one step. The constructor is called when the increments are known and the joint
-/// model has not run yet, finish() when it has.
+/// Dashpots of one batch in one step. Constructed when the increments are known, before the joint model runs; finish() is called after it.
 class BatchDashpots {
 public:
-    /// `friction` is room for the frictional work of the batch before its joint model runs.
+    /// `friction` is scratch memory for the frictional work of the batch before its joint model runs.
     BatchDashpots(Model& model, const Batch& batch, std::vector<double>& friction);
-    /// Writes SubContacts::dashpot_normal and dashpot_shear. Returns the energy that was taken up in the step, but for
-    /// overlaps: JointWork::dashpots has theirs.
+    /// Writes SubContacts::dashpot_normal and dashpot_shear. Returns the energy dissipated in the step, without overlaps, which
+    /// JointWork::dashpots holds.
     double finish();
 
 private:
-    /// Of the dashpots as they are on the increments, but for overlaps.
+    /// Work of the present dashpots on the increments, without overlaps.
     double work() const;
 
     Model& model_;

@@ -38,14 +38,14 @@ template <class Visit> void each_body(Model& model, const BodyStiffness& stiffne
                   stiffness.of_gridpoint[g]);
 }
 
-/// What other masses change: kinetic energy, and the power of the forces of joints and zones.
+/// Effect of a change of masses: kinetic energy, and the power of joint and zone forces.
 struct MassChange {
     double kinetic = 0, power = 0;
 };
 
-/// Another mass makes no kinetic energy: a body that gets heavier keeps its momentum, and one that gets lighter its velocity.
-/// Otherwise a block that rattles would gain each time: it gets lighter while springs push it, and heavier while it flies.
-/// Velocities that are held stay.
+/// A change of mass creates no kinetic energy: a body that gets heavier keeps its momentum, one that gets lighter keeps its velocity.
+/// Otherwise a
+/// rattling block would gain energy each time, getting lighter while springs push it and heavier in flight. Held velocities are unchanged.
 void give(const Body& body, double value, MassChange& change) {
     const double before = body.inertial, ratio = value / before, slower = std::min(1.0, 1 / ratio);
     body.inertial = value;
@@ -69,7 +69,7 @@ void give(const Body& body, double value, MassChange& change) {
     change.power += body.moment->dot(*body.spin - spin);
 }
 
-/// The account calls it damped.
+/// The account books it as damped.
 void book(Model& model, const MassChange& change) {
     Energy& energy = model.energy;
     energy.kinetic += change.kinetic;
@@ -88,11 +88,11 @@ void sum_up(Model& model) {
     }
 }
 
-/// Room for rounding: a mass that was made for a frequency is not found to be too small for it.
+/// Rounding tolerance: a mass computed for a frequency must not be found too small for it.
 constexpr double above = 1 + 1e-9;
-/// A stiffness that grows gives a little more mass than it must, so that it does not have to in the next cycle.
+/// A growing stiffness gets some mass in advance, so that it need not be changed in the next cycle.
 constexpr double ahead = 1.1;
-/// Masses stay while they are no more than this part too large: changing them costs kinetic energy.
+/// Masses stay unchanged while they are at most this part too large: changing them costs kinetic energy.
 constexpr double enough = 0.8;
 
 } // namespace
@@ -159,7 +159,7 @@ void fit_member_masses(Model& model) {
     const bool follow = member_masses_follow(model.settings);
     MassChange change;
     const auto fit = [&](double& inertial, double right, Vec3& velocity, const Vec3& force) {
-        if (inertial == 0) inertial = right; // it has just been made
+        if (inertial == 0) inertial = right; // newly created
         if (inertial >= right && enough * inertial <= right) return;
         give(Body{right, inertial, 0, force, velocity, nullptr, nullptr, nullptr}, right, change);
     };

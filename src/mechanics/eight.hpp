@@ -1,5 +1,6 @@
-// Eight numbers at a time: rows of zones and gridpoints in the widest vector registers that there are. Every operation is lane by
-// lane, as in model/lanes.hpp, so that a result does not depend on how wide the registers are.
+// Eight numbers at a time: rows of zones and gridpoints in the widest vector registers available. Every operation is lane by lane, as in
+// model/lanes.hpp,
+// so results do not depend on the width of the registers.
 #pragma once
 
 #include "model/column.hpp"
@@ -14,7 +15,7 @@
 #include <immintrin.h>
 #endif
 
-// Where registers are narrower these are passed in another way; only inlined functions pass them.
+// Narrower registers change how these are passed; only inlined functions pass them.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace kaya {
@@ -34,7 +35,7 @@ template <class Vector> void store(double* to, const Vector& v) { std::memcpy(to
 
 inline Eight eights(double value) { return Eight{value, value, value, value, value, value, value, value}; }
 
-/// Up to eight rows of a column. Rows that are not there read as 0 and are not written.
+/// Up to eight rows of a column. Missing rows read as 0 and are not written.
 [[gnu::always_inline]] inline Eight load_rows(const double* column, std::ptrdiff_t count) {
     if (count >= eight) return load_as<Eight>(column);
     Eight e{};
@@ -46,8 +47,7 @@ inline Eight eights(double value) { return Eight{value, value, value, value, val
     for (std::ptrdiff_t l = 0; l < count; ++l) column[l] = e[l];
 }
 
-/// Up to eight rows of columns: one joint between rigid blocks is one such group as a rule. Rows that are not there read as 0 and are
-/// not written.
+/// Up to eight rows of columns: usually one joint between rigid blocks. Missing rows read as 0 and are not written.
 class RowsOfEight {
 public:
     explicit RowsOfEight(std::ptrdiff_t rows) : rows_(rows < eight ? rows : eight) {}
@@ -63,7 +63,7 @@ public:
         const auto& c = column.component;
         return {load(c[0].data() + first), load(c[1].data() + first), load(c[2].data() + first)};
     }
-    /// Rows that are not there read as `otherwise`.
+    /// Missing rows read as `otherwise`.
     Eight load(const double* column, const Eight& otherwise) const {
 #if defined(__AVX512F__)
         return _mm512_mask_loadu_pd(otherwise, mask(), column);
@@ -93,7 +93,7 @@ public:
     }
     std::ptrdiff_t rows() const { return rows_; }
 
-    /// Whether one of the rows that are there is below, or not above, the limit.
+    /// Whether one of the present rows is below, or not above, the limit.
     bool any_below(const Eight& value, const Eight& limit) const {
 #if defined(__AVX512F__)
         return _mm512_mask_cmp_pd_mask(mask(), value, limit, _CMP_LT_OQ) != 0;
@@ -120,7 +120,7 @@ private:
     std::ptrdiff_t rows_;
 };
 
-/// What a comparison of eights gives: in each lane all bits or none.
+/// Result of a comparison: all bits or none in each lane.
 using MaskOfEight = decltype(Eight{} < Eight{});
 inline bool all(const MaskOfEight& mask) {
 #if defined(__AVX512F__)
@@ -178,7 +178,7 @@ inline Eight square_root(const Eight& e) {
 #endif
 }
 
-/// Whether all lanes are above 0; not for those that are no number.
+/// Whether all lanes are above 0; false for NaN.
 inline bool all_above_zero(const Eight& e) {
 #if defined(__AVX512F__)
     return _mm512_cmp_pd_mask(e, _mm512_setzero_pd(), _CMP_GT_OQ) == 0xff;
@@ -198,7 +198,7 @@ inline bool all_zero(const Eight& e) {
     return all;
 #endif
 }
-/// Whether eight rows of whole numbers are all 0.
+/// Whether eight rows of integers are all 0.
 template <class Whole> bool all_zero_rows(const Whole* rows) {
     std::array<std::uint64_t, sizeof(Whole)> words;
     std::memcpy(words.data(), rows, sizeof words);

@@ -1,4 +1,4 @@
-// What elements of beams and liners have in common: how their nodes lie, what they do to them, and how stiff they are to them.
+// Common to elements of beams and liners: the pose of their nodes, their forces and their stiffness.
 #pragma once
 
 #include "base/vector.hpp"
@@ -10,18 +10,18 @@
 
 namespace kaya {
 
-/// A node as it lies now.
+/// Present pose of a node.
 struct NodePose {
     Vec3 place = Vec3::Zero();
-    Mat3 turn = Mat3::Identity(); ///< from how it was made
+    Mat3 turn = Mat3::Identity(); ///< since its creation
 };
 
-/// Of an element on one of its nodes.
+/// Force and moment of an element on one of its nodes.
 struct EndForce {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
 };
 
-/// The rotation vector of a turn of less than half a revolution.
+/// The rotation vector of a rotation of less than half a revolution.
 inline Vec3 rotation_vector(const Mat3& turn) {
     const Vec3 sine =
         0.5 * Vec3(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)); // times the axis
@@ -30,14 +30,15 @@ inline Vec3 rotation_vector(const Mat3& turn) {
     return (std::atan2(size, 0.5 * (turn.trace() - 1)) / size) * sine;
 }
 
-/// Stiffnesses of a node, alone on fixed ground, that together resist at least as much as an element does:
-/// K <= diag(translation, rotation) for each of its nodes.
+/// Stiffnesses of single nodes on fixed ground that together resist at least as much as the element: K <= diag(translation, rotation) for
+/// each node.
 struct EndStiffness {
     double translation = 0, rotation = 0;
 };
 
-/// `deformation` gives deformations by the motion of the nodes (each three translations and three rotations), `stiffness` their
-/// generalised forces. A rotation counts as a translation at the distance `arm`.
+/// `deformation` maps the motion of the nodes (three translations and three rotations each) to deformations, `stiffness` maps these to
+/// generalised
+/// forces. A rotation counts as a translation at the distance `arm`.
 template <int deformations, int motions>
 EndStiffness end_stiffness(const Eigen::Matrix<double, deformations, motions>& deformation,
                            const Eigen::Matrix<double, deformations, deformations>& stiffness, double arm) {

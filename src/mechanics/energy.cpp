@@ -26,13 +26,13 @@ double energy_in_zones(const Model& model, const std::vector<ElasticConstants>& 
 void keep_account(Model& model, const StepSums& step) {
     const auto& [prescribed, motion, joints, zones, structure_work, inner_power] = step;
     Energy& energy = model.energy;
-    // Velocities that were set from outside since the last step open the account anew by their energy.
+    // The energy of velocities set from outside since the last step is added to the initial energy of the account.
     energy.start += motion.kinetic_before - prescribed.kinetic - energy.kinetic;
     energy.kinetic = motion.kinetic;
-    // The half step up to such a change was gone with the velocities before it, and not with those that bodies saw.
+    // The half step before such a change belongs to the earlier velocities, not to those that the bodies have now.
     const double power_set = motion.inner_power - prescribed.inner_power - energy.inner_power;
     const double half_step = 0.5 * model.clock.time_step;
-    const bool opens = energy.lag == 0; // nothing is known of the half step before
+    const bool opens = energy.lag == 0; // the half step before is unknown
     const double half_step_before = opens ? half_step : energy.lag;
     energy.inner_power = inner_power;
     energy.lag = half_step;

@@ -11,10 +11,10 @@
 
 namespace kaya {
 
-/// Puts what a step has done into the account.
+/// Books the sums of a step.
 void keep_account(Model& model, const StepSums& step);
 
-/// Elastic energy of all zones by their stress: p^2/(2 K) + s:s/(4 G) per volume. `elastic` has the constants of the blocks.
+/// Elastic energy of all zones from their stress: p^2/(2 K) + s:s/(4 G) per volume. `elastic` has the constants of the blocks.
 double energy_in_zones(const Model& model, const std::vector<ElasticConstants>& elastic);
 
 } // namespace kaya

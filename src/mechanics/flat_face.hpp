@@ -1,4 +1,4 @@
-// A face in the coordinates of the common plane.
+// A face in the coordinates of the contact plane.
 #pragma once
 
 #include "geometry/overlay.hpp"
@@ -23,9 +23,9 @@ inline PlaneAxes axes_of(const Vec3& normal) {
 
 struct FlatFace {
     PlaneMesh mesh;   ///< its own triangles
-    PlaneMesh radial; ///< those that contacts are made with, if they are others
+    PlaneMesh radial; ///< the triangles used for contacts, if they differ
     bool is_radial;
-    std::span<const Row> rows; ///< the gridpoint of each point of its own
+    std::span<const Row> rows; ///< the gridpoint of each point
 
     void project(const Model& model, const Surfaces& surfaces, Row face, const PlaneAxes& axes, const Vec3& origin) {
         rows = surfaces.corners(face);

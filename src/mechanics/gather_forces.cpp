@@ -25,7 +25,7 @@ void combine(Balance& sum, const Balance& part) {
     sum.inner_power += part.inner_power;
 }
 
-/// The components that may move, without those along directions that are held.
+/// The free components, without those along held directions.
 Vec3 free_part(Vec3 force, std::uint8_t fixed, const Roller& roller) {
     for (int k = 0; k < 3; ++k)
         if (fixed & (1 << k)) force[k] = 0;
@@ -33,7 +33,7 @@ Vec3 free_part(Vec3 force, std::uint8_t fixed, const Roller& roller) {
     return force;
 }
 
-/// Joined blocks count as one body, on which the forces of all of them act.
+/// Joined blocks count as one body with the sum of their forces.
 void add_body(const Model& model, const Adjacency& adjacency, const JointForces& joints, std::span<const Row> members,
               Balance& balance) {
     const auto& blocks = model.blocks;
@@ -54,12 +54,12 @@ void add_body(const Model& model, const Adjacency& adjacency, const JointForces&
     if ((fixed & 7) != 7) balance.add(free_part(force, fixed, roller_of_body(model, members)), acting);
 }
 
-/// Forces on gridpoints, and the sum of the sizes of all that act on one.
+/// Forces on gridpoints, and for each the sum of the magnitudes of all its forces.
 class PointSums {
 public:
     PointSums(const Model& model, const PointForces& forces) : model_(model), forces_(forces) {}
 
-    /// In the first three the sum of all forces but load and weight; the last is `acting` and the sizes of them all.
+    /// The first three: the sum of all forces except load and weight; the last: `acting` plus the magnitudes of these forces.
     Four sum_of(Row row, double acting) const {
         const auto& [adjacency, ties, joints, tiles, zone_forces] = forces_;
         Four sum{0, 0, 0, acting};
@@ -78,7 +78,7 @@ public:
                 add(e->weight, force_of_node(model_, e->node).force);
         return sum;
     }
-    /// Whether each of rows [row, row + 8) is one point of one tile, and nothing else acts there.
+    /// Whether each of rows [row, row + 8) is one point of one tile, with no other forces.
     bool have_one_point_each(Row row) const {
         const Row *const points = &forces_.tiles.points_of.start[row], *const joined =
                                                                            &forces_.adjacency.of_gridpoint.start[row];
@@ -99,13 +99,13 @@ private:
     const PointForces& forces_;
 };
 
-/// What is out of balance on a point; `force` is the sum of all forces.
+/// Adds the unbalanced force of a point; `force` is the sum of all forces.
 void add_point(const Vec3& force, std::uint8_t fixed, const Roller& roller, double acting, Balance& balance) {
     if ((fixed & 7) == 7) return;
     balance.add(free_part(force, fixed, roller), acting);
 }
 
-/// The greatest of what Balance asks, lane by lane.
+/// Maxima that Balance needs, lane by lane.
 struct Extremes {
     Eight largest{}, local_ratio{};
 
@@ -122,7 +122,7 @@ struct Extremes {
 
 Eight size_of(const Eight3& vector) { return square_root(vector.dot(vector)); }
 
-/// Components of eight vectors that may move; 1 for rows where one of them may, else 0.
+/// Free components of eight vectors; 1 for rows with a free component, else 0.
 struct FreePart {
     Eight3 vector;
     Eight some;
@@ -135,7 +135,7 @@ FreePart free_part(const Eight3& force, const std::uint8_t* fixed) {
             bits == 7 ? none : eights(1)};
 }
 
-/// Eight gridpoints that follow each other, which nothing holds but fixities.
+/// Eight consecutive gridpoints held by fixities only.
 void gather_eight(Model& model, const PointSums& sums, Row row, Balance& balance, Extremes& extremes) {
     auto& g = model.gridpoints;
     std::array<Four, 8> rows;
@@ -175,7 +175,7 @@ void gather_eight(Model& model, const PointSums& sums, Row row, Balance& balance
     balance.inner_power = whole[2];
 }
 
-/// Gridpoints that are tied to each other count as one.
+/// Tied gridpoints count as one.
 Balance gather_groups(Model& model, const PointForces& forces) {
     auto& g = model.gridpoints;
     const auto& ties = forces.ties;
@@ -202,7 +202,7 @@ Balance gather_groups(Model& model, const PointForces& forces) {
         combine);
 }
 
-/// Nodes of beams and liners that move by themselves; their forces are summed up already.
+/// Free nodes of beams and liners; their forces are already summed.
 Balance balance_of_members(const Model& model, const MemberLists& members) {
     const auto& nodes = model.structures.member_nodes;
     return reduce_chunks(
@@ -263,7 +263,7 @@ void gather_rigid(Model& model, const Adjacency& adjacency, const JointForces& j
                     acting + blocks.load[row].norm() + weight.norm());
 }
 
-/// Forces and moments on blocks. Those on the gridpoints are there; of blocks that are whole in a chunk of them the sums as well.
+/// Forces and moments on blocks. Forces on gridpoints are known, and so are the sums of blocks that lie within one chunk.
 Balance gather_blocks(Model& model, const PointForces& forces) {
     const auto& [adjacency, ties, joints, tiles, zone_forces] = forces;
     auto& blocks = model.blocks;

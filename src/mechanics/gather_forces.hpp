@@ -16,11 +16,11 @@ namespace kaya {
 
 class TieLists;
 
-/// Unbalanced forces of free bodies against the forces that act on them.
+/// Unbalanced forces of free bodies relative to the forces that act on them.
 struct Balance {
     double largest = 0;     ///< unbalanced force of one body
     double unbalanced = 0;  ///< sum over bodies
-    double applied = 0;     ///< sum over bodies of the sizes of all forces on them
+    double applied = 0;     ///< sum over bodies of the magnitudes of all forces on them
     double local_ratio = 0; ///< largest unbalanced over applied of one body
     std::size_t bodies = 0;
     double inner_power = 0; ///< of the forces of joints and zones
@@ -35,7 +35,7 @@ struct Balance {
     }
 };
 
-/// What acts on gridpoints besides their loads and weights.
+/// Forces on gridpoints in addition to their loads and weights.
 struct PointForces {
     const Adjacency& adjacency;
     const TieLists& ties;
@@ -51,9 +51,9 @@ public:
 
     ForceGathering(Model& model, const PointForces& forces) : model_(model), forces_(forces) {}
 
-    /// Writes the forces of a chunk, but for gridpoints that are tied to each other.
+    /// Writes the forces of a chunk, except for tied gridpoints.
     Balance gather(std::size_t first, std::size_t last);
-    /// Whether nothing but zones acts in a chunk.
+    /// Whether only zones act in a chunk.
     bool only_zones_act(std::size_t first, std::size_t last) const;
 
 private:
@@ -61,9 +61,9 @@ private:
     const PointForces& forces_;
 };
 
-/// Chunks of gridpoints whose forces have been gathered before the others, in this step.
+/// Chunks of gridpoints whose forces were gathered early in this step.
 struct GatheredChunks {
-    std::vector<char> done; ///< may have no rows: then none has
+    std::vector<char> done; ///< empty: none
     std::vector<Balance> balance;
 
     void forget() { std::ranges::fill(done, 0); }

@@ -32,7 +32,7 @@ std::vector<TileChunks> chunks_of_tiles(const ZoneTiles& tiles) {
     return chunks;
 }
 
-/// The thread of each chunk of moving gridpoints: those of a thread follow each other, and all have about as many zones.
+/// The thread of each chunk of moving gridpoints: the chunks of a thread are consecutive, and all threads have about as many zones.
 std::vector<Row> threads_of_chunks(const ZoneTiles& tiles, const std::vector<TileChunks>& chunks_of, Row chunks,
                                    int threads) {
     std::vector<std::size_t> zones(static_cast<std::size_t>(chunks), 0);
@@ -126,7 +126,7 @@ void GridPass::run(Model& model, const QuietPoints& quiet, const ZoneLaws& laws,
     motion_ = motion.finish(motion_);
 }
 
-/// Throws what the first tile that failed has thrown.
+/// Rethrows the exception of the first tile that failed.
 void GridPass::add_up() {
     motion_ = {};
     zones_ = {};

@@ -1,7 +1,9 @@
-// Gridpoints and their zones, one step on, in one pass: what move_bodies.hpp, run_zone_models.hpp and gather_forces.hpp do with
-// them, chunk by chunk and tile by tile, so that their rows are still near the processor.
+// Advances gridpoints and their zones in one pass: the work of move_bodies.hpp, run_zone_models.hpp and gather_forces.hpp, chunk by chunk
+// and tile by
+// tile, while their rows are in the cache.
 // reads: gridpoints.force, gridpoints.load, gridpoints.inertial_mass, gridpoints.mass, zone_properties, settings, clock.time_step
-// writes: gridpoints.velocity, gridpoints.position, gridpoints.displacement, gridpoints.last_force, blocks.travelled, zones.stress, zones.state, zones.history, zones.dashpot, gridpoints.force, blocks.force
+// writes: gridpoints.velocity, gridpoints.position, gridpoints.displacement, gridpoints.last_force, blocks.travelled, zones.stress,
+// zones.state, zones.history, zones.dashpot, gridpoints.force, blocks.force
 #pragma once
 
 #include "mechanics/gather_forces.hpp"
@@ -15,26 +17,27 @@
 
 namespace kaya {
 
-/// The sums are those of the phases one by one, to the last bit: each is added up over the same chunks and tiles, in their order.
+/// The sums equal those of the separate phases to the last bit: they are added over the same chunks and tiles, in their order.
 class GridPass {
 public:
     GridPass() = default;
-    /// For so many threads.
+    /// For `threads` threads.
     GridPass(const Model& model, const ZoneTiles& tiles, int threads);
 
     int threads() const { return threads_; }
 
-    /// Whether nothing has to wait for all gridpoints, or for all zones.
+    /// Whether no phase must wait for all gridpoints or all zones.
     static bool possible(const Model& model, const ZoneLaws& laws, const TieLists& ties);
 
-    /// Where loads stay as they are, chunks on which nothing but zones acts are gathered as well. Writes `zone_forces` as run_zone_models
-    /// does. Throws Diagnostic when a zone model fails.
+    /// With constant loads, chunks on which only zones act are gathered too. Writes `zone_forces` as run_zone_models does. Throws
+    /// Diagnostic when a zone model
+    /// fails.
     void run(Model& model, const QuietPoints& quiet, const ZoneLaws& laws, ZoneScratch& scratch,
              const PointForces& forces, bool loads_stay, std::vector<PointRow>& zone_forces);
 
     const MotionSums& motion() const { return motion_; }
     const ZoneSums& zones() const { return zones_; }
-    /// What is gathered of the step that is made; nothing once it is forgotten, since contacts are others, say.
+    /// The chunks gathered in this step; empty after they are invalidated, for example by new contacts.
     const GatheredChunks& gathered() const { return gathered_; }
     void forget_gathered() { gathered_.forget(); }
 
@@ -42,7 +45,7 @@ private:
     enum class Work { move, zones, gather };
     struct Step {
         Work work;
-        Row index; ///< of a chunk of gridpoints that move, of a tile, of a chunk whose forces are gathered
+        Row index; ///< of a chunk of moving gridpoints, of a tile, or of a chunk whose forces are gathered
     };
     struct TilePart {
         ZoneSums sums;

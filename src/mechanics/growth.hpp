@@ -7,10 +7,10 @@
 
 namespace kaya {
 
-/// Cycles between two looks at whether the time step may grow again; a step that must shrink does at once.
+/// Cycles between two checks whether the time step may grow; it is reduced at once when it must be.
 constexpr std::int64_t growth_interval = 100;
 
-/// Whether the time step may grow when this cycle ends.
+/// Whether the time step may grow at the end of this cycle.
 inline bool step_may_grow(const Clock& clock) { return (clock.cycle + 1) % growth_interval == 0; }
 
 } // namespace kaya

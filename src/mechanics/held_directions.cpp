@@ -4,7 +4,7 @@ namespace kaya {
 
 namespace {
 
-/// Directions that differ by less are one.
+/// Directions that differ by less are equal.
 constexpr double parallel = 1e-3;
 
 /// Calls visit(row of a roller) for every gridpoint of the bodies.

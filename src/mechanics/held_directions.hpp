@@ -9,12 +9,12 @@
 
 namespace kaya {
 
-/// Adds a direction to a roller when it is another than those that it has, at right angles to them.
+/// Adds a direction to a roller when it is new, orthogonal to the existing ones.
 void add_direction(Roller& roller, Vec3 direction, double speed);
 /// The same with all directions of another roller.
 void add_directions(Roller& roller, const Roller& other);
 
-/// Rollers by what they are, so that what is held alike shares one.
+/// Rollers by value, so that equal ones are shared.
 class RollerRows {
 public:
     explicit RollerRows(Model& model);
@@ -27,19 +27,20 @@ private:
     std::map<Key, std::int32_t> rows_;
 };
 
-/// Holds the velocity along a direction (of any length) at `speed`: of a rigid block that of its centroid, of others that of
-/// each gridpoint. What was held along the same direction before is replaced; the rest stays.
+/// Holds the velocity along a direction (of any length) at `speed`: of the centroid of a rigid block, of each gridpoint of other blocks.
+/// Replaces a
+/// hold along the same direction; others stay.
 void hold_direction(Model& model, const Bodies& bodies, const Vec3& direction, double speed);
 
-/// Lets all directions go.
+/// Frees all directions.
 void free_directions(Model& model, const Bodies& bodies);
 
-/// What holds a rigid block: all its vertices have the same roller.
+/// The roller of a rigid block: all its vertices share it.
 inline const Roller& roller_of(const Model& model, Row block) {
     if (model.rollers.size() == 1) return model.rollers.front(); // nothing is held
     return model.rollers[static_cast<std::size_t>(model.gridpoints.roller[model.blocks.gridpoints[block].first])];
 }
-/// What holds joined blocks: the directions of all of them.
+/// The roller of joined blocks: the directions of all of them.
 Roller roller_of_body(const Model& model, std::span<const Row> members);
 
 } // namespace kaya

@@ -8,12 +8,12 @@
 
 namespace kaya {
 
-/// They may read all and write fields; a change of structure from inside waits for the end of the cycle.
+/// Hooks may read everything and write fields; a structural change waits for the end of the cycle.
 struct Hooks {
     std::vector<std::function<void()>> before_cycle, after_forces, after_cycle;
-    /// Value of a deck's function or variable, for histories of it and for boundary conditions that follow it.
+    /// Value of a deck's function or variable, for histories and boundary conditions that use it.
     std::function<double(const std::string&)> script_value;
-    /// Value of a numbered table at x, for boundary conditions that follow it.
+    /// Value of a numbered table at x, for boundary conditions that use it.
     std::function<double(std::int64_t, double)> table_value;
 };
 

@@ -22,8 +22,9 @@ Vec3 traction(const Stress& s, const Vec3& n) {
             s[4] * n[0] + s[5] * n[1] + s[2] * n[2]};
 }
 
-/// For each sub-contact the place at which a linear stress has to be taken so that its forces, passed on to the gridpoints of
-/// either side, are those of the whole traction on the faces. Beside zones that is the centre of its area, elsewhere where it lies.
+/// For each sub-contact the point at which a linear stress must be evaluated so that its forces, distributed to the gridpoints of either
+/// side, equal those
+/// of the traction on the faces. Beside zones this is the centre of its area, elsewhere its position.
 std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>& sub_contacts) {
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
@@ -71,7 +72,7 @@ template <class StressAt> void put_joint_stress(Model& model, JointRegistry& joi
     std::vector<char> marked(points.size(), 0);
     for (const Row s : sub_contacts) {
         const Vec3 n = model.contacts.normal[points.contact[s]];
-        // What block 1 does to block 2, whose surface looks against n.
+        // Force of block 1 on block 2, whose surface faces against n.
         const Vec3 on_block2 = -points.area[s] * traction(stress_at(s), n);
         const double normal = on_block2.dot(n);
         points.normal_force[s] = normal;
@@ -83,8 +84,9 @@ template <class StressAt> void put_joint_stress(Model& model, JointRegistry& joi
     ModelEdit(model, Change::properties);
 }
 
-/// Sub-contacts stand at corners and edges of faces, where a vertical line may pass by the blocks; a place that is nearer
-/// to the middle of the joint by a hair has the same weight above it.
+/// Sub-contacts lie at corners and edges of faces, where a vertical line may miss the blocks; a point slightly nearer to the middle of the
+/// joint has the
+/// same weight above it.
 Vec3 inside_joint(const Model& model, Row s) {
     constexpr double hair = 1e-6;
     const auto& subs = model.sub_contacts;

@@ -1,4 +1,4 @@
-// The stress that is in the ground before anything happens.
+// Initial stress of the ground.
 #pragma once
 
 #include "laws/joint_model.hpp"
@@ -9,15 +9,17 @@
 
 namespace kaya {
 
-/// Gives zones the stress at their centroid, and sub-contacts the forces with which that stress acts on their area:
-/// with n from block 1 to block 2, -n.s.n of normal stress (compression positive) and the rest of -s.n as shear.
-/// Forces beyond what a joint bears are cut by its model in the next cycle. Displacements stay as they are.
-/// Contacts must have been found. `zones` and `sub_contacts` are ascending rows.
+/// Gives zones the stress at their centroid, and sub-contacts the forces of that stress on their area: with n from block 1 to block 2,
+/// -n.s.n of normal
+/// stress (compression positive) and the rest of -s.n as shear. Forces beyond the strength of a joint are reduced by its model in the next
+/// cycle.
+/// Displacements are unchanged. Contacts must be up to date. `zones` and `sub_contacts` are ascending rows.
 void set_insitu_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
                        const std::vector<Row>& sub_contacts, const StressField& stress);
 
-/// The same with the stress that the weight above makes: szz is minus the weight per area of all blocks straight
-/// above, sxx = kx szz, syy = ky szz, no shear. Throws Diagnostic as Overburden does.
+/// The same with the stress of the overburden: szz is minus the weight per area of all blocks vertically above, sxx = kx szz, syy = ky szz,
+/// no shear.
+/// Throws Diagnostic as Overburden does.
 void set_topography_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
                            const std::vector<Row>& sub_contacts, double kx, double ky);
 
@@ -25,8 +27,8 @@ void set_topography_stress(Model& model, JointRegistry& joints, const std::vecto
 void set_stress_component(Model& model, const std::vector<Row>& zones, int component, double at_origin,
                           const Vec3& gradient);
 
-/// Gives gridpoints a pore pressure that is linear in space. From then on the water in joints comes from gridpoints; those
-/// that have been given none have 0.
+/// Sets a pore pressure of gridpoints that is linear in position. Water in joints is then taken from gridpoints; those without a value have
+/// 0.
 void set_pore_pressure(Model& model, const std::vector<Row>& gridpoints, double at_origin, const Vec3& gradient);
 
 } // namespace kaya

@@ -9,9 +9,11 @@ namespace kaya {
 
 namespace {
 
-/// New geometry must not make energy. It may give back what it has taken from this contact before, and no more
-/// (Hannaford and Ryu 2002, IEEE Trans. Robot. Autom. 18, keep a contact passive by such an account). What then
-/// overlaps more than its force says is noted. Returns what is lost of the energy in the springs.
+/// A geometry update must not create energy. It may return what it has taken from this contact before, and no more (Hannaford and Ryu 2002,
+/// IEEE Trans.
+/// Robot. Autom. 18, keep a contact passive by such an account). Overlap beyond what the force explains is stored. Returns the energy lost
+/// from the
+/// springs.
 double keep_passive(Model& model, Row c, const ContactLoad& before) {
     const ContactLoad after(model, c);
     auto& subs = model.sub_contacts;
@@ -27,7 +29,7 @@ double keep_passive(Model& model, Row c, const ContactLoad& before) {
             subs.normal_force[s] *= normal;
             subs.shear_force.set(s, shear * subs.shear_force[s]);
         }
-        // The mean closure that belongs to the force which is not there now.
+        // Mean closure of the force that is missing now.
         if (after.normal > 0) model.contacts.unforced_overlap[c] += (1 - normal) * 2 * after.energy / after.normal;
     }
     return before.stored() - normal * normal * after.energy - shear * shear * after.shear_energy;
