@@ -31,10 +31,8 @@ struct Recovered {
 };
 
 /// A contact whose overlap exceeds what its force explains pushes the blocks apart, slowly enough to excite no vibration. The energy comes
-/// from
-/// the account of earlier geometry changes, then from the frictional work of this step, `lost`: surfaces that climb on each other while
-/// they
-/// slide take it from the force along them.
+/// from the account of earlier geometry changes, then from the frictional work of this step, `lost`: surfaces that climb on each other
+/// while they slide take it from the force along them.
 Recovered recover(Model& model, Row c, double lost) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
@@ -73,8 +71,7 @@ void add_increments(SubContacts& subs, Row row, const RowsOfEight& group, const 
 }
 
 /// Sums over the sub-contacts of one contact; pore pressure acts on both sides in addition to the effective stress. `each` receives every
-/// group
-/// of rows with the forces of the joint model.
+/// group of rows with the forces of the joint model.
 template <class Each> void sum_contact(const Model& model, Row c, JointForces& forces, Each each) {
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
@@ -177,9 +174,8 @@ bool is_pressed(const Model& model, Row c) {
 }
 
 /// A dilating joint model adds its dilation to the depth of an overlap, and may report a closed joint between separated blocks.
-/// Re-initialise it
-/// without force; otherwise each new contact would be as stiff as the accumulated dilation makes the joint, and the blocks would keep
-/// bouncing.
+/// Re-initialise it without force; otherwise each new contact would be as stiff as the accumulated dilation makes the joint, and the blocks
+/// would keep bouncing.
 void begin_again(Model& model, const Batch& batch, Row c, BatchColumns& made) {
     Batch rows = batch;
     const Span span = model.contacts.sub_contacts[c];

@@ -1,6 +1,5 @@
 // Advances the joints by one step: docs/theory/contacts.md.
-// reads: blocks.velocity, blocks.rotational_velocity, blocks.centroid, gridpoints.velocity, gridpoints.position,
-// sub_contacts.pore_pressure, joint_properties
+// reads: blocks.velocity, blocks.rotational_velocity, blocks.centroid, gridpoints.velocity, gridpoints.position, sub_contacts.pore_pressure, joint_properties
 // writes: contacts but for their rows, sub_contacts but for their rows
 #pragma once
 
@@ -22,8 +21,8 @@ struct JointForces {
     std::vector<Vec3> of_contact;     ///< sum on the second block
     std::vector<Vec3> moment;         ///< of that sum about Contacts::position
     /// By contact, for comparison with the previous step only: the larger tangent stiffnesses of a joint's sub-contacts, or the stiffness
-    /// that each
-    /// block of an overlap feels. It depends on the state only, not on inertial masses, which density scaling may change afterwards.
+    /// that each block of an overlap feels. It depends on the state only, not on inertial masses, which density scaling may change
+    /// afterwards.
     std::vector<StiffnessOfSides> stiffness;
     std::vector<ContactKind> kind;       ///< when the stiffness was computed
     std::vector<char> stiffness_changed; ///< of contacts that are much stiffer or have other geometry, until cleared

@@ -43,8 +43,7 @@ void fill(const Model& model, const std::vector<std::int32_t>& functions, double
 }
 
 /// The effect of a velocity jump on the energy account. The phase that moves the body uses the new velocity on both sides of the step, so
-/// the
-/// work of every force is off by half a jump; this is corrected here.
+/// the work of every force is off by half a jump; this is corrected here.
 struct Jump {
     double mass;
     double force; ///< of joints and zones, of one component

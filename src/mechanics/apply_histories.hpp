@@ -22,8 +22,7 @@ struct HistoryLists {
 HistoryLists list_boundary_histories(const Model& model);
 
 /// Sets prescribed time-dependent velocities to their values at the middle of the step. Throws Diagnostic (Fault::run) when a function
-/// returns
-/// a value that is not finite.
+/// returns a value that is not finite.
 HistorySums apply_velocity_histories(Model& model, HistoryLists& lists, const Hooks& hooks);
 
 /// Sets time-dependent loads to their values at the time of the clock. Throws as apply_velocity_histories does.

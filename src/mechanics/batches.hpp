@@ -21,8 +21,7 @@ struct Batch {
 };
 
 /// All batches, in row order; columns for the history of their models are allocated. A batch holds whole contacts and, if it holds several,
-/// at
-/// most `most` rows, so that its data stays in the cache during a cycle.
+/// at most `most` rows, so that its data stays in the cache during a cycle.
 std::vector<Batch> make_batches(Model& model, JointRegistry& joints, Row most = 1024);
 
 /// Columns of a batch beyond those of the model; the memory is reused for the next batch.

@@ -68,8 +68,7 @@ void add_boundary_history(Model& model, What what, const Target& target, double 
 }
 
 /// Splits velocity histories of blocks that have got zones into one per gridpoint, so that single ones can be removed; drops histories of
-/// deleted
-/// blocks and whole-block loads of blocks that have got zones.
+/// deleted blocks and whole-block loads of blocks that have got zones.
 void tidy_boundary_histories(Model& model) {
     auto& histories = model.boundary_histories;
     std::vector<Row> kept;
@@ -319,8 +318,7 @@ std::array<Vec3, 3> corner_loads(const StressField& stress, const Corners& x, co
 Row block_of_triangle(const Model& model, Row triangle) { return model.faces.block[model.triangles.face[triangle]]; }
 
 /// Calls part(triangle, corners of a part of it) for all parts of the given triangles that another block of the same rigid body covers:
-/// they lie
-/// inside the body, where no contact shows it.
+/// they lie inside the body, where no contact shows it.
 template <class Part> void inside_bodies(const Model& model, const std::vector<Row>& triangles, Part part) {
     const auto& blocks = model.blocks;
     std::set<std::int32_t> bodies;

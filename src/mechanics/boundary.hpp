@@ -26,8 +26,7 @@ struct Bodies {
 };
 
 /// Prescribes a velocity component, `value` times the function; for a whole deformable block at all its gridpoints, so it has no rotation.
-/// Replaces
-/// an earlier prescription of the same component.
+/// Replaces an earlier prescription of the same component.
 void prescribe_velocity(Model& model, const Bodies& bodies, int component, double value,
                         std::int32_t function = constant_in_time);
 
@@ -69,10 +68,8 @@ struct StressField {
 std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints);
 
 /// Adds the tractions of a stress to the exterior triangles with all three gridpoints in the list (sorted rows). A face that another block
-/// covers is
-/// not exterior, nor is the part of a rigid block's face that another block of the same body covers. Contacts must be up to date. Returns
-/// the
-/// loaded area.
+/// covers is not exterior, nor is the part of a rigid block's face that another block of the same body covers. Contacts must be up to date.
+/// Returns the loaded area.
 double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress,
                   std::int32_t function = constant_in_time);
 

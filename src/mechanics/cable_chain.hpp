@@ -35,8 +35,7 @@ struct CableChain {
     std::vector<Vec3> places; ///< of the nodes one step ago
 
     /// Newton's method for the minimum of a convex, piecewise quadratic energy, with a line search. Returns the largest residual force at a
-    /// node that
-    /// may slip.
+    /// node that may slip.
     double solve();
 
 private:

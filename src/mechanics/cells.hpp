@@ -78,8 +78,7 @@ struct CornerSums {
 };
 
 /// The faces of cells that are ruled surfaces instead of two triangles: those at corner 0 by the number of the axis across them, then those
-/// at
-/// corner 7.
+/// at corner 7.
 struct RuledFaces {
     std::array<Eight, 6> part; ///< a twelfth for a face that is ruled, else 0
     bool any = false;
@@ -148,8 +147,7 @@ struct CellShape {
 
 private:
     /// The ruled surface of four corners is halfway between the pairs of triangles of its two diagonals; the tetrahedron of the corners
-    /// lies between
-    /// them. A face has corner 0 or 7; b and c are the corners next to it, `far` is the opposite one.
+    /// lies between them. A face has corner 0 or 7; b and c are the corners next to it, `far` is the opposite one.
     [[gnu::always_inline]] static void add_ruled(const CellField& x, const AroundDiagonal& around,
                                                  const RuledFaces& ruled, CellField& gradient) {
         const auto& [side, spoke] = around;
@@ -232,8 +230,7 @@ struct CellMotion {
 };
 
 /// Resistance of cells to warping: numbers that turn with the cell. For each axis the stress of its layers at the end of the axis, as bb,
-/// cc and bc
-/// of the other two axes; then the stress along each axis for the product of all three.
+/// cc and bc of the other two axes; then the stress along each axis for the product of all three.
 using WarpStress = std::array<Eight, 12>;
 
 /// The warp stresses of consecutive cells, starting at `first`.

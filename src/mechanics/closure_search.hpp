@@ -4,8 +4,7 @@
 namespace kaya {
 
 /// `missing` returns the force missing at a closure and decreases with it; the search finds its zero, starting at `start` with the step
-/// `reach`, which
-/// doubles.
+/// `reach`, which doubles.
 template <class Missing> double closure_with_none_missing(const Missing& missing, double start, double reach) {
     constexpr int doublings = 60, halvings = 60;
     double low = start, high = start;

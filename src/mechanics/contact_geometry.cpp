@@ -17,10 +17,8 @@ namespace kaya {
 namespace {
 
 /// Faces are parallel within this angle (2 degrees); beyond it a block rests on an edge or a corner, which owns its share of the block's
-/// surface
-/// instead of a common area. Existing contacts keep their type for another half a degree: without this hysteresis a contact near the limit
-/// would
-/// switch type every step and shake its load.
+/// surface instead of a common area. Existing contacts keep their type for another half a degree: without this hysteresis a contact near
+/// the limit would switch type every step and shake its load.
 constexpr double cos_of_flat = 0.9993908270190958, cos_of_still_flat = 0.9990482215818578,
                  cos_of_flat_again = 0.9996573249755573;
 
@@ -30,8 +28,7 @@ double flat_limit(const Model& model, Row old) {
 }
 
 /// In parts of a block's margin: points closer than this coincide, and common areas narrower than this are dropped. Blocks of a pile
-/// overlap a little,
-/// and so do their edges and corners; such contacts would carry nothing at full cost.
+/// overlap a little, and so do their edges and corners; such contacts would carry nothing at full cost.
 constexpr double coincidence = 2e-5, narrowest = 1e-2;
 /// Two faces with a common area below this many least contact areas are treated as corners and edges.
 constexpr double least_joint = 10;
@@ -68,8 +65,7 @@ template <class Of> double sum_at_vertex(const Model& model, Row block, Row vert
 }
 
 /// The share of a vertex in the block's surface, projected along a direction out of the block. It varies continuously as the block turns: a
-/// corner of
-/// a cube lying on its face has a quarter of the face.
+/// corner of a cube lying on its face has a quarter of the face.
 double share_of_vertex(const Model& model, Row block, Row vertex, const Vec3& outward) {
     return sum_at_vertex(model, block, vertex, [&](const Vec3& around) { return std::max(0.0, around.dot(outward)); });
 }
@@ -113,8 +109,7 @@ double share_of_point(const Model& model, const Surfaces& surfaces, Row block, c
 }
 
 /// Between half a degree and a degree and a half, the areas change smoothly from those of parallel faces to those of corners and edges, so
-/// nothing
-/// jumps when the contact type changes.
+/// nothing jumps when the contact type changes.
 void go_over_to_corners(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double cosine,
                         std::vector<double>& shares) {
     constexpr double first = 0.5 * std::numbers::pi / 180, last = 3 * first;
@@ -282,8 +277,7 @@ bool inside_face(const Model& model, Row face, const PlaneAxes& axes, const Vec3
 Attachment on_edge(const std::array<Row, 2>& ends, double t) { return {{ends[0], ends[1], ends[1]}, {1 - t, t, 0}}; }
 
 /// The least area of a contact of zoned blocks at corners and edges: a sharp tip has nearly none. At most the area of the gridpoints there,
-/// which on
-/// soft ground of large blocks would be too stiff.
+/// which on soft ground of large blocks would be too stiff.
 double least_area_of(const Model& model, const ContactGeometry& geometry, Row block1, Row block2, double least) {
     double area = 0;
     for (const auto& point : geometry.points)
@@ -471,8 +465,7 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
             if (found && geometry.area >= least_joint * geometry.least_area) return true;
             if (!found && !overlaps) return false;
             // An approaching block with less common area meets an edge or a corner: a block that slides across the lip left by the closure
-            // of its joint meets no
-            // face there.
+            // of its joint meets no face there.
             if (old == no_row && geometry.area < geometry.least_area)
                 (geometry.reference == 1 ? geometry.face2 : geometry.face1) = no_row;
             geometry.points.clear();

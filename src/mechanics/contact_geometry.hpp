@@ -30,8 +30,7 @@ struct ContactPlane {
     Vec3 position = Vec3::Zero();
     double area = 0;
     /// For two rigid blocks: a loaded contact is at least as stiff as a joint of this area, a hundredth of the mean face area of the block
-    /// with the
-    /// smaller faces.
+    /// with the smaller faces.
     double least_area = 0;
     double gap = 0;                     ///< of an overlap: the distance of the blocks; negative: the depth of overlap
     Row face1 = no_row, face2 = no_row; ///< rows of faces that lie on the common plane
@@ -66,10 +65,8 @@ struct ContactGeometry : ContactPlane {
 double narrowest_contact(const Model& model, Row block1, Row block2);
 
 /// The contact of two blocks whose surfaces are nearer than `margin`; none when they are farther apart or share only an edge or corner of
-/// parallel
-/// faces, without area. Returns whether there is one; if not, points may be left in the list. Two rigid blocks share a joint where their
-/// faces are
-/// parallel, or an overlap; the points of an overlap are not filled in. `old` is their present contact, if any.
+/// parallel faces, without area. Returns whether there is one; if not, points may be left in the list. Two rigid blocks share a joint where
+/// their faces are parallel, or an overlap; the points of an overlap are not filled in. `old` is their present contact, if any.
 bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
                    ContactGeometry& geometry, SearchScratch& scratch);
 

@@ -26,8 +26,7 @@ std::vector<double> initial_values(const JointModel& joint) {
 }
 
 /// Copies the items that the model knows into the values. Throws for a value outside its limits and, when `strict`, for a name that the
-/// model does not
-/// know.
+/// model does not know.
 void put(const JointModel& joint, std::vector<double>& values, const Items& items, bool strict, std::size_t* failed) {
     for (std::size_t i = 0; i < items.size(); ++i) {
         const auto& [name, value] = items[i];

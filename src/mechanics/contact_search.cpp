@@ -21,14 +21,12 @@ namespace kaya {
 namespace {
 
 /// Contacts that have slid farther than this part of their size get new geometry together, once in several cycles: updating the tables
-/// costs as much
-/// for one contact as for many. A contact that has slid far relative to its blocks is updated at once.
+/// costs as much for one contact as for many. A contact that has slid far relative to its blocks is updated at once.
 constexpr double slide_tolerance = 1e-3;
 constexpr std::int64_t slide_interval = 8;
 constexpr double far_slide = 2; ///< in parts of the margin
 /// Blocks that have moved this part of their margins are checked together, once in several cycles. When a block is checked depends on the
-/// block and the
-/// cycle only: an unrelated block far away changes no bit of its motion.
+/// block and the cycle only: an unrelated block far away changes no bit of its motion.
 constexpr double moved_part = 0.35;
 constexpr std::int64_t search_interval = 16;
 /// A fast block is checked with the others: its contacts are searched as far ahead as it moves until then, but at most this many margins.
@@ -49,8 +47,7 @@ bool is_fast(const Model& model, Row b, double shift) {
 }
 
 /// The distance a block may move beyond half its margin before its next check. The parallel faces are those of the last check, so a rolling
-/// block does
-/// not search ahead.
+/// block does not search ahead.
 double travel_ahead(const Model& model, Row b, double shift) {
     constexpr double rolling = 3e-3; // angle
     if (search_interval * model.clock.time_step * model.blocks.rotational_velocity[b].norm() > rolling) return 0;
@@ -137,8 +134,7 @@ struct Pair {
 };
 
 /// Whether two blocks lie cornerwise: their boxes share no more than `sliver` along two axes, so there is no room for a common area. `part`
-/// is the
-/// distance by which each box exceeds its block.
+/// is the distance by which each box exceeds its block.
 bool cornerwise(const Box& a, const Box& b, double part_a, double part_b, double sliver) {
     int narrow = 0;
     for (int k = 0; k < 3; ++k) {
@@ -260,8 +256,7 @@ bool is_parallel(const ContactGeometry& geometry) {
 }
 
 /// The kind of contact of two rigid blocks. A joint that opens in part becomes an overlap, an overlap closed everywhere becomes a joint; a
-/// joint in
-/// tension keeps its kind.
+/// joint in tension keeps its kind.
 DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving, ContactGeometry& geometry,
                         OverlapScratch& scratch) {
     const bool in_place = !model.settings.large_strain;

@@ -18,8 +18,7 @@ struct Springs {
 };
 
 /// Ratio of the area that counts for the normal stiffness of a contact to that of its sub-contacts. Of an overlap, loaded sub-contacts
-/// count: they may
-/// have nearly no area, while the others still have that of the former joint.
+/// count: they may have nearly no area, while the others still have that of the former joint.
 struct NormalAreaFactor {
     double of_carriers = 1;
     Row others = std::numeric_limits<Row>::max(); ///< the first unloaded one
@@ -46,8 +45,7 @@ double sum_of_stiffness(const Model& model, Row contact);
 using StiffnessOfSides = std::array<double, 2>;
 
 /// Trace of the contact's stiffness over the mass and the moments of inertia of each of its rigid blocks, 1/time^2: an upper bound for the
-/// eigenvalues
-/// of the contact alone. 0 for fixed blocks. Masses are the true ones.
+/// eigenvalues of the contact alone. 0 for fixed blocks. Masses are the true ones.
 StiffnessOfSides stiffness_over_mass(const Model& model, Row contact);
 
 } // namespace kaya

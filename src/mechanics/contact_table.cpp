@@ -146,16 +146,14 @@ void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec
         subs.normal_displacement_increment[s] = 0;
     } else {
         // Traction is passed on, not force: the new sub-contact has another area. A loaded corner or edge keeps its share: if its spring
-        // changed as the block
-        // turns, loading and unloading would do different work.
+        // changed as the block turns, loading and unloading would do different work.
         if (!flat && subs.normal_force[s] > 0 && same_features(subs, s, point)) area = subs.area[s];
         const double scale = subs.area[s] > 0 ? area / subs.area[s] : 0;
         subs.normal_force[s] *= scale;
         const Vec3 shear = subs.shear_force[s];
         subs.shear_force.set(s, scale * (shear - shear.dot(n) * n));
         // The gap differs from that of the old place: the law gets the difference as a displacement. The old place is unknown if the shape
-        // of its block
-        // changed meanwhile.
+        // of its block changed meanwhile.
         const Attachment &side1 = subs.side1[s], &side2 = subs.side2[s];
         const bool known = side1.attached() && side2.attached();
         const bool same_places = side1 == point.side1 && side2 == point.side2; // more often than not
@@ -184,8 +182,7 @@ void clear_sub_contact(SubContacts& subs, Row s) {
 }
 
 /// A contact detected when its blocks overlap already carries no force for that overlap: no work was done on its springs, and they would
-/// throw the blocks
-/// apart. Moving blocks get their contacts before they meet.
+/// throw the blocks apart. Moving blocks get their contacts before they meet.
 void begin_found_late(Model& model, Row c) {
     auto& subs = model.sub_contacts;
     const Span span = model.contacts.sub_contacts[c];

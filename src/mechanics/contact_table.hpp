@@ -32,12 +32,9 @@ struct ContactDraft {
 enum class ContactChange { none, refreshed, replaced };
 
 /// Builds the contact tables from drafts (sorted by block1, block2). A sub-contact with new geometry takes traction, displacement, history
-/// and state
-/// from the nearest old one of its contact. Sub-contacts of new contacts are initialised by their joint model; `moving` says that existing
-/// overlap was
-/// closed since the last search, so its force is applied at once. Where every row keeps its place the tables are updated in place, and
-/// lists made from
-/// them stay valid if all blocks are rigid.
+/// and state from the nearest old one of its contact. Sub-contacts of new contacts are initialised by their joint model; `moving` says that
+/// existing overlap was closed since the last search, so its force is applied at once. Where every row keeps its place the tables are
+/// updated in place, and lists made from them stay valid if all blocks are rigid.
 ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
                                bool moving, OverlapScratch& scratch);
 

@@ -20,8 +20,7 @@ struct GivenJoint {
 std::vector<GivenJoint> given_joints(Model& model, JointRegistry& joints, const std::vector<Row>& blocks);
 
 /// Finds the contacts of the pieces and gives them the data of the joints of the whole blocks. `origin`: by row of block, the block from
-/// which it
-/// was cut, which keeps its id as first piece. Does nothing when there are no given joints.
+/// which it was cut, which keeps its id as first piece. Does nothing when there are no given joints.
 void give_to_pieces(Model& model, JointRegistry& joints, const std::vector<GivenJoint>& given,
                     const std::vector<BlockId>& origin);
 

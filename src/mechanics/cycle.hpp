@@ -21,9 +21,8 @@ public:
     ~Cycle();
 
     /// Finds contacts, gives joint models to contacts without one, computes masses and the time step. advance() calls it when something
-    /// changed; it is
-    /// safe to call at any time. Throws Diagnostic (missing density, zero stiffness, a missing joint property, ...) and leaves the model
-    /// unchanged.
+    /// changed; it is safe to call at any time. Throws Diagnostic (missing density, zero stiffness, a missing joint property, ...) and
+    /// leaves the model unchanged.
     void prepare();
 
     /// Runs one cycle. Throws Diagnostic with Fault::run when a joint model fails or a value is not finite.
@@ -35,8 +34,7 @@ public:
     const std::vector<PhaseTime>& timing() const { return times_.all(); }
 
     /// While an Unwatched exists, zone stresses are not read or written between cycles, nor by hooks and scripts inside them, and may be
-    /// cached; they are
-    /// written back when the last one is destroyed or by bring_up_to_date().
+    /// cached; they are written back when the last one is destroyed or by bring_up_to_date().
     class Unwatched {
     public:
         explicit Unwatched(Cycle& cycle) : cycle_(cycle) { ++cycle_.unwatched_; }

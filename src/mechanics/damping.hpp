@@ -28,11 +28,9 @@ struct DampingFactors {
     }
 
     /// Velocities one step later, from the sums of forces and step over mass (or moments, and step over moment of inertia). `last` is the
-    /// sum of forces of
-    /// the previous step; combined damping reads and updates it. Viscous damping is centred and stable for any viscosity. Local damping
-    /// changes sign with the
-    /// velocity: where that happens within a step, the rest of the step uses the other sign; otherwise strongly damped motion would turn
-    /// several steps early.
+    /// sum of forces of the previous step; combined damping reads and updates it. Viscous damping is centred and stable for any viscosity.
+    /// Local damping changes sign with the velocity: where that happens within a step, the rest of the step uses the other sign; otherwise
+    /// strongly damped motion would turn several steps early.
     Lanes advance(const Lanes& velocity, const Lanes& force, double step_over_mass, Vec3& last) const {
         const Lanes push = force * step_over_mass;
         if (combined != 0) {

@@ -44,8 +44,8 @@ struct MassChange {
 };
 
 /// A change of mass creates no kinetic energy: a body that gets heavier keeps its momentum, one that gets lighter keeps its velocity.
-/// Otherwise a
-/// rattling block would gain energy each time, getting lighter while springs push it and heavier in flight. Held velocities are unchanged.
+/// Otherwise a rattling block would gain energy each time, getting lighter while springs push it and heavier in flight. Held velocities are
+/// unchanged.
 void give(const Body& body, double value, MassChange& change) {
     const double before = body.inertial, ratio = value / before, slower = std::min(1.0, 1 / ratio);
     body.inertial = value;

@@ -1,7 +1,6 @@
 // Density scaling of masses: docs/theory/time-step.md.
 // reads: blocks.mass, gridpoints.mass, structures.member_nodes, settings.mass_scaling, clock.time_step
-// writes: blocks.inertial_mass, blocks.velocity, blocks.rotational_velocity, blocks.angular_momentum, gridpoints.inertial_mass,
-// gridpoints.velocity, structures.member_nodes, energy
+// writes: blocks.inertial_mass, blocks.velocity, blocks.rotational_velocity, blocks.angular_momentum, gridpoints.inertial_mass, gridpoints.velocity, structures.member_nodes, energy
 #pragma once
 
 #include "model/model.hpp"
@@ -21,8 +20,7 @@ struct ScaledMasses {
 ScaledMasses scaled_masses(const Model& model);
 
 /// Sets inertial masses so that `stable_step` is stable for every body, none below `least` times its mass. Velocities stay. Masses that
-/// suffice and are
-/// not much too large stay too.
+/// suffice and are not much too large stay too.
 void scale_masses(Model& model, const BodyStiffness& stiffness, double stable_step, double least);
 
 /// The same, only upwards from the present masses: for stiffnesses that grow between two scalings.

@@ -1,6 +1,5 @@
 // Eight numbers at a time: rows of zones and gridpoints in the widest vector registers available. Every operation is lane by lane, as in
-// model/lanes.hpp,
-// so results do not depend on the width of the registers.
+// model/lanes.hpp, so results do not depend on the width of the registers.
 #pragma once
 
 #include "model/column.hpp"

@@ -37,8 +37,7 @@ struct EndStiffness {
 };
 
 /// `deformation` maps the motion of the nodes (three translations and three rotations each) to deformations, `stiffness` maps these to
-/// generalised
-/// forces. A rotation counts as a translation at the distance `arm`.
+/// generalised forces. A rotation counts as a translation at the distance `arm`.
 template <int deformations, int motions>
 EndStiffness end_stiffness(const Eigen::Matrix<double, deformations, motions>& deformation,
                            const Eigen::Matrix<double, deformations, deformations>& stiffness, double arm) {

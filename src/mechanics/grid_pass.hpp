@@ -1,9 +1,7 @@
 // Advances gridpoints and their zones in one pass: the work of move_bodies.hpp, run_zone_models.hpp and gather_forces.hpp, chunk by chunk
-// and tile by
-// tile, while their rows are in the cache.
+// and tile by tile, while their rows are in the cache.
 // reads: gridpoints.force, gridpoints.load, gridpoints.inertial_mass, gridpoints.mass, zone_properties, settings, clock.time_step
-// writes: gridpoints.velocity, gridpoints.position, gridpoints.displacement, gridpoints.last_force, blocks.travelled, zones.stress,
-// zones.state, zones.history, zones.dashpot, gridpoints.force, blocks.force
+// writes: gridpoints.velocity, gridpoints.position, gridpoints.displacement, gridpoints.last_force, blocks.travelled, zones.stress, zones.state, zones.history, zones.dashpot, gridpoints.force, blocks.force
 #pragma once
 
 #include "mechanics/gather_forces.hpp"
@@ -30,8 +28,7 @@ public:
     static bool possible(const Model& model, const ZoneLaws& laws, const TieLists& ties);
 
     /// With constant loads, chunks on which only zones act are gathered too. Writes `zone_forces` as run_zone_models does. Throws
-    /// Diagnostic when a zone model
-    /// fails.
+    /// Diagnostic when a zone model fails.
     void run(Model& model, const QuietPoints& quiet, const ZoneLaws& laws, ZoneScratch& scratch,
              const PointForces& forces, bool loads_stay, std::vector<PointRow>& zone_forces);
 

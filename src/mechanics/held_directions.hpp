@@ -28,8 +28,7 @@ private:
 };
 
 /// Holds the velocity along a direction (of any length) at `speed`: of the centroid of a rigid block, of each gridpoint of other blocks.
-/// Replaces a
-/// hold along the same direction; others stay.
+/// Replaces a hold along the same direction; others stay.
 void hold_direction(Model& model, const Bodies& bodies, const Vec3& direction, double speed);
 
 /// Frees all directions.

@@ -23,8 +23,7 @@ Vec3 traction(const Stress& s, const Vec3& n) {
 }
 
 /// For each sub-contact the point at which a linear stress must be evaluated so that its forces, distributed to the gridpoints of either
-/// side, equal those
-/// of the traction on the faces. Beside zones this is the centre of its area, elsewhere its position.
+/// side, equal those of the traction on the faces. Beside zones this is the centre of its area, elsewhere its position.
 std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>& sub_contacts) {
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
@@ -85,8 +84,7 @@ template <class StressAt> void put_joint_stress(Model& model, JointRegistry& joi
 }
 
 /// Sub-contacts lie at corners and edges of faces, where a vertical line may miss the blocks; a point slightly nearer to the middle of the
-/// joint has the
-/// same weight above it.
+/// joint has the same weight above it.
 Vec3 inside_joint(const Model& model, Row s) {
     constexpr double hair = 1e-6;
     const auto& subs = model.sub_contacts;

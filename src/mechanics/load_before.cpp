@@ -10,10 +10,8 @@ namespace kaya {
 namespace {
 
 /// A geometry update must not create energy. It may return what it has taken from this contact before, and no more (Hannaford and Ryu 2002,
-/// IEEE Trans.
-/// Robot. Autom. 18, keep a contact passive by such an account). Overlap beyond what the force explains is stored. Returns the energy lost
-/// from the
-/// springs.
+/// IEEE Trans. Robot. Autom. 18, keep a contact passive by such an account). Overlap beyond what the force explains is stored. Returns the
+/// energy lost from the springs.
 double keep_passive(Model& model, Row c, const ContactLoad& before) {
     const ContactLoad after(model, c);
     auto& subs = model.sub_contacts;
