@@ -33,8 +33,8 @@ double keep_passive(Model& model, Row c, const ContactLoad& before) {
     return before.stored() - normal * normal * after.energy - shear * shear * after.shear_energy;
 }
 
-/// Shear forces of a joint between rigid blocks stay no larger than they were when its places change; its normal force
-/// is that of its closure, before and after. Returns what is lost of the energy in the springs.
+/// Limits the shear forces of a joint between rigid blocks to their former size when its places change; its normal force follows its
+/// closure before and after. Returns the energy lost from the springs.
 double keep_shear(Model& model, Row c, const ContactLoad& before) {
     const ContactLoad after(model, c);
     const double scale = after.shear > before.shear ? before.shear / after.shear : 1;
@@ -45,8 +45,7 @@ double keep_shear(Model& model, Row c, const ContactLoad& before) {
     return before.stored() - after.energy - scale * scale * after.shear_energy;
 }
 
-/// Forces that a contact has other than before act in half of the step. What they made there is of the joints' work,
-/// and negative in what is lost, which is returned.
+/// A changed force acts during half of the step. Its work there belongs to the joints, and is subtracted from the returned loss.
 double book_change(Model& model, Row c, double work_before) {
     if (!model.settings.energy) return 0;
     const double made = 0.5 * (work_of_step(model, c) - work_before);

@@ -1,4 +1,4 @@
-// What contacts carried before their geometry was made anew: that must not make energy.
+// Loads of contacts before their geometry is rebuilt: rebuilding must not create energy.
 #pragma once
 
 #include "mechanics/contact_load.hpp"
@@ -10,24 +10,24 @@ namespace kaya {
 
 class LoadBefore {
 public:
-    /// Of the contact that a draft gives new geometry.
+    /// For the contact that a draft gives new geometry.
     LoadBefore(const Model& model, Row draft, Row old);
 
-    /// Takes from the contact, which is row `contact` by now, what its new geometry would have made. `moving`: forces that it has other
-    /// than before have acted in half of the step. Returns what is lost of the energy in its springs.
+    /// Removes from the contact, now at row `contact`, the energy that its new geometry would create. `moving`: changed forces have acted
+    /// during half of the step. Returns the energy lost from its springs.
     double settle(Model& model, Row contact, bool moving) const;
 
     Row row; ///< of the draft
     ContactLoad load;
 
 private:
-    double work_; ///< of its forces in the step
+    double work_; ///< work of its forces in the step
 };
 
-/// Those of contacts that get new geometry.
+/// For all contacts with new geometry.
 std::vector<LoadBefore> loads_of(const Model& model, const std::vector<ContactDraft>& drafts);
 
-/// The energy in the springs of contacts that are not kept.
+/// The energy in the springs of deleted contacts.
 double stored_in_parted(const Model& model, const std::vector<char>& kept);
 
 } // namespace kaya

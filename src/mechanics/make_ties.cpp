@@ -14,11 +14,11 @@ namespace kaya {
 
 namespace {
 
-/// Faces lie on each other up to this angle (2 degrees), as those of joints do.
+/// Faces are parallel within this angle (2 degrees), as for joints.
 constexpr double cos_of_flat = 0.9993908270190958;
-/// In parts of a block's margin: points of two meshes that are one.
+/// In parts of a block's margin: closer points of two meshes coincide.
 constexpr double coincidence = 2e-3;
-/// Common areas below this part of the smaller face are none.
+/// Smaller common areas, in parts of the smaller face, are dropped.
 constexpr double least_area = 1e-6;
 
 /// A face in the coordinates of a plane.
@@ -69,14 +69,13 @@ private:
                 const auto& g = model.zones.gridpoints[z];
                 std::array<Row, 3> face{g[(k + 1) % 4], g[(k + 2) % 4], g[(k + 3) % 4]};
                 std::ranges::sort(face);
-                known[face] = z - zones.first; // an inner face gets one of its two zones, and is not asked for
+                known[face] = z - zones.first; // an inner face gets one of its two zones; it is never asked for
             }
     }
     std::map<Row, Zones> of_block_;
 };
 
-/// One side of a tie: the triangle's gridpoints with a vertex that lies at the place in front, and their
-/// weights.
+/// One side of a tie: the gridpoints of the triangle below a vertex, and their weights.
 void attach(const Model& model, const ProjectedFace& face, int vertex, int triangle,
             const std::array<double, 3>& weights, ZonesBelow& below, std::array<Row, 3>& gridpoints,
             std::array<double, 3>& of, Row& zone) {
@@ -101,14 +100,14 @@ Vec3 place_of(const Model& model, const ProjectedFace& face, int vertex, int tri
     return place;
 }
 
-/// What ties of one pair of faces after another have in common.
+/// Scratch memory shared by the ties of consecutive pairs of faces.
 struct TieScratch {
     ZonesBelow below;
     Overlay found;
     OverlayScratch overlay;
 };
 
-/// Ties two faces where they lie on each other.
+/// Ties two faces over their common area.
 void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const ProjectedFace& face2, const Vec3& normal,
                double near, TieScratch& scratch) {
     Overlay& found = scratch.found;
@@ -141,7 +140,7 @@ void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const Project
     model.tied_pairs.ties[pair].count += static_cast<Row>(found.points.size());
 }
 
-/// Ties the faces of two blocks that lie on each other.
+/// Ties the parallel faces of two blocks.
 void tie_blocks(Model& model, Row block1, Row block2, TieScratch& scratch) {
     auto& pairs = model.tied_pairs;
     const auto& blocks = model.blocks;
@@ -176,7 +175,7 @@ void tie_blocks(Model& model, Row block1, Row block2, TieScratch& scratch) {
     }
 }
 
-/// Pairs of joined blocks near each other of which one has no ties yet.
+/// Pairs of near joined blocks of which one has no ties yet.
 std::vector<std::array<Row, 2>> pairs_to_tie(const Model& model) {
     const auto& blocks = model.blocks;
     std::vector<Row> rows;
@@ -202,7 +201,7 @@ std::vector<std::array<Row, 2>> pairs_to_tie(const Model& model) {
     return pairs;
 }
 
-/// The force on the second block that goes with the stresses of the two zones at a tie.
+/// The force on the second block that follows from the stresses of the two zones at a tie.
 Vec3 force_of_stresses(const Model& model, Row tie, const std::array<Row, 2>& blocks) {
     const auto& ties = model.ties;
     const auto& x = model.gridpoints.position;

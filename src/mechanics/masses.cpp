@@ -22,7 +22,7 @@ const Material& material_of(const Model& model, Row block) {
     throw d;
 }
 
-/// How many times its mass a body's inertial mass is.
+/// Ratio of a body's inertial mass to its mass.
 double inertial_factor(double inertial, double mass) { return inertial > 0 && mass > 0 ? inertial / mass : 1; }
 
 } // namespace
@@ -30,7 +30,7 @@ double inertial_factor(double inertial, double mass) { return inertial > 0 && ma
 void compute_masses(Model& model) {
     auto& blocks = model.blocks;
     auto& g = model.gridpoints;
-    // All densities are looked at before the first mass is written.
+    // All densities are checked before the first mass is written.
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         const Row row = static_cast<Row>(b);
         const double density = material_of(model, row).density;

@@ -7,7 +7,7 @@
 
 namespace kaya {
 
-/// From the densities. Throws Diagnostic when one is missing.
+/// Computes masses from densities. Throws Diagnostic when one is missing.
 void compute_masses(Model& model);
 
 } // namespace kaya

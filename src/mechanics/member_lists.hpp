@@ -1,4 +1,4 @@
-// What is derived from beams and liners and never saved: shapes of elements, and who acts on whom.
+// Derived data of beams and liners, never saved: shapes of elements, and which elements act on which nodes.
 #pragma once
 
 #include "mechanics/beam_element.hpp"
@@ -25,7 +25,7 @@ struct MemberLists {
     std::vector<Hold> holds;
 
     MemberLists() = default;
-    /// Properties must be there.
+    /// Requires complete properties.
     explicit MemberLists(const Model& model);
 
     bool any() const { return !holds.empty(); }
@@ -34,7 +34,7 @@ struct MemberLists {
 BeamSection section_of_beam(const StructureProperties& properties);
 ShellSection section_of_liner(const StructureProperties& properties);
 
-/// Masses of nodes by the densities of their members, and bounds of their stiffnesses. Properties must be there.
+/// Masses of nodes from the densities of their members, and bounds of their stiffnesses. Requires complete properties.
 void compute_member_masses(Model& model);
 
 /// Of the springs that hold a node to the rock.
@@ -43,8 +43,8 @@ struct LinkStiffness {
 };
 LinkStiffness link_stiffness(const Model& model, Row node, Hold hold);
 
-/// Bound of the stiffness of a node that moves by itself, by equation (14) of docs/theory/beams-and-liners.md. Its link counts twice, since
-/// the rock moves too.
+/// Bound of the stiffness of a free node, by equation (14) of docs/theory/beams-and-liners.md. Its link counts twice, since the rock moves
+/// too.
 double node_resistance(const Model& model, Row node, Hold hold);
 
 /// The largest step that is stable for nodes with their own masses, and the node that sets it.
@@ -54,7 +54,7 @@ struct MemberLimit {
 };
 MemberLimit member_limit(const Model& model);
 
-/// Whether inertial masses of nodes follow the step, as on the way to rest, and not the step them.
+/// Whether inertial masses of nodes are fitted to the time step, as in static solution, instead of the step to the masses.
 bool member_masses_follow(const Settings& settings);
 
 } // namespace kaya

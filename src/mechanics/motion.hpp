@@ -47,8 +47,8 @@ inline Lanes prescribed(unsigned bits) {
     return Eigen::Map<const Lanes, Eigen::Aligned32>(of[bits & 7u]);
 }
 
-/// What a roller adds to a force so that what is left acts along its way. Combined damping brakes in proportion to the force and must
-/// not look at the rest: the greater part of it is what the support takes, and no such gridpoint would come to rest.
+/// The force of a roller that leaves a resultant along its free direction. Combined damping is proportional to the force and must not see
+/// the supported part: that is the greater one, and the gridpoint would never come to rest.
 inline Vec3 support_against(const Vec3& force, const Roller& roller, unsigned held_bits) {
     Vec3 free = force;
     for (int k = 0; k < 3; ++k)
@@ -56,8 +56,8 @@ inline Vec3 support_against(const Vec3& force, const Roller& roller, unsigned he
     return roller_change(roller, free, static_cast<std::uint8_t>(held_bits), Vec3::Zero());
 }
 
-/// Moves a velocity by force, load and weight for a step. A roller, if there is one, keeps it on its way; what it pushes is
-/// the boundary's work.
+/// Advances a velocity by force, load and weight over a step. A roller, if there is one, keeps it on its free direction; the work of its
+/// reaction is the boundary's.
 inline void advance_velocity(Vec3& velocity, const Vec3& force, const Vec3& load, const Lanes& weight, double mass,
                              double step, unsigned held_bits, const DampingFactors& damping, Vec3& last_force,
                              MotionLanes& sums, const Roller* roller = nullptr) {
@@ -68,7 +68,7 @@ inline void advance_velocity(Vec3& velocity, const Vec3& force, const Vec3& load
         store(sum, whole);
         support = lanes(support_against(sum, *roller, held_bits));
     }
-    // What is held needs no mass.
+    // A held component needs no mass.
     Lanes after = damping.advance(before, whole + support, mass > 0 ? step / mass : 0, last_force);
     support *= step;
     const Lanes held = prescribed(held_bits);
@@ -84,7 +84,7 @@ inline void advance_velocity(Vec3& velocity, const Vec3& force, const Vec3& load
     sums.add_power(inner, before, after);
     const Lanes mean = 0.5 * (before + after);
     sums.gravity += weight * mean * step;
-    // What the step's forces do not explain of the change of momentum was done by the support, or by damping.
+    // The change of momentum that the step's forces do not explain comes from the support or from damping.
     Lanes rest = (mass * (after - before) - whole * step) * mean;
     if (roller != nullptr) {
         rest -= support * mean;

@@ -24,14 +24,14 @@ void combine(MotionSums& sum, const MotionSums& part) { sum.add(part); }
 Rotor rotor(const Quaternion& q) { return {q[0], {q[1], q[2], q[3]}}; }
 Quaternion quaternion_of(const Rotor& r) { return {r.w, r.v.x, r.v.y, r.v.z}; }
 
-/// Where the vertices of a block are when it has moved.
+/// Positions of the vertices of a block after its motion.
 class VertexPlaces {
 public:
     VertexPlaces(const Vec3& centroid, const Mat3& turn) : centroid_(centroid), turn_(turn) {
         eight_centroid_ = for_each_row(centroid);
         for (int k = 0; k < 3; ++k) eight_turn_[k] = for_each_row(turn.col(k));
     }
-    /// Of rows [row, row + 8). Operations and their order are those of one row. Returns the square of the longest way.
+    /// For rows [row, row + 8), with the operations and their order of a single row. Returns the square of the longest displacement.
     double place_eight(Gridpoints& g, Row row) const {
         const Eight3 x = columns_of(load_three(g.reference[row].data()));
         const std::array<ThreeEights, 3> of{for_each_of_three(x.x), for_each_of_three(x.y), for_each_of_three(x.z)};
@@ -66,7 +66,7 @@ private:
     std::array<ThreeEights, 3> eight_turn_;
 };
 
-/// Positions of the vertices follow the block. Returns the longest way of one.
+/// Moves the vertices with the block. Returns the longest displacement.
 double place_vertices(Model& model, std::size_t b) {
     const auto& blocks = model.blocks;
     const VertexPlaces places(blocks.centroid[b], quaternion(blocks.orientation[b]).toRotationMatrix());
@@ -79,15 +79,14 @@ double place_vertices(Model& model, std::size_t b) {
     return std::sqrt(travel);
 }
 
-/// In small strain the vertices stay, and what they would move is only counted.
+/// In small strain the vertices stay; only their displacement is counted.
 void displace_vertices(Model& model, std::size_t b) {
     const Span span = model.blocks.gridpoints[b];
     for (Row row = span.first; row < span.end(); ++row)
         model.gridpoints.displacement[row] += gridpoint_velocity(model, row) * model.clock.time_step;
 }
 
-/// One rigid block, or several that are joined: what acts on it and how it moves. Inertia is in the axes that
-/// the orientation turns.
+/// One rigid block, or several joined ones: its forces and its motion. Inertia is in the axes that the orientation turns.
 struct RigidBody {
     double mass;               ///< in the weight
     double inertial_mass;      ///< in the equation of motion, as in the inertia
@@ -95,15 +94,15 @@ struct RigidBody {
     double inertia_scale;      ///< this
     std::uint8_t fixed;
     const Vec3 &force, &load, &moment, &torque;
-    const Mat3& load_arms; ///< sum of arm in the axes of the inertia times force, of loads that go with the body
+    const Mat3& load_arms; ///< sum of arm (in the axes of the inertia) times force, for loads that move with the body
     Vec3 &velocity, &spin, &momentum;
     Vec3 &last_force, &last_moment; ///< for combined damping
     Quaternion& orientation;
-    const Roller* roller; ///< of directions that are held; null: there are none
+    const Roller* roller; ///< held directions; null: none
 };
 
-/// Work of forces that keep their directions on points that turn with a body: force times way. It is that between the
-/// middles of two steps, as all work on bodies; `arms` is the sum of arm times force now.
+/// Work of forces of constant direction on points that turn with a body: force times displacement, between the middles of two steps, as all
+/// work on bodies; `arms` is the present sum of arm times force.
 double work_on_arms(const Mat3& arms, const Vec3& turn_before, const Vec3& turn_now) {
     const auto turn = [](const Vec3& angle) {
         const Rotor r = Rotor::by(Triple(angle));
@@ -188,8 +187,8 @@ void move_block(Model& model, std::size_t b, const DampingFactors& damping, Moti
     blocks.travelled[b] += place_vertices(model, b);
 }
 
-/// Joined blocks, one step. The body's state is that of its members, so that nothing needs to be kept twice: centroid
-/// and velocity are means by mass, axes those of its first block.
+/// One step of joined blocks. The state of the body is that of its members, so nothing is stored twice: centroid and velocity are means by
+/// mass, axes those of its first block.
 void move_body(Model& model, std::span<const Row> members, const DampingFactors& damping, MotionLanes& sums) {
     auto& blocks = model.blocks;
     const BodyMass body = body_mass(model, members);
@@ -199,7 +198,7 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
     Vec3 force = Vec3::Zero(), load = Vec3::Zero(), moment = Vec3::Zero(), torque = Vec3::Zero();
     Mat3 arms = Mat3::Zero();
     for (const Row b : members) {
-        // What one block may not do none of them may; the first that is held says how fast.
+        // A component held on one block is held on all; the first held block gives the velocity.
         for (int k = 0; k < 3; ++k) {
             if ((blocks.fixed[b] & ~fixed) & (fix_rx << k)) spin[k] = blocks.rotational_velocity[b][k];
         }

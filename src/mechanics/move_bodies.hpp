@@ -1,4 +1,4 @@
-// Rigid blocks and gridpoints, one step on: docs/theory/motion.md.
+// Advances rigid blocks and gridpoints by one step: docs/theory/motion.md.
 // reads: blocks.force, blocks.moment, blocks.load, blocks.torque, blocks.inertial_mass, gridpoints.force, gridpoints.load, gridpoints.inertial_mass, settings, clock.time_step
 // writes: blocks.velocity, blocks.rotational_velocity, blocks.angular_momentum, blocks.centroid, blocks.orientation, blocks.displacement, blocks.travelled, blocks.last_force, blocks.last_moment, gridpoints.velocity, gridpoints.position, gridpoints.displacement, gridpoints.last_force
 #pragma once

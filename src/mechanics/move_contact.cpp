@@ -11,7 +11,7 @@ namespace kaya {
 
 namespace {
 
-/// Cycles between two looks at the faces of deformable blocks, which turn slowly.
+/// Cycles between two updates of the faces of deformable blocks, which turn slowly.
 constexpr std::int64_t face_interval = 10;
 
 /// The plane turns with the block whose face it is; between rigid blocks see PairMotions.
@@ -40,7 +40,7 @@ inline void add_work(JointWork& work, const SubContacts& subs, Row row, const Ro
     work.fluid += group.load(subs.pore_pressure.data() + row) * group.load(subs.area.data() + row) * opening;
 }
 
-/// What lies in the plane of a contact stays there, and turns in it with the mean of the blocks.
+/// Vectors in the plane of a contact stay in it and turn with the mean rotation of the blocks.
 inline Eight3 turned_in_plane(const Eight3& vector, const Eight3& n, const Eight& twist) {
     const Eight3 in_plane = vector - n * vector.dot(n);
     return in_plane + n.cross(in_plane) * twist;
@@ -87,7 +87,7 @@ struct SideMotion {
     }
 };
 
-/// How far what lies in a plane turns about its normal in a step: with the mean motion of places in it.
+/// Rotation in a step of vectors in a plane about its normal: with the mean motion of points in it.
 class PlaneTwist {
 public:
     PlaneTwist(const Vec3& normal, const Vec3& origin) : normal_(normal), origin_(origin) {}
@@ -113,7 +113,7 @@ private:
     double count_ = 0, moment_ = 0, square_ = 0;
 };
 
-/// That of a contact with zones, after its sub-contacts have moved: the way itself does not change it.
+/// The rotation for a contact with zones, after its sub-contacts have moved: the displacement itself does not change it.
 double twist_with_zones(const Model& model, Row c) {
     const auto& subs = model.sub_contacts;
     const SideMotion side1(model, model.contacts.block1[c]), side2(model, model.contacts.block2[c]);
@@ -188,7 +188,7 @@ void move_rigid_contact(Model& model, Row c, const PairMotions& pairs, std::size
     JointWork own; // stays in registers, which `work` would not
     for (Row i = span.first; i < span.end(); i += eight) {
         const RowsOfEight group(span.end() - i);
-        // Rows that are not there move as the origin does, or they would seem to slip far.
+        // Missing rows move as the origin does; otherwise they would seem to slip far.
         const Eight3 x = group.load(subs.position, i, origin), arm = x - origin;
         const Eight3 turned = mean_turn.cross(arm);
         const Eight3 u = apart + apart_turn.cross(arm + turned * half);

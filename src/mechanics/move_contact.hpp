@@ -23,17 +23,16 @@ struct JointWork {
     }
 };
 
-/// Turns the plane of a contact with its blocks and writes the displacement increments of its
-/// sub-contacts; turns their shear forces with the plane, and the vectors that a joint model keeps of them: `kept` has the
-/// first of the three history variables of each. Adds the work of the forces as they then are to `work`.
-/// For contacts of deformable blocks.
+/// Turns the plane of a contact with its blocks, writes the displacement increments of its sub-contacts, and turns their shear forces and
+/// the vectors that a joint model keeps with the plane: `kept` holds the index of the first of the three history variables of each vector.
+/// Adds the work of the present forces to `work`. For contacts of deformable blocks.
 void move_contact(Model& model, Row contact, const std::vector<std::size_t>& kept, JointWork& work);
 
-/// The same for a joint between rigid blocks, which is number `lane` of the pairs that have been taken.
+/// The same for a joint between rigid blocks, number `lane` of the prepared pairs.
 void move_rigid_contact(Model& model, Row contact, const PairMotions& pairs, std::size_t lane,
                         const std::vector<std::size_t>& kept, JointWork& work);
 
-/// Turns the vectors only, of a contact that has moved. Nothing in small strain.
+/// Turns only the vectors of a contact that has moved. Does nothing in small strain.
 void turn_kept_vectors(Model& model, Row contact, const std::vector<std::size_t>& kept);
 
 } // namespace kaya

@@ -14,7 +14,7 @@ namespace kaya {
 
 namespace {
 
-/// How far the fastest gridpoint of a deformable block has gone.
+/// Adds the displacement of the fastest gridpoint of a deformable block.
 void add_travel(Model& model, Row block) {
     const Span points = model.blocks.gridpoints[block];
     const auto& velocity = model.gridpoints.velocity;
@@ -39,8 +39,8 @@ struct MovingPoint {
     Mat3 dashpot = Mat3::Zero(); ///< of a quiet boundary
 };
 
-/// Moves the velocity of a point on a quiet boundary or on rollers. What a roller pushes is the boundary's
-/// work; what a quiet boundary brakes counts as damped.
+/// Advances the velocity of a point on a quiet boundary or on rollers. The work of a roller's reaction is the boundary's; the work of a
+/// quiet boundary counts as damped.
 void advance_on_boundary(const Model& model, const MovingPoint& point, const DampingFactors& damping, Vec3& velocity,
                          Vec3& last_force, MotionLanes& sums) {
     const double mass = point.inertial_mass, step = model.clock.kick();
@@ -83,8 +83,8 @@ void place(Model& model, Row row) {
     if (model.settings.large_strain) g.position[row] += shift;
 }
 
-/// The velocity of a group before a step: what its members have in common; after an impact of parts, or when
-/// a script has set that of one, the mean by mass. The first that is held says how fast.
+/// The velocity of a group before a step: its common velocity; after an impact of parts, or when a script has set one member's, the mean by
+/// mass. The first held member gives the velocity.
 Vec3 common_velocity(const Model& model, std::span<const Row> members) {
     const auto& g = model.gridpoints;
     Vec3 velocity = g.velocity[members.front()];

@@ -15,7 +15,7 @@ public:
 
     /// A chunk, but for gridpoints that are tied to each other.
     MotionSums move(std::size_t first, std::size_t last);
-    /// What has to wait for all chunks; `chunks` are their sums. Returns those of all gridpoints.
+    /// The part that must wait for all chunks; `chunks` are their sums. Returns the sums of all gridpoints.
     MotionSums finish(MotionSums chunks);
 
 private:
@@ -26,7 +26,7 @@ private:
     const TieLists& ties_;
     const DampingFactors damping_;
     const Lanes gravity_;
-    const bool travels_; ///< the search for contacts asks how far
+    const bool travels_; ///< the contact search needs the distance
 };
 
 } // namespace kaya

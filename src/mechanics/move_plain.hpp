@@ -1,4 +1,4 @@
-// One step of gridpoints that nothing holds but fixities: eight at a time.
+// One step of gridpoints held by fixities only, eight at a time.
 #pragma once
 
 #include "mechanics/plain_motion.hpp"

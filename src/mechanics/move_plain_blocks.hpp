@@ -1,4 +1,4 @@
-// One step of rigid blocks that nothing holds: eight at a time. What happens to each of them is what `advance` in move_blocks.cpp does.
+// One step of free rigid blocks, eight at a time; for each the same operations as `advance` in move_blocks.cpp.
 #pragma once
 
 #include "mechanics/held_directions.hpp"
@@ -11,7 +11,7 @@ class PlainBlocks {
 public:
     explicit PlainBlocks(Model& model) : model_(model), motion_(model), step_(model.clock.time_step) {}
 
-    /// Combined damping asks for moments before as well.
+    /// Combined damping needs earlier moments as well.
     bool possible() const { return !motion_.is_combined() && model_.settings.large_strain; }
 
     /// Whether blocks [row, row + 8) are rigid, joined to nothing and free, with loads at their centroids only.
@@ -85,7 +85,7 @@ private:
         }
     }
 
-    /// Turns the blocks and returns their spins. What has no momentum stays as it is, to the last bit.
+    /// Turns the blocks and returns their spins. A block without momentum keeps its bits.
     ThreeEights turned(std::size_t row, const Triples& momentum) {
         auto& blocks = model_.blocks;
         std::array<Four, 8> rows;

@@ -4,7 +4,7 @@ namespace kaya {
 
 namespace {
 
-/// Room on every side, in parts of the box's longest edge.
+/// Margin on every side, in parts of the box's longest edge.
 constexpr double room = 0.02;
 
 bool inside(const Box& box, const Box& around) {

@@ -8,9 +8,8 @@
 
 namespace kaya {
 
-/// Every box is given room around it. As long as all boxes stay in their room, all pairs that can touch are among
-/// those whose rooms meet. So the list that it gives may be longer than it must be, and what is made of the pairs
-/// must not depend on pairs that are too far apart.
+/// Every box gets a margin. As long as all boxes stay within their margins, all pairs that can be in contact are in the list. The list may
+/// be longer than necessary, so results must not depend on pairs that are too far apart.
 class NearPairs {
 public:
     /// Pairs (i, j), i > j, sorted; among them all whose boxes overlap.

@@ -1,4 +1,4 @@
-// Joints between rigid blocks that begin to open: from then on their force follows the overlap.
+// Joints between rigid blocks that begin to open become overlap contacts.
 #include "mechanics/closure_search.hpp"
 #include "mechanics/contact_load.hpp"
 #include "mechanics/contact_geometry.hpp"
@@ -16,8 +16,7 @@
 namespace kaya {
 
 bool is_partly_open(const Model& model, Row c) {
-    // Closures in margins: below the first a force has the sign of rounding errors, below the second they would say how a
-    // joint is closed.
+    // Closures in margins: below the first the sign of a force is rounding, below the second it does not tell how a joint is closed.
     constexpr double none = 1e-9, some = 1e-6;
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
@@ -38,7 +37,7 @@ bool is_partly_open(const Model& model, Row c) {
 
 namespace {
 
-/// What the sub-contacts of a joint say of its closure.
+/// Closure of a joint according to its sub-contacts.
 struct Closures {
     double force = 0; ///< sum over rows
     Vec3 shear = Vec3::Zero();
@@ -47,11 +46,11 @@ struct Closures {
     double area = 0;
     double deepest = 0;
     double mean_offset = 0; ///< closure besides that of the places, weighted with the forces
-    double misfit = 0;      ///< by which places are closed or open that the mean offset says are not so
+    double misfit = 0;      ///< closure of places that the mean offset calls open, or the reverse
 };
 
-/// Closure that belongs to the normal force of a row: that of its spring, or what it has moved if that is more, as of a
-/// joint that stiffens.
+/// Closure that belongs to the normal force of a row: that of its spring, or its displacement if that is more, as for a joint that
+/// stiffens.
 double closure_of(const SubContacts& subs, Row s) {
     const double stiffness = subs.normal_stiffness[s] * subs.area[s];
     return std::max(stiffness > 0 ? subs.normal_force[s] / stiffness : 0, -subs.normal_displacement[s]);
@@ -96,16 +95,16 @@ Closures closures_of(const Model& model, Row c) {
         found.mean_offset /= found.force;
         found.misfit = std::max(high - low, nearest + found.mean_offset);
     } else {
-        // All open: blocks that were made to overlap still do so without force.
+        // All open: an initial overlap keeps carrying no force.
         found.most = span.first;
         found.mean_offset = std::min(0.0, -open / span.count);
     }
     return found;
 }
 
-/// The normal force of an overlap that begins as a joint opens in part. The rows of a joint integrate closures that are linear over it:
-/// those of a part of it they miss by up to half. With the rows' force the overlap would be short of what it carries as long as it
-/// lasts, and give back more energy than it takes.
+/// The normal force of the overlap contact when a joint opens in part. The rows integrate closures that are linear over the joint exactly,
+/// but miss those of a part of it by up to half. With the force of the rows the overlap would carry too little for as long as it lasts, and
+/// return more energy than it takes.
 double force_of_overlap(const Model& model, Row c, const Closures& closures, const OverlapPatch& patch) {
     constexpr double most = 2; // times the rows' force
     const auto& subs = model.sub_contacts;
@@ -118,7 +117,7 @@ double force_of_overlap(const Model& model, Row c, const Closures& closures, con
     return volume > 0 ? closures.force * std::clamp(patch.carried / volume, 1 / most, most) : closures.force;
 }
 
-/// What the overlap of two blocks carries with an offset that is linear over a joint, beside the resultant that it is wanted to have.
+/// Compares the force of the overlap of two blocks, with an offset linear over the joint, with the required resultant.
 class ResultantFit {
 public:
     ResultantFit(const Model& model_, Row contact, const Closures& closures, OverlapScratch& scratch_)
@@ -143,7 +142,7 @@ public:
         wanted = {1, centre.dot(per_length[0]), centre.dot(per_length[1])};
     }
 
-    /// The offset of a closure in the middle and how much more it is at a length from there.
+    /// The offset from a closure in the middle and its increase over a length.
     ClosureOffset offset(const Vec3& closure) const {
         ClosureOffset made;
         made.tilt = closure[1] * per_length[0] + closure[2] * per_length[1];
@@ -181,9 +180,9 @@ private:
     std::array<Vec3, 2> per_length; ///< unit vectors along and across the joint over its lengths
 };
 
-/// The offset, linear over a joint, with which the overlap has the force and the moments of the rows, by Newton's method. A
-/// resultant at the edge of a joint, which no overlap has, is met as far as the overlap gets no deeper than the rows are closed:
-/// without that bound the offset would grow until it said that the blocks have sunk into each other.
+/// Finds the offset, linear over the joint, with which the overlap has the force and the moments of the rows, by Newton's method. A
+/// resultant beyond the edge of a joint, which no overlap can have, is approached until the overlap is as deep as the rows are closed;
+/// without that bound the offset would grow without limit.
 ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& closures, OverlapScratch& scratch) {
     constexpr double met = 1e-3, deepest = 2; // of the resultant; of the closure of the rows
     constexpr int most_steps = 20, most_halves = 8;
@@ -210,7 +209,7 @@ ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& cl
     return fit.offset(closure);
 }
 
-/// What a joint model keeps of a row.
+/// History of a row.
 struct RowState {
     std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
     std::array<double, KAYA_JMODEL_MAX_FIELDS> field{};
@@ -277,13 +276,13 @@ double follow_overlap(Model& model, Row c, OverlapScratch& scratch) {
         contacts.position[c] = patch.centre;
     }
     const Vec3 n = contacts.normal[c], shear = closures.shear - closures.shear.dot(n) * n;
-    double dashpots = 0; // those that the joint had act on the carriers, which stand in other places than its rows
+    double dashpots = 0; // the joint's dashpots act on the carriers, which are elsewhere than its rows
     Vec3 shear_dashpots = Vec3::Zero();
     for (Row s = span.first; s < span.end(); ++s) {
         dashpots += subs.dashpot_normal[s];
         shear_dashpots += Vec3(subs.dashpot_shear[s]);
     }
-    // The rows that carry nothing have the area of the open part, and a history that says that they are open.
+    // Unloaded rows get the area of the open part, and a history of open places.
     const double open_area = std::max(0.0, closures.area - contacts.area[c]) / std::max<Row>(1, span.count - carriers);
     const Row source_open = closures.open == no_row ? closures.most : closures.open;
     const RowState of_carrier(subs, closures.most), of_open(subs, source_open);
@@ -324,7 +323,7 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
         subs.area[s] = point.area;
         subs.normal_force[s] = part * before.normal;
         subs.shear_force.set(s, part * shear);
-        // The history is that of a place that carries: its joint model is told how far the others have opened.
+        // The history is that of a loaded place: its joint model is told how far the others have opened.
         moved[static_cast<std::size_t>(s)] = closed < 0;
         subs.normal_displacement[s] = std::min(0.0, -closed);
         subs.normal_displacement_increment[s] = std::max(0.0, -closed);

@@ -33,7 +33,7 @@ struct RelativeMotion {
 
     RelativeMotion(const Model& model, Row c)
         : one(model, model.contacts.block1[c]), two(model, model.contacts.block2[c]) {}
-    /// With the arms of the start of the step, for forces that acted then: they changed the kinetic energy with these.
+    /// With the arms at the start of the step, for forces of that time: they changed the kinetic energy with these arms.
     RelativeMotion at_start() const {
         RelativeMotion start = *this;
         start.one.centre -= one.shift;
@@ -43,7 +43,7 @@ struct RelativeMotion {
     Vec3 at(const Vec3& place) const { return two.at(place) - one.at(place); }
 };
 
-/// Work of the forces as they are on the motion of the step.
+/// Work of the present forces on the motion of the step.
 void add_work_of(const Model& model, Row c, const RelativeMotion& motion, JointWork& work) {
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
@@ -71,7 +71,7 @@ void add_work_of(const Model& model, Row c, const RelativeMotion& motion, JointW
     work.add(own);
 }
 
-/// Whether nothing acts in a contact: forces that a script or a command has set count, and so does water.
+/// Whether no force acts in a contact; forces set by a script or a command count, and so does water.
 bool is_idle(const Model& model, Row c) {
     if (model.contacts.depth[c] > 0) return false;
     const auto& subs = model.sub_contacts;
@@ -84,7 +84,7 @@ bool is_idle(const Model& model, Row c) {
     return true;
 }
 
-/// What rows of idle contacts have worn so far counts before a step and after it, as that of all others.
+/// Frictional work of idle contacts counts before and after a step, as for all others.
 void add_friction_of(const Model& model, Row c, JointWork& work) { work.friction[0] += frictional_work(model, c); }
 
 /// Energy in the shear springs of a row.
@@ -93,8 +93,8 @@ double shear_energy(const SubContacts& subs, Row s) {
     return stiffness > 0 ? 0.5 * Vec3(subs.shear_force[s]).squaredNorm() / stiffness : 0;
 }
 
-/// Turns the shear forces into the plane and with the mean spin of the blocks about its normal. Returns the energy that is
-/// lost, or made, since the blocks move under the force as it was and the springs under the one that has turned.
+/// Turns the shear forces into the plane and with the mean spin of the blocks about its normal. Returns the energy lost or created: the
+/// blocks move under the force before the rotation, the springs under the one after it.
 double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& motion) {
     const Vec3 turn = 0.5 * (motion.one.turn + motion.two.turn);
     const RelativeMotion start = motion.at_start();
@@ -107,7 +107,7 @@ double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& moti
         const double size = force.norm();
         Vec3 flat = force - force.dot(n) * n;
         const double left = flat.norm();
-        if (left > 0) flat *= size / left; // it turns; it does not shrink
+        if (left > 0) flat *= size / left; // rotation keeps its size
         const Vec3 turned = flat + twist * n.cross(flat);
         lost += 0.5 * (turned - force).dot(start.at(subs.position[s]));
         subs.shear_force.set(s, turned);
@@ -115,11 +115,11 @@ double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& moti
     return lost;
 }
 
-/// Gives each carrier of a contact another area. Normal tractions stay. Shear forces stay where faces lie on each other: if they
-/// followed the area, a joint that opens and closes at its edge would lose some each time and creep. On corners and edges
-/// that roll, what leaves the contact takes its shear force along. Springs that keep their force on a smaller area hold more
-/// energy. In an impact `taken`, what larger areas have taken of it before, must pay for that, or the forces are smaller, all in the same
-/// proportion; a joint that opens slowly gains next to nothing, and would creep. Returns the energy of the shear springs that is lost.
+/// Changes the area of the carriers of a contact. Normal tractions are kept. Shear forces are kept between parallel faces: if they followed
+/// the area, a joint that opens and closes at its edge would lose some each time and creep. On rolling corners and edges, shear force is
+/// lost with the area that separates. Springs that keep their force on a smaller area hold more energy. In an impact this is paid from
+/// `taken`, the energy that growing areas have taken before, or all forces are reduced in proportion; a joint that opens slowly gains next
+/// to nothing, and reducing its forces would make it creep. Returns the energy lost from the shear springs.
 double change_areas(SubContacts& subs, Span rows, double area, bool lies, double& taken) {
     constexpr double slow = 0.99;                         // of the area left after a step
     double before = 0, quick_before = 0, quick_after = 0; // energy: of all, of areas that shrink in an impact
@@ -154,7 +154,7 @@ double normal_force_of(const Model& model, Row c) {
     return sum;
 }
 
-/// A force that was set while nothing overlaps: the offset at which the overlap carries it.
+/// For a force that was set without overlap: the offset at which the overlap carries it.
 double offset_for_force(const Model& model, Row c, double force, double stiffness, OverlapScratch& scratch) {
     const auto& contacts = model.contacts;
     ClosureOffset offset = offset_of(contacts, c);
@@ -166,7 +166,7 @@ double offset_for_force(const Model& model, Row c, double force, double stiffnes
     return closure_with_none_missing(missing, contacts.offset[c], force / (stiffness * contacts.least_area[c]));
 }
 
-/// Writes places, areas, increments for the common part as it is now.
+/// Writes places, areas and increments for the present common volume.
 double write_rows(Model& model, Row c, const OverlapPatch& patch, const RelativeMotion& motion) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
@@ -174,7 +174,7 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
     const bool closed = patch.carried > 0;
     const Vec3 n = patch.normal;
     std::array<Vec3, carriers> places{};
-    double lost = 0, whole = 0; // area of the joint, the open part of which the rows have that carry nothing
+    double lost = 0, whole = 0; // area of the joint; its open part belongs to the unloaded rows
     for (Row s = span.first; s < span.end(); ++s) whole += subs.area[s];
     if (closed) {
         contacts.axis[c] = axis_in_plane(contacts.axis[c], patch.longest_edge, n);
@@ -205,7 +205,7 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
         } else {
             subs.position.set(s, contacts.position[c]);
         }
-        // The joint model's closure is the depth; it stays at what it was while the blocks are apart.
+        // The joint model's closure is the depth; it is kept while the blocks are separated.
         const double displacement = subs.normal_displacement[s];
         subs.normal_displacement_increment[s] =
             closed ? -contacts.depth[c] - displacement : std::max(0.0, -displacement);
@@ -214,7 +214,7 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
     return lost;
 }
 
-/// The tilt of an offset turns with block 1. Where the blocks themselves tilt that way, so much less of it is left.
+/// The tilt of an offset turns with block 1. It is reduced by the tilt of the blocks in the same direction.
 void turn_offset(Contacts& contacts, Row c, const RelativeMotion& motion, const Vec3& origin) {
     Vec3& tilt = contacts.offset_tilt[c];
     const double size = tilt.norm();
@@ -240,7 +240,7 @@ double normal_work(const Model& model, Row c, const RelativeMotion& motion) {
     return work + force * contacts.twist[c] * n.dot(motion.two.turn - motion.one.turn);
 }
 
-/// Shear force goes with it: friction limits both. Returns the energy of the shear springs that is lost.
+/// Shear force is scaled too: friction limits both. Returns the energy lost from the shear springs.
 double scale_force(Model& model, Row c, double scale) {
     auto& subs = model.sub_contacts;
     const Span span = model.contacts.sub_contacts[c];
@@ -253,8 +253,8 @@ double scale_force(Model& model, Row c, double scale) {
     return before * (1 - scale * scale);
 }
 
-/// The joint model's springs and friction see the whole shear force of half a step, of which a part is withheld from the blocks. What the
-/// part that is withheld would have put in, by the motion of the step. `scale` is that of the forces as they are.
+/// The joint model's springs and friction see the whole shear force during half a step, but a part of it is withheld from the blocks.
+/// Returns the work of the withheld part on the motion of the step. `scale` is that of the present forces.
 double withheld_shear_work(const Model& model, Row c, double scale, const RelativeMotion& motion) {
     if (scale == 1 || !(scale > 0)) return 0;
     const auto& subs = model.sub_contacts;
@@ -264,14 +264,13 @@ double withheld_shear_work(const Model& model, Row c, double scale, const Relati
     return -0.5 * (1 / scale - 1) * work;
 }
 
-/// Steps are finite: a contact that closes and opens within a few of them would give back a little more or less than it
-/// took. On corners and edges it gives back no more: where the energy that it has taken is below that of its overlap, the force is that of the
-/// lower one, within limits, so that the overlap stays what the load asks for. `worn` is the work of friction in the step, by the whole
-/// force. Returns the energy that has gone out of what it has taken without work.
+/// Steps are finite: a contact that closes and opens within a few steps would return a little more or less than it took. On corners and
+/// edges it returns no more: where the energy taken is below that of its overlap, the force is that of the lower one, within limits, so
+/// that the overlap remains the one that the load requires. `worn` is the frictional work of the whole force in the step. Returns the
+/// energy removed from the account without work.
 double keep_passive(Model& model, Row c, double worn) {
     constexpr double least_scale = 0.75, recovery = 2e-3, surplus = 1.1;
-    // Where little of the energy goes in or out in a step it is kept as exactly as need be. At the deepest point of a blow that
-    // is so for a moment only.
+    // When little energy is exchanged in a step, relax toward the exact value; at maximum penetration this holds only briefly.
     constexpr double slow = 1e-3, settling = 0.02;
     auto& contacts = model.contacts;
     const RelativeMotion motion(model, c);
@@ -289,7 +288,7 @@ double keep_passive(Model& model, Row c, double worn) {
         of_shear += scale_force(model, c, scale);
         taken += (1 - scale) * work + recovery * (of_overlap - taken);
     }
-    // Half of a force's work is yet to come. Where the blocks part in that time no more than what is left may be given back.
+    // Half of a force's work is still to come. Where the blocks separate meanwhile, no more than the rest may be returned.
     if (const double to_come = scale * work; of_overlap > 0 && to_come > taken) {
         const double part = std::max(0.0, 0.5 * (taken + to_come) / to_come);
         of_shear += scale_force(model, c, part);
@@ -299,15 +298,15 @@ double keep_passive(Model& model, Row c, double worn) {
     taken = std::min(taken, surplus * of_overlap);
     contacts.withheld[c] = 1 - scale;
     const double lost = before - scale * work - taken + of_shear;
-    // The shear springs have what is withheld of their work from what the contact has taken, and friction has not worn as much.
+    // The withheld part of the work of the shear springs comes from the account of the contact, and friction dissipates less.
     const double not_worn = (1 - 0.5 * (scale_before + scale)) * worn;
     taken = std::max(0.0, taken + not_worn - withheld_shear_work(model, c, scale, motion));
     return lost - not_worn;
 }
 
-/// Surfaces that climb on each other are farther apart for the same closure: what the force has grown by beyond the
-/// closure of the step goes to the offset, so that the overlap goes on to say what the joint model carries. Over a path that
-/// comes back to where it was this adds up to nothing, for any law whose force follows from its closure.
+/// Surfaces that climb on each other are farther apart at the same closure: the growth of the force beyond the closure of the step is moved
+/// to the offset, so that the overlap keeps representing the force of the joint model. Over a closed path this adds up to zero for any law
+/// whose force depends on its closure only.
 void take_dilation(Model& model, Row c, const CarriedLoad& before) {
     constexpr double rounding = 1e-12; // of the depth
     auto& contacts = model.contacts;
@@ -323,7 +322,7 @@ void take_dilation(Model& model, Row c, const CarriedLoad& before) {
     for (Row s = first; s < first + carriers; ++s) subs.normal_displacement[s] -= dilation;
 }
 
-/// The joint model sees the force of the overlap. Returns the energy of the shear springs that is lost.
+/// The joint model sees the force of the overlap. Returns the energy lost from the shear springs.
 double take_back_scale(Model& model, Row c) {
     const double missing = model.contacts.withheld[c];
     return missing > 0 && missing < 1 ? scale_force(model, c, 1 / (1 - missing)) : 0;
@@ -358,7 +357,7 @@ void begin_without_force(Model& model, Row c, OverlapScratch& scratch) {
     };
     double low = -patch.depth, high = 0;
     for (int i = 0; i < 20 && overlaps(low); ++i) low *= 2;
-    for (int i = 0; i < 16; ++i) { // to some 1e-5 of the overlap, on the side without force
+    for (int i = 0; i < 16; ++i) { // to some 1e-5 of the overlap, from the side without force
         const double middle = 0.5 * (low + high);
         (overlaps(middle) ? high : low) = middle;
     }
@@ -390,7 +389,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch
         const double force = normal_force_of(model, c),
                      stiffness = model.sub_contacts.normal_stiffness[contacts.sub_contacts[c].first];
         if (force > 0 && stiffness > 0) contacts.offset[c] = offset_for_force(model, c, force, stiffness, scratch);
-        // What overlaps less than it did without force does so from here on.
+        // If the force-free overlap has shrunk, keep the smaller one.
         if (const double before = contacts.offset[c]; before < 0 && contacts.offset_tilt[c].isZero(0)) {
             const Vec3 along = contacts.offset_normal[c];
             begin_without_force(model, c, scratch);
@@ -402,18 +401,18 @@ double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch
     }
     contacts.axis[c] += turn.cross(contacts.axis[c]);
     turn_offset(contacts, c, motion, model.blocks.centroid[b1]);
-    // If it were along the normal, which the common part gives, each would follow from the other and they might never agree.
+    // With the normal of the common volume each would depend on the other, and they might not converge.
     Vec3& along = contacts.offset_normal[c];
     const bool has_offset = contacts.offset[c] != 0 || !contacts.offset_tilt[c].isZero(0);
     along = has_offset ? (along + turn.cross(along)).normalized() : n;
 
-    // How much closer they may come in two more steps like this one.
+    // The closest approach in two more steps like this one.
     const double closing = std::max(0.0, -2 * motion.at(contacts.position[c]).dot(n));
     OverlapPatch patch;
     patch.normal = n;
     ClosureOffset offset = offset_of(contacts, c);
     const auto comes_near = [&] {
-        // In parts of the margin: blocks side by side that rounding errors move.
+        // In parts of the margin: adjacent blocks that only rounding moves.
         constexpr double no_overlap = 1e-12, no_motion = 1e-10;
         const double margin = std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
         const double gap =
@@ -435,7 +434,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch
     const double lost = of_scale + of_turn + write_rows(model, c, patch, motion);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     const double stiff = std::max(area, contacts.area[c]);
-    // It falls when all bodies are looked at only: what rattles would have to be looked at each time that it comes back.
+    // It decreases only when all bodies are checked; otherwise a rattling contact would need a check each time it closes.
     double& rung = contacts.stiffness_area[c];
     if (rung < stiff || (step_may_grow(model.clock) && rung > 1.18 * stiff))
         rung = rung_above(stiff, contacts.least_area[c]); // a rung is a factor of 1.189
@@ -462,7 +461,7 @@ double finish_overlap_contact(Model& model, Row c, const CarriedLoad& carried, J
             subs.normal_force[s] = 0;
             subs.shear_force.set(s, Vec3::Zero());
         }
-        // They may meet again elsewhere: of a tilt only the closure stays that it had where they parted.
+        // The blocks may meet again elsewhere: of a tilt, only its closure at the place of separation is kept.
         const Vec3 arm = contacts.position[c] - model.blocks.centroid[contacts.block1[c]];
         contacts.offset[c] += contacts.offset_tilt[c].dot(arm);
         contacts.offset_tilt[c].setZero();

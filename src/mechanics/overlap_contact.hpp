@@ -1,5 +1,5 @@
-// Rigid blocks that stand on corners and edges, or on a part of a joint: the normal force follows from the volume that
-// they have in common. docs/theory/contacts.md, "Corners and edges".
+// Rigid blocks on corners and edges, or on a part of a joint: the normal force follows from their common volume. docs/theory/contacts.md,
+// "Corners and edges".
 #pragma once
 
 #include "mechanics/contact_load.hpp"
@@ -10,19 +10,19 @@
 
 namespace kaya {
 
-/// Whether the contact's force follows from the overlap: not in small strain, where all places stay.
+/// Whether the contact's force follows from the overlap; never in small strain, where places are fixed.
 inline bool follows_overlap(const Model& model, Row contact) {
     return model.contacts.kind[contact] == ContactKind::overlap && model.settings.large_strain;
 }
 
-/// The part of move_contact for such contacts: finds the common part where the blocks are now and writes places, areas
-/// and increments of the sub-contacts. Returns the energy of shear springs that is lost where the area changes.
+/// move_contact for overlap contacts: computes the present common volume and writes places, areas and increments of the sub-contacts.
+/// Returns the energy lost from shear springs where the area changes.
 double move_overlap_contact(Model& model, Row contact, JointWork& work, OverlapScratch& scratch);
 
-/// Gives a contact the offset at which what overlaps carries nothing; none where nothing overlaps.
+/// Sets the offset of a contact so that its present overlap carries no force; no offset without overlap.
 void begin_without_force(Model& model, Row contact, OverlapScratch& scratch);
 
-/// Normal force and stiffness of the places that carry an overlap, and what friction has worn so far, before a joint model sees them.
+/// Normal force, stiffness and frictional work of the carriers of an overlap before a joint model sees them.
 struct CarriedLoad {
     double force = 0, stiffness = 0, worn = 0;
 
@@ -30,27 +30,26 @@ struct CarriedLoad {
     CarriedLoad(const Model& model, Row contact);
 };
 
-/// Adds the work of the forces that the joint model has given, and what it has dilated to the offset. A contact that has
-/// parted carries nothing. Returns the energy that is lost: of the springs of what has parted, and what the contact has taken
-/// and does not give back.
+/// Adds the work of the joint model's forces, and its dilation to the offset. A separated contact carries nothing. Returns the energy lost:
+/// that of the springs of separated places, and energy taken that the contact does not return.
 double finish_overlap_contact(Model& model, Row contact, const CarriedLoad& before, JointWork& work);
 
-/// Work that the forces of a contact between rigid blocks, as they are, would do on the motion of the step.
+/// Work of the present forces of a contact between rigid blocks on the motion of the step.
 double work_of_step(const Model& model, Row contact);
 
-/// What friction has worn so far in a contact, as its joint model says.
+/// Accumulated frictional work of a contact according to its joint model.
 double frictional_work(const Model& model, Row contact);
 
-/// Whether the sub-contacts of a joint with fixed places are neither all closed nor all open, and none pulls.
+/// Whether the sub-contacts of a joint are neither all closed nor all open, and none is in tension.
 bool is_partly_open(const Model& model, Row contact);
 
-/// Makes an overlap contact of a joint with fixed places; normal and shear force stay. Returns the energy of its springs
-/// that is lost.
+/// Turns a joint into an overlap contact; normal and shear force are kept. Returns the energy lost from its springs.
 double follow_overlap(Model& model, Row contact, OverlapScratch& scratch);
 
-/// Makes a joint of an overlap: normal force by the closure of each place, in all what it was; shear force in the same parts. Places that
-/// are open, as those of a block that gets zones may be, carry nothing and are marked in `moved`: their joint models must be told of their
-/// displacement increments. `first` is the row of the first place; history comes from the overlap's first sub-contact.
+/// Turns an overlap contact into a joint: the normal force is distributed by the closure of each place and keeps its sum; shear force is
+/// distributed in the same proportion. Open places, such as those of a block that gets zones, carry nothing and are marked in `moved`:
+/// their joint models must be told their displacement increments. `first` is the row of the first place; history comes from the overlap's
+/// first sub-contact.
 void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
                  const ClosureOffset& offset, std::vector<char>& moved);
 

@@ -1,13 +1,13 @@
-// Blocks whose contact goes by their overlap while they are apart.
+// Overlap contacts of separated blocks.
 #pragma once
 
 #include "mechanics/overlap_patch.hpp"
 
 namespace kaya {
 
-/// Two blocks that are apart: where they will meet, and their distance along the normal. The place is a corner of the smaller
-/// block, or of blocks that are alike the one nearer to the other block's centre: a corner of a large floor that lies as high as
-/// all others may be far from what falls on it, and would give its contact an arm as long.
+/// Two separated blocks: where they will meet, and their distance along the normal. The place is a corner of the smaller block; for equal
+/// blocks the one nearer to the other block's centre: a corner of a large floor may be far from the falling block and would give its
+/// contact a very long arm.
 struct Between {
     Vec3 place = Vec3::Zero();
     double gap = 0;
@@ -15,10 +15,10 @@ struct Between {
 
 Between nearest_corners(const Model& model, Row block1, Row block2, const Vec3& n);
 
-/// How far apart two blocks are along a direction, offset included; a bound of their distance.
+/// Distance of two blocks along a direction, including the offset; a lower bound of their distance.
 double gap_along(const Model& model, Row block1, Row block2, const Vec3& n, const ClosureOffset& offset);
 
-/// How far apart the blocks of an overlap contact are along its normal, with its offset; 0 where they overlap.
+/// Distance of the blocks of an overlap contact along its normal, including its offset; 0 where they overlap.
 double gap_of_overlap(const Model& model, Row contact);
 
 } // namespace kaya

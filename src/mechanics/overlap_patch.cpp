@@ -23,13 +23,13 @@ template <class Visit> void for_corners(const Model& model, Row face, const Visi
     for (Row t = span.first; t < span.end(); ++t) visit(model.triangles.gridpoints[t][2]);
 }
 
-/// The part of a clip that one block brings.
+/// The contribution of one block to a clip.
 struct Side {
     Row block;
-    double sense; ///< +1: its outward normals look along the contact's normal
+    double sense; ///< +1: its outward normals point along the contact's normal
 };
 
-/// What closes the joint moves block 1 along the offset's direction, or block 2 against it.
+/// A closing offset moves block 1 along its direction, or block 2 against it.
 Vec3 shift(const Side& side, const Vec3& x, const ClosureOffset& offset, const Vec3& offset_origin) {
     return side.sense * (offset.closure + offset.tilt.dot(x - offset_origin)) * offset.along;
 }
@@ -73,7 +73,7 @@ void clip_by(const Model& model, const Side& side, const Vec3& origin, const Vec
         work.of_other.push_back({outward, outward.dot(model.gridpoints.position[corner] - origin)});
     }
     if (work.of_other.empty()) return;
-    // The face that looks most at the other block first: it leaves little for the others.
+    // The face that points most directly at the other block first: it leaves little for the others.
     work.clip.clip(work.of_other[best], FaceOrigin::clipper);
     for (std::size_t i = 0; i < work.of_other.size() && !work.clip.empty(); ++i)
         if (i != best) work.clip.clip(work.of_other[i], FaceOrigin::clipper);
@@ -98,8 +98,7 @@ void take_face(const Model& model, Row face, const std::vector<HalfSpace>& faces
     one.assign(1, faces[place]);
 }
 
-/// How far the faces of a pair lie on each other: 1 when they are parallel or nearly so, 0 from some angle on, or where
-/// corners or edges touch.
+/// Blending weight of a pair of faces: 1 when they are nearly parallel, 0 from some angle on, and for corners or edges.
 struct Flatness {
     double value = 0;
     Vec3 turned = Vec3::Zero(); ///< minus its derivative to a turn of block 2
@@ -130,7 +129,7 @@ double part_of_first(const Model& model, Row block1, Row block2) {
 
 namespace {
 
-/// What two blocks have in common, in coordinates about an origin of its own.
+/// The common volume of two blocks, relative to its own origin.
 struct CommonPart {
     OverlapGradient volume, depth;
     OverlapMoments moments;
@@ -138,16 +137,16 @@ struct CommonPart {
     Vec3 turned = Vec3::Zero();
 };
 
-/// Energy over stiffness of an overlap: U of the depth, or that of a joint of the least area, whichever is more, by a
-/// norm that is smooth and exact far from where they are equal. Gives minus its gradient.
+/// Energy over stiffness of an overlap: U of the depth, or that of a joint of the least area, whichever is larger, by a smooth norm that is
+/// exact far from where they are equal. Returns minus its gradient.
 OverlapGradient energy_of(const CommonPart& common, double least_area) {
     const OverlapGradient &volume = common.volume, &depth = common.depth;
     // The power is 8: it is three squarings, and its root three square roots.
     const auto eighth_power = [](double x) { return (x *= x, x *= x, x * x); };
     const auto eighth_root = [](double x) { return std::sqrt(std::sqrt(std::sqrt(x))); };
     const auto seventh_power = [](double x) { return x * x * x * (x * x) * (x * x); };
-    // The mean depth of a sharp corner is a sixth of how deep it is. Under a face that lies nearly flat it is a third or more,
-    // and the least area must not hide how that wedge carries.
+    // The mean depth of a sharp corner is a sixth of its greatest depth. Under a nearly flat face it is a third or more, and the least area
+    // must not hide the force of that wedge.
     constexpr double of_corner = 6, of_flat = 4;
     const double closure = of_corner + common.flatness * (of_flat - of_corner);
     const double mean = depth.value / volume.value;
@@ -173,7 +172,7 @@ bool between_rigid(const Model& model, Row c) {
 
 namespace {
 
-/// Which of the two blocks is moved by the offset, and clipped.
+/// Which of the two blocks is shifted by the offset, and clipped.
 bool second_is_subject(const Blocks& blocks, const OverlapPair& pair) {
     return blocks.volume[pair.block2] < blocks.volume[pair.block1];
 }
@@ -192,10 +191,10 @@ void take_corners(const Model& model, const Side& side, Row face, const Vec3& or
     taken.outward = length > 0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
-/// What is known of two faces that lie flat on each other without a look at the rest of the blocks.
+/// What two parallel faces tell without the rest of the blocks.
 enum class Flat { apart, found, not_known };
 
-/// Joints that are open in part are nearly all of them so flat that the wedge between their faces says all.
+/// Nearly all joints that are open in part are flat enough for the wedge between their faces to define the overlap.
 Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, const ClosureOffset& offset,
                OverlapScratch& work) {
     constexpr double flat_enough = 5e-7; // 1 - cosine of an angle of 1e-3
@@ -215,7 +214,7 @@ Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, 
     return found ? Flat::found : Flat::apart;
 }
 
-/// Clips one block with the faces of the other. False where nothing is left, or carries.
+/// Clips one block with the faces of the other. False where nothing remains, or nothing carries.
 bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& normal, const Vec3& origin,
                   const ClosureOffset& offset, OverlapScratch& work, CommonPart& common) {
     work.clip.clear();
@@ -289,15 +288,15 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
         high = std::max(high, n.dot(v));
         extent = std::max(extent, (v - common.moments.centroid).squaredNorm());
     }
-    // Between flat faces the direction of the force may lean by the closure over their size, and their wedge is as thin.
+    // Between flat faces the force may lean by the closure over their size, and the wedge is as thin.
     patch.depth = flat == Flat::found ? work.flat.deepest() : high - low;
     if (!(patch.depth > 0)) return OverlapPatch{.normal = normal};
-    // Corners carry up to four joints of the least area, thin slivers some ten: far more is an overlap of rounding errors.
+    // Corners carry up to four joints of the least area, thin slivers some ten: far more is a rounding artefact.
     constexpr double most_carried = 100;
     const double area = flat == Flat::found ? work.flat.area() : area_along(work.clip, n);
     if (force > most_carried * (area + pair.least_area) * patch.depth) return OverlapPatch{.normal = normal};
-    // The line along which the force acts, at the height of the common part. It passes through that part, or next to it: far
-    // from it is an overlap of rounding errors too.
+    // The line of action of the force, at the height of the common volume. It passes through or close to that volume: a line far from it is
+    // a rounding artefact too.
     const Vec3 arm = n.cross(energy.moment) / force, aside = arm - common.moments.centroid;
     const double twist = energy.moment.dot(n) / force, farthest = std::sqrt(extent) + std::sqrt(pair.least_area);
     if (std::abs(twist) > farthest || (aside - aside.dot(n) * n).norm() > farthest)

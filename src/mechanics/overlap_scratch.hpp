@@ -1,4 +1,4 @@
-// Overlaps one after another use the same memory.
+// Scratch memory for consecutive overlaps.
 #pragma once
 
 #include "geometry/flat_overlap.hpp"
@@ -7,12 +7,12 @@
 
 namespace kaya {
 
-/// What overlap_patch keeps for its memory only: no result depends on it.
+/// Scratch memory of overlap_patch: no result depends on it.
 struct OverlapScratch {
     ConvexClip clip;
     DepthScratch depth;
     std::vector<HalfSpace> of_subject, of_other;           ///< faces of the block that is clipped, and of the other one
-    std::vector<HalfSpace> face_of_subject, face_of_other; ///< those that lie on each other
+    std::vector<HalfSpace> face_of_subject, face_of_other; ///< the parallel ones
     ConvexFace face1, face2;
     FlatOverlap flat;
 };

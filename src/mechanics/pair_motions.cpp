@@ -36,8 +36,8 @@ void scatter(Column<Vec3>& column, std::span<const Row> rows, const std::array<c
 
 Eight3 columns(const Triples& t) { return {t.x, t.y, t.z}; }
 
-/// Motion of rigid blocks in a step. Velocities are those of the middle of the step and so are the arms that they act
-/// on: with arms of either end a block that turns would close its joints by half the square of the angle in each step.
+/// Motion of rigid blocks in a step. Velocities and arms are those of the middle of the step: with the arms of either end a turning block
+/// would close its joints by half the square of the angle in each step.
 struct RigidMotions {
     Triples velocity, spin, centroid;
 
@@ -58,7 +58,7 @@ void PairMotions::take(Model& model, std::span<const Row> rows) {
     auto& contacts = model.contacts;
     Rows block1, block2, row;
     std::array<char, 8> wanted{};
-    Eight first{}; // part of block 1 in the turn of the plane
+    Eight first{}; // weight of block 1 in the rotation of the plane
     for (std::size_t l = 0; l < 8; ++l) {
         const Row c = row[l] = rows[std::min(l, rows.size() - 1)];
         block1[l] = contacts.block1[c];

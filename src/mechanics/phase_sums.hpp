@@ -1,4 +1,4 @@
-// What the phases of a step add up, for the account of energy, damping and the tests of equilibrium.
+// Sums of the phases of a step for the energy account, damping and equilibrium tests.
 #pragma once
 
 namespace kaya {
@@ -9,7 +9,7 @@ struct MotionSums {
     double gravity = 0, boundary = 0;       ///< work on the bodies
     double damped = 0;                      ///< energy taken out by damping
     double inner_power = 0;                 ///< of the forces of joints and zones at the velocities before the step
-    double inner_power_size = 0;            ///< the same with the sizes of its terms, to tell it from rounding
+    double inner_power_size = 0;            ///< the same with absolute values, to tell it from rounding
     double inner_power_gain = 0;            ///< by how much it is greater at the velocities after the step
 
     void add(const MotionSums& part) {
@@ -24,7 +24,7 @@ struct MotionSums {
     }
 };
 
-/// What prescribed velocities that change do to the account of energy before the step.
+/// Effect of changing prescribed velocities on the energy account before the step.
 struct HistorySums {
     double kinetic = 0; ///< change of kinetic energy
     double gravity = 0, boundary = 0;
@@ -38,18 +38,18 @@ struct HistorySums {
     }
 };
 
-/// What a step has done to the joints.
+/// Effect of a step on the joints.
 struct JointSums {
     double work = 0;     ///< put into them
     double friction = 0; ///< of it, lost
     double returned = 0; ///< of what changes of touches had taken from the contacts
-    double lost = 0;     ///< of what springs held, where contacts changed their area or parted
-    double fluid = 0;    ///< done on the blocks by pore pressure
-    double damped = 0;   ///< taken up by dashpots
+    double lost = 0;     ///< returned by contact updates from what they had taken
+    double fluid = 0;    ///< lost from springs where contacts changed their area or separated
+    double damped = 0;   ///< done on the blocks by pore pressure
     bool stiffness_changed = false;
 };
 
-/// What a step has done to the zones.
+/// Effect of a step on the zones.
 struct ZoneSums {
     double work = 0;   ///< put into them
     double damped = 0; ///< taken up by viscous stress

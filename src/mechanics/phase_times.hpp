@@ -1,4 +1,4 @@
-// How long the phases of the cycle take.
+// Time spent in the phases of the cycle.
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,5 @@
-// Velocities of eight bodies that nothing holds but fixities, one step on, with the account of their energy. What happens to each of
-// their components is what advance_velocity (motion.hpp) does.
+// Velocities of eight bodies held by fixities only, one step on, with their energy account; for each component the same operations as
+// advance_velocity (motion.hpp).
 #pragma once
 
 #include "mechanics/motion.hpp"
@@ -14,7 +14,7 @@ public:
 
     bool is_combined() const { return damping_.combined != 0; }
 
-    /// Eight rows of a table of bodies: what acts on them, and how fast they are before the step.
+    /// Eight rows of a table of bodies: their forces and their velocities before the step.
     struct Rows {
         const Vec3 &velocity, &force, &load;
         const double &mass, &inertial_mass;

@@ -1,4 +1,4 @@
-// Rows of gridpoints that go eight at a time.
+// Predicate for rows of gridpoints that move eight at a time.
 #pragma once
 
 #include "mechanics/adjacency.hpp"
@@ -7,7 +7,7 @@
 
 namespace kaya {
 
-/// Whether rows [row, row + 8) are gridpoints of zones that nothing holds but fixities and quiet boundaries.
+/// Whether rows [row, row + 8) are gridpoints of zones held by fixities and quiet boundaries only.
 inline bool are_plain(const Model& model, const TieLists& ties, std::size_t row) {
     bool plain = all_in_zones(model, row) && all_zero_rows(&model.gridpoints.roller[row]);
     if (ties.groups() == 0) return plain;

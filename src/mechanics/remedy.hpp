@@ -1,4 +1,4 @@
-// Mistakes whose remedy is a command: this folder knows no word of a deck. Who knows the words makes the hint.
+// Errors whose remedy is a command. This folder knows no word of a deck; src/commands/remedies.cpp words the hint.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-/// In the comment: what Advised::values are.
+/// The comments give the meaning of Advised::values.
 enum class Advice {
     give_density,          ///< number of the material
     give_moduli,           ///< number of the material
@@ -24,7 +24,7 @@ enum class Advice {
     rotate_before_joining
 };
 
-/// A mistake with advice in place of a hint.
+/// An error with an advice code instead of a hint.
 class Advised : public Diagnostic {
 public:
     Advised(std::string text, Advice what_to_do, std::vector<std::string> filled = {}, Fault kind = Fault::deck)

@@ -1,4 +1,4 @@
-// The inertia of a rigid block as it lies now.
+// Inertia of a rigid block in its present orientation.
 #pragma once
 
 #include "model/model.hpp"
@@ -9,8 +9,7 @@ namespace kaya {
 
 inline Eigen::Quaterniond quaternion(const Quaternion& q) { return {q[0], q[1], q[2], q[3]}; }
 
-/// Tensor of inertia about the centroid in global axes with the inertial mass, mass times length^2. The mass must
-/// be known.
+/// Tensor of inertia about the centroid in global axes with the inertial mass, mass times length^2. Requires a known mass.
 inline Mat3 inertia_now(const Model& model, Row block) {
     const auto& blocks = model.blocks;
     const Mat3 turn = quaternion(blocks.orientation[block]).toRotationMatrix();
@@ -23,17 +22,17 @@ inline Vec3 moment_of(const Mat3& arms_times_forces) {
     return {t(1, 2) - t(2, 1), t(2, 0) - t(0, 2), t(0, 1) - t(1, 0)};
 }
 
-/// Blocks::load_arms in global axes, as the block lies now.
+/// Blocks::load_arms in global axes, for the present orientation.
 inline Mat3 arms_now(const Model& model, Row block) {
     return quaternion(model.blocks.orientation[block]).toRotationMatrix() * model.blocks.load_arms[block];
 }
 
-/// Moment of all loads on a rigid block about its centroid, as it lies now.
+/// Moment of all loads on a rigid block about its centroid, for the present orientation.
 inline Vec3 load_moment(const Model& model, Row block) {
     return model.blocks.torque[block] + moment_of(arms_now(model, block));
 }
 
-/// Where a load on a rigid block is kept; components as in BoundaryHistories.
+/// Storage of a load on a rigid block; components as in BoundaryHistories.
 inline double& load_component(Blocks& blocks, Row block, int component) {
     if (component < 3) return blocks.load[block][component];
     if (component < BoundaryHistories::motions) return blocks.torque[block][component - 3];

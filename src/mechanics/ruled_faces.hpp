@@ -1,4 +1,4 @@
-// Faces that two elastic cells share, which are ruled surfaces: docs/theory/zones.md, "Cells".
+// Faces shared by two elastic cells, which are ruled surfaces: docs/theory/zones.md, "Cells".
 #pragma once
 
 #include "mechanics/ties.hpp"
@@ -6,7 +6,7 @@
 
 namespace kaya {
 
-/// Fills ZoneTiles::ruled: the faces of cells whose four corners are those of another cell as well, in the same block or tied exactly.
+/// Fills ZoneTiles::ruled: faces of cells whose four corners also belong to another cell, in the same block or tied exactly.
 void find_ruled_faces(const Model& model, const TieLists& ties, ZoneLaws& laws);
 
 } // namespace kaya

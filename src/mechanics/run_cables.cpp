@@ -13,7 +13,7 @@ namespace kaya {
 namespace {
 
 constexpr std::size_t grain = 1; // cables, each of many nodes
-/// The most strain of a bar whose tension counts in the time step.
+/// Largest strain of a bar whose tension counts in the time step.
 constexpr double most_strain = 0.02;
 
 const StructureProperties& properties_of(const Model& model, Row cable) {
@@ -22,8 +22,7 @@ const StructureProperties& properties_of(const Model& model, Row cable) {
 
 bool in_rock(const Model& model, Row node) { return block_of_node(model, node) != no_row; }
 
-/// Nodes between parts of the rock stay on the straight line between them; ends that stick out go along with the nearest
-/// node that is in the rock.
+/// Nodes between parts of the rock stay on the straight line between them; free ends move with the nearest node in the rock.
 void place_free_nodes(Model& model, const Span& span) {
     auto& nodes = model.structures.cable_nodes;
     Row before = no_row; // the last node in the rock
@@ -44,11 +43,11 @@ void place_free_nodes(Model& model, const Span& span) {
         }
     }
     if (before == no_row) return;
-    // The way of the last one in the rock.
+    // The displacement of the last node in the rock.
     for (Row free = before + 1; free < span.end(); ++free) nodes.position[free] += shift;
 }
 
-/// Compression of the rock on all sides of the cable at a node, pore pressure taken off; 0 in rigid blocks.
+/// Effective compression of the rock around the cable at a node; 0 in rigid blocks.
 double confinement(const Model& model, Row node, const Vec3& along) {
     const auto& nodes = model.structures.cable_nodes;
     const Row block = block_of_node(model, node);
@@ -137,7 +136,7 @@ void take_chain(Model& model, Row cable, const CableChain& chain) {
             nodes.bar_force[node] = 0;
         }
     }
-    // An anchor takes what the bars leave.
+    // An anchor takes the resultant of the bars.
     for (std::size_t i = 0; i < chain.grout.size(); ++i) {
         if (!chain.grout[i].anchored) continue;
         const Row node = span.first + static_cast<Row>(i);
@@ -153,7 +152,7 @@ Vec3 unit_between(const CableNodes& nodes, Row first, Row second) {
     return length > 0 ? Vec3(shift / length) : Vec3(Vec3::Zero());
 }
 
-/// Forces on the rock, and the work since the last call; `before` are the places then.
+/// Forces on the rock, and the work since the last call; `before` are the positions then.
 double take_forces(Model& model, Row cable, const std::vector<Vec3>& before) {
     auto& nodes = model.structures.cable_nodes;
     const Span span = model.structures.cables.nodes[cable];
@@ -209,7 +208,7 @@ double run_cables(Model& model, std::vector<CableChain>& chains) {
 NodeStiffness cable_node_stiffness(const Model& model, Row node) {
     const auto& nodes = model.structures.cable_nodes;
     const StructureProperties& p = properties_of(model, nodes.cable[node]);
-    // A node follows the rock in the bound: it is anchored, or its bars are softer than its grout.
+    // For the bound, a node follows the rock: it is anchored, or its bars are softer than its grout.
     const auto bars_of = [&](Row row) {
         double sum = 0;
         if (row > 0 && has_bar(nodes, row - 1)) sum += p.axial_stiffness() / nodes.bar_length[row - 1];

@@ -11,13 +11,13 @@
 
 namespace kaya {
 
-/// Reads the places of blocks and gridpoints and the stresses of zones; writes places, slips and forces of the nodes and bars
-/// of cables. Every cable is in equilibrium with the rock as it stands. `chains` is kept for its memory. Gives the work that
-/// the rock has done on the cables since the last call.
+/// Reads positions of blocks and gridpoints and zone stresses; writes positions, slips and forces of the nodes and bars of cables. Every
+/// cable is in equilibrium with the present rock. `chains` is scratch memory. Returns the work of the rock on the cables since the last
+/// call.
 double run_cables(Model& model, std::vector<CableChain>& chains);
 
-/// Stiffness with which a cable may hold the rock at a node, along it and in other directions: bounds, whatever slips or
-/// yields. Equations (7) and (8) of docs/theory/cables.md.
+/// Upper bounds of the stiffness with which a cable holds the rock at a node, along it and across. Equations (7) and (8) of
+/// docs/theory/cables.md.
 NodeStiffness cable_node_stiffness(const Model& model, Row node);
 
 /// Unit vector along the cable at a node, from the places of its neighbours.

@@ -16,14 +16,14 @@ namespace {
 constexpr Row cells_in_batch = 32;
 constexpr std::size_t groups_in_batch = cells_in_batch / eight;
 
-/// Throws where a zone has no volume left. `least` is that of the smallest of each cell, or a multiple.
+/// Throws where a zone has no volume left. `least` is the volume of the smallest zone of each cell, or a multiple.
 void check_cells(const Model& model, Row zone, Row cells, const CellField& x, const Eight& least) {
     if (all_above_zero(least)) return;
     for (Row z = 0; z < zones_of_cell; ++z)
         check_volumes(model, zone + z, zones_of_cell, cells, FaceAreas(edges_of_zone(x, z)).six_volumes);
 }
 
-/// Whether all zones of each cell have the same stress: each component is that of the zone before.
+/// Whether all zones of each cell have the same stress, by comparing each component with the zone before.
 bool are_alike(const Column<Stress>& stresses, Row zone, Row cells) {
     bool alike = true;
     for (Row l = 0; l < cells; ++l) {
@@ -43,7 +43,7 @@ SixEights mean_stress(const Zones& zones, Row zone, Row cells) {
     return mean;
 }
 
-/// Has numbers that will be written brought near the processor. Inlined: compilers drop calls of functions that seem to do nothing.
+/// Prefetches numbers that will be written. Inlined: compilers drop calls of functions without visible effect.
 [[gnu::always_inline]] inline void bring(const double* first, Row count) {
     for (Row i = 0; i < count; i += eight) __builtin_prefetch(first + i, 1);
 }
@@ -62,7 +62,7 @@ CellForces forces_on(const RuledFaces& faces, const CellField& place, const SixE
     return forces;
 }
 
-/// Forces of the ruled faces of cells whose zones are apart.
+/// Forces of the ruled faces of cells whose zones have different stresses.
 CellForces ruled_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, const CellField& place, Row zone,
                         Row cells) {
     const RuledFaces faces(rows.ruled(zone));
@@ -71,7 +71,7 @@ CellForces ruled_forces(const Model& model, const TileRows& rows, const ZoneLaw&
     return forces_on(faces, place, made ? load_six(made, zones_of_cell, cells) : mean_stress(model.zones, zone, cells));
 }
 
-/// And those of their zones.
+/// Forces of the zones of these cells.
 CellForces own_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, CellGroupCorners corners, Row zone,
                       Row cells) {
     const CellField place = from_first(rows.places(), corners);
@@ -94,18 +94,18 @@ CellForces zones_alone(const Model& model, const CellField& place, Row zone, Row
     return forces;
 }
 
-/// What is wanted of eight cells after the zone model has run.
+/// Per-group data kept until the stresses are updated.
 struct CellGroup {
     CellGroupCorners corners;
     CellShape shape;  ///< at the end of the step
-    bool apart;       ///< the zones have stresses of their own, or the motion of the cell has made another one
-    SixEights before; ///< the stress that the zones have, or where they are apart its mean, turned with the cell
+    bool apart;       ///< the zones have different stresses, or the stress of the cell's motion differs from them
+    SixEights before; ///< the common stress of the zones, or their mean, turned with the cell
     Eight3 half_spin;
     Eight volume, work; ///< in the middle of the step; of warping
     WarpStress warp;
 };
 
-/// Each cell is a row for the zone model. What it keeps is that of the first zone, and afterwards of all.
+/// Each cell is a row for the zone model. Its history is that of the first zone, and is then copied to all.
 class CellRun {
 public:
     CellRun(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law, ZoneScratch& scratch,
@@ -146,7 +146,7 @@ private:
 
     double* stresses(Row zone) { return model_.zones.stress[zone].data(); }
 
-    /// Has eight cells brought from memory while those before them are worked on.
+    /// Prefetches eight cells while the previous ones are processed.
     [[gnu::always_inline]] void bring_group(Row zone) {
         if (zone + zones_of_group > tile_.last) return;
         if (!kept_.has(tile_.group(zone))) bring(stresses(zone), 6 * zones_of_group);
@@ -154,7 +154,7 @@ private:
             bring(&model_.zones.history[column][zone], zones_of_group);
     }
 
-    /// Strains of the step, the stresses turned with the material, and how the cells resist warping.
+    /// Strains of the step, stresses turned with the material, and warp stresses of the cells.
     void strain(Row zone, Row in_batch, Row cells) {
         CellGroup& g = group_at(in_batch);
         const Row i = in_batch / zones_of_cell;
@@ -191,7 +191,7 @@ private:
         store(batch_.volume + i, motion.volume * (1.0 / zones_of_cell));
     }
 
-    /// Stresses into the zones, and their forces. Returns the work of the step, by cell.
+    /// Writes stresses to the zones and computes their forces. Returns the work of the step, by cell.
     Eight finish(Row zone, Row in_batch, Row cells) {
         CellGroup& g = group_at(in_batch);
         const Row i = in_batch / zones_of_cell;
@@ -215,7 +215,7 @@ private:
         return g.work;
     }
 
-    /// The same where each zone acts with the stress of its own, and ruled faces with the one that the motion of the cell has made.
+    /// The same where each zone has its own stress, and ruled faces the stress of the cell's motion.
     void finish_apart(CellGroup& g, Row zone, Row cells, const SixEights& change) {
         SixEights of_motion = sum(g.before, change);
         if (double* const made = cell_motion(model_.zones, law_, zone)) {
@@ -234,7 +234,7 @@ private:
             store_six(stresses(zone + z), to_next_cell, cells, stress);
             add_forces_of_zone(edges_of_zone(place, z), z, stress, own);
         }
-        // What comes to the mean stress does not change in the step: its forces are the same before and after.
+        // The deviation from the mean stress is constant in the step: its forces are the same before and after.
         CellForces beyond = own;
         SixEights mean = sum(g.before, change);
         for (Eight& s : mean) s *= -1;

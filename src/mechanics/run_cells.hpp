@@ -1,4 +1,4 @@
-// Cells whose six zones go together, one step on: docs/theory/zones.md, "Cells".
+// Advances cells whose six zones strain together: docs/theory/zones.md, "Cells".
 #pragma once
 
 #include "mechanics/run_zone_models.hpp"
@@ -9,20 +9,20 @@
 
 namespace kaya {
 
-/// Whether the zones of a cell strain together: where damping takes the motion away, so that only where it ends counts.
+/// Whether the zones of a cell strain together: only where damping removes the motion, so only its end state counts.
 bool cells_go_together(const Settings& settings);
 
-/// The zones of a tile, all in cells that go together. Writes zones.stress or where it is wanted scratch.cells, zones.state, zones.history
+/// Runs the zones of a tile of cells that strain together. Writes zones.stress or, if enabled, scratch.cells, zones.state, zones.history
 /// and the forces on the points of the tile. Throws Diagnostic when the zone model fails, or when a zone has no volume left.
 ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law, ZoneScratch& scratch,
                    std::vector<PointRow>& forces);
 
-/// Forces of cells, flowing ones as well, with the stresses that are there, without a step.
+/// Forces of cells, including flowing ones, from the present stresses, without a step.
 void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
                  std::vector<PointRow>& forces);
 
-/// Where the zones of cells go on their own: what cells resist warping with and the stress that their motion has made stay as they are.
-/// Adds their forces, and returns the work that the motion does against them.
+/// For cells whose zones strain separately: warp stresses and stresses of motion are kept. Adds their forces and returns the work of the
+/// motion against them.
 double hold_cells(Model& model, const TileRows& rows, const ZoneTile& tile, const ZoneLaw& law, TileForces& forces);
 
 /// The same forces without a step.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Row groups_in_batch = 2;
 
-/// What is wanted of eight cells after the zone model has run.
+/// Per-group data kept until the stresses are updated.
 struct FlowGroup {
     CellGroupCorners corners;
     CellField place;
@@ -125,7 +125,7 @@ private:
         }
     }
 
-    /// Stresses into the zones, what the step has done to them, and their forces.
+    /// Writes stresses to the zones, updates their state, and computes their forces.
     void finish(const Place& at) {
         FlowGroup& g = group_at(at);
         write_history(at);
@@ -153,7 +153,7 @@ private:
             SixEights& after = stress[z];
             if (damping_ > 0) damped += g.volume[z] * damp(at, z, g.before[z], after, strain[z]);
             for (std::size_t k = 0; k < 3; ++k) after[k] += more;
-            // The forces act on what the zone itself does.
+            // The forces act on the zone's own deformation.
             const SixEights both = sum(g.before[z], after);
             const Eight own = (g.volume_strain[z] - g.mean_strain) / 3.0;
             work += g.volume[z] * (product(both, strain[z]) + (both[0] + both[1] + both[2]) * own);
@@ -169,7 +169,7 @@ private:
 
     double* dashpots(Row zone) { return model_.zones.dashpot[zone].data(); }
 
-    /// Viscous stresses besides. Returns what they take up, twice and per volume.
+    /// Adds viscous stresses. Returns the energy they dissipate, twice and per volume.
     Eight damp(const Place& at, Row z, const SixEights& before, const SixEights& after, const SixEights& strain) {
         double* const rows = dashpots(at.zone + z);
         const SixEights last = load_six(rows, to_next_cell, at.cells);

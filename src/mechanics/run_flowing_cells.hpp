@@ -1,4 +1,4 @@
-// Cells whose zones flow, one step on: docs/theory/zones.md, "Mixed discretisation".
+// Advances cells whose zones flow: docs/theory/zones.md, "Mixed discretisation".
 #pragma once
 
 #include "mechanics/phase_sums.hpp"
@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-/// The zones of a tile, all in cells over which volume strain and the plastic change of the mean stress are averaged. Writes zones.stress,
+/// Runs the zones of a tile of cells over which volume strain and the plastic change of the mean stress are averaged. Writes zones.stress,
 /// zones.state, zones.history, zones.dashpot and the forces on the points of the tile. Throws Diagnostic when the zone model fails, or when
 /// a zone has no volume left.
 ZoneSums run_flowing_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,

@@ -42,7 +42,7 @@ Vec3 rock_velocity(const Model& model, Row node) {
     return velocity;
 }
 
-/// Where the rock is now. In small strain its own place stays, and what it has gone is kept apart.
+/// Updates the rock point of a node. In small strain the point stays, and its displacement is stored separately.
 void follow_rock(Model& model, Row node, Hold hold, double step) {
     auto& nodes = model.structures.member_nodes;
     if (hold == Hold::none) {
@@ -53,7 +53,7 @@ void follow_rock(Model& model, Row node, Hold hold, double step) {
     nodes.rock[node] = rock_place(model, nodes, node) + nodes.rock_shift[node];
 }
 
-/// Nodes without springs: their motion is that of the rock. A node that is only pinned turns by itself.
+/// Nodes without springs move with the rock. A pinned node turns freely.
 void take_motion_of_rock(Model& model, Row node, Hold hold, double step) {
     auto& nodes = model.structures.member_nodes;
     const Vec3 shift = nodes.rock[node] - nodes.position[node];
@@ -92,7 +92,7 @@ void run_beam(Model& model, MemberLists& lists, std::size_t row) {
     std::ranges::copy(ends, lists.ends.begin() + static_cast<std::ptrdiff_t>(2 * row));
 }
 
-/// A symmetric tensor of the plane in axes that are turned from its own: xx, yy, xy.
+/// A symmetric plane tensor in rotated axes: xx, yy, xy.
 Vec3 turned(const Vec3& value, double c, double s) {
     const double xx = c * c * value[0] + s * s * value[1] + 2 * c * s * value[2];
     return {xx, value[0] + value[1] - xx, c * s * (value[1] - value[0]) + (c * c - s * s) * value[2]};
@@ -112,7 +112,7 @@ void run_shell(Model& model, MemberLists& lists, std::size_t row) {
     std::ranges::copy(forces.ends, lists.ends.begin() + static_cast<std::ptrdiff_t>(2 * lists.beams.size() + 3 * row));
 }
 
-/// Of the link on its node. A bond that breaks in tension is gone: what is left presses and rubs.
+/// Force of the link on its node. A bond broken in tension is lost: only pressure and friction remain.
 Vec3 link_force(Model& model, Row node, const Mat3& turn) {
     auto& nodes = model.structures.member_nodes;
     const StructureProperties& p =
@@ -141,7 +141,7 @@ Vec3 link_force(Model& model, Row node, const Mat3& turn) {
     return -(turn * (across * normal + shear));
 }
 
-/// Sum of forces on a node. Gives the work that it and the rock have done on the member in the step.
+/// Sum of forces on a node. Returns the work of the node and the rock on the member in the step.
 double run_node(Model& model, const MemberLists& lists, Row node, double step) {
     auto& nodes = model.structures.member_nodes;
     const Hold hold = lists.holds[static_cast<std::size_t>(node)];
@@ -161,7 +161,7 @@ double run_node(Model& model, const MemberLists& lists, Row node, double step) {
         force = Vec3::Zero();
         if (hold == Hold::clamped) std::swap(turning_rock, moment);
     }
-    // What springs, elements and weight do on nodes and rock was taken from the member.
+    // Work of springs, elements and weight on nodes and rock is taken from the member.
     const Vec3 shift = step * nodes.velocity[node], turn = step * nodes.spin[node];
     const Vec3 of_rock = hold == Hold::springs ? Vec3(step * rock_velocity(model, node)) : shift;
     const double work =

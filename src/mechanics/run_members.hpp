@@ -8,11 +8,11 @@
 
 namespace kaya {
 
-/// Velocities and places of the nodes that move by themselves, one step on.
+/// Advances velocities and positions of free nodes by one step.
 MotionSums move_members(Model& model, const MemberLists& lists);
 
-/// Forces of elements and links as nodes and rock lie now, `step` after the last call; nodes that hang on the rock without springs go along
-/// with it. Returns the work that nodes and rock have done on the members.
+/// Forces of elements and links for the present positions of nodes and rock, `step` after the last call; nodes held without springs move
+/// with the rock. Returns the work of nodes and rock on the members.
 double run_members(Model& model, MemberLists& lists, double step);
 
 } // namespace kaya

@@ -17,8 +17,7 @@ Vec3 weighted(const Attachment& side, const Column<Vec3>& column) {
     return sum;
 }
 
-/// Spin of a triangle in a step, as half the difference of the gradient of its way and the transposed one.
-/// Its normal stays normal to it.
+/// Spin of a triangle in a step: half the difference of the displacement gradient and its transpose. Its normal stays normal to it.
 Mat3 spin_of(const std::array<Vec3, 3>& middle, const std::array<Vec3, 3>& shift) {
     const Vec3 e1 = middle[1] - middle[0], e2 = middle[2] - middle[0], area = e1.cross(e2);
     const double squared = area.squaredNorm();
@@ -28,8 +27,7 @@ Mat3 spin_of(const std::array<Vec3, 3>& middle, const std::array<Vec3, 3>& shift
     return 0.5 * (gradient - gradient.transpose());
 }
 
-/// Mean spin of the two triangles of a spring, at the middle of a step, and the way between their places
-/// there.
+/// Mean spin of the two triangles of a spring at the middle of a step, and the relative displacement of its ends.
 struct Turn {
     Mat3 spin = Mat3::Zero();
     Vec3 between = Vec3::Zero();
@@ -47,7 +45,7 @@ struct Turn {
             spin += 0.5 * spin_of(middle, shift);
         }
     }
-    /// The rotation of the step, as that of the stresses of zones (Hughes and Winget 1980).
+    /// The rotation of the step, computed as for zone stresses (Hughes and Winget 1980).
     Mat3 rotation() const { return (Mat3::Identity() - 0.5 * spin).inverse() * (Mat3::Identity() + 0.5 * spin); }
 };
 
@@ -68,7 +66,7 @@ ZoneSums run_ties(Model& model, const TieLists& lists) {
                 Vec3 shift = step * (weighted(spring.side[1], v) - weighted(spring.side[0], v));
                 Vec3& force = ties.force[spring.tie];
                 if (model.settings.large_strain) {
-                    // A rigid turn is no way, also of places that are not quite the same.
+                    // A rigid rotation is no relative displacement, even for ends that do not quite coincide.
                     const Turn turn(model, spring, step);
                     shift -= turn.spin * turn.between;
                     force = turn.rotation() * force;
@@ -104,7 +102,7 @@ HistorySums follow_prescribed(Model& model, const TieLists& lists) {
                 double& velocity = points.velocity[g][k];
                 const double jump = value - velocity, mass = points.inertial_mass[g];
                 if (jump == 0) continue;
-                // As apply_velocity_histories has it for those that hold.
+                // The same as in apply_velocity_histories for held components.
                 const double weight = points.mass[g] * model.settings.gravity[k],
                              gain = 0.5 * mass * (value * value - velocity * velocity);
                 sums.kinetic += gain;

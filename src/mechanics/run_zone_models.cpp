@@ -16,7 +16,7 @@ namespace kaya {
 
 namespace {
 
-/// Work of one tile on its zones, each on its own.
+/// Work of one tile on its zones, without averaging.
 class TileRun {
 public:
     TileRun(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
@@ -77,7 +77,7 @@ private:
         }
     }
 
-    /// Total stresses into the zones, what the step has done to them, and their forces, if nothing more comes to the stresses.
+    /// Writes total stresses to the zones, updates their state, and computes their forces, unless the stresses change again.
     double finish(ZoneColumns& columns, Row first, Row count) {
         const double bulk = law_.elastic.lambda + law_.elastic.two_shear / 3;
         const bool are_final = !averages_ && !damped_;
@@ -103,7 +103,7 @@ private:
                 store_rows(scratch_.flow.data() + first + i, count - i, change / 3.0 - bulk * mean);
                 work +=
                     both / 3.0 *
-                    (ZoneColumns::at(columns.volume_strain + i) - mean); // the forces act on what the zone itself does
+                    (ZoneColumns::at(columns.volume_strain + i) - mean); // the forces act on the zone's own deformation
             }
             Eight energy = 0.5 * ZoneColumns::at(columns.volume + i) * work;
             for (Row l = count - i; l < eight; ++l) energy[l] = 0;
@@ -117,7 +117,7 @@ private:
         return sum(whole);
     }
 
-    /// Viscous stresses besides. Returns the work that they take up.
+    /// Adds viscous stresses. Returns the work they dissipate.
     double damp(const ZoneColumns& columns, Row first, Row count, double damping) {
         double whole = 0;
         for (Row i = 0; i < count; ++i) {
@@ -152,7 +152,7 @@ private:
     TileForces forces_;
 };
 
-/// Once for all tiles: below a ground surface it takes long.
+/// Once for all tiles: below a ground surface it is slow.
 void find_pressure(const Model& model, std::vector<double>& pressure) {
     pressure.clear();
     if (model.settings.water == Water::none || model.zones.size() == 0) return;
@@ -172,8 +172,8 @@ template <class Each> void for_averaging(const ZoneLaws& laws, Each each) {
     });
 }
 
-/// Means of a quantity over neighbours, by volume: over the zones at each gridpoint and back. Zones of other blocks and of other
-/// materials do not count.
+/// Means of a quantity over neighbours, by volume: over the zones at each gridpoint and back. Zones of other blocks and materials do not
+/// count.
 template <class Put>
 void average(const ZoneLaws& laws, ZoneScratch& scratch, std::vector<double>& values, const Put& put) {
     const auto& volume = scratch.volume;
@@ -206,7 +206,7 @@ void average(const ZoneLaws& laws, ZoneScratch& scratch, std::vector<double>& va
     });
 }
 
-/// Volume strains of the zones that average, and their means.
+/// Volume strains of averaging zones, and their means.
 void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
     const std::size_t zones = model.zones.size();
     for (auto* column : {&scratch.volume, &scratch.strain, &scratch.mean_strain, &scratch.flow}) column->resize(zones);
@@ -222,7 +222,7 @@ void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scrat
     average(laws, scratch, scratch.strain, [&](Row z, double mean) { scratch.mean_strain[z] = mean; });
 }
 
-/// Forces of all zones of a tile with the stresses that they have.
+/// Forces of all zones of a tile from their present stresses.
 void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std::vector<PointRow>& forces) {
     const ZoneLaw& law = laws.laws[tile.law];
     if (law.together == Together::flow_in_cells ||
@@ -243,7 +243,7 @@ void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std
     if (law.together == Together::cells) held_forces(model, rows, tile, law, sums);
 }
 
-/// The plastic change of the mean stress likewise; then the forces. Returns the work that goes with it.
+/// Averages the plastic change of the mean stress, then computes the forces. Returns the corresponding work.
 ZoneSums average_flow(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces) {
     average(laws, scratch, scratch.flow, [&](Row z, double mean) { scratch.flow[z] = mean - scratch.flow[z]; });
     const auto& tiles = laws.tiles.tiles;

@@ -1,4 +1,4 @@
-// Zones, one step on: docs/theory/zones.md.
+// Advances zones by one step: docs/theory/zones.md.
 // reads: gridpoints.position, gridpoints.velocity, gridpoints.pore_pressure, zone_properties, clock.time_step
 // writes: zones.stress, zones.state, zones.history, zones.dashpot
 #pragma once
@@ -14,7 +14,7 @@ namespace kaya {
 
 class ZoneLaws;
 
-/// Room for what zones keep within a step, and cells between steps; its memory stays.
+/// Scratch memory of zones within a step, and of cells between steps; it is reused.
 struct ZoneScratch {
     struct Mean {
         double sum = 0, volume = 0; ///< of a quantity times volume
@@ -26,21 +26,21 @@ struct ZoneScratch {
     CellStresses cells;
 };
 
-/// What comes before the zones of a step.
+/// Preparations before the zones of a step.
 void begin_zones(Model& model, const ZoneLaws& laws, ZoneScratch& scratch);
 
-/// Whether the zones of a tile ask for no gridpoint but their own.
+/// Whether the zones of a tile depend on no gridpoint but their own.
 bool tiles_go_alone(const Model& model, const ZoneLaws& laws);
 
-/// The zones of one tile, where tiles go alone, after begin_zones.
+/// Runs the zones of one tile, if tiles are independent, after begin_zones.
 ZoneSums run_tile(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
                   std::vector<PointRow>& forces);
 
-/// Writes `forces` as well: by point of the tiles, with the sum of the sizes of the forces of single zones. Throws Diagnostic when
-/// a zone model fails.
+/// Also writes `forces`: by point of the tiles, with the sum of the magnitudes of the forces of single zones. Throws Diagnostic when a zone
+/// model fails.
 ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces);
 
-/// Forces of the stresses that are there, without a step.
+/// Forces of the present stresses, without a step.
 void zone_forces(const Model& model, const ZoneLaws& laws, std::vector<PointRow>& forces);
 
 } // namespace kaya

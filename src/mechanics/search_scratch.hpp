@@ -1,4 +1,4 @@
-// The geometry of one contact after another uses the same memory.
+// Scratch memory for the geometry of consecutive contacts.
 #pragma once
 
 #include "geometry/overlay_scratch.hpp"
@@ -11,7 +11,7 @@
 
 namespace kaya {
 
-/// What the search keeps for its memory only: no result depends on it.
+/// Scratch memory of the search: no result depends on it.
 struct SearchScratch {
     SeparationScratch separation;
     OverlayScratch overlay;

@@ -9,7 +9,7 @@ namespace kaya {
 
 namespace {
 
-/// Axes nearer to the separating one than this are not across it.
+/// Axes closer to the separating one than this are not lateral.
 constexpr double cos_across = 0.5;
 
 using Arc = SeparationScratch::Arc;
@@ -22,8 +22,7 @@ void arcs_of(const Surfaces& surfaces, Row block, double sense, std::vector<Arc>
     }
 }
 
-/// Only where arcs cross do the edges make a face of the Minkowski difference. The second block's normals are turned
-/// round.
+/// Edges form a face of the Minkowski difference only where their arcs cross. The second block's normals are reversed.
 bool cross(const Arc& one, const Arc& two) {
     const double from = two.from.dot(one.axis), to = two.to.dot(one.axis);
     if (from * to >= 0) return false;
@@ -31,7 +30,7 @@ bool cross(const Arc& one, const Arc& two) {
     return first * last < 0 && from * last > 0;
 }
 
-/// The face of a block that looks most along a direction.
+/// The face of a block that points most along a direction.
 void find_opposite(const Model& model, const Surfaces& surfaces, Row block, const Vec3& direction, Separation& s) {
     s.cosine = -2;
     const Lanes3 along = Lanes3::of(direction);
@@ -68,8 +67,8 @@ struct OldAxis {
     bool is(const std::array<Row, 2>& one, const std::array<Row, 2>& two) const { return one == edge1 && two == edge2; }
 };
 
-/// How far each of two blocks is from the planes of the other's faces: at first what it is at most, by the centroid of
-/// the block; the vertices are looked at where that is not enough.
+/// Distances of each of two blocks from the planes of the other's faces: first an upper bound from the centroid of the block, then the
+/// vertices where that does not decide.
 class FaceDistances {
 public:
     FaceDistances(const Surfaces& surfaces, Row block1, Row block2, SeparationScratch& scratch)
@@ -81,7 +80,7 @@ public:
         }
         std::fill_n(found_.begin(), size, char{0});
     }
-    /// The bounds of a block's faces, from place `first` on; returns the face for which it is highest.
+    /// The bounds of a block's faces, from index `first` on; returns the face with the highest one.
     std::size_t bound(const Surfaces& surfaces, Row own, const Vec3& centre, std::size_t first) {
         const Lanes3 there = Lanes3::of(centre);
         double* next = distances_.data() + first;
@@ -116,7 +115,7 @@ public:
         // The lower block (block 2) first: at a tie its face gives the normal.
         try_faces(false);
         if (best_.distance > limits_.enough) return best_;
-        // Most neighbours in a pile touch with edges and corners of faces that lie on each other: no face contact is possible.
+        // Most neighbours in a pile touch at edges and corners of coplanar faces: no face contact is possible.
         best_.apart_sideways = overhangs(false);
         if (best_.apart_sideways) {
             find_opposite(model_, surfaces_, block1_, best_.normal, best_);
@@ -126,8 +125,8 @@ public:
         if (best_.distance > limits_.enough || best_.normal.isZero(0)) return best_;
         best_.apart_sideways = overhangs(false) || overhangs(true);
 
-        // Two faces on each other: no pair of edges separates the blocks much better, unless they are so deep in each other that these
-        // are blocks side by side, whose edges meet.
+        // For two parallel faces no pair of edges separates the blocks much better, unless they overlap so deeply that they are adjacent
+        // blocks whose edges meet.
         if (best_.face1 == no_row) find_opposite(model_, surfaces_, block1_, best_.normal, best_);
         else find_opposite(model_, surfaces_, block2_, -best_.normal, best_);
         if (best_.cosine <= limits_.flat || is_deep()) try_edges();
@@ -160,7 +159,7 @@ void SeparationSearch::try_faces(bool of_first) {
     const Row own = of_first ? block1_ : block2_, other = of_first ? block2_ : block1_;
     const Span faces = model_.blocks.faces[own];
     const std::size_t start = of_first ? of_block1_ : 0;
-    // No vertex needs to be looked at where another face is farther away.
+    // No vertex need be checked where another face is farther away.
     const std::size_t likely = along_.bound(surfaces_, own, surfaces_.middle(other), start);
     const double least =
         along_.find(surfaces_, likely, faces.first + static_cast<Row>(likely - start), other) - limits_.tie;
@@ -204,7 +203,7 @@ void SeparationSearch::try_edges() {
     }
 }
 
-/// Returns whether the blocks are farther apart than matters. `d1` is along the edge of block 1.
+/// Returns whether the blocks are too far apart to matter. `d1` is along the edge of block 1.
 bool SeparationSearch::try_edge_pair(const Arc& e1, const Arc& e2, const Vec3& d1, const Vec3& towards) {
     const auto& x = model_.gridpoints.position;
     const Vec3 d2 = x[e2.ends[1]] - x[e2.ends[0]];

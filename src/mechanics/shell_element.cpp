@@ -9,8 +9,8 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 using Mat2 = Eigen::Matrix2d;
 
-/// Part of the shear stiffness that holds nodes to the rotation of the element about its normal. It keeps flat parts from having
-/// no stiffness there; a strain that is the same everywhere does not see it.
+/// Part of the shear stiffness that couples the nodes to the rotation of the element about its normal. It gives flat parts a stiffness
+/// there; a uniform strain does not activate it.
 constexpr double drilling_part = 0.01;
 
 /// x along the first side, z across.
@@ -21,7 +21,7 @@ Mat3 triangle_axes(const Vec3& a, const Vec3& b, const Vec3& c) {
     return axes;
 }
 
-/// Of plane stress: stresses xx, yy, xy by strains xx, yy, 2 xy.
+/// Plane stress: stresses xx, yy, xy by strains xx, yy, 2 xy.
 Mat3 plane_stress(const ShellSection& section) {
     const double poisson = section.poisson;
     Mat3 d;
@@ -29,9 +29,9 @@ Mat3 plane_stress(const ShellSection& section) {
     return section.young / (1 - poisson * poisson) * d;
 }
 
-/// Curvatures at the middle of the side that does not have corner `across`, by the rotations x, y of the corners. Slopes are
-/// linear between the corners; along a side they are those of a cubic that is 0 at both ends, so that in its middle 3/2 of their
-/// mean is taken off. This is the triangle of Batoz, Bathe and Ho.
+/// Curvatures at the middle of the side opposite to corner `across`, by the rotations x, y of the corners. Slopes are linear between the
+/// corners; along a side they are those of a cubic that is 0 at both ends, so 3/2 of their mean is subtracted in its middle. This is the
+/// triangle of Batoz, Bathe and Ho.
 Eigen::Matrix<double, 3, 6> curvatures_at(const ShellShape& shape, int across) {
     const auto strain = [](const Vec2& slope, const Vec2& gradient) {
         return Vec3(slope[0] * gradient[0], slope[1] * gradient[1], slope[0] * gradient[1] + slope[1] * gradient[0]);
@@ -81,7 +81,7 @@ ShellShape::ShellShape(const std::array<Vec3, 3>& corners, const ShellSection& s
 
 ShellForces shell_forces(const ShellShape& shape, const std::array<NodePose, 3>& nodes) {
     ShellForces forces;
-    // The plane through the nodes; in it the turn of the polar decomposition, so that what is left is a symmetric stretch.
+    // The plane through the nodes; within it the rotation of the polar decomposition, so that the rest is a symmetric stretch.
     const Mat3 plane = triangle_axes(nodes[0].place, nodes[1].place, nodes[2].place);
     Mat2 gradient = Mat2::Zero();
     for (int k = 1; k < 3; ++k) {
@@ -110,7 +110,7 @@ ShellForces shell_forces(const ShellShape& shape, const std::array<NodePose, 3>&
     const auto& rows = shape.curvatures; // linear in the plane: the mean of three points is the value at the centroid
     forces.moment = -shape.bending * ((rows[0] + rows[1] + rows[2]) * bend) / 3;
 
-    // Forces across the plane and in it that hold the moments of the nodes in balance.
+    // Forces across and in the plane that balance the moments of the nodes.
     const Vec2 sum(moments[0] + moments[2] + moments[4], moments[1] + moments[3] + moments[5]);
     const Vec2 across = stretch.inverse() * Vec2(sum[1], -sum[0]);
     const double about = -drilling.sum() / stretch.trace();

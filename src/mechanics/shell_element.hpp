@@ -7,12 +7,12 @@
 
 namespace kaya {
 
-/// Of an isotropic elastic plate.
+/// Section of an isotropic elastic plate.
 struct ShellSection {
     double thickness = 0, young = 0, poisson = 0;
 };
 
-/// What is known of an element when it is made. It follows from its corners and its section.
+/// Element data computed at creation from its corners and section.
 struct ShellShape {
     ShellShape(const std::array<Vec3, 3>& corners, const ShellSection& section);
 
@@ -27,7 +27,7 @@ struct ShellShape {
     std::array<Eigen::Matrix<double, 3, 6>, 3> curvatures; ///< at the middles of the sides, by the same rotations
 };
 
-/// How the element is deformed now, and what it carries, in its axes that have turned with it.
+/// Present deformation and forces of the element, in its rotated axes.
 struct ShellForces {
     Mat3 axes = Mat3::Identity();
     Vec3 membrane = Vec3::Zero(); ///< force per length: xx, yy, xy; tension positive
@@ -36,7 +36,7 @@ struct ShellForces {
     std::array<EndForce, 3> ends; ///< on the nodes; their sum is zero, and so is that of their moments about any point
 };
 
-/// Strains and rotations against the element are small; its own motion may be large.
+/// Strains and rotations relative to the element are small; its own motion may be large.
 ShellForces shell_forces(const ShellShape& shape, const std::array<NodePose, 3>& nodes);
 
 EndStiffness shell_end_stiffness(const ShellShape& shape);

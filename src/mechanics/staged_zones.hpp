@@ -1,4 +1,4 @@
-// What a zone model sees of cells: rows that are copied, since those of the model stand in another order.
+// Batches of cells for a zone model: copied rows, since the model's own rows have another order.
 #pragma once
 
 #include "mechanics/zone_laws.hpp"
@@ -9,8 +9,7 @@ namespace kaya {
 
 /// A batch of up to so many rows.
 template <Row most> struct StagedZones {
-    static constexpr std::size_t length =
-        most + 8; ///< with powers of two the columns would all fall in the same lines of the cache
+    static constexpr std::size_t length = most + 8; ///< powers of two would map all columns to the same cache lines
 
     alignas(64) double strain[6][length], stress[6][length], volume[length], pressure[length], dissipation[length];
     double history[KAYA_JMODEL_MAX_HISTORY][length];

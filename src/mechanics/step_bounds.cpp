@@ -170,7 +170,7 @@ void StepBounds::find_frames(const Model& model, const Adjacency& adjacency, Mas
     });
 }
 
-/// The part of a sub-contact's stiffness that its gridpoints on one side are charged with together, over mass.
+/// The stiffness share of a sub-contact that its gridpoints on one side bear together, over mass.
 double StepBounds::mobility(const Model& model, Row block, const Attachment& attachment) const {
     if (!model.blocks.deformable[block]) return 0;
     double sum = 0;
@@ -179,7 +179,7 @@ double StepBounds::mobility(const Model& model, Row block, const Attachment& att
     return sum;
 }
 
-/// The same of a node of a structure in a zone. No share is needed: it holds no gridpoint stiffer than this whatever the others do.
+/// The same for a structure node in a zone. No share is needed: it never holds a gridpoint more stiffly than this.
 double StepBounds::mobility_of_node(const Model& model, Row node) const {
     const NodePlace at = place_of_held_node(model, node);
     double sum = 0;
@@ -188,7 +188,7 @@ double StepBounds::mobility_of_node(const Model& model, Row node) const {
     return sum;
 }
 
-/// Whether the body on one side of a sub-contact can move; of rigid blocks whatever the sub-contact.
+/// Whether the body on one side of a sub-contact can move; for rigid blocks independent of the sub-contact.
 bool StepBounds::moves(const Model& model, Row contact, Row sub_contact, int side) const {
     const Row block = block_of(model, contact, side);
     const auto& blocks = model.blocks;
@@ -200,8 +200,8 @@ bool StepBounds::moves(const Model& model, Row contact, Row sub_contact, int sid
     return false;
 }
 
-/// What cannot move charges nothing. A dashpot goes with the root of its spring: with the share of the spring a soft contact beside a
-/// stiff one would be charged with any number of times its dashpot.
+/// Immobile bodies bear nothing. A dashpot scales with the root of its spring: with the share of the spring, a soft contact beside a stiff
+/// one would bear its dashpot many times over.
 StepBounds::Share StepBounds::share(const Model& model, Row contact, Row sub_contact, int side, Shares shares) const {
     if (shares == Shares::none) return {1, 1};
     if (shares == Shares::halves) return moves(model, contact, sub_contact, 1 - side) ? Share{2, 2} : Share{1, 1};
@@ -302,7 +302,7 @@ Resistance StepBounds::of_gridpoint(const Model& model, const Adjacency& adjacen
     return sum;
 }
 
-/// Of contacts between rigid blocks on each of the two: bodies add them up twice, with different shares.
+/// Matrices of contacts between rigid blocks on each of the two: bodies sum them twice, with different shares.
 void StepBounds::find_matrices(const Model& model) {
     const auto& contacts = model.contacts;
     matrices_.resize(contacts.size());
@@ -366,12 +366,12 @@ StepLimit StepBounds::limit(const Model& model, const Adjacency& adjacency, Mass
     if (alone_) return smallest(model, adjacency, Shares::halves);
     const StepLimit limit = smallest(model, adjacency, Shares::by_resistance);
     if (masses == Masses::real || model.settings.mass_scaling == MassScaling::none) return limit;
-    // Bounds that are the same but for rounding count as the one that holds without scaling.
+    // Bounds equal within rounding count as the one that holds without scaling.
     const StepLimit other = smallest(model, adjacency, Shares::halves);
     return other.stable > (1 + rounding) * limit.stable ? other : limit;
 }
 
-// With halves no share knows of the neighbours' masses, so that an eigenvalue is over the body's own mass.
+// With halves, no share depends on the neighbours' masses, so an eigenvalue is over the body's own mass.
 const BodyStiffness& StepBounds::stiffness(const Model& model, const Adjacency& adjacency) {
     find_resistances(model, adjacency, Masses::inertial);
     const auto& points = model.gridpoints;

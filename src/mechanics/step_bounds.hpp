@@ -13,14 +13,14 @@
 
 namespace kaya {
 
-/// What limits the time step of one body.
+/// Quantities that limit the time step of one body.
 struct Resistance {
     double elastic = 0; ///< bound of the largest eigenvalue of stiffness over mass, 1/time^2
     double viscous = 0; ///< the same of the dashpots, 1/time
 
     /// The largest stable step by equation (6) of docs/theory/time-step.md; infinite when nothing resists.
     double stable_step() const;
-    /// What the mass must be multiplied with to make `step` the largest stable one, which grows with both parts.
+    /// Factor of the mass that makes `step` the largest stable one; it increases with both parts.
     double needed_for(double step) const { return 0.25 * step * (step * elastic + 2 * viscous); }
     bool acts() const { return elastic > 0 || viscous > 0; }
     void add(const Resistance& other) {
@@ -42,49 +42,49 @@ struct StepLimit {
     bool exists() const { return row != no_row; }
 };
 
-/// Masses that a bound goes by.
+/// Masses that a bound uses.
 enum class Masses { real, inertial };
 
-/// Resistances of each body by equation (9) of docs/theory/time-step.md, times its mass: 0 for what cannot move. They hold
-/// whatever the inertial masses are.
+/// Resistances of each body by equation (9) of docs/theory/time-step.md, times its mass: 0 for immobile bodies. Independent of the inertial
+/// masses.
 struct BodyStiffness {
     std::vector<Resistance> of_gridpoint,
         of_block; ///< gridpoints of deformable blocks, rigid blocks; by row; joined blocks share that
                   ///< of their body by mass
 };
 
-/// What the joints hold the bodies with. Everything in it is derived from the model; it is kept for its memory.
+/// Stiffness of the joints on the bodies. Derived from the model; kept to reuse its memory.
 class StepBounds {
 public:
-    /// Takes places, tangent stiffnesses and areas of the sub-contacts from the model, and which bodies are held.
-    /// Bounds are then those of all bodies.
+    /// Reads positions, tangent stiffnesses and areas of the sub-contacts from the model, and which bodies are held. Bounds then cover all
+    /// bodies.
     void update(const Model& model, const Adjacency& adjacency);
 
-    /// Bounds that a change of the marked contacts may have made smaller: by equation (9) those of the bodies on them, by
-    /// equation (4) those of their neighbours too.
+    /// Bounds that a change of the marked contacts may have reduced: by equation (9) those of the bodies on them, by equation (4) those of
+    /// their neighbours too.
     enum class Of { bodies, bodies_and_neighbours };
 
-    /// The same for these bodies: the bounds of others are what they were. Of bodies alone limit() is by equation (9).
+    /// The same for these bodies; the bounds of others are unchanged. For single bodies limit() uses equation (9).
     void update_at(const Model& model, const Adjacency& adjacency, const std::vector<char>& contacts, Of of);
 
-    /// Since the last update only inertial masses may have changed. Where density is scaled it is the smaller one of
-    /// the bounds by equations (4) and (9).
+    /// Since the last update only inertial masses may have changed. With density scaling, the smaller of the bounds by equations (4) and
+    /// (9).
     StepLimit limit(const Model& model, const Adjacency& adjacency, Masses masses = Masses::inertial);
 
-    /// Of the bodies of the last update, with the dashpots that belong to the inertial masses; of others 0.
+    /// Of the bodies of the last update, with the dashpots for the inertial masses; 0 for others.
     const BodyStiffness& stiffness(const Model& model, const Adjacency& adjacency);
 
-    /// About the largest eigenvalue of the stiffness matrix over masses, dashpots being 2/step times stiff: 1/time^2. The
-    /// bound may be far above it where many joints pull a body in different directions; costs as much as many cycles.
+    /// Estimate of the largest eigenvalue of the stiffness matrix over masses, with dashpots 2/step times as stiff: 1/time^2. The bound may
+    /// be far above it where many joints act on a body in different directions. Costs as much as many cycles.
     double estimate(const Model& model, const Adjacency& adjacency, double step);
 
-    /// Stiffness to go by instead of that which the columns have, by sub-contact; none: the columns.
+    /// Stiffness to use instead of the columns, by sub-contact; null: the columns.
     const std::vector<Springs>* foreseen = nullptr;
     /// Lame's constants by block; estimate() needs them where there are zones.
     const std::vector<ElasticConstants>* of_zones = nullptr;
 
 private:
-    /// A rigid body's matrices, each contact's part multiplied with what its side bears.
+    /// Matrices of a rigid body, each contact's part multiplied by the share of its side.
     struct Matrices {
         SpringMatrix elastic, viscous;
     };
@@ -97,8 +97,8 @@ private:
     void find_resistances(const Model& model, const Adjacency& adjacency, Masses masses);
     Springs springs(const Model& model, Row sub_contact, const NormalAreaFactor& factor) const;
     SpringSums sums_of(const Model& model, Row contact) const;
-    /// How many times its own part of a spring, and of the dashpot beside it, a body is charged with:
-    /// (a - b)^2 <= p a^2 + q b^2 with 1/p + 1/q = 1.
+    /// Multiples of its own part of a spring, and of the dashpot beside it, that a body bears: (a - b)^2 <= p a^2 + q b^2 with 1/p + 1/q =
+    /// 1.
     struct Share {
         double elastic, viscous;
     };
@@ -113,7 +113,7 @@ private:
     StepLimit smallest(const Model& model, const Adjacency& adjacency, Shares shares) const;
 
     bool damped_ = false;
-    bool alone_ = false;              ///< bounds do not ask for those of neighbours
+    bool alone_ = false;              ///< bounds need none of the neighbours
     std::vector<char> asked_;         ///< by block: bounds are of these
     std::vector<char> near_;          ///< by block: asked, or in contact with one that is
     std::vector<Row> body_;           ///< by block: of joined rigid blocks the row in Adjacency::bodies, else no_row

@@ -1,4 +1,4 @@
-// The highest frequency by Lanczos's method: closer than the bound, and no bound.
+// The highest frequency by Lanczos's method: closer than the bound, but no upper bound.
 #include "mechanics/step_bounds.hpp"
 #include "mechanics/ties.hpp"
 
@@ -28,12 +28,12 @@ double dot(const Vector& a, const Vector& b) {
     return sum;
 }
 
-/// Of the symmetric matrix that has these numbers on its diagonal and beside it, by bisection.
+/// Largest eigenvalue of the symmetric tridiagonal matrix, by bisection.
 double largest_eigenvalue(const Vector& diagonal, const Vector& off_diagonal, std::size_t count) {
     double low = 0, high = 0;
     for (std::size_t i = 0; i < count; ++i)
         high = std::max(high, diagonal[i] + (i > 0 ? off_diagonal[i - 1] : 0) + (i + 1 < count ? off_diagonal[i] : 0));
-    // No eigenvalue lies above x when all pivots of the matrix less x are below 0.
+    // No eigenvalue lies above x when all pivots of the matrix minus x are below 0.
     const auto above_all = [&](double x) {
         double pivot = 0;
         for (std::size_t i = 0; i < count; ++i) {
@@ -67,8 +67,7 @@ struct ZoneShape {
 
 } // namespace
 
-/// The products that Lanczos's method asks for: M^-1/2 (K + 2 C/step) M^-1/2, bodies and gridpoints in the order of
-/// their rows.
+/// Products for Lanczos's method: M^-1/2 (K + 2 C/step) M^-1/2, bodies and gridpoints in row order.
 class StepBounds::Operator {
 public:
     static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
@@ -171,7 +170,7 @@ private:
         }
     }
 
-    /// Springs of ties. Gridpoints that are tied exactly count as free, which allows no longer step.
+    /// Springs of ties. Exactly tied gridpoints count as free, which allows no longer step.
     void add_ties(const Vector& x, Vector& y) const {
         const double more = 1 + 2 * stiffness_damping(model_.settings) / step_;
         for (const auto& spring : ties_.springs()) {
@@ -196,7 +195,7 @@ private:
     std::size_t size_ = 0;
 };
 
-// The largest Ritz value rises to the largest eigenvalue. What the last steps have added is added once more.
+// The largest Ritz value rises to the largest eigenvalue. The increase of the last steps is added once more.
 double StepBounds::estimate(const Model& model, const Adjacency& adjacency, double step) {
     update(model, adjacency);
     find_resistances(model, adjacency, Masses::inertial);

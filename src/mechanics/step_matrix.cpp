@@ -13,7 +13,7 @@ namespace {
 
 /// Squarings of a matrix: the 2^8th root of a trace is at most 6^(1/256) times the largest eigenvalue.
 constexpr std::size_t squarings = 8;
-/// What a flat body's inertia is short of by rounding, in parts of the largest.
+/// Rounding deficit of a flat body's inertia, in parts of the largest moment.
 constexpr double rounding = 1e-14;
 
 /// The lower triangle L with L m L^T = 1: the inverse of Cholesky's factor.
@@ -32,7 +32,7 @@ Mat3 symmetric(const Eight& e) {
     return m;
 }
 
-/// The moments of the points seen from a place that lies at -arm, as plain numbers.
+/// Second moments of the points about a place at -arm, as plain numbers.
 struct SecondMoments {
     double weight;
     Triple first;
@@ -76,7 +76,7 @@ SixColumns columns_of(const Mat6& m) {
 
 double trace_of(const SixColumns& m) { return ((m[0][0] + m[1][1]) + (m[2][2] + m[3][3])) + (m[4][4] + m[5][5]); }
 
-/// Of a symmetric matrix times a number.
+/// The square of a symmetric matrix times a number.
 SixColumns square_of(const SixColumns& m, double factor) {
     SixColumns square;
     const Eight twice = eights(factor * factor);
@@ -158,8 +158,8 @@ BodyFrame make_frame(const Vec3& centre, double mass, const Mat3& inertia, std::
     return frame;
 }
 
-// tr(S^p)^(1/p) falls to the largest eigenvalue as p grows: it is t0 t1^(1/2) t2^(1/4) ..., each t the trace of the square of what
-// the one before has been divided by.
+// tr(S^p)^(1/p) falls to the largest eigenvalue as p grows: it is t0 t1^(1/2) t2^(1/4) ..., each t the trace of the square of the matrix
+// that was divided by the previous one.
 double largest_eigenvalue(const Mat6& matrix) {
     std::array<double, squarings + 1> traces;
     SixColumns power = columns_of(matrix);

@@ -12,7 +12,7 @@ namespace kaya {
 /// Translations first, then rotations.
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-/// Sums over points with a weight each: of the weight, and of it times the place and its square.
+/// Weighted sums over points: of the weight, and of the weight times position and its square.
 struct Moments {
     double weight = 0;
     Vec3 first = Vec3::Zero();
@@ -49,22 +49,22 @@ private:
     Eight3 first_{}, square_{}, mixed_{};
 };
 
-/// The springs of one contact: weights are stiffnesses across and along its plane, places are counted from its position.
+/// The springs of one contact: weights are stiffnesses across and along its plane, positions are relative to its position.
 struct SpringSums {
     Moments normal, shear;
 };
 
-/// A stiffness matrix of one body: symmetric, so that 21 numbers are enough.
+/// A stiffness matrix of one body: symmetric, 21 numbers.
 struct SpringMatrix {
     Eight translations{}; ///< xx, yy, zz, yz, xz, xy
     Eight mixed{};        ///< rows of translations, columns of rotations, column by column, but for the last number
     Eight rotations{};    ///< as translations, and the last number of the mixed ones
 
-    /// Of springs that hold a body; `arm` leads from the centre of the body to their origin.
+    /// Springs that hold a body; `arm` leads from the centre of the body to their origin.
     SpringMatrix(const SpringSums& springs, const Vec3& normal, const Vec3& arm);
     SpringMatrix() = default;
 
-    /// Adds `times` another.
+    /// Adds `times` another matrix.
     void add(double times, const SpringMatrix& o) {
         translations += times * o.translations;
         mixed += times * o.mixed;
@@ -72,7 +72,7 @@ struct SpringMatrix {
     }
 };
 
-/// How a rigid body resists: mass and inertia in coordinates in which both are 1.
+/// Coordinates in which the mass and the inertia of a rigid body are 1.
 struct BodyFrame {
     Vec3 centre = Vec3::Zero();
     double root_of_mass = 0;             ///< 1 over it; 0 for what cannot move
@@ -84,11 +84,10 @@ struct BodyFrame {
     Mat6 scaled(const SpringMatrix& stiffness) const;
 };
 
-/// `inertia` about the centre, global axes. Components that are held are left out (the others follow from their momentum).
+/// `inertia` about the centre, global axes. Held components are left out (the others follow from their momentum).
 BodyFrame make_frame(const Vec3& centre, double mass, const Mat3& inertia, std::uint8_t fixed);
 
-/// A number that no eigenvalue of the symmetric matrix, none of which is below 0, exceeds; it is the largest one but for
-/// less than 0.4 %.
+/// An upper bound of the eigenvalues of a positive semidefinite symmetric matrix; it exceeds the largest by less than 0.4 %.
 double largest_eigenvalue(const Mat6& matrix);
 
 } // namespace kaya

@@ -16,9 +16,9 @@ namespace kaya {
 
 namespace {
 
-/// Steps ahead: the stiffness is to be stable when it is met, and not far from that when it is left.
+/// Steps ahead: the stiffness must be stable when it is reached, and close to that when it is left.
 constexpr double steps_ahead = 2;
-/// A normal force that grows by no more than this part changes the stiffness of any joint law by little.
+/// A normal force that grows by at most this part changes the stiffness of any joint law only a little.
 constexpr double small_growth = 0.25;
 /// A way that a law refuses is as good as one at the end of which it is so many times as stiff.
 constexpr double refused = 1e6;
