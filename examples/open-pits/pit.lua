@@ -101,7 +101,7 @@ function pit.run(p)
     for _, jcs in ipairs { "jcs_printed", "jcs" } do
         pit.barton(p, jcs)
         command "solve ratio 1e-4 cycles 8000"
-        pit.report(p, jcs == "jcs" and "Barton-Bandis, wall strengths computed anew" or "Barton-Bandis, wall strengths as printed")
+        pit.report(p, jcs == "jcs" and "Barton-Bandis, wall strengths recomputed" or "Barton-Bandis, wall strengths as printed")
     end
 end
 
