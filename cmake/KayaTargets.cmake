@@ -1,7 +1,8 @@
 # How every target of kaya is compiled. One place, so that no folder has flags of its own.
 
-set(KAYA_ARCH "native" CACHE STRING "value of -march; any x86-64 level gives the same bits")
-option(KAYA_WERROR "warnings are errors in kaya's own code" ON)
+set(KAYA_ARCH "native" CACHE STRING "value of -march: native, x86-64-v3 or x86-64-v2; each gives the same bits")
+option(KAYA_WERROR "warnings are errors in kaya's own code" OFF)
+option(KAYA_TOGETHER "compile several files as one unit: a whole build takes less time, a changed file more" OFF)
 set(KAYA_SANITIZE "" CACHE STRING "value of -fsanitize, e.g. address,undefined")
 
 add_library(kaya_flags INTERFACE)
@@ -9,7 +10,10 @@ target_compile_features(kaya_flags INTERFACE cxx_std_20)
 # No contraction to fused multiply-add: a row's result must not depend on where in a vector it
 # stands, nor on the machine. errno and traps are not used, and leaving them out lets loops vectorise.
 target_compile_options(kaya_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+  -Wall -Wextra -Wpedantic
+  # Not where files are compiled together: a local name may be that of a function in another file.
+  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
+  -Wnon-virtual-dtor
   -ffp-contract=off -fno-math-errno -fno-trapping-math)
 if(KAYA_ARCH)
   target_compile_options(kaya_flags INTERFACE -march=${KAYA_ARCH})
@@ -49,21 +53,43 @@ function(kaya_read_once name)
   endif()
 endfunction()
 
-# kaya_library(NAME [PUBLIC deps...] [PRIVATE deps...]): all .cpp files of the current folder.
+# kaya_library(NAME [GROUPS n] [APART files...] [PUBLIC deps...] [PRIVATE deps...]): all .cpp files of the current folder.
 # The link line is the rule about who may see what.
 function(kaya_library name)
-  cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "GROUPS" "APART;PUBLIC;PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   add_library(${name} STATIC ${sources})
+  kaya_compile_together(${name} "${arg_GROUPS}" "${arg_APART}" ${sources})
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR}/src ${CMAKE_SOURCE_DIR})
-  target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR}/include)
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(${name} PUBLIC ${arg_PUBLIC} PRIVATE kaya_flags ${arg_PRIVATE})
   target_compile_features(${name} PUBLIC cxx_std_20)
   get_target_property(linked ${name} LINK_LIBRARIES)
   if(linked MATCHES "kaya_(base|laws|model|mechanics|jointtest|interp|io)" OR name STREQUAL "kaya_base")
     kaya_read_once(${name})
   endif()
+endfunction()
+
+# With KAYA_TOGETHER the files of a target are compiled in `groups` units of several files each, which read their headers once. The
+# name of a file alone decides its group: a new file changes no other group. `apart` lists files (patterns) that stay units of their
+# own: hot loops, whose inlining must not depend on their neighbours, and files of one vocabulary (table, rows_of).
+function(kaya_compile_together name groups apart)
+  if(NOT KAYA_TOGETHER OR NOT groups)
+    return()
+  endif()
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  list(JOIN apart "|" apart)
+  foreach(source ${ARGN})
+    get_filename_component(file ${source} NAME_WE)
+    if(apart AND file MATCHES "^(${apart})$")
+      continue()
+    endif()
+    string(MD5 digest ${file})
+    string(SUBSTRING ${digest} 0 6 digest)
+    math(EXPR group "0x${digest} % ${groups}")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
 endfunction()
 
 # What it takes to run a deck: the program and the joint models that ship. scripts/run builds this and no tests.
@@ -74,7 +100,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/KayaJointModel.cmake)
 function(kaya_ship_joint_model name)
   kaya_add_joint_model(${name} ${ARGN})
   target_link_libraries(joint_${name} PRIVATE kaya_flags)
-  set_target_properties(joint_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/joints)
+  set_target_properties(joint_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/joints)
   add_dependencies(program joint_${name})
   install(TARGETS joint_${name} LIBRARY DESTINATION lib/kaya/joints)
 endfunction()
@@ -83,10 +109,10 @@ endfunction()
 function(kaya_ship_zone_model name)
   kaya_add_zone_model(${name} ${ARGN})
   target_link_libraries(zone_${name} PRIVATE kaya_flags)
-  set_target_properties(zone_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/zones)
+  set_target_properties(zone_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/zones)
   add_dependencies(program zone_${name})
   install(TARGETS zone_${name} LIBRARY DESTINATION lib/kaya/zones)
 endfunction()
 
 # The headers that joint models compile against lie beside the program, as they do when it is installed.
-file(CREATE_LINK ${CMAKE_SOURCE_DIR}/include ${CMAKE_BINARY_DIR}/include SYMBOLIC)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include SYMBOLIC)

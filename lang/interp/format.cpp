@@ -9,10 +9,10 @@ namespace kaya::lang {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 
 std::string without_blanks_at_end(std::string text) {
-    while (!text.empty() && is_blank(text.back())) text.pop_back();
+    while (!text.empty() && is_space(text.back())) text.pop_back();
     return text;
 }
 
@@ -21,7 +21,7 @@ std::string tidied(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] == ';') return result.append(text.substr(i));
-        if (!is_blank(text[i])) result += text[i];
+        if (!is_space(text[i])) result += text[i];
         else if (result.empty() || result.back() != ' ') result += ' ';
     }
     return result;

@@ -84,7 +84,7 @@ std::string parameter_line(const std::string& given) {
 }
 
 /// What the decks mention; none when that is not known before they run.
-std::optional<DeckWords> words_of(const std::vector<std::string>& decks) {
+std::optional<DeckWords> words_of_decks(const std::vector<std::string>& decks) {
     DeckWords words;
     for (const auto& deck : decks)
         if (!fs::is_regular_file(deck) || !words.take(deck)) return std::nullopt;
@@ -115,7 +115,7 @@ void doubt_parameters(Session& session, const RunOrder& order, const DeckWords* 
 }
 
 int run_decks(Session& session, const RunOrder& order) {
-    const auto words = words_of(order.decks);
+    const auto words = words_of_decks(order.decks);
     const auto journal = journal_of(session, order);
     int status = 0;
     if (!order.journal.empty()) {

@@ -15,7 +15,7 @@ namespace kaya {
 
 namespace {
 
-using Kind = HistorySource::Kind;
+using SourceKind = HistorySource::Kind;
 
 /// "": that of the field.
 std::string label_of(const lang::HistoryItem& item) {
@@ -29,7 +29,7 @@ struct SourceOf {
     HistorySource source;
 
     HistorySource operator()(const lang::HistoryItem::Script& item) {
-        source.kind = Kind::function;
+        source.kind = SourceKind::function;
         source.quantity = item.symbol;
         if (!session.scripts->knows(source.quantity)) {
             const auto symbols = session.scripts->symbols();
@@ -42,7 +42,7 @@ struct SourceOf {
     }
     HistorySource operator()(const lang::HistoryItem::Own& item) {
         find_contacts(session.model, session.joints);
-        source.kind = Kind::sub_contact;
+        source.kind = SourceKind::sub_contact;
         source.quantity = recorded_name(session, item.name, source.place);
         return source;
     }

@@ -122,7 +122,7 @@ Scene scene_of(Session& session, const PlotView& view) {
     return scene;
 }
 
-const History& history_of(const Histories& histories, std::int64_t number) {
+const History& plotted_history(const Histories& histories, std::int64_t number) {
     const auto found = std::ranges::find(histories.all, number, &History::number);
     if (found == histories.all.end())
         throw Diagnostic(fmt::format("there is no history {}", number), "'list hist' shows those that are there");
@@ -139,8 +139,8 @@ std::string axis_name(const History& history) {
 }
 
 void add_histories(const Histories& histories, const PlotItem& item, Chart& chart) {
-    for (const std::int64_t number : item.numbers) (void)history_of(histories, std::abs(number));
-    const History* versus = item.versus ? &history_of(histories, std::abs(*item.versus)) : nullptr;
+    for (const std::int64_t number : item.numbers) (void)plotted_history(histories, std::abs(number));
+    const History* versus = item.versus ? &plotted_history(histories, std::abs(*item.versus)) : nullptr;
     const std::size_t samples = histories.time.size();
     const auto value = [](const History& history, std::size_t sample, double sign) {
         const std::size_t place = sample - history.first_sample;
@@ -148,7 +148,7 @@ void add_histories(const Histories& histories, const PlotItem& item, Chart& char
                                                                                : sign * history.values[place];
     };
     for (const std::int64_t number : item.numbers) {
-        const History& history = history_of(histories, std::abs(number));
+        const History& history = plotted_history(histories, std::abs(number));
         Curve curve{axis_name(history), {}, {}};
         for (std::size_t i = 0; i < samples; ++i) {
             curve.x.push_back(versus != nullptr ? value(*versus, i, *item.versus < 0 ? -1 : 1) : histories.time[i]);

@@ -89,14 +89,14 @@ void clip(const Polyhedron::Face& face, int sign, CutVertices& vertices, std::ve
 using HalfEdge = std::array<int, 2>;
 
 /// The faces of one piece before the cut is closed.
-struct Piece {
+struct CutPiece {
     int sign = 0;
     std::vector<Polyhedron::Face> faces;
 };
 
 /// The hole of an open piece: the half-edges on the plane that have no partner, turned around and
 /// joined head to tail. Empty unless they make exactly one loop.
-std::vector<int> closing_loop(const Piece& piece, const CutVertices& vertices) {
+std::vector<int> closing_loop(const CutPiece& piece, const CutVertices& vertices) {
     std::vector<HalfEdge> open;
     for (const auto& face : piece.faces) {
         int from = face.vertices.back();
@@ -204,7 +204,7 @@ Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double 
     vertices.points = polyhedron.vertices;
     for (const Vec3& vertex : polyhedron.vertices) vertices.sides.push_back(side_of(vertex, plane));
 
-    Piece above{1, {}}, below{-1, {}};
+    CutPiece above{1, {}}, below{-1, {}};
     above.faces.reserve(polyhedron.faces.size() + 1);
     below.faces.reserve(polyhedron.faces.size() + 1);
     for (const auto& face : polyhedron.faces) {
@@ -217,7 +217,7 @@ Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double 
         if (!face_above) below.faces.push_back(face);
         if (face_above && !face_below) above.faces.push_back(face);
         if (!face_above || !face_below) continue;
-        for (Piece* piece : {&above, &below}) {
+        for (CutPiece* piece : {&above, &below}) {
             Polyhedron::Face part;
             part.joint_set = face.joint_set;
             part.vertices.reserve(face.vertices.size() + 2);

@@ -15,12 +15,12 @@ namespace kaya {
 namespace {
 
 /// A convex polygon of few corners: a triangle cut by three lines has six at most.
-struct Polygon {
+struct SmallPolygon {
     std::array<Vec2, 8> corners; // what is beyond `size` is not set
     int size = 0;
 
-    Polygon() = default;
-    explicit Polygon(const std::array<Vec2, 3>& triangle) {
+    SmallPolygon() = default;
+    explicit SmallPolygon(const std::array<Vec2, 3>& triangle) {
         for (const auto& corner : triangle) push_back(corner);
     }
     void push_back(const Vec2& p) { corners[size++] = p; }
@@ -39,7 +39,7 @@ bool on_the_right(const std::array<Vec2, 3>& corners, const Line& line, double t
 
 /// Leaves the part of a convex polygon on the left of a line (Sutherland and Hodgman 1974). Points within `tolerance`
 /// of the line count as on it.
-void clip(Polygon& polygon, const Line& line, double tolerance) {
+void clip(SmallPolygon& polygon, const Line& line, double tolerance) {
     if (line.along.isZero(0)) return;
     std::array<double, 8> heights;
     bool all_left = true; // more often than not
@@ -49,7 +49,7 @@ void clip(Polygon& polygon, const Line& line, double tolerance) {
         all_left = all_left && heights[i] >= 0;
     }
     if (all_left) return;
-    Polygon left;
+    SmallPolygon left;
     for (int i = 0; i < polygon.size; ++i) {
         const int next = i + 1 == polygon.size ? 0 : i + 1;
         const Vec2 &p = polygon.corners[i], &q = polygon.corners[next];
@@ -210,7 +210,7 @@ public:
         : side1_(side1), side2_(side2), tolerance_(tolerance), edge_(edge), result_(result), points_(result.points),
           finder_(result.points, tolerance), ring_(ring) {}
 
-    void add(const SweepItem& one, int triangle2, const Polygon& polygon) {
+    void add(const SweepItem& one, int triangle2, const SmallPolygon& polygon) {
         std::vector<int>& ring = ring_;
         ring.clear();
         for (int i = 0; i < polygon.size; ++i) {
@@ -290,7 +290,7 @@ void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, d
 
     // To the last bit what the sweep would give.
     if (lie_on_each_other(side1, side2, tolerance, opposite_triangles)) {
-        for (const auto& one : sweep1) pieces.add(one, opposite_triangles[one.triangle], Polygon(one.corners));
+        for (const auto& one : sweep1) pieces.add(one, opposite_triangles[one.triangle], SmallPolygon(one.corners));
     } else {
         sweep_of(side2, scratch.order, sweep2);
         for (auto& item : sweep2) item.find_sides(tolerance);
@@ -309,7 +309,7 @@ void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, d
                 if (std::any_of(two->sides.begin(), two->sides.end(),
                                 [&](const Line& side) { return on_the_right(one.corners, side, tolerance); }))
                     continue;
-                Polygon polygon(one.corners);
+                SmallPolygon polygon(one.corners);
                 for (int k = 0; k < 3 && polygon.size >= 3; ++k) clip(polygon, two->sides[k], tolerance);
                 if (polygon.size >= 3) pieces.add(one, two->triangle, polygon);
             }

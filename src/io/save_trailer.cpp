@@ -30,7 +30,7 @@ std::uint64_t digest_of(std::string_view bytes) {
     return hash.value();
 }
 
-Diagnostic unusable(std::string message) {
+Diagnostic unusable_file(std::string message) {
     return Diagnostic(std::move(message), "the model is as it was; restore another save file", Fault::run);
 }
 
@@ -44,19 +44,19 @@ std::string with_trailer(std::string image) {
 }
 
 std::string_view without_trailer(std::string_view file, const std::string& name) {
-    if (file.empty()) throw unusable(fmt::format("'{}' is empty", name));
+    if (file.empty()) throw unusable_file(fmt::format("'{}' is empty", name));
     const auto head = file.substr(0, hdf5_signature.size());
     if (head != hdf5_signature.substr(0, head.size()))
-        throw unusable(fmt::format("'{}' is not a save file of kaya", name));
+        throw unusable_file(fmt::format("'{}' is not a save file of kaya", name));
     Trailer trailer{};
     if (file.size() >= sizeof trailer)
         std::memcpy(&trailer, file.data() + file.size() - sizeof trailer, sizeof trailer);
     const std::string_view mark(trailer.mark.data(), trailer.mark.size());
     if (mark != trailer_mark || trailer.length != file.size() - sizeof trailer)
-        throw unusable(fmt::format("'{}' is cut short, or another program wrote it", name));
+        throw unusable_file(fmt::format("'{}' is cut short, or another program wrote it", name));
     const auto image = file.substr(0, file.size() - sizeof trailer);
     if (digest_of(image) != trailer.digest)
-        throw unusable(fmt::format("'{}' is damaged: its bytes are not those that were written", name));
+        throw unusable_file(fmt::format("'{}' is damaged: its bytes are not those that were written", name));
     return image;
 }
 

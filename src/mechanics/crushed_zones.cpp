@@ -14,7 +14,7 @@ namespace kaya {
 
 namespace {
 
-constexpr std::size_t grain = 1024;
+constexpr std::size_t zone_grain = 1024;
 constexpr double least_volume = 0.2; ///< of what it was
 const double least_sine = std::sin(2 * std::numbers::pi / 180);
 
@@ -81,7 +81,7 @@ void check_crushed_zones(const Model& model) {
     if (!model.settings.large_strain) return;
     const Row none = static_cast<Row>(model.zones.size());
     const Row first = reduce_chunks(
-        model.zones.size(), grain, none,
+        model.zones.size(), zone_grain, none,
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t z = begin; z < end; ++z)
                 if (is_crushed(model, static_cast<Row>(z))) return static_cast<Row>(z);

@@ -12,7 +12,7 @@ namespace kaya {
 namespace {
 
 constexpr std::size_t grain = 1024;
-constexpr double rounding = 1e-12;
+constexpr double bound_rounding = 1e-12;
 
 bool held(const Model& model, Row gridpoint) { return (model.gridpoints.fixed[gridpoint] & 7) == 7; }
 
@@ -368,7 +368,7 @@ StepLimit StepBounds::limit(const Model& model, const Adjacency& adjacency, Mass
     if (masses == Masses::real || model.settings.mass_scaling == MassScaling::none) return limit;
     // Bounds equal within rounding count as the one that holds without scaling.
     const StepLimit other = smallest(model, adjacency, Shares::halves);
-    return other.stable > (1 + rounding) * limit.stable ? other : limit;
+    return other.stable > (1 + bound_rounding) * limit.stable ? other : limit;
 }
 
 // With halves, no share depends on the neighbours' masses, so an eigenvalue is over the body's own mass.

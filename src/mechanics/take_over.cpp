@@ -16,7 +16,7 @@ namespace kaya {
 namespace {
 
 /// In parts of the force: a change that is rounding.
-constexpr double rounding = 1e-6;
+constexpr double force_rounding = 1e-6;
 
 struct Force {
     double normal;
@@ -98,7 +98,7 @@ void try_rows(Model& model, const Batch& part, Reduction& reduction) {
     for (Row s = part.first; s < end; ++s) {
         const Force was = before.force(s), is{subs.normal_force[s], subs.shear_force[s]};
         const double lost = std::hypot(is.normal - was.normal, (is.shear - was.shear).norm());
-        if (!(lost > rounding * was.size())) {
+        if (!(lost > force_rounding * was.size())) {
             before.put_back(s);
             continue;
         }

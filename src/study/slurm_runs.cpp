@@ -19,10 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_losses = 5;            ///< batches after which nothing more is there than before
+constexpr int most_lost_batches = 5;            ///< batches after which nothing more is there than before
 constexpr double poll_interval = 0.5;     ///< seconds between two looks at the outcomes
 constexpr int polls_per_question = 4;     ///< and so many of them to one question to the queue
-constexpr double patience = 300;          ///< seconds for which sbatch may find nobody
+constexpr double queue_patience = 300;          ///< seconds for which sbatch may find nobody
 constexpr std::size_t usual_tasks = 1000; ///< of an array, where Slurm does not say
 
 /// In quotes for sh.
@@ -114,7 +114,7 @@ void SlurmRuns::submit(const std::vector<Case>& left) {
         }
         if (said.status == 127)
             throw Diagnostic("there is no sbatch here", "leave --slurm away to run on this machine", Fault::run);
-        if (!nobody_answers(said.output) || waited > patience)
+        if (!nobody_answers(said.output) || waited > queue_patience)
             throw Diagnostic("sbatch: " + without_end(said.output), "the runs that are done are kept", Fault::run);
         wait(2, left);
     }
@@ -168,8 +168,8 @@ std::vector<Outcome> SlurmRuns::all(const std::vector<Case>& cases) {
         losses = still.size() < left.size() ? 0 : losses + 1;
         left = still;
         if (!left.empty()) progress_.say(fmt::format("{} runs were lost and are submitted again", left.size()));
-        if (losses == most_losses)
-            throw Diagnostic(fmt::format("{} runs have no outcome after {} tries", left.size(), most_losses),
+        if (losses == most_lost_batches)
+            throw Diagnostic(fmt::format("{} runs have no outcome after {} tries", left.size(), most_lost_batches),
                              fmt::format("look at {}", (folder_.path() / "slurm").string()), Fault::run);
     }
     progress_.end();
