@@ -1,6 +1,8 @@
 // The range phrase as a table: each element says what follows it and adds one RangeElement.
 #include "lang/commands/range_parts.hpp"
 
+#include "lang/interp/short_list.hpp"
+
 #include <fmt/format.h>
 
 namespace kaya::lang {
@@ -303,7 +305,7 @@ std::vector<KeywordSpec> all_elements() {
         if (!there && asked) continue;
         for (const Spelling& s : element.words) candidates.push_back(s.word);
     }
-    reader.unknown("a range element", candidates, listed);
+    reader.unknown("a range element", candidates, ShortList(listed, "range", reader.peek()).words());
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "lang/interp/binder.hpp"
 
 #include "lang/interp/odd_letters.hpp"
+#include "lang/interp/short_list.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -170,7 +171,8 @@ std::size_t wrong_word(const CommandSpec& spec, const Statement& statement) {
     }
     // Suggested when near, not listed: the list of keywords is long enough.
     if (spec.range_without_word) add_words(candidates, *spec.range_elements, asked);
-    reader.unknown(fmt::format("a keyword of {}", spec.name()), candidates, listed);
+    const std::string name = spec.name();
+    reader.unknown(fmt::format("a keyword of {}", name), candidates, ShortList(listed, name, reader.peek()).words());
 }
 
 /// True when the next word opens the range phrase.
@@ -245,14 +247,14 @@ void read_rest(const Language& language, const CommandSpec& spec, Reader& reader
     if (!reader.at_end()) {
         std::vector<std::string_view> candidates = reader.peek()->text == "?" ? forms : all_forms;
         if (commands.front()->options_before_form) add_words(candidates, commands.front()->keywords);
-        reader.unknown(fmt::format("a kind of {}", name), candidates, forms);
+        const ShortList shown(forms, commands.front()->words.front().word, reader.peek());
+        reader.unknown(fmt::format("a kind of {}", name), candidates, shown.words());
     }
-    std::string list;
-    for (const auto form : forms) list += (list.empty() ? "" : ", ") + std::string(form);
     Place place = reader.previous().place;
     place.column += place.length;
     place.length = 1;
-    Diagnostic d(fmt::format("a word is missing after '{}'", reader.previous().text), "expected: " + list);
+    Diagnostic d(fmt::format("a word is missing after '{}'", reader.previous().text),
+                 ShortList(forms, commands.front()->words.front().word, nullptr).expected());
     d.code = "missing-value";
     throw d.at(place);
 }

@@ -214,7 +214,10 @@ int show(Session& session) {
         for (const auto& error : errors.all) session.output.message(error);
         return static_cast<int>(errors.fault);
     } catch (Diagnostic& error) {
-        if (error.hint == "'kaya help' lists the commands") error.hint = "'help' lists the commands";
+        // Here the program is there already: its name is not typed.
+        constexpr std::string_view to_type = "'kaya help";
+        if (const auto at = error.hint.find(to_type); at != std::string::npos)
+            error.hint.replace(at, to_type.size(), "'help");
         session.output.message(error);
         return static_cast<int>(error.fault);
     } catch (const std::bad_alloc&) {

@@ -1,4 +1,5 @@
 #include "base/diagnostic.hpp"
+#include "base/nearest_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -71,15 +72,15 @@ struct Mistakes {
     int beginning; ///< when it was shortened: the language takes any beginning of a word
 };
 
-/// More mistakes than this are never compared with each other.
+/// More mistakes than this are too many for "did you mean".
 constexpr int most_mistakes = 3;
 
 /// Three rows of the table of distances, kept from one word to the next.
 using Rows = std::array<std::vector<int>, 3>;
 
-/// Edit distance in which a swap of neighbours counts as one (optimal string alignment). Exact up to most_mistakes;
+/// Edit distance in which a swap of neighbours counts as one (optimal string alignment). Exact up to `most`;
 /// beyond that some number that is larger.
-Mistakes mistakes(std::string_view typed, std::string_view meant, Rows& rows) {
+Mistakes mistakes(std::string_view typed, std::string_view meant, Rows& rows, int most = most_mistakes) {
     const std::size_t n = typed.size(), m = meant.size();
     for (auto& row : rows) row.resize(m + 1);
     auto [before, last, row] = std::array{rows[0].data(), rows[1].data(), rows[2].data()};
@@ -95,7 +96,7 @@ Mistakes mistakes(std::string_view typed, std::string_view meant, Rows& rows) {
             least = std::min(least, row[j]);
         }
         // No row below can have less than the least of the two above.
-        if (least > most_mistakes + 1) return {least, least};
+        if (least > most + 1) return {least, least};
         std::swap(before, last);
         std::swap(last, row);
     }
@@ -165,6 +166,22 @@ std::string_view did_you_mean(std::string_view word, const std::vector<std::stri
         }
     }
     return best;
+}
+
+std::vector<std::string_view> nearest_words(std::string_view word, std::vector<std::string_view> candidates,
+                                            std::size_t count) {
+    constexpr std::size_t longest = 64; // of a word that is compared letter by letter
+    const std::string_view typed = word.substr(0, longest);
+    Rows rows;
+    std::vector<std::pair<int, std::string_view>> ranked;
+    for (const auto candidate : candidates) {
+        const auto [whole, beginning] = mistakes(typed, candidate, rows, static_cast<int>(longest));
+        ranked.emplace_back(std::min(whole, beginning), candidate);
+    }
+    std::ranges::stable_sort(ranked, {}, &std::pair<int, std::string_view>::first);
+    candidates.clear();
+    for (std::size_t k = 0; k < std::min(count, ranked.size()); ++k) candidates.push_back(ranked[k].second);
+    return candidates;
 }
 
 } // namespace kaya

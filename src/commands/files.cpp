@@ -178,6 +178,10 @@ void run(Session& session, const lang::Restore& command) {
     }
     session.ranges = std::move(ranges);
     session.title = extras.title;
+    if (!extras.missing.empty())
+        session.note_once(fmt::format("'{}' was saved by kaya {}, which did not have these yet: {}", file,
+                                      extras.program_version, fmt::join(extras.missing, ", ")),
+                          "they are as in a new model");
     session.property_places.clear();
     session.make_cycle();
     session.autosave.saved();

@@ -21,9 +21,10 @@ public:
 
     template <class T> void value(const std::string& name, T& value) { add(name, scalars(value), Plain<T>::count); }
     void text(const std::string& name, std::string& text) { texts[path_ + name] = text; }
-    template <class T> void column(const std::string& name, Column<T>& column) {
-        add(name, scalars(column), column.size() * Plain<T>::count);
+    template <class T> void list(const std::string& name, Column<T>& list) {
+        add(name, scalars(list), list.size() * Plain<T>::count);
     }
+    template <class T> void column(const std::string& name, Column<T>& column, const T&) { list(name, column); }
     template <class T> void rows(T&) {}
     template <class S, class Visit> void records(const std::string& name, std::vector<S>& all, Visit&& visit) {
         section(name, [&] {
@@ -37,7 +38,6 @@ public:
         path_ = before;
     }
     template <class Visit> void aside(Visit&& visit) { visit(); }
-    template <class Visit> void since(std::int32_t, bool, Visit&& visit) { visit(); }
 
 private:
     template <class Number> void add(const std::string& name, const Number* values, std::size_t count) {

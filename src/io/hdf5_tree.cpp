@@ -226,6 +226,19 @@ void TreeReader::open_group(const std::string& name) {
 
 void TreeReader::close_group() { files_->groups.pop(); }
 
+std::set<std::string> TreeReader::names() const {
+    std::set<std::string> names;
+    const auto add = [](hid_t, const char* name, const auto*, void* to) -> herr_t {
+        static_cast<std::set<std::string>*>(to)->insert(name);
+        return 0;
+    };
+    hsize_t first = 0;
+    if (H5Literate(files_->groups.top(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names) < 0 ||
+        H5Aiterate(files_->groups.top(), H5_INDEX_NAME, H5_ITER_INC, &first, add, &names) < 0)
+        throw TreeError("the names in " + files_->groups.path_of("") + " cannot be read");
+    return names;
+}
+
 void TreeReader::read_attribute(const std::string& name, Scalar type, void* numbers, std::size_t count) {
     const Handle attribute(H5Aopen(files_->groups.top(), name.c_str(), H5P_DEFAULT), H5Aclose);
     if (!attribute.ok()) throw TreeError(files_->groups.path_of(name) + " is missing");

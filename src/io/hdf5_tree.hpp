@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -65,6 +66,8 @@ public:
 
     void open_group(const std::string& name);
     void close_group();
+    /// Of all that the open group holds.
+    std::set<std::string> names() const;
 
     template <class T> void attribute(const std::string& name, T* numbers, std::size_t count) {
         read_attribute(name, scalar_of<T>(), numbers, count);

@@ -6,6 +6,7 @@
 #include "io/save.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -58,6 +59,8 @@ std::string describe_save_file(const std::string& path) {
     add_line(text, "written by", "kaya " + extras.program_version);
     add_line(text, "read by",
              fmt::format("this program and later ones; none that is older than format {}", extras.format));
+    if (!extras.missing.empty())
+        add_line(text, "not in it", fmt::format("{}; as in a new model", fmt::join(extras.missing, ", ")));
     if (!extras.title.empty()) add_line(text, "title", extras.title);
     add_line(text, "cycle", std::to_string(model.clock.cycle));
     add_line(text, "time",

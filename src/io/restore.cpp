@@ -8,30 +8,49 @@
 #include "model/state.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace kaya {
 
 namespace {
 
-/// Looks whether every column of a table is in the file with that many rows, before the table grows.
+/// Looks whether the columns of a table that are in the file have that many rows, before the table grows.
 struct RowCheck {
     TreeReader& tree;
+    const std::set<std::string>& names;
     std::size_t rows;
+    std::size_t there = 0, missing = 0; ///< bytes of a row
 
-    template <class T> void column(const std::string& name, Column<T>&) {
+    template <class T> void column(const std::string& name, Column<T>&, const T&) {
         using S = typename Plain<T>::scalar;
+        if (!names.contains(name)) {
+            missing += sizeof(T);
+            return;
+        }
+        there += sizeof(T);
         if (tree.rows<S>(name, Plain<T>::count) != rows) throw TreeError("column " + name + " has other rows");
+    }
+
+    /// Otherwise a small file could ask for more than any memory.
+    bool fills() const {
+        constexpr std::size_t most_missing = 8; // times what is there
+        return rows == 0 || missing <= most_missing * there;
     }
 };
 
-/// Leads the walk of model/state.hpp out of a tree.
+/// Leads the walk of model/state.hpp out of a tree. What the tree does not have stays as it is in a new model: the file is
+/// older than that column, value or table.
 class RestoreArchive {
 public:
-    explicit RestoreArchive(TreeReader& tree) : tree_(tree) {}
+    explicit RestoreArchive(TreeReader& tree) : tree_(tree), left_(tree.names()) {}
 
     template <class T> void value(const std::string& name, T& value) {
+        if (!take(name)) return;
         if constexpr (std::is_same_v<T, bool>) {
             std::uint8_t byte = 0;
             tree_.attribute(name, &byte, 1);
@@ -41,43 +60,84 @@ public:
             tree_.attribute(name, scalars(value), Plain<T>::count);
         }
     }
-    void text(const std::string& name, std::string& text) { text = tree_.text(name); }
-    template <class T> void column(const std::string& name, Column<T>& column) {
-        using S = typename Plain<T>::scalar;
-        column.resize(tree_.rows<S>(name, Plain<T>::count), new_value<T>());
-        tree_.data(name, scalars(column), column.size(), Plain<T>::count);
+    void text(const std::string& name, std::string& text) {
+        if (take(name)) text = tree_.text(name);
+    }
+    template <class T> void list(const std::string& name, Column<T>& list) {
+        if (!take(name)) return;
+        list.resize(tree_.rows<typename Plain<T>::scalar>(name, Plain<T>::count), new_value<T>());
+        tree_.data(name, scalars(list), list.size(), Plain<T>::count);
+    }
+    template <class T> void column(const std::string& name, Column<T>& column, const T&) {
+        if (take(name)) tree_.data(name, scalars(column), column.size(), Plain<T>::count);
     }
     template <class T> void rows(T& table) {
-        std::uint64_t rows = 0;
-        value("rows", rows);
+        const std::uint64_t rows = count("rows");
         if (rows > static_cast<std::uint64_t>(std::numeric_limits<Row>::max())) throw TreeError("too many rows");
-        RowCheck check{tree_, static_cast<std::size_t>(rows)};
+        RowCheck check{tree_, left_, static_cast<std::size_t>(rows)};
         table.columns([&](const std::string& name, auto& column, Role) { visit_column(check, name, column); });
+        if (!check.fills()) throw TreeError(path_.substr(0, path_.size() - 1) + " has too few columns for its rows");
         table.resize(static_cast<std::size_t>(rows));
     }
     template <class S, class Visit> void records(const std::string& name, std::vector<S>& all, Visit&& visit) {
         section(name, [&] {
-            std::uint64_t count = 0;
-            value("count", count);
+            const std::uint64_t records = count("count");
             all.clear();
             // One by one: a count that is wrong ends at the first record that is missing.
-            for (std::uint64_t k = 0; k < count; ++k) section(std::to_string(k), [&] { visit(all.emplace_back()); });
+            for (std::uint64_t k = 0; k < records; ++k) {
+                const std::string number = std::to_string(k);
+                left_.erase(number);
+                inside(number, "*/", [&] { visit(all.emplace_back()); });
+            }
         });
     }
     template <class Visit> void section(const std::string& name, Visit&& visit) {
-        tree_.open_group(name);
-        visit();
-        tree_.close_group();
+        if (take(name)) inside(name, name + "/", visit);
     }
     template <class Visit> void aside(Visit&& visit) { visit(); }
-    template <class Visit> void since(std::int32_t format, bool, Visit&& visit) {
-        if (version >= format) visit();
+
+    /// Sees names of the group `name`, which must be there; they are noted after `kind`: records of a list have the same ones.
+    template <class Visit> void inside(const std::string& name, const std::string& kind, Visit&& visit) {
+        tree_.open_group(name);
+        std::set<std::string> outside = std::exchange(left_, tree_.names());
+        const std::size_t length = path_.size();
+        path_ += kind;
+        visit();
+        for (const auto& other : left_) note(unknown_, other);
+        path_.resize(length);
+        left_ = std::move(outside);
+        tree_.close_group();
     }
 
-    std::int32_t version = 0; ///< of the file
+    /// Names that the walk knows and the file does not have, and those of the file that the walk does not know.
+    const std::vector<std::string>& missing() const { return missing_; }
+    const std::vector<std::string>& unknown() const { return unknown_; }
 
 private:
+    /// Whether the open group has that name.
+    bool take(const std::string& name) {
+        if (left_.erase(name) > 0) return true;
+        note(missing_, name);
+        return false;
+    }
+
+    /// A number without which the rest of the group makes no sense.
+    std::uint64_t count(const std::string& name) {
+        std::uint64_t number = 0;
+        left_.erase(name);
+        tree_.attribute(name, &number, 1);
+        return number;
+    }
+
+    void note(std::vector<std::string>& names, const std::string& name) {
+        std::string whole = path_ + name;
+        if (std::ranges::find(names, whole) == names.end()) names.push_back(std::move(whole));
+    }
+
     TreeReader& tree_;
+    std::set<std::string> left_; ///< names of the open group that the walk has not come to
+    std::string path_;
+    std::vector<std::string> missing_, unknown_;
 };
 
 Diagnostic unusable(const std::string& name, const std::string& why) {
@@ -90,6 +150,22 @@ std::string writer_of(TreeReader& tree) {
     try {
         return " of kaya " + tree.text("program_version");
     } catch (const TreeError&) { return {}; }
+}
+
+/// What was read is no model, or not the one that was saved.
+Diagnostic other_state(const std::string& name, std::string why, const RestoreArchive& archive) {
+    if (!archive.missing().empty()) why += fmt::format("; it lacks {}", fmt::join(archive.missing(), ", "));
+    return unusable(name, why);
+}
+
+/// A later program has saved state that this one does not have.
+Diagnostic unknown_state(const std::string& name, const RestoreArchive& archive, const std::string& writer) {
+    Diagnostic refusal = other_state(
+        name, fmt::format("it holds {}, which this program does not know", fmt::join(archive.unknown(), ", ")),
+        archive);
+    refusal.hint =
+        fmt::format("the model is as it was; restore it with kaya {}, which wrote it, or a later one", writer);
+    return refusal;
 }
 
 /// What can be done about a file that this program does not read.
@@ -114,20 +190,24 @@ SaveExtras restore_image(Model& model, std::string_view image, const std::string
     Model fresh;
     try {
         TreeReader tree(tree_image);
-        RestoreArchive archive(tree);
         std::uint64_t hash = 0;
-        archive.value("format_version", archive.version);
-        if (archive.version < first_kept_format || archive.version > save_format_version)
-            throw other_format(name, archive.version, writer_of(tree));
-        archive.value("state_hash", hash);
+        tree.attribute("format_version", &extras.format, 1);
+        if (extras.format < first_kept_format || extras.format > save_format_version)
+            throw other_format(name, extras.format, writer_of(tree));
+        tree.attribute("state_hash", &hash, 1);
+        RestoreArchive archive(tree);
         visit_extras(archive, extras);
-        extras.format = archive.version;
+        if (!archive.missing().empty()) throw TreeError(archive.missing().front() + " is missing");
         // Until format 11 the column is always there.
-        if (archive.version < 12) fresh.zones.keeps_dashpots = fresh.excavated.zones.keeps_dashpots = true;
-        archive.section("model", [&] { visit_state(archive, fresh); });
+        if (extras.format < 12) fresh.zones.keeps_dashpots = fresh.excavated.zones.keeps_dashpots = true;
+        archive.inside("model", "", [&] { visit_state(archive, fresh); });
+        extras.missing = archive.missing();
         const std::string wrong = inconsistency(fresh);
-        if (!wrong.empty()) throw unusable(name, wrong);
-        if (state_hash(fresh) != hash) throw unusable(name, "its content does not add up to the state hash in it");
+        if (!wrong.empty()) throw other_state(name, wrong, archive);
+        if (extras.format >= first_comparable_format && state_hash(fresh) != hash)
+            throw archive.unknown().empty()
+                ? other_state(name, "its content does not add up to the state hash in it", archive)
+                : unknown_state(name, archive, extras.program_version);
     } catch (const TreeError& error) { throw unusable(name, error.what()); } catch (const std::bad_alloc&) {
         throw unusable(name, "there is not enough memory for it");
     }

@@ -10,10 +10,13 @@
 
 namespace kaya {
 
-/// Raised whenever a save file of today could not be read by the program of yesterday.
-inline constexpr std::int32_t save_format_version = 13;
+/// Raised when what is stored gets another meaning. What is added to the state needs no number: a save that does not have it is
+/// restored with what a new model holds.
+inline constexpr std::int32_t save_format_version = 14;
 /// The first format that is read for good: those before were of programs that were never released.
 inline constexpr std::int32_t first_kept_format = 10;
+/// The state hash of formats before was another function of the state.
+inline constexpr std::int32_t first_comparable_format = 14;
 
 /// Name of an item of SaveExtras::scripts that is no state but a sentence about the file.
 inline constexpr std::string_view remark_item = "remark";
@@ -29,6 +32,9 @@ struct SaveExtras {
     std::string title;
     std::vector<Item> scripts; ///< state of the script languages, by part
     std::vector<Item> decks;   ///< texts of the files that made this model, in order of reading
+
+    /// State that the file does not have: it is older than these columns, values and tables, which are as in a new model.
+    std::vector<std::string> missing;
 };
 
 /// The bytes of a save file. The same state gives the same bytes.

@@ -11,7 +11,7 @@ template <class Archive> void visit_extras(Archive& archive, SaveExtras& extras)
     const auto visit_item = [&](SaveExtras::Item& item) {
         archive.text("name", item.name);
         std::vector<std::uint8_t> bytes(item.content.begin(), item.content.end());
-        archive.column("content", bytes);
+        archive.list("content", bytes);
         item.content.assign(bytes.begin(), bytes.end());
     };
     archive.records("scripts", extras.scripts, visit_item);

@@ -13,12 +13,15 @@ namespace kaya {
 // An archive has:
 //   value(name, T&)             a plain value (plain.hpp)
 //   text(name, std::string&)
-//   column(name, Column<T>&)    plain values
+//   list(name, Column<T>&)      plain values, as many as there are
 //   rows(table)                 number of rows, before the table's columns
+//   column(name, Column<T>&, const T& initial)   of a table: a plain value for each row; a new row holds `initial`
 //   records(name, std::vector<S>&, visit)   visit(S&) is called for each, inside a section of its own
 //   section(name, visit)        visit() sees names of its own
 //   aside(visit)                what does not decide how a run goes on: the hash leaves it out
-//   since(format, used, visit)  what came with a save format: saves before it have none, and what is not used is not hashed
+//
+// A name may be added anywhere: the hash leaves out what is as in a new model (state_hash.hpp), and a save that does not have
+// the name is restored with that.
 //
 // The members of each struct are taken by structured binding: one that is added to the struct and
 // not here does not compile.
@@ -82,7 +85,7 @@ template <class Archive> void visit_state(Archive& archive, Energy& energy) {
     archive.value("joint_friction", joint_friction);
     archive.value("joint_lost", joint_lost);
     archive.value("zone_work", zone_work);
-    archive.since(11, structure_work != 0, [&] { archive.value("structure_work", structure_work); });
+    archive.value("structure_work", structure_work);
     archive.value("step_made", step_made);
     archive.value("inner_power", inner_power);
     archive.value("behind", lag);
@@ -128,7 +131,6 @@ template <class Archive> void visit_state(Archive& archive, ZoneProperties& prop
 }
 
 template <class Archive> void visit_state(Archive& archive, StructureProperties& properties) {
-    const StructureProperties fresh;
     auto& [area, young, density, grout_stiffness, grout_cohesion, grout_friction, grout_perimeter, yield_tension,
            yield_compression, rupture_strain, poisson, moment_of_area_y, moment_of_area_z, torsion_constant,
            plastic_moment_y, plastic_moment_z, thickness, link_normal, link_shear, link_cohesion, link_friction,
@@ -143,28 +145,25 @@ template <class Archive> void visit_state(Archive& archive, StructureProperties&
     archive.value("yield_tension", yield_tension);
     archive.value("yield_compression", yield_compression);
     archive.value("rupture_strain", rupture_strain);
-    const auto member = [&](const char* name, double& value, double before) {
-        archive.since(13, value != before, [&] { archive.value(name, value); });
-    };
-    member("poisson", poisson, fresh.poisson);
-    member("moment_of_area_y", moment_of_area_y, fresh.moment_of_area_y);
-    member("moment_of_area_z", moment_of_area_z, fresh.moment_of_area_z);
-    member("torsion_constant", torsion_constant, fresh.torsion_constant);
-    member("plastic_moment_y", plastic_moment_y, fresh.plastic_moment_y);
-    member("plastic_moment_z", plastic_moment_z, fresh.plastic_moment_z);
-    member("thickness", thickness, fresh.thickness);
-    member("link_normal", link_normal, fresh.link_normal);
-    member("link_shear", link_shear, fresh.link_shear);
-    member("link_cohesion", link_cohesion, fresh.link_cohesion);
-    member("link_friction", link_friction, fresh.link_friction);
-    member("link_tension", link_tension, fresh.link_tension);
+    archive.value("poisson", poisson);
+    archive.value("moment_of_area_y", moment_of_area_y);
+    archive.value("moment_of_area_z", moment_of_area_z);
+    archive.value("torsion_constant", torsion_constant);
+    archive.value("plastic_moment_y", plastic_moment_y);
+    archive.value("plastic_moment_z", plastic_moment_z);
+    archive.value("thickness", thickness);
+    archive.value("link_normal", link_normal);
+    archive.value("link_shear", link_shear);
+    archive.value("link_cohesion", link_cohesion);
+    archive.value("link_friction", link_friction);
+    archive.value("link_tension", link_tension);
 }
 
 template <class Archive> void visit_state(Archive& archive, JointProperties& properties) {
     auto& [model, material, values, place] = properties;
     archive.text("model", model);
     archive.value("material", material);
-    archive.column("values", values);
+    archive.list("values", values);
     archive.aside([&] { archive.text("place", place); });
 }
 
@@ -199,14 +198,14 @@ template <class Archive> void visit_state(Archive& archive, History& history) {
     archive.value("number", number);
     archive.text("label", label);
     visit_state(archive, source);
-    archive.column("values", values);
+    archive.list("values", values);
     archive.value("first_sample", first_sample);
 }
 
 template <class Archive> void visit_state(Archive& archive, Histories& histories) {
     auto& [all, time, cycle, interval] = histories;
-    archive.column("time", time);
-    archive.column("cycle", cycle);
+    archive.list("time", time);
+    archive.list("cycle", cycle);
     archive.value("interval", interval);
     archive.records("all", all, [&](History& history) { visit_state(archive, history); });
 }
@@ -219,9 +218,9 @@ template <class Archive, class Tag> void visit_ids(Archive& archive, IdMap<Tag>&
         generations.push_back(slot.generation);
     }
     archive.section("ids", [&] {
-        archive.column("rows", rows);
-        archive.column("generations", generations);
-        archive.column("free", ids.free_slots());
+        archive.list("rows", rows);
+        archive.list("generations", generations);
+        archive.list("free", ids.free_slots());
     });
     // Columns of different lengths: the longer one is seen by the check of the whole model.
     const std::size_t count = std::max(rows.size(), generations.size());
@@ -232,7 +231,7 @@ template <class Archive, class Tag> void visit_ids(Archive& archive, IdMap<Tag>&
 }
 
 template <class Archive, class T> void visit_column(Archive& archive, const std::string& name, Column<T>& column) {
-    archive.column(name, column);
+    archive.column(name, column, new_value<T>());
 }
 
 /// Attachment has a gap between its rows and its weights; it goes as two columns.
@@ -243,8 +242,8 @@ template <class Archive> void visit_column(Archive& archive, const std::string& 
         gridpoints[i] = column[i].gridpoints;
         weights[i] = column[i].weights;
     }
-    archive.column(name + "_gridpoints", gridpoints);
-    archive.column(name + "_weights", weights);
+    archive.column(name + "_gridpoints", gridpoints, Attachment().gridpoints);
+    archive.column(name + "_weights", weights, Attachment().weights);
     for (std::size_t i = 0; i < column.size(); ++i) column[i] = {gridpoints[i], weights[i]};
 }
 
@@ -264,8 +263,8 @@ template <class Archive> void visit_objects(Archive& archive, Column<JointObject
     const auto sizes_before = sizes;
     const auto bytes_before = bytes;
     archive.section("objects", [&] {
-        archive.column("sizes", sizes);
-        archive.column("bytes", bytes);
+        archive.list("sizes", sizes);
+        archive.list("bytes", bytes);
     });
     if (sizes == sizes_before && bytes == bytes_before) return;
     std::size_t first = 0;
@@ -281,10 +280,9 @@ template <class Archive, class T> void visit_table(Archive& archive, const char*
     archive.section(name, [&] {
         if constexpr (requires { table.history_columns; }) { archive.value("history_columns", table.history_columns); }
         if constexpr (requires { table.keeps_dashpots; }) // not hashed: the column says it
-            archive.since(12, false, [&] { archive.value("keeps_dashpots", table.keeps_dashpots); });
+            archive.aside([&] { archive.value("keeps_dashpots", table.keeps_dashpots); });
         if constexpr (requires { table.keeps_objects; }) archive.value("keeps_objects", table.keeps_objects);
-        if constexpr (requires { table.field_columns; })
-            archive.since(11, table.field_columns > 0, [&] { archive.value("field_columns", table.field_columns); });
+        if constexpr (requires { table.field_columns; }) archive.value("field_columns", table.field_columns);
         archive.rows(table);
         table.columns(
             [&](const std::string& column_name, auto& column, Role) { visit_column(archive, column_name, column); });
@@ -303,18 +301,13 @@ template <class Archive> void visit_state(Archive& archive, Model& model) {
     // The tables named above stand here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
 
-    archive.since(11, structures.any(), [&] {
-        model.cable_tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
-        visit_map(archive, "cable_properties", structures.properties,
-                  [&](std::int32_t& number, StructureProperties& properties) {
-                      archive.value("number", number);
-                      visit_state(archive, properties);
-                  });
-        archive.value("next_cable_number", structures.next_number);
-    });
-    archive.since(13, !structures.members.empty(), [&] {
-        model.member_tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
-    });
+    model.structure_tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
+    visit_map(archive, "cable_properties", structures.properties,
+              [&](std::int32_t& number, StructureProperties& properties) {
+                  archive.value("number", number);
+                  visit_state(archive, properties);
+              });
+    archive.value("next_cable_number", structures.next_number);
 
     visit_map(archive, "materials", materials, [&](std::int32_t& number, Material& material) {
         archive.value("number", number);
@@ -329,16 +322,14 @@ template <class Archive> void visit_state(Archive& archive, Model& model) {
         archive.text("model", name);
     });
     archive.records("group_names", group_names, [&](std::string& name) { archive.text("name", name); });
-    archive.since(11, !water_ground.empty(), [&] {
-        Column<Vec3> places(water_ground.corners());
-        Column<std::array<int, 3>> sides(water_ground.triangles());
-        archive.section("water_ground", [&] {
-            archive.column("corners", places);
-            archive.column("triangles", sides);
-        });
-        if (places != water_ground.corners() || sides != water_ground.triangles())
-            water_ground = Ground::restored(std::move(places), std::move(sides));
+    Column<Vec3> places(water_ground.corners());
+    Column<std::array<int, 3>> sides(water_ground.triangles());
+    archive.section("water_ground", [&] {
+        archive.list("corners", places);
+        archive.list("triangles", sides);
     });
+    if (places != water_ground.corners() || sides != water_ground.triangles())
+        water_ground = Ground::restored(std::move(places), std::move(sides));
     archive.records("time_functions", time_functions, [&](TimeFunction& function) { visit_state(archive, function); });
     archive.records("rollers", rollers, [&](Roller& roller) {
         auto& [count, direction, speed] = roller;

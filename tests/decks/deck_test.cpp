@@ -2,6 +2,7 @@
 // comments say.
 //
 //   ;> text       the command above prints this line; ... in it stands for anything
+//   ;because text why the numbers that the command above prints are right: a formula, a source, another way to compute them
 //   ;! error: x   the only messages are those listed; this one points at the command above
 //   ;! text       the message above also says this (hint, call stack)
 //   ;status N     exit status, 0 when it is not given
@@ -15,7 +16,7 @@
 //   ;then DECK    a deck beside this one that is run in the folder afterwards, and ends well
 //   ;cut FILE N   only the first N bytes of the file are left, after that and before this deck runs
 //
-// With --bless the lines `;>` are written anew from what the program prints.
+// With --bless the lines `;>` are written again from what the program prints. A printed number of four digits or more needs its `;because`.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -23,6 +24,8 @@
 #include <iostream>
 #include <map>
 #include <optional>
+#include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -82,6 +85,7 @@ struct Expected {
     Lines needs, first, then, cuts, makes, lacks, holds, hints;
     std::vector<Message> messages;
     std::map<int, Lines> printed; ///< by line of the comment
+    std::set<int> reasons;        ///< lines of the comments `;because`
 };
 
 Expected read_expected(const Lines& deck) {
@@ -91,6 +95,7 @@ Expected read_expected(const Lines& deck) {
         const std::string& line = deck[i];
         const int number = static_cast<int>(i) + 1;
         if (auto text = behind(line, ";>")) expected.printed[number].push_back(*text);
+        else if (auto reason = behind(line, ";because"); reason && !reason->empty()) expected.reasons.insert(number);
         else if (auto message = behind(line, ";!")) {
             if (is_message(*message)) expected.messages.push_back({code_line, *message});
             else expected.hints.push_back(*message);
@@ -190,6 +195,20 @@ std::vector<Printed> split(const Lines& output, const std::string& name) {
     return printed;
 }
 
+/// Whether a line holds a number of four digits or more with a point: nobody sees by looking at it that it is right. What
+/// has fewer is mostly what the deck itself has given.
+bool has_golden_number(const std::string& line) {
+    static const std::regex number(R"((?:^|[^\w.])(\d*\.\d+))");
+    for (std::sregex_iterator at(line.begin(), line.end(), number), end; at != end; ++at) {
+        std::string digits = (*at)[1];
+        std::erase(digits, '.');
+        digits.erase(digits.find_last_not_of('0') + 1);
+        const auto first = digits.find_first_not_of('0');
+        if (first != std::string::npos && digits.size() - first >= 4) return true;
+    }
+    return false;
+}
+
 class Comparison {
 public:
     void fail(const std::string& text) {
@@ -240,13 +259,29 @@ std::string shown(int line, const std::vector<Row>& rows) {
     return text;
 }
 
+/// The first line after the comments that belong to a command.
+int end_of(const std::vector<Printed>& printed, std::size_t i) {
+    return i + 1 < printed.size() ? printed[i + 1].line : 1 << 30;
+}
+
+/// Golden numbers without a reason beside them.
+void require_reason(Comparison& comparison, const Expected& expected, const Lines& lines, int line, int until) {
+    const auto golden = std::ranges::find_if(lines, has_golden_number);
+    const auto reason = expected.reasons.lower_bound(line);
+    if (golden == lines.end() || (reason != expected.reasons.end() && *reason < until)) return;
+    comparison.fail(
+        "line " + std::to_string(line) + " has a golden number without a reason:\n    " + *golden +
+        "\n  add ;because with its formula, its source or another way to compute it; or print what is checked");
+}
+
 void compare_printed(Comparison& comparison, const Expected& expected, const std::vector<Printed>& printed) {
     auto wanted = expected.printed.begin();
     for (std::size_t i = 0; i < printed.size(); ++i) {
-        const int until = i + 1 < printed.size() ? printed[i + 1].line : 1 << 30;
+        const int until = end_of(printed, i);
         Lines lines;
         for (; wanted != expected.printed.end() && wanted->first < until; ++wanted)
             lines.insert(lines.end(), wanted->second.begin(), wanted->second.end());
+        require_reason(comparison, expected, lines, printed[i].line, until);
         const auto rows = side_by_side(lines, printed[i].text);
         if (std::ranges::any_of(rows, [](const Row& row) { return !row.equal(); }))
             comparison.fail(shown(printed[i].line, rows));
@@ -306,8 +341,15 @@ std::string kept_pattern(const Expected& expected, const std::string& text) {
     return text;
 }
 
-/// The deck with its `;>` lines written anew behind the commands that print.
-void bless(const fs::path& file, const Lines& deck, const Expected& expected, const std::vector<Printed>& printed) {
+/// The deck with its `;>` lines written again behind the commands that print, unless a number among them has no reason.
+void bless(Comparison& comparison, const fs::path& file, const Lines& deck, const Expected& expected,
+           const std::vector<Printed>& printed) {
+    for (std::size_t i = 0; i < printed.size(); ++i) {
+        Lines lines;
+        for (const auto& text : printed[i].text) lines.push_back(kept_pattern(expected, text));
+        require_reason(comparison, expected, lines, printed[i].line, end_of(printed, i));
+    }
+    if (comparison.failed()) return;
     std::map<int, Lines> behind_line;
     for (std::size_t i = 0; i < printed.size(); ++i) {
         const int until = i + 1 < printed.size() ? printed[i + 1].line : static_cast<int>(deck.size()) + 1;
@@ -335,9 +377,8 @@ int test(const fs::path& program, const fs::path& deck_file, bool blessing) {
     const Outcome outcome = run(fs::absolute(program), fs::absolute(deck_file), expected, folder);
     const std::string name = deck_file.filename().string();
     const auto printed = split(outcome.printed, name);
-    if (blessing) bless(deck_file, deck, expected, printed);
-
     Comparison comparison;
+    if (blessing) bless(comparison, deck_file, deck, expected, printed);
     if (outcome.status != expected.status)
         comparison.fail("exit status " + std::to_string(outcome.status) + ", but expected is " +
                         std::to_string(expected.status));

@@ -1,4 +1,5 @@
 #include "base/diagnostic.hpp"
+#include "base/nearest_words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,17 @@ TEST(DidYouMean, SaysNothingWhenNothingIsNear) {
     EXPECT_EQ(did_you_mean("x", {"y"}), "");
     EXPECT_EQ(did_you_mean("", {"a", "brick"}), "");
     EXPECT_EQ(did_you_mean("brick", {}), "");
+}
+
+TEST(NearestWords, AreSortedByMistakesAndKeepTheirOrderOtherwise) {
+    using Words = std::vector<std::string_view>;
+    const Words words = {"xvel", "yvel", "xload", "stress", "range"};
+    EXPECT_EQ(nearest_words("xlod", words, 2), (Words{"xload", "xvel"}));
+    EXPECT_EQ(nearest_words("vel", words, 3), (Words{"xvel", "yvel", "xload"}));
+    EXPECT_EQ(nearest_words("stre", words, 1), (Words{"stress"})) << "the beginning of a word is no mistake";
+    EXPECT_EQ(nearest_words("", words, 9).size(), 5u);
+    EXPECT_EQ(nearest_words(std::string(1 << 20, 'x'), words, 6).size(), 5u);
+    EXPECT_TRUE(nearest_words("x", {}, 6).empty());
 }
 
 TEST(DidYouMean, AWordAsLongAsAFileTakesNoTime) {

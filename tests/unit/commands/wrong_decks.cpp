@@ -23,6 +23,15 @@ bool is_expectation(const std::string& line) {
     return caret != std::string::npos && line[caret] == '^';
 }
 
+/// A hint that shows a few words of a long list goes without them: a new word of the language changes no file here. Which are
+/// shown is tested in interp/suggestions.cpp, and that the help has all in interp/help.cpp.
+std::string without_words(const std::string& hint) {
+    constexpr std::string_view before = "expected: ", after = ", ...; 'kaya help ";
+    const auto end = hint.find(after);
+    if (!hint.starts_with(before) || end == std::string::npos) return hint;
+    return std::string(before) + hint.substr(end + 2);
+}
+
 /// The carets below a line, as far to the right as the place, tabs kept.
 std::string carets(const Diagnostic& d, const std::string& line) {
     std::string text;
@@ -31,7 +40,7 @@ std::string carets(const Diagnostic& d, const std::string& line) {
         text += c == '\t' ? '\t' : ' ';
     }
     text.append(static_cast<std::size_t>(d.place.length), '^').append(" ").append(d.message);
-    if (!d.hint.empty()) text.append(" | ").append(d.hint);
+    if (!d.hint.empty()) text.append(" | ").append(without_words(d.hint));
     return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <map>
+#include <set>
 
 namespace kaya::lang {
 namespace {
@@ -61,6 +62,55 @@ TEST(Help, OnAnUnknownWord) {
         EXPECT_EQ(d.message, "there is no command and no keyword 'densty'");
         EXPECT_EQ(d.hint, "did you mean 'density'?");
     }
+}
+
+/// The topic of a hint "expected: a, b, ...; 'kaya help TOPIC' lists all"; empty when the hint lists all itself.
+std::string topic_of(const std::string& hint) {
+    constexpr std::string_view before = "'kaya help ", after = "' lists all";
+    const auto from = hint.find(before);
+    if (from == std::string::npos || !hint.ends_with(after)) return {};
+    const auto begin = from + before.size();
+    return hint.substr(begin, hint.size() - after.size() - begin);
+}
+
+/// What a line says when a word that nothing is near to stands at its end, and what `?` offers there.
+struct WrongPlace {
+    std::string hint;
+    std::vector<std::string> words;
+};
+
+WrongPlace wrong_place(const std::string& line) {
+    WrongPlace place;
+    try {
+        bound(line + " zzqqzzqqzz");
+    } catch (const Diagnostic& d) { place.hint = d.hint; }
+    try {
+        bound(line + " ?");
+    } catch (const Choices& choices) { place.words = choices.words; } catch (const Diagnostic&) {
+    }
+    return place;
+}
+
+TEST(Help, TopicsOfHintsListAllThatMayStandThere) {
+    std::vector<std::string> lines{"hide range", "bound xvel 0 range"};
+    for_each_command(classic(), [&](const CommandSpec& command) { lines.push_back(command.name()); });
+    std::set<std::string> topics;
+    for (const auto& line : lines) {
+        const auto [hint, words] = wrong_place(line);
+        const std::string topic = topic_of(hint);
+        if (topic.empty()) continue;
+        topics.insert(topic);
+        EXPECT_GT(words.size(), 8u) << line;
+        const std::string page = help_on(classic(), topic), range = help_on(classic(), "range");
+        for (const auto& word : words)
+            if (page.find(word) == std::string::npos) {
+                // Elements of a range without its word; the page of the command names that page.
+                EXPECT_THAT(range, HasSubstr(word)) << "'kaya help " << topic << "' does not list it";
+                EXPECT_THAT(page, HasSubstr("help range")) << topic;
+            }
+    }
+    for (const char* topic : {"range", "history", "boundary", "list", "solve", "set"})
+        EXPECT_TRUE(topics.contains(topic)) << topic;
 }
 
 TEST(Completion, OfCommandsKeywordsAndElements) {

@@ -1,7 +1,11 @@
 // How often a misspelt word of the language gets the right suggestion: measured over the whole table.
 #include "bound.hpp"
 
+#include "lang/interp/short_list.hpp"
+
+#include <algorithm>
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <set>
 
 namespace kaya::lang {
@@ -108,6 +112,43 @@ TEST(Suggestions, OfShortWordsToo) {
     EXPECT_EQ(did_you_mean("xyzzy", words), "");
     EXPECT_EQ(did_you_mean("", words), "");
     EXPECT_EQ(did_you_mean("group", {}), "");
+}
+
+TEST(Suggestions, ALongListShowsItsNearestWordsAndWhereAllAre) {
+    const std::vector<std::string_view> words = {"ratio",   "force",   "cycles",     "time",    "clock",  "still",
+                                                 "elastic", "bracket", "resolution", "include", "exclude"};
+    const auto hint = [&](std::size_t count, const std::string& typed) {
+        const std::vector<std::string_view> list(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(count));
+        if (typed.empty()) return ShortList(list, "solve", nullptr).expected();
+        Lexer lexer(source_from_text("test", typed));
+        Statement statement;
+        EXPECT_TRUE(lexer.next(statement));
+        return ShortList(list, "solve", &statement.words.front()).expected();
+    };
+    const std::string first = "expected: ratio, force, cycles, time, clock, still, ...; 'kaya help solve' lists all";
+    EXPECT_EQ(hint(words.size(), ""), first);
+    EXPECT_EQ(hint(words.size(), "17"), first) << "a number is near to no word";
+    EXPECT_THAT(hint(words.size(), "TIMEOUT"), testing::StartsWith("expected: time, "));
+    EXPECT_THAT(hint(words.size(), "seclude"), testing::StartsWith("expected: exclude, include, "));
+    EXPECT_EQ(hint(8, "seclude"), "expected: ratio, force, cycles, time, clock, still, elastic, bracket");
+    EXPECT_THAT(hint(words.size(), "?"), testing::EndsWith(", include, exclude"));
+}
+
+// The one test that knows how many words there are is the help's (help.cpp): here it is that none of them is a wall of words.
+TEST(Suggestions, NoHintOfTheLanguageListsMoreThanEightWords) {
+    std::vector<std::string> lines{"hide range", "bound xvel 0 range", "poly",
+                                   "gen",        "structure",          "insitu stress 0 0 0 0 0 0"};
+    for_each_command(classic(), [&](const CommandSpec& command) { lines.push_back(command.name()); });
+    for (const auto& line : lines)
+        for (const char* end : {"", " zzqqzzqqzz", " 0 0 0 0 0 0 0 0 0 0"}) {
+            std::string hint;
+            try {
+                bound(line + end);
+            } catch (const Diagnostic& d) { hint = d.hint; }
+            if (hint.starts_with("expected: ")) {
+                EXPECT_LE(std::count(hint.begin(), hint.end(), ','), 7) << line << end << hint;
+            }
+        }
 }
 
 } // namespace

@@ -23,9 +23,9 @@ TEST(Info, ASaveFileInWords) {
     extras.scripts = {{"lua", "12345"}};
     save_state(model, folder / "a.sav", extras);
     EXPECT_EQ(describe_save_file(folder / "a.sav"),
-              fmt::format("file            {} (format 13)\n"
+              fmt::format("file            {} (format 14)\n"
                           "written by      kaya 0.1.0\n"
-                          "read by         this program and later ones; none that is older than format 13\n"
+                          "read by         this program and later ones; none that is older than format 14\n"
                           "title           Direct shear\n"
                           "cycle           42\n"
                           "time            0.1, step 0\n"

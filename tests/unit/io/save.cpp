@@ -272,7 +272,7 @@ TEST(Restore, TablesThatAreMissingOrOfAnotherTypeOrSize) {
     EXPECT_THAT(refused(image_with([&](TreeWriter& t) { t.attribute("rows", real, 1); })).message,
                 HasSubstr("model/blocks/rows is of another type or size"));
     EXPECT_THAT(refused(image_with([&](TreeWriter& t) { t.attribute("rows", &two, 1); })).message,
-                HasSubstr("model/blocks/id is missing"));
+                HasSubstr("blocks has too few columns for its rows"));
     EXPECT_THAT(refused(image_with([&](TreeWriter& t) {
                     t.attribute("rows", &two, 1);
                     t.data("id", real, 2, 2);
@@ -293,7 +293,7 @@ TEST(Restore, TablesThatAreMissingOrOfAnotherTypeOrSize) {
 TEST(Restore, NumbersOfRowsThatNoMemoryHoldsAreRefused) {
     const std::uint64_t many = 2'000'000'000, more = ~std::uint64_t{0};
     EXPECT_THAT(refused(image_with([&](TreeWriter& t) { t.attribute("rows", &many, 1); })).message,
-                HasSubstr("is missing"));
+                HasSubstr("too few columns"));
     EXPECT_THAT(refused(image_with([&](TreeWriter& t) { t.attribute("rows", &more, 1); })).message,
                 HasSubstr("too many rows"));
 }

@@ -1,7 +1,8 @@
-#include "model/state.hpp"
+#include "model/state_hash.hpp"
 
 #include "model/sampling.hpp"
 #include "tests/unit/model/hand_made.hpp"
+#include "tests/unit/model/other_walk.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,18 +32,16 @@ public:
     void text(std::string_view, std::string& text) {
         if (count_++ == target_) text += "x";
     }
-    template <class T> void column(std::string_view, Column<T>& column) {
-        change(scalars(column), column.size() * Plain<T>::count);
+    template <class T> void list(std::string_view, Column<T>& list) {
+        change(scalars(list), list.size() * Plain<T>::count);
     }
+    template <class T> void column(std::string_view name, Column<T>& column, const T&) { list(name, column); }
     template <class T> void rows(T&) {}
     template <class S, class Visit> void records(std::string_view, std::vector<S>& all, Visit&& visit) {
         for (auto& record : all) visit(record);
     }
     template <class Visit> void section(std::string_view, Visit&& visit) { visit(); }
     template <class Visit> void aside(Visit&&) {}
-    template <class Visit> void since(std::int32_t, bool used, Visit&& visit) {
-        if (used) visit();
-    }
 
     bool changed() const { return count_ > target_; }
 
@@ -121,4 +120,44 @@ TEST(StateHash, HashingChangesNothing) {
     EXPECT_EQ(model.blocks.ids.row(model.blocks.id[1]), no_row);
     EXPECT_EQ(model.materials.at(3).joint.at("jfric"), 30);
     EXPECT_EQ(model.sub_contacts.side1[1].gridpoints[2], 6);
+}
+
+namespace {
+
+/// The hash that a program computes which does not know one name, or has one more column.
+std::uint64_t other_hash(Model& model, const std::string& without, const std::string& with = {}, double more = 0) {
+    HashArchive hash;
+    test::OtherWalk other(hash);
+    other.without = without;
+    other.with = with;
+    other.more.assign(model.gridpoints.size(), more);
+    visit_state(other, model);
+    return hash.digest();
+}
+
+} // namespace
+
+TEST(StateHash, NoNameOfANewModelCounts) {
+    Model model;
+    const auto names = test::names_of(model);
+    EXPECT_GT(names.all.size(), 250u);
+    EXPECT_TRUE(names.holding.empty());
+    for (const auto& name : names.all) EXPECT_EQ(other_hash(model, name), state_hash(model)) << name;
+}
+
+TEST(StateHash, AColumnCountsWhenItHoldsMoreThanItsInitialValue) {
+    Model model = hand_made_model();
+    const auto whole = state_hash(model);
+    const auto names = test::names_of(model);
+    EXPECT_GT(names.holding.size(), 30u);
+    EXPECT_GT(names.columns.size() - names.holding.size(), 30u);
+    for (const auto& name : names.columns)
+        EXPECT_EQ(other_hash(model, name) != whole, names.holding.contains(name)) << name;
+}
+
+TEST(StateHash, AColumnThatIsAddedChangesNothingUntilItIsUsed) {
+    Model model = hand_made_model();
+    EXPECT_EQ(other_hash(model, {}, "gridpoints/temperature", 0.0), state_hash(model));
+    EXPECT_NE(other_hash(model, {}, "gridpoints/temperature", 20.0), state_hash(model));
+    EXPECT_NE(other_hash(model, {}, "gridpoints/temperature", -0.0), state_hash(model)) << "bits count";
 }

@@ -27,9 +27,10 @@ public:
 
     template <class T> void value(const std::string& name, T& value) { change(name, scalars(value), Plain<T>::count); }
     void text(const std::string&, std::string&) {}
-    template <class T> void column(const std::string& name, Column<T>& column) {
-        change(name, scalars(column), column.size() * Plain<T>::count);
+    template <class T> void list(const std::string& name, Column<T>& list) {
+        change(name, scalars(list), list.size() * Plain<T>::count);
     }
+    template <class T> void column(const std::string& name, Column<T>& column, const T&) { list(name, column); }
     template <class T> void rows(T&) {}
     template <class S, class Visit> void records(const std::string& name, std::vector<S>& all, Visit&& visit) {
         section(name, [&] {
@@ -43,9 +44,6 @@ public:
         path_ = before;
     }
     template <class Visit> void aside(Visit&& visit) { visit(); }
-    template <class Visit> void since(std::int32_t, bool used, Visit&& visit) {
-        if (used) visit();
-    }
 
 private:
     template <class Number> void change(const std::string& name, Number* numbers, std::size_t count) {

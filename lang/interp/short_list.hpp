@@ -1,0 +1,29 @@
+// What a hint shows of the words that may stand at a place: all of a few, of many the nearest ones and the topic of `kaya help` that lists all.
+#pragma once
+
+#include "lang/interp/lexer.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kaya::lang {
+
+class ShortList {
+public:
+    /// `typed` is the word that is none of them, or null when nothing was typed. A question (`?`) gets the whole list.
+    ShortList(std::vector<std::string_view> all, std::string_view topic, const Word* typed);
+    ShortList(const ShortList&) = delete;
+    ShortList& operator=(const ShortList&) = delete;
+
+    /// The words, and after those of a long list "...; 'kaya help TOPIC' lists all".
+    const std::vector<std::string_view>& words() const { return words_; }
+    /// "expected: ratio, force, cycles"
+    std::string expected() const;
+
+private:
+    std::string rest_;
+    std::vector<std::string_view> words_;
+};
+
+} // namespace kaya::lang

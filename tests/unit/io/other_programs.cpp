@@ -1,0 +1,166 @@
+// Save files of programs that know one name less than this one, or one column more.
+#include "io/save.hpp"
+
+#include "base/diagnostic.hpp"
+#include "io/save_archive.hpp"
+#include "io/save_trailer.hpp"
+#include "io/save_walk.hpp"
+#include "model/consistency.hpp"
+#include "model/sampling.hpp"
+#include "model/state_hash.hpp"
+#include "tests/unit/model/hand_made.hpp"
+#include "tests/unit/model/other_walk.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+using namespace kaya;
+using namespace kaya::test;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+namespace {
+
+Model saved_model() {
+    Model model = hand_made_model();
+    add_history(model, {HistorySource::Kind::global, "unbalanced_force"});
+    sample_histories(model, {});
+    return model;
+}
+
+struct OtherProgram {
+    std::string without, with; ///< OtherWalk
+    double more = 0;
+
+    template <class Archive> void walk(Archive& archive, Model& model) const {
+        OtherWalk other(archive);
+        other.without = without;
+        other.with = with;
+        other.more.assign(model.gridpoints.size(), more);
+        visit_state(other, model);
+    }
+    std::uint64_t hash(Model& model) const {
+        HashArchive archive;
+        walk(archive, model);
+        return archive.digest();
+    }
+    /// What it saves; `hash` in place of its own when given.
+    std::string image(Model& model, std::uint64_t hash) const {
+        TreeWriter tree;
+        SaveArchive archive(tree);
+        std::int32_t version = save_format_version;
+        archive.value("format_version", version);
+        archive.value("state_hash", hash);
+        SaveExtras extras;
+        extras.program_version = "9.8.7";
+        visit_extras(archive, extras);
+        archive.section("model", [&] { walk(archive, model); });
+        return with_trailer(tree.image());
+    }
+};
+
+Diagnostic refusal(const std::string& image) {
+    Model model;
+    try {
+        restore_image(model, image, "x.sav");
+    } catch (const Diagnostic& d) {
+        EXPECT_TRUE(model.blocks.empty());
+        return d;
+    }
+    return Diagnostic("nothing was refused");
+}
+
+} // namespace
+
+// What an earlier program did not have is as in a new model; without links and ids there is no model.
+TEST(OtherPrograms, SavesOfOneThatKnowsOneNameLessAreRestored) {
+    Model model = saved_model();
+    const auto names = names_of(model);
+    int restored_files = 0;
+    for (const auto& name : names.all) {
+        const OtherProgram earlier{name, {}};
+        const auto hash = earlier.hash(model);
+        Model restored;
+        try {
+            const SaveExtras extras = restore_image(restored, earlier.image(model, hash), "x.sav");
+            EXPECT_THAT(extras.missing, ElementsAre(name));
+            EXPECT_EQ(inconsistency(restored), "") << name;
+            EXPECT_EQ(state_hash(restored), hash) << name;
+            ++restored_files;
+        } catch (const Diagnostic& refused) { EXPECT_THAT(refused.message, HasSubstr("lacks " + name)); }
+    }
+    EXPECT_GT(restored_files, 200);
+}
+
+TEST(OtherPrograms, NoColumnOfLoadsMotionAndStateIsNeeded) {
+    Model model = saved_model();
+    int columns = 0;
+    model.tables([&](const char* table_name, auto& table) {
+        table.columns([&](const std::string& column, const auto&, Role role) {
+            if (role != Role::load && role != Role::motion && role != Role::displacement && role != Role::state) return;
+            const OtherProgram earlier{fmt::format("{}/{}", table_name, column), {}};
+            Model restored;
+            EXPECT_NO_THROW(restore_image(restored, earlier.image(model, earlier.hash(model)), "x.sav"))
+                << earlier.without;
+            ++columns;
+        });
+    });
+    EXPECT_GT(columns, 60);
+}
+
+TEST(OtherPrograms, WhatADamagedFileHasLostIsNoticedWhenItHeldSomething) {
+    Model model = saved_model();
+    const auto hash = state_hash(model);
+    int noticed = 0;
+    for (const auto& name : names_of(model).all) {
+        const OtherProgram damaged{name, {}};
+        const std::string image = damaged.image(model, hash);
+        if (damaged.hash(model) == hash) {
+            Model restored;
+            restore_image(restored, image, "x.sav");
+            EXPECT_EQ(state_hash(restored), hash) << name;
+        } else {
+            EXPECT_THAT(refusal(image).message, HasSubstr("lacks " + name));
+            ++noticed;
+        }
+    }
+    EXPECT_GT(noticed, 60);
+}
+
+TEST(OtherPrograms, AColumnOfALaterOneIsPassedOverUntilItIsUsed) {
+    Model model = saved_model();
+    const OtherProgram later{{}, "gridpoints/temperature"}, using_it{{}, "gridpoints/temperature", 20};
+    Model restored;
+    const SaveExtras extras = restore_image(restored, later.image(model, later.hash(model)), "x.sav");
+    EXPECT_TRUE(extras.missing.empty());
+    EXPECT_EQ(state_hash(restored), state_hash(model));
+    const Diagnostic refused = refusal(using_it.image(model, using_it.hash(model)));
+    EXPECT_EQ(refused.message,
+              "'x.sav' cannot be restored: it holds gridpoints/temperature, which this program does not know");
+    EXPECT_EQ(refused.hint, "the model is as it was; restore it with kaya 9.8.7, which wrote it, or a later one");
+}
+
+TEST(OtherPrograms, ATableWithoutMostOfItsColumnsAsksForNoMemory) {
+    TreeWriter tree;
+    const std::int32_t version = save_format_version;
+    const std::uint64_t none = 0, rows = 60'000;
+    tree.attribute("format_version", &version, 1);
+    tree.attribute("state_hash", &none, 1);
+    tree.text("program_version", "");
+    tree.text("title", "");
+    for (const auto* list : {"scripts", "decks"}) {
+        tree.open_group(list);
+        tree.attribute("count", &none, 1);
+        tree.close_group();
+    }
+    tree.open_group("model");
+    tree.open_group("gridpoints");
+    tree.attribute("rows", &rows, 1);
+    const std::vector<std::uint8_t> fixed(rows, 0);
+    tree.data("fixed", fixed.data(), rows, 1);
+    tree.close_group();
+    tree.close_group();
+    EXPECT_EQ(refusal(with_trailer(tree.image())).message,
+              "'x.sav' cannot be restored: gridpoints has too few columns for its rows");
+}
