@@ -127,7 +127,10 @@ SaveExtras restore_image(Model& model, std::string_view image, const std::string
         archive.section("model", [&] { visit_state(archive, fresh); });
         const std::string wrong = inconsistency(fresh);
         if (!wrong.empty()) throw unusable(name, wrong);
-        if (state_hash(fresh) != hash) throw unusable(name, "its content does not add up to the state hash in it");
+        if (const std::uint64_t found = state_hash(fresh); found != hash)
+            throw unusable(name,
+                           fmt::format("its content does not add up to the state hash in it: {:016x} is not {:016x}",
+                                       found, hash));
     } catch (const TreeError& error) { throw unusable(name, error.what()); } catch (const std::bad_alloc&) {
         throw unusable(name, "there is not enough memory for it");
     }
