@@ -260,11 +260,11 @@ void read_chunks(Image& image, Bytes layout, Data& data) {
 void read_layout(Image& image, Bytes layout, Data& data) {
     enum { compact, contiguous, chunked, virtual_layout };
     constexpr int known_version = 3;
-    const int version = layout.byte(), way = layout.byte();
-    require(way != virtual_layout, "is put together from other files (a virtual layout)");
-    require(version == known_version && way != compact, "is laid out in a way that saves do not have");
-    if (way == chunked) return read_chunks(image, layout, data);
-    require(way == contiguous, "is laid out in a way that saves do not have");
+    const int version = layout.byte(), kind = layout.byte();
+    require(kind != virtual_layout, "is put together from other files (a virtual layout)");
+    require(version == known_version && kind != compact, "is laid out in a way that saves do not have");
+    if (kind == chunked) return read_chunks(image, layout, data);
+    require(kind == contiguous, "is laid out in a way that saves do not have");
     const auto at = layout.number<Address>();
     const auto size = layout.number<std::uint64_t>();
     require(size == data.bytes, "has not as many bytes as it claims");

@@ -94,7 +94,7 @@ std::string wrong_of_time(const Model& model) {
 
 std::string unbounded_number(Model& model) {
     std::string found = wrong_of_time(model);
-    const auto look = [&](const char* table, auto& rows) {
+    const auto visit_rows = [&](const char* table, auto& rows) {
         rows.columns([&]<class T, class RoleType>(const std::string& name, Column<T>& column, RoleType role) {
             if constexpr (std::is_same_v<RoleType, Role> && requires { typename Plain<T>::scalar; }) {
                 if constexpr (std::is_same_v<typename Plain<T>::scalar, double>) {
@@ -104,8 +104,8 @@ std::string unbounded_number(Model& model) {
             }
         });
     };
-    model.tables(look);
-    model.structure_tables(look);
+    model.tables(visit_rows);
+    model.structure_tables(visit_rows);
     return found;
 }
 
@@ -115,7 +115,8 @@ void require_bounded(Model& model) {
 
 Diagnostic diverged(Model& model) {
     const std::string wrong = unbounded_number(model);
-    Diagnostic d(fmt::format("the run diverged: {}", wrong.empty() ? "a velocity or a force is infinite, or not a number" : wrong),
+    Diagnostic d(fmt::format("the run diverged: {}",
+                             wrong.empty() ? "a velocity or a force is infinite, or not a number" : wrong),
                  "a velocity or a force has grown without limit: look at the time step, stiffnesses and loads",
                  Fault::run);
     d.code = "motion-lost";
